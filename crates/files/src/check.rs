@@ -51,7 +51,6 @@ impl<'a> Checked<'a> {
         Checked { table, bad }
     }
 
-    /// The keys and values as written.
     pub fn table(&self) -> &Table<'a> {
         &self.table
     }
@@ -85,7 +84,6 @@ impl<'a> Checked<'a> {
     }
 }
 
-/// The check of one file.
 struct SchemaCheck<'a> {
     root: &'static Value,
     reading: &'a Reading,
@@ -97,7 +95,6 @@ struct SchemaCheck<'a> {
 struct ValuePlace<'k> {
     key: &'k str,
     unit: &'static str,
-    /// The schema of its key.
     schema: &'k Value,
     /// Its place in a list, from 1.
     place: Option<usize>,
@@ -420,7 +417,6 @@ impl SchemaCheck<'_> {
         self.add(below(table.path, name), None, reason, help);
     }
 
-    /// Which keys go together.
     fn check_combinations(&mut self, table: &Keys, schema: &Value) {
         let mut wrong = |key: &str, reason: String, help: String| {
             self.add(below(table.path, key), table.get(key), reason, help);
@@ -541,7 +537,6 @@ impl SchemaCheck<'_> {
     }
 }
 
-/// The keys of one table.
 struct Keys<'t> {
     path: &'t str,
     entries: &'t [(String, Node)],
@@ -606,7 +601,6 @@ enum Kind {
     Flag,
     Number,
     Whole,
-    /// One of some words.
     Word,
     Text,
     List,
@@ -627,13 +621,11 @@ impl Kind {
     }
 }
 
-/// The words that a schema allows.
 fn words(schema: &Value) -> Vec<&str> {
     let described = members(schema, "oneOf").filter_map(|one| one["const"].as_str());
     strings(&schema["enum"]).chain(described).collect()
 }
 
-/// The keys of a table's schema.
 fn names(schema: &Value) -> Vec<&str> {
     let keys = schema["properties"].as_object().into_iter().flatten();
     keys.map(|(key, _)| key.as_str()).collect()

@@ -70,9 +70,7 @@ fn missing(why: &str) -> String {
 }
 
 /// The common face of teeth with these ends, mm from the wheel's measuring plane.
-///
-/// # Errors
-/// The reason why there is none.
+/// Errors: the reason why there is none.
 fn common(wheel: [f64; 2], pinion: [f64; 2]) -> Result<[f64; 2], String> {
     let common = [wheel[0].max(pinion[0]), wheel[1].min(pinion[1])];
     if common[0] < common[1] {
@@ -93,9 +91,7 @@ pub fn reason_of_gears<'a>(mut gears: impl Iterator<Item = &'a AsBuilt>) -> Opti
 }
 
 /// Gives the spur `pair` at 20 °C its common face where there is a reason `why` it needs one.
-///
-/// # Errors
-/// A face width that the pair does not state; gears that do not face each other.
+/// Errors: a face width that the pair does not state; gears that do not face each other.
 pub fn complete(pair: &mut PairFile, why: Option<&str>) -> Result<(), Problem> {
     let Some(why) = why.filter(|_| pair.study.face == [0.0; 2]) else {
         return Ok(());

@@ -13,13 +13,10 @@ use std::rc::Rc;
 /// A data file: its path, and its name in messages.
 #[derive(Debug, Clone)]
 pub struct DataFile {
-    /// The reading of the pair file.
     reading: Rc<Reading>,
     /// Dotted path of the key that names it.
     key: String,
-    /// As written in the pair file.
     name: String,
-    /// The path to it.
     path: PathBuf,
     /// Whether its real place is outside the pair file's folder.
     outside: bool,
@@ -53,12 +50,10 @@ impl DataFile {
         &self.key
     }
 
-    /// As written in the pair file.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The path to it.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -100,7 +95,6 @@ impl DataFile {
         }
     }
 
-    /// The reading of the pair file.
     pub fn reading(&self) -> &Reading {
         &self.reading
     }
@@ -116,17 +110,14 @@ impl DataFile {
         }
     }
 
-    /// A problem of one line.
     pub fn problem_at(&self, line: u64, reason: impl Display, help: impl Display) -> Problem {
         self.problem(format!("line {line}: {reason}"), help)
     }
 
-    /// Adds a problem.
     pub fn add(&self, reason: impl Display, help: impl Display) {
         self.reading.add(self.problem(reason, help));
     }
 
-    /// Adds a problem of one line.
     pub fn add_at(&self, line: u64, reason: impl Display, help: impl Display) {
         self.reading.add(self.problem_at(line, reason, help));
     }

@@ -19,7 +19,6 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// A fault of a whole file.
     pub(crate) fn of_file(reason: impl fmt::Display, help: impl fmt::Display) -> Problem {
         Problem::at("", reason, help)
     }

@@ -36,9 +36,7 @@ impl Files {
     }
 
     /// The bytes of the file called `path`. A file that was given without its folder counts where only one has its name.
-    ///
-    /// # Errors
-    /// A problem where there is no such file.
+    /// Errors: a problem where there is no such file.
     pub(crate) fn bytes(&self, path: &Path) -> Result<Vec<u8>, Problem> {
         let name = plain_name(path);
         let found = self.0.get(&name).or_else(|| {

@@ -303,13 +303,11 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
     format!("{}: {words}", of.table.path_of(key))
 }
 
-/// An eccentricity in words.
 fn shown(e: Eccentricity) -> String {
     let [um, tooth] = [ascii(e.um, 3), ascii(e.high_tooth, 2)];
     format!("{um} µm towards tooth {tooth}")
 }
 
-/// The eccentricity contained in datum-axis pitch.
 fn in_pitch(note: &EccentricityNote) -> String {
     let found = format!(
         "the datum-axis values contain an eccentricity of {}",

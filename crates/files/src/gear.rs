@@ -26,17 +26,14 @@ pub struct GearPart {
     pub module_mm: Option<f64>,
     /// `α`, degrees as written.
     pub pressure_angle_deg: Option<f64>,
-    /// The helix of its teeth.
     pub helix: Option<Helix>,
     /// Ratio of lengths along the pitch line in the normal section to those in the section of the file.
     in_section: f64,
-    /// All of these.
     pub basic_data: Option<BasicGearData>,
     /// The gear, in one or both materials.
     pub as_built: Option<Toleranced<AsBuilt>>,
     /// As in the pair file, defaults filled in.
     pub spec: Option<GearSpec>,
-    /// Factor of its lengths and deviations.
     pub scale: f64,
     /// Coefficient of thermal expansion, 1/K; `Some(None)` where none is given.
     pub expansion_per_k: Option<Option<f64>>,
@@ -44,7 +41,6 @@ pub struct GearPart {
     pub states_face: bool,
     /// Notes on statements that concern each other.
     pub notes: GearNotes,
-    /// Warnings.
     pub warnings: Vec<String>,
     /// Remarks on what is in order.
     pub remarks: Vec<String>,
@@ -227,7 +223,6 @@ impl GearPart {
         Some(())
     }
 
-    /// Whether it has lead deviations.
     pub fn has_leads(&self) -> bool {
         self.as_built
             .as_ref()

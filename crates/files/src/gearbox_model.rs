@@ -10,9 +10,7 @@ pub fn is_rexs(path: &Path) -> bool {
 }
 
 /// The `bytes` of the file at `path`, which should be a pair file or gear file.
-///
-/// # Errors
-/// The file is a gearbox model, by its name or as XML.
+/// Errors: the file is a gearbox model, by its name or as XML.
 pub fn no_model(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     let is_xml = text.trim_ascii_start().starts_with(b"<");

@@ -16,7 +16,6 @@ use super::traces::{Along, Measured};
 use gearlash::gear::{BasicGearData, EndRelief, Face, Flank, Hand, Lead, Trace};
 use gearlash::metrology::LeadKey;
 
-/// Name of the table.
 const NAME: &str = "lead";
 /// Share of the face width that the evaluation range leaves out at each end, unless one module is less; ISO 1328-1.
 const END_SHARE: f64 = 0.05;
@@ -79,7 +78,6 @@ pub fn with_further(gear: &GearSpec, further: &[Lead; 2]) -> Option<LeadSpec> {
     Some(spec)
 }
 
-/// The leads of a gear.
 #[derive(Debug, Clone)]
 pub struct Leads {
     /// As in the pair file: defaults filled in, traces as lists from the reference face in the transverse section.
@@ -89,7 +87,6 @@ pub struct Leads {
     hand: Hand,
     /// Statements about the gear in the files of traces.
     pub headers: Vec<Header>,
-    /// Conventions that the file leaves open.
     pub warnings: Vec<String>,
 }
 

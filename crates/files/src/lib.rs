@@ -100,14 +100,12 @@ pub use spec::{explained, gear_schema, pair_schema};
 /// A pair file or gear file as a tree of values.
 #[derive(Clone, Copy)]
 struct Tree<'a> {
-    /// Its name in messages.
     path: &'a Path,
     reading: &'a Rc<Reading>,
     entries: &'a [(String, Node)],
 }
 
 impl<'a> Tree<'a> {
-    /// Its keys and values.
     fn table(&self) -> Table<'a> {
         Table::new("", self.reading, self.entries)
     }
@@ -236,7 +234,6 @@ fn without_text<T>(result: Result<T, InputError>) -> Result<T, InputError> {
     })
 }
 
-/// The pair.
 fn any_pair(file: &Tree) -> Option<AnyPair> {
     if outlines::has_outline(file) {
         outlines::read(file)

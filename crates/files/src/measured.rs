@@ -86,12 +86,10 @@ impl Measured {
         ))
     }
 
-    /// The rows.
     pub fn into_rows(self) -> Vec<MeasuredRow> {
         self.rows.into_iter().map(|(_, row)| row).collect()
     }
 
-    /// As in the pair file.
     pub fn spec(&self) -> MeasuredSpec {
         MeasuredSpec {
             file: self.file.name().to_owned(),

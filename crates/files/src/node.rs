@@ -20,13 +20,10 @@ const MOST_KEYS: usize = 1000;
 pub enum Node {
     /// `true` or `false`.
     Flag(bool),
-    /// A number written without a point.
     Whole(i64),
     /// Any other number; TOML can write `nan` and `inf`.
     Number(f64),
-    /// A string.
     Text(String),
-    /// An array.
     List(Vec<Node>),
     /// A table or object, its keys distinct.
     Table(Vec<(String, Node)>),

@@ -9,7 +9,6 @@ use gearlash::gear::{BasicGearData, Flank, Modification, Relief, Trace};
 use gearlash::metrology::ProfileKey;
 use serde::Deserialize;
 
-/// Name of the table.
 const NAME: &str = "profile";
 
 /// The profiles of the right and left flanks of one gear, as in the pair file; traces are lists of roll lengths.

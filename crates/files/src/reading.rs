@@ -87,17 +87,14 @@ impl Reading {
         path
     }
 
-    /// Records other sources.
     pub fn read_too(&self, others: &Sources) {
         self.sources.borrow_mut().extend(others);
     }
 
-    /// All sources so far.
     pub fn sources(&self) -> Sources {
         self.sources.borrow().clone()
     }
 
-    /// Adds a remark.
     pub fn add_remark(&self, remark: Option<String>) {
         self.remarks.borrow_mut().extend(remark);
     }
@@ -116,7 +113,6 @@ impl Reading {
             .for_each(|problem| self.add(problem));
     }
 
-    /// Adds a problem.
     pub fn add(&self, problem: Problem) {
         self.problems.borrow_mut().add(problem);
     }
@@ -217,7 +213,6 @@ impl Problems {
         self.listed.is_empty()
     }
 
-    /// The problems that are reported.
     pub fn into_list(self) -> Vec<Problem> {
         self.listed
     }

@@ -13,11 +13,8 @@ pub struct Runout {
     pub spec: RunoutSpec,
     /// In the measuring plane, where two planes state it.
     of_planes: Option<metrology::Runout>,
-    /// Lean of the teeth's axis.
     pub wobble: Wobble,
-    /// Conventions that the file leaves open.
     pub warnings: Vec<String>,
-    /// The readings that it comes from.
     readings: Option<ProbeReadings>,
     /// Statements about the gear in the file of the readings.
     pub header: Option<Header>,

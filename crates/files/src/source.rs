@@ -28,9 +28,7 @@ const MOST_MARKS: usize = 500_000;
 const LONGEST_MESSAGE: usize = 300;
 
 /// The bytes of the file at `path`.
-///
-/// # Errors
-/// One problem with an empty key: not there, a folder, over 64 MiB, unreadable, a pipe without data for 5 s.
+/// Errors: one problem with an empty key: not there, a folder, over 64 MiB, unreadable, a pipe without data for 5 s.
 pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     let metadata = std::fs::metadata(path).map_err(unreadable)?;
     if metadata.is_dir() {
@@ -52,9 +50,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
 }
 
 /// The bytes of standard input, up to its end.
-///
-/// # Errors
-/// As [`bytes`]; a terminal can wait for ever.
+/// Errors: as [`bytes`]; a terminal can wait for ever.
 pub fn standard_input() -> Result<Vec<u8>, Problem> {
     if std::io::stdin().is_terminal() {
         let mut bytes = Vec::new();
@@ -143,9 +139,7 @@ fn too_large(size: u64, most: u64) -> Problem {
 }
 
 /// The text of a file of these `bytes`, without byte order mark.
-///
-/// # Errors
-/// One problem with an empty key: not UTF-8, or over 16 MiB.
+/// Errors: one problem with an empty key: not UTF-8, or over 16 MiB.
 pub fn text(bytes: Vec<u8>) -> Result<String, Problem> {
     if bytes.len() > MOST_TEXT {
         return Err(too_large(bytes.len() as u64, MOST_TEXT as u64));

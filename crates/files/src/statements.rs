@@ -24,7 +24,6 @@ pub struct Statements<'a> {
 }
 
 impl Statements<'_> {
-    /// The measurements.
     pub fn measurements(&self, face: Face) -> Measurements {
         Measurements {
             design: self.design,

@@ -30,12 +30,10 @@ impl<'a> Table<'a> {
         Table::new(&self.path_of(path), self.reading, entries)
     }
 
-    /// The reading of the file.
     pub fn reading(&self) -> &'a Rc<Reading> {
         self.reading
     }
 
-    /// Keys and values.
     pub fn entries(&self) -> &'a [(String, Node)] {
         self.entries
     }

@@ -30,7 +30,6 @@ pub fn check_unequal(file: &Table, [wheel, pinion]: [f64; 2]) -> Option<()> {
     )
 }
 
-/// Thermal expansion of gears and housing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Temperature {
     temperature_c: f64,

@@ -252,7 +252,6 @@ impl StatementSpec {
             .map(|(key, _)| key)
     }
 
-    /// The measurement for metrology.
     pub(crate) fn measured(&self) -> ThicknessStatement {
         if let Some(span) = &self.span {
             let teeth = span.teeth;
@@ -326,7 +325,6 @@ impl ThicknessSpec {
 }
 
 impl CrossCheckSpec {
-    /// The measurement for metrology.
     pub(crate) fn measured(&self) -> metrology::CrossCheck {
         metrology::CrossCheck {
             statement: self.statement.measured(),

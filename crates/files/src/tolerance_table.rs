@@ -3,7 +3,6 @@
 use super::check::Checked;
 use super::spec::{ScatterName, ScatterSpec, ToleranceSpec};
 
-/// Every distribution of the table.
 const SCATTERS: [&str; 8] = [
     "center_distance",
     "bearing_play",

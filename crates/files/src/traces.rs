@@ -18,17 +18,14 @@ type Point = (f64, f64);
 
 /// A trace as a file states it.
 pub trait StatedTrace: Clone {
-    /// The trace in plain form.
     fn stated(self) -> Stated;
 
-    /// A trace of these points.
     fn of_points(tooth: Option<u32>, points: &[Point]) -> Self;
 
     /// Tooth it was measured on; none: all.
     fn tooth(&self) -> Option<u32>;
 }
 
-/// The keys of a trace.
 pub struct Stated {
     tooth: Option<u32>,
     /// Kind of its places, their key, and the places.
@@ -116,11 +113,9 @@ pub enum Along<'a> {
     Face { width: f64, helix_cos: f64 },
 }
 
-/// A reason and a remedy.
 type Fault = (String, String);
 
 impl<'a> Measured<'a> {
-    /// A gear without files so far.
     pub fn new(teeth: Option<u32>, along: Along<'a>) -> Measured<'a> {
         Measured {
             teeth,

@@ -4,7 +4,6 @@ use super::curve::elliptic;
 use gearlash::outline::PathSegment;
 use nalgebra::{Matrix2, Point2, Vector2};
 
-/// A linear map and a shift.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Affine {
     turn: Matrix2<f64>,
@@ -38,12 +37,10 @@ impl Affine {
         Affine::new(self.turn * inner.turn, self.turn * inner.shift + self.shift)
     }
 
-    /// The image of a point.
     pub fn point(&self, point: Point2<f64>) -> Point2<f64> {
         self.turn * point + self.shift
     }
 
-    /// The image of a direction.
     pub fn vector(&self, vector: Vector2<f64>) -> Vector2<f64> {
         self.turn * vector
     }

@@ -12,7 +12,6 @@ const MOST_HALVINGS: u32 = 12;
 /// A B-spline, rational by its weights.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BSpline {
-    /// Its degree.
     pub degree: usize,
     /// Ascending, `degree + 1` more than points.
     pub knots: Vec<f64>,
@@ -186,7 +185,6 @@ fn distance(piece: &[Vector3<f64>], curve: &[Point2<f64>; 4]) -> f64 {
     (0..=degree + 3).map(control).fold(0.0, f64::max) / least
 }
 
-/// Binomial coefficient.
 fn binomial(of: usize, count: usize) -> f64 {
     (0..count).fold(1.0, |product, index| {
         product * (of - index) as f64 / (index + 1) as f64

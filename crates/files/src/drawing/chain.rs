@@ -27,21 +27,16 @@ pub struct Loop {
     pub place: String,
 }
 
-/// Pieces joined.
 #[derive(Debug)]
 pub struct Chains {
-    /// Closed ones.
     pub found: Vec<Loop>,
-    /// Open ones.
     pub open: Vec<Open>,
     /// Places of loops that are too small and were left out.
     pub specks: Vec<String>,
 }
 
-/// An open path.
 #[derive(Debug)]
 pub struct Open {
-    /// Its ends.
     pub ends: [Point2<f64>; 2],
     /// From the first end to the second, gaps left open.
     pub segments: Vec<PathSegment>,
@@ -51,7 +46,6 @@ pub struct Open {
     pub name: String,
     /// Place in the file of its first piece.
     pub place: String,
-    /// How many pieces it has.
     pieces: usize,
 }
 
@@ -263,12 +257,10 @@ pub struct Piece {
     pub name: String,
     /// Bound on the distance of the segments from the drawing, mm.
     pub bound: f64,
-    /// Its place in the file.
     pub place: String,
 }
 
 impl Piece {
-    /// Its start and end.
     pub fn ends(&self) -> [Point2<f64>; 2] {
         let last = self.segments.len() - 1;
         [self.segments[0].start(), self.segments[last].end()]

@@ -14,7 +14,6 @@ use nalgebra::{Point2, Vector2};
 const TWO_NUMBERS: &str =
     "write x and y, or x, y and one z, separated by a comma, a semicolon, a tab or blanks";
 
-/// A line of two numbers.
 struct Row<'a> {
     line: usize,
     numbers: [Written<'a>; 2],

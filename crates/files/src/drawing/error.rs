@@ -40,7 +40,6 @@ impl DrawingError {
         DrawingError::at(place, format!("not supported: {kind}"), help)
     }
 
-    /// More than a gear needs.
     pub(super) fn too_large(what: &str, most: usize) -> DrawingError {
         let help = "export one gear alone, with a coarser tolerance";
         DrawingError::new(format!("has more than {most} {what}"), help)
@@ -88,12 +87,10 @@ impl DrawingError {
     }
 }
 
-/// A point in a message.
 pub fn at(point: &Point2<f64>) -> String {
     format!("({}, {}) mm", ascii(point.x, 6), ascii(point.y, 6))
 }
 
-/// The names in the file.
 fn available_names(known: &[String]) -> String {
     if known.is_empty() {
         return "and no other".to_owned();

@@ -14,5 +14,4 @@ pub(super) const FIT_MM: f64 = 1e-5;
 pub(super) const MOST_BYTES: usize = 64 << 20;
 /// Segments of a drawing: some thousand for each tooth of the largest gears.
 pub(super) const MOST_SEGMENTS: usize = 1_000_000;
-/// Names that a message lists.
 pub(super) const MOST_NAMED: usize = 10;

@@ -29,9 +29,7 @@ impl Repeat {
     }
 
     /// The outline with `tooth`, an open path, as every tooth. Straight lines join each to the next.
-    ///
-    /// # Errors
-    /// The path takes more than its share of a turn, or the outline has too many segments.
+    /// Errors: the path takes more than its share of a turn, or the outline has too many segments.
     pub fn outline(&self, tooth: &Open) -> Result<Loop, DrawingError> {
         let [start, end] = tooth.ends.map(|end| end - self.centre);
         let angle = start.perp(&end).atan2(start.dot(&end));

@@ -16,7 +16,6 @@ pub fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, DrawingError> {
     })
 }
 
-/// The line ends of a text.
 pub struct Lines(Vec<usize>);
 
 impl Lines {

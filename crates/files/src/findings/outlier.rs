@@ -44,7 +44,6 @@ pub fn suspected(outlier: &Outlier) -> String {
     )
 }
 
-/// Name of the outlier.
 fn outlier_name(outlier: &Outlier) -> String {
     match outlier {
         Outlier::Reading(reading) => {

@@ -5,7 +5,6 @@ use crate::numbers::ascii;
 use gearlash::gear::Probe;
 use gearlash::metrology::{FittedReadings, FlankKnowledge};
 
-/// The result of the fit.
 pub fn readings(readings: &FittedReadings) -> String {
     let [range, left] = [readings.range_um, readings.left_um].map(|um| ascii(um, 3));
     let fitted = shown(readings.eccentricity);

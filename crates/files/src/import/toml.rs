@@ -7,7 +7,6 @@ use std::path::Path;
 struct OpenKey {
     /// Its meaning, after "The file does not say".
     what: &'static str,
-    /// The line to complete.
     line: &'static str,
 }
 

@@ -23,19 +23,13 @@ pub struct NamedGear {
     pub spec: GearSpec,
 }
 
-/// A gear that was read.
 pub struct ReadGear {
-    /// The gear.
     pub gear: NamedGear,
-    /// Its table in the file.
     pub table: &'static str,
-    /// The files it was read from.
     pub sources: Sources,
     /// File and key of its thickness, where that is a band.
     pub band: Option<String>,
-    /// Warnings about its file.
     pub warnings: Vec<String>,
-    /// Notes on its file.
     pub remarks: Vec<String>,
 }
 

@@ -47,7 +47,6 @@ const BEFORE: &str = "
   0 LWPOLYLINE 5 17 330 11 100 AcDbEntity 8 0 100 AcDbPolyline
 ";
 
-/// Everything after it.
 const AFTER: &str = "
 0 ENDSEC
 0 SECTION 2 OBJECTS

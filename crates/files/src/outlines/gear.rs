@@ -33,7 +33,6 @@ pub struct DrawingRead {
     pub inside: usize,
 }
 
-/// A gear given by an outline.
 pub(super) struct OutlinePart {
     /// One, or those with least and most material.
     pub gears: Toleranced<OutlineGear>,
@@ -293,7 +292,6 @@ fn place(path: &Path, error: &OutlineError) -> String {
     format!("the path from {}: {error}", path.outline.place)
 }
 
-/// The remedy of an error.
 pub(super) fn help(error: &OutlineError) -> &'static str {
     match error {
         OutlineError::NotFinite { .. } | OutlineError::SelfCrossing { .. } => {

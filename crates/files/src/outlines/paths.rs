@@ -41,7 +41,6 @@ const MOST_OUTLINES: usize = 10_000;
 pub(super) struct Outline {
     /// Its place among the paths of the drawing.
     pub place: usize,
-    /// Places of the paths inside it.
     pub inside: Vec<usize>,
     /// Least and greatest coordinates of its points, mm.
     pub ends: [Point2<f64>; 2],
@@ -65,7 +64,6 @@ impl Outline {
         }
     }
 
-    /// Whether it winds round a point.
     fn winds_round(&self, point: Point2<f64>) -> bool {
         let [low, high] = self.ends;
         low <= point && point <= high && polygon::winding(&self.corners, point) != 0

@@ -10,9 +10,7 @@ const MOST_BYTES: u64 = 16 << 20;
 const PLACE: &str = "the archive";
 
 /// The one REXS file in the archive.
-///
-/// # Errors
-/// No archive, none or several such files in it, too large, damaged.
+/// Errors: no archive, none or several such files in it, too large, damaged.
 pub fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
     let damaged = |error: &dyn std::error::Error| {
         let reason = format!("not a whole zip archive: {}", shown(&error.to_string()));

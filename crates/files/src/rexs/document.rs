@@ -5,12 +5,10 @@ use crate::error::Problem;
 use crate::node::LONGEST;
 use std::collections::{BTreeMap, HashSet};
 
-/// A whole file.
 #[derive(Debug, Clone, Default)]
 pub struct Document {
     /// Version of the format: "1.4".
     pub version: String,
-    /// The program that wrote the file.
     pub application: String,
     pub components: Vec<Component>,
     pub relations: Vec<Relation>,
@@ -27,7 +25,6 @@ pub struct Component {
     pub attributes: Vec<Attribute>,
 }
 
-/// One value of a component.
 #[derive(Debug, Clone)]
 pub struct Attribute {
     pub id: String,
@@ -36,20 +33,16 @@ pub struct Attribute {
     pub value: Option<String>,
 }
 
-/// A relation between components.
 #[derive(Debug, Clone)]
 pub struct Relation {
     pub id: i32,
     pub kind: String,
-    /// Role and component.
     pub refs: Vec<(String, i32)>,
 }
 
 impl Document {
     /// Checks the assumptions of every reader of the document.
-    ///
-    /// # Errors
-    /// An unknown version, or a duplicate id.
+    /// Errors: an unknown version, or a duplicate id.
     pub fn check(&self) -> Result<(), Problem> {
         let mut parts = self.version.split('.');
         let known = match (parts.next(), parts.next()) {
@@ -83,9 +76,7 @@ impl Document {
     }
 
     /// The component with an id.
-    ///
-    /// # Errors
-    /// It does not exist.
+    /// Errors: it does not exist.
     pub fn component(&self, id: i32, relation: &Relation) -> Result<&Component, Problem> {
         let found = self.components.iter().find(|component| component.id == id);
         found.ok_or_else(|| {
@@ -117,7 +108,6 @@ impl Document {
 }
 
 impl Component {
-    /// Its name in messages.
     pub fn place(&self) -> String {
         format!("{} {}", cut(&self.kind, LONGEST), self.id)
     }
@@ -127,7 +117,6 @@ impl Component {
         format!("{}, {}", self.place(), cut(attribute, LONGEST))
     }
 
-    /// The attribute with an id.
     pub fn attribute(&self, id: &str) -> Option<&Attribute> {
         self.attributes.iter().find(|attribute| attribute.id == id)
     }
@@ -135,9 +124,7 @@ impl Component {
 
 impl Relation {
     /// The component in a role.
-    ///
-    /// # Errors
-    /// No component has it, or several do.
+    /// Errors: no component has it, or several do.
     pub fn one(&self, role: &str) -> Result<i32, Problem> {
         let mut all = self.refs.iter().filter(|(r, _)| r == role);
         match (all.next(), all.next()) {

@@ -6,7 +6,6 @@ use std::cell::RefCell;
 
 /// The reason why a stage becomes no pair.
 pub enum Fault {
-    /// The file is wrong.
     Wrong(Problem),
     /// The stage is ignored, with the reason.
     LeftOut(String),
@@ -40,7 +39,6 @@ impl<'a> Attributes<'a> {
         }
     }
 
-    /// The component of the attributes.
     pub fn component(&self) -> &'a Component {
         self.component
     }
@@ -53,9 +51,7 @@ impl<'a> Attributes<'a> {
     }
 
     /// A number.
-    ///
-    /// # Errors
-    /// The text is no number, or its unit differs.
+    /// Errors: the text is no number, or its unit differs.
     pub fn number(&self, id: &str, unit: Unit) -> Result<Option<f64>, Problem> {
         let Some(text) = self.text(id) else {
             return Ok(None);
@@ -80,18 +76,14 @@ impl<'a> Attributes<'a> {
     }
 
     /// A number that must be present.
-    ///
-    /// # Errors
-    /// As [`Attributes::number`]; the attribute is absent.
+    /// Errors: as [`Attributes::number`]; the attribute is absent.
     pub fn need(&self, id: &str, unit: Unit) -> Result<f64, Fault> {
         let found = self.number(id, unit)?;
         found.ok_or_else(|| Fault::LeftOut(format!("{} has no {id}", self.component.place())))
     }
 
     /// A whole number from 1 on; `None` where it is absent.
-    ///
-    /// # Errors
-    /// As [`Attributes::number`]; a fraction, zero or negative.
+    /// Errors: as [`Attributes::number`]; a fraction, zero or negative.
     pub fn count(&self, id: &str) -> Result<Option<u32>, Problem> {
         let Some(number) = self.number(id, NUMBER)? else {
             return Ok(None);

@@ -27,7 +27,6 @@ pub struct Gear<'a> {
     pub rack: Option<RackSpec>,
     /// The statement that counts, then the others.
     pub thickness: Vec<Thickness>,
-    /// Remarks for the user.
     pub remarks: Vec<String>,
     /// The components it was read from; the gear is first.
     pub parts: Vec<Attributes<'a>>,

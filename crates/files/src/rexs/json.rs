@@ -65,9 +65,7 @@ struct JsonAttribute {
 }
 
 /// Parses `text`.
-///
-/// # Errors
-/// The fault and its line.
+/// Errors: the fault and its line.
 pub fn read(text: &str) -> Result<Document, Problem> {
     let file: File = serde_json::from_str(text).map_err(|error| {
         let place = format!("line {} column {}", error.line(), error.column());

@@ -26,7 +26,6 @@ pub struct Stage<'a> {
     remarks: Vec<String>,
 }
 
-/// The tolerance of a centre distance.
 enum Band {
     None,
     /// js of this grade: the fields of DIN 3964 are those of ISO 286.
@@ -113,7 +112,6 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// The pair in one line.
     pub fn summary(&self) -> String {
         let [one, two] = &self.gears;
         let thickness = self
@@ -180,7 +178,6 @@ impl<'a> Stage<'a> {
         text + &format!("\n[assembly]\ncenter_distance_mm = {distance}\n")
     }
 
-    /// Remarks for the user.
     pub fn remarks(&self) -> Vec<String> {
         let mut remarks = self.remarks.clone();
         for gear in &self.gears {
@@ -204,7 +201,6 @@ impl<'a> Stage<'a> {
         remarks
     }
 
-    /// The components it was read from.
     pub fn parts(&self) -> impl Iterator<Item = &Attributes<'a>> {
         let gears = self.gears.iter().flat_map(|gear| &gear.parts);
         [&self.stage].into_iter().chain(gears)
@@ -235,7 +231,6 @@ fn agree(distance: f64, grade: u32, allowances: [f64; 2]) -> Result<Option<Strin
     }
 }
 
-/// Adds the table of one gear.
 fn table(text: &mut String, name: &str, gear: &Gear) {
     let component = gear.parts[0].component();
     let comment = format!("{} {}", component.place(), cut(&component.name, LONGEST));

@@ -32,7 +32,6 @@ const OTHER_LIMITS: [&str; 6] = [
     "chordal_transverse_tooth_thickness_lower_deviation",
 ];
 
-/// A statement of the tooth thickness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Thickness {
     /// A series of DIN 3967.
@@ -68,7 +67,6 @@ impl Thickness {
         }
     }
 
-    /// Its name in messages.
     fn words(&self) -> String {
         match self {
             Thickness::Series(field) => field.to_string(),
@@ -102,9 +100,7 @@ fn agree(field: ThicknessField, span: [f64; 2], basic_data: &BasicGearData) -> R
 ///
 /// `shift` is the profile shift coefficient that the thickness without allowance has. Where nothing else states the thickness, the
 /// generated profile shift does; beside series or allowances it must lie within them.
-///
-/// # Errors
-/// A statement is incomplete, is not read, or contradicts another.
+/// Errors: a statement is incomplete, is not read, or contradicts another.
 pub fn stated(
     gear: &Attributes,
     basic_data: &BasicGearData,
@@ -169,7 +165,6 @@ pub fn stated(
     Ok(stated)
 }
 
-/// Series and allowances of the thickness.
 fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, Fault> {
     let place = gear.component().place();
     let mut stated = Vec::new();
@@ -206,7 +201,6 @@ fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness
     Ok(stated)
 }
 
-/// Measured lengths.
 fn lengths(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, Fault> {
     let place = gear.component().place();
     let mut stated = Vec::new();
@@ -265,15 +259,12 @@ pub struct GeneratedShift {
     shift: f64,
     /// Upper and lower.
     deviations: [f64; 2],
-    /// The component that states it.
     place: String,
 }
 
 impl Generated {
     /// The shift that all `sources` state.
-    ///
-    /// # Errors
-    /// No number, or one deviation without the other.
+    /// Errors: no number, or one deviation without the other.
     pub fn read<'a, 'b: 'a>(
         sources: impl Iterator<Item = &'a Attributes<'b>>,
     ) -> Result<Generated, Fault> {

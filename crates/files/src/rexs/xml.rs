@@ -12,9 +12,7 @@ const MOST_NODES: u32 = 4_000_000;
 const AGAIN: &str = "export the file again";
 
 /// Parses `text`.
-///
-/// # Errors
-/// The fault and its line.
+/// Errors: the fault and its line.
 pub fn read(text: &str) -> Result<Document, Problem> {
     let settings = roxmltree::ParsingOptions {
         nodes_limit: MOST_NODES,

@@ -30,9 +30,7 @@ pub enum Column {
     Deviation,
     /// Centre distance of a rig's result, mm.
     CenterDistance,
-    /// Wheel tooth of a rig's result.
     WheelTooth,
-    /// Pinion tooth of a rig's result.
     PinionTooth,
     /// Backlash that a rig measured at the right flanks, µm.
     MeasuredRight,
@@ -44,11 +42,9 @@ pub enum Column {
     PredictedMax,
 }
 
-/// Limits of a number.
 pub struct Limits {
     /// The allowed range, in words: "a number of mm, 0 … 1e9".
     pub allowed: &'static str,
-    /// The range.
     pub range: (Bound<f64>, Bound<f64>),
 }
 
@@ -98,7 +94,6 @@ impl Column {
         }
     }
 
-    /// Name in messages.
     pub fn name(self) -> &'static str {
         self.description().0
     }
@@ -108,12 +103,10 @@ impl Column {
         self.description().1
     }
 
-    /// Unit.
     pub fn unit(self) -> &'static str {
         self.description().2
     }
 
-    /// Limits of its values.
     pub fn limits(self) -> &'static Limits {
         self.description().3
     }
@@ -127,7 +120,6 @@ impl Column {
         }
     }
 
-    /// Kind of a pitch deviation.
     pub fn kind(self) -> Option<PitchKind> {
         self.pitch().map(|(_, kind)| kind)
     }

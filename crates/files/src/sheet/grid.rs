@@ -14,20 +14,17 @@ pub const MOST_ROWS: usize = 20_000;
 /// Sheets that a message lists by name.
 pub const MOST_NAMED: usize = 10;
 
-/// One cell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
     /// Nothing, or only white space.
     Empty,
     /// Text without white space around it. In a text file numbers are text too; in a workbook they can be.
     Text(String),
-    /// A number of a workbook.
     Number(f64),
     /// Other content of a workbook, described without its value.
     Other(String),
 }
 
-/// One line of cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     /// Its number in the file, from 1.
@@ -48,7 +45,6 @@ pub struct Grid {
 }
 
 impl Cell {
-    /// Its content for a message.
     pub fn shown(&self, file: &DataFile) -> String {
         match self {
             Cell::Empty => "empty".to_owned(),
@@ -71,7 +67,6 @@ impl Cell {
         self.text().contains('\n') && self.text().contains([',', ';', '\t'])
     }
 
-    /// As a tooth number.
     pub fn tooth(&self) -> Option<u32> {
         match self {
             Cell::Text(text) => number::tooth(text),
@@ -81,7 +76,6 @@ impl Cell {
         }
     }
 
-    /// As a number.
     pub fn number(&self) -> Option<Written<'_>> {
         match self {
             Cell::Text(text) => number::written(text).filter(|_| !number::zero_first(text)),
@@ -108,12 +102,10 @@ impl Line {
             .unwrap_or(&Cell::Empty)
     }
 
-    /// Whether it is a comment.
     pub fn is_comment(&self) -> bool {
         self.first().text().starts_with('#')
     }
 
-    /// Whether every cell is empty.
     pub fn is_blank(&self) -> bool {
         *self.first() == Cell::Empty
     }

@@ -14,7 +14,6 @@ use std::fmt::Display;
 /// Lines in which a header is searched, and most cells of such a line. Each cell takes some µs.
 const MOST_SEARCHED: usize = 1_000;
 
-/// Heading of one column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heading {
     /// Its own cell; empty without one.
@@ -23,7 +22,6 @@ pub struct Heading {
     pub shown: String,
     /// `None` where the words are not known.
     pub meaning: Option<Meaning>,
-    /// The unit in its standard form.
     pub unit: Option<&'static str>,
 }
 
@@ -34,18 +32,15 @@ impl Heading {
     }
 }
 
-/// A header.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Head {
     /// Its line in the file, from 1.
     pub line: u64,
-    /// Its place among the lines.
     pub at: usize,
     /// Whether the line above holds the headings of groups.
     pub has_groups: bool,
     /// Whether the line below holds units.
     pub has_units: bool,
-    /// One for each column.
     pub headings: Vec<Heading>,
 }
 
@@ -143,7 +138,6 @@ impl Head {
             .collect()
     }
 
-    /// The columns that have a heading.
     pub fn all(&self) -> Vec<usize> {
         self.places(|heading| !heading.shown.is_empty())
     }
@@ -212,7 +206,6 @@ impl Head {
         }
     }
 
-    /// A problem of the header.
     pub fn problem(&self, file: &DataFile, reason: String, help: impl Display) -> Problem {
         file.problem_at(self.line, reason, help)
     }
@@ -226,7 +219,6 @@ fn is_group(text: &str, is_above: bool) -> bool {
     })
 }
 
-/// Whether the line contains only units.
 fn is_units(line: &Line) -> bool {
     let unit = |cell: &Cell| heading::unit(cell.text()).is_some();
     let is_none = |cell: &Cell| *cell == Cell::Empty || heading::is_no_unit(cell.text());
@@ -236,7 +228,6 @@ fn is_units(line: &Line) -> bool {
 /// The key that names the column of tooth numbers.
 pub const TOOTH: &str = "tooth_column";
 
-/// Values of those keys.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default)]
 pub struct Choice {

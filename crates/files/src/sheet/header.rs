@@ -17,7 +17,6 @@ const LABELS: [(&str, &str, &str); 7] = [
 ];
 /// Words beside the number of teeth that indicate an internal gear.
 const INTERNAL: [&str; 2] = ["innen", "internal"];
-/// Units that may follow a value.
 const UNITS: [&str; 4] = ["mm", "Grad", "°", "deg"];
 
 /// The header lines of one protocol; a plain table has none.

@@ -8,20 +8,16 @@ use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use std::sync::LazyLock;
 
-/// Content of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Not stated: the heading names only a flank.
     Unstated,
     Tooth,
-    /// A number of an unspecified quantity.
     Number,
     /// The first tooth of a span.
     FirstTooth,
-    /// The tooth before a space.
     Space,
-    /// Pitch deviation of an unspecified kind.
     Pitch,
     SinglePitch,
     CumulativePitch,
@@ -40,7 +36,6 @@ pub enum Quantity {
     CenterDistance,
     WheelTooth,
     PinionTooth,
-    /// Backlash that a rig measured.
     MeasuredRight,
     MeasuredLeft,
     PredictedMin,
@@ -65,7 +60,6 @@ impl Quantity {
     }
 }
 
-/// Meaning of a heading.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Meaning {
     pub side: Option<Side>,

@@ -44,14 +44,12 @@ const NOT_READ: [(&[u8], &str); 2] = [
 /// An OpenDocument archive holds this text uncompressed in its first part.
 const OPEN_DOCUMENT: &[u8] = b"mimetypeapplication/vnd.oasis.opendocument";
 
-/// A table as read.
 #[derive(Debug, Clone)]
 pub struct Sheet {
     /// Statements on the gear beside the rows.
     pub header: Header,
     /// At least one: by ascending tooth, or points in the order of their lines.
     pub rows: Vec<Row>,
-    /// The columns of the values.
     pub columns: Vec<Column>,
     /// Place of the table in its file; `None` in a protocol.
     pub origin: Option<Origin>,
@@ -62,7 +60,6 @@ pub struct Sheet {
 pub struct Origin {
     /// The sheet, where a workbook has several.
     pub sheet: Option<String>,
-    /// The line of its header.
     pub header_row: u64,
     /// The columns it is read from, the teeth first: heading and letter.
     pub columns: Vec<(String, String)>,
@@ -108,7 +105,6 @@ impl Sheet {
         Sheet::read(table, &wanted).map(|(_, sheet)| sheet)
     }
 
-    /// Reads the table of a file.
     pub fn of(content: &Content, request: &Request) -> Option<Sheet> {
         let Request { file, wanted, .. } = request;
         let mut columns = wanted.columns.to_vec();
@@ -214,7 +210,6 @@ impl Origin {
     }
 }
 
-/// Content of a file.
 pub enum Content {
     /// Cells: one grid or more.
     Cells(Vec<Grid>),

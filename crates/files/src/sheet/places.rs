@@ -10,10 +10,8 @@ use crate::node::Node;
 use gearlash::metrology::PitchKind;
 use std::fmt::Display;
 
-/// Places of the columns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Places {
-    /// The tooth number.
     pub tooth: Option<usize>,
     /// The name of the flank, beside points of traces.
     pub flank: Option<usize>,
@@ -145,7 +143,6 @@ impl Request<'_> {
         })
     }
 
-    /// The column of teeth.
     fn tooth(&self, head: &Head, lines: &[Line]) -> Result<usize, Problem> {
         let places = head.teeth(self.wanted.columns, self.choice);
         let places = dedup_equal(head, lines, places);
@@ -259,7 +256,6 @@ impl Request<'_> {
         head.problem(self.file, reason, help)
     }
 
-    /// The problem of a missing column.
     fn missing(&self, head: &Head, name: &str, key: &str) -> Problem {
         let of_three = |heading: &Heading| heading.quantity() == Some(Quantity::OverThreePins);
         if let Some(place) = head.places(of_three).first()
@@ -287,7 +283,6 @@ impl Request<'_> {
         head.problem(self.file, reason, help)
     }
 
-    /// The problem of several candidate columns.
     fn several(&self, head: &Head, name: &str, key: &str, places: &[usize]) -> Problem {
         let letters = places
             .iter()

@@ -16,7 +16,6 @@ use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
 use std::collections::HashMap;
 
-/// A column of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Name {
     /// `Zahn-Nr.`
@@ -51,11 +50,9 @@ pub fn is_unmeasured(value: &Written, declared: Option<f64>) -> bool {
     numbers.any(|number| (value.value - number).abs() <= rounding + 1e-12 * number.abs())
 }
 
-/// The rows of one flank.
 #[derive(Debug)]
 struct Block<'a> {
     side: Side,
-    /// The line of its head.
     line: u64,
     /// Its columns, `Zahn-Nr.` first; none before their line is read.
     columns: Vec<Name>,
@@ -66,7 +63,6 @@ struct Block<'a> {
 /// Line, tooth, and values of the columns behind the tooth.
 type Numbers<'a> = (u64, u32, Vec<Written<'a>>);
 
-/// The blocks of a file.
 #[derive(Debug, Default)]
 pub struct Blocks<'a> {
     blocks: Vec<Block<'a>>,
@@ -177,7 +173,6 @@ fn parse<'a>(file: &DataFile, text: &'a str) -> Option<(Blocks<'a>, Header)> {
 }
 
 impl<'a> Blocks<'a> {
-    /// How many there are.
     pub fn count(&self) -> usize {
         self.blocks.len()
     }
@@ -194,7 +189,6 @@ impl<'a> Blocks<'a> {
         self.rows >= MOST_ROWS
     }
 
-    /// Begins the block of a flank.
     pub fn begin(&mut self, side: Side, line: u64) -> Result<(), Wrong> {
         let first = self.blocks.iter().find(|block| block.side == side);
         let first = first.map(|first| first.line);
@@ -398,7 +392,6 @@ impl<'a> Block<'a> {
     }
 }
 
-/// The columns of a block.
 fn columns(file: &DataFile, text: &str) -> Result<Vec<Name>, String> {
     let mut names = Vec::new();
     for word in text.split_whitespace() {

@@ -13,7 +13,6 @@ pub struct Wanted<'a> {
     pub columns: &'a [Column],
     /// `z`, where it is known.
     pub teeth: Option<u32>,
-    /// The rows that must be present.
     pub coverage: Coverage,
 }
 
@@ -51,7 +50,6 @@ impl Wanted<'_> {
         matches!(self.coverage, Coverage::Results { .. })
     }
 
-    /// Whether the rows are by tooth.
     pub fn is_by_tooth(&self) -> bool {
         matches!(self.coverage, Coverage::EveryTooth | Coverage::SomeTeeth)
     }

@@ -18,7 +18,6 @@ const MOST_TEETH_LISTED: usize = 10;
 /// A row: one tooth, or one point of a trace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// Its line in the file.
     pub line: u64,
     /// The tooth; optional for points of traces, `None` for results of a rig.
     pub tooth: Option<u32>,
@@ -28,13 +27,11 @@ pub struct Row {
     pub values: Vec<f64>,
 }
 
-/// A table in a grid.
 #[derive(Debug)]
 pub struct Found<'a> {
     pub grid: &'a Grid,
     pub head: Head,
     pub places: Places,
-    /// The lines of its rows.
     lines: Vec<&'a Line>,
     /// Lines and columns that are not part of the table.
     left_out: LeftOut,
@@ -288,7 +285,6 @@ impl<'a> Found<'a> {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Unread {
     lines: Option<String>,
-    /// Letter and name of each column.
     columns: Vec<(String, String)>,
 }
 

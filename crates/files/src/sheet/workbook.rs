@@ -79,9 +79,7 @@ pub fn read(file: &DataFile, bytes: Vec<u8>, name: Option<&str>) -> Option<Vec<G
 /// Reads sheet after sheet, all of them within the limits of one table.
 struct CellReader<'a> {
     file: &'a DataFile,
-    /// Cells read so far.
     cells: usize,
-    /// Bytes of text in them.
     text: usize,
 }
 

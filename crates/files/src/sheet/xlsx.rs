@@ -17,22 +17,16 @@ const MOST_DIGITS: usize = 7;
 /// The unpacked parts of an archive by their names in lower case.
 pub type Parts = BTreeMap<String, Vec<u8>>;
 
-/// The content of a cell.
 #[derive(Debug)]
 pub enum Content<'a> {
-    /// A number.
     Number(f64),
-    /// A text.
     Text(Cow<'a, str>),
-    /// A boolean.
     Flag(bool),
     /// The name of an error, `#DIV/0!`.
     Error(String),
-    /// A date or time.
     Date,
 }
 
-/// A workbook.
 #[derive(Debug)]
 pub struct Workbook {
     parts: Parts,
@@ -76,7 +70,6 @@ impl Workbook {
         })
     }
 
-    /// The names of its sheets.
     pub fn sheets(&self) -> impl Iterator<Item = &str> {
         self.sheets.iter().map(|(name, _)| name.as_str())
     }
@@ -246,9 +239,7 @@ fn without_escapes(text: &str) -> String {
     plain + rest
 }
 
-/// A part that another one names.
 struct Related {
-    /// The end of its type.
     kind: String,
     part: String,
 }
@@ -283,7 +274,6 @@ fn relationships(parts: &Parts, from: &str) -> Result<BTreeMap<String, Related>,
     Ok(found)
 }
 
-/// The text of a part.
 fn part<'a>(parts: &'a Parts, name: &str) -> Result<&'a str, String> {
     let bytes = parts.get(&name.to_lowercase());
     let bytes = bytes.ok_or_else(|| format!("it has no part {name}"))?;
@@ -351,7 +341,6 @@ fn no_cell(reference: &str) -> String {
     format!("no spreadsheet has a cell \"{reference}\"")
 }
 
-/// The shared texts of a workbook.
 fn texts(part: &str) -> Result<Vec<String>, String> {
     let mut texts = Vec::new();
     let mut text = TextOf::default();

@@ -9,7 +9,6 @@ use std::path::{Component, Path, PathBuf};
 /// Most files and folders that are compared with a pattern: twice the gears that a list can have.
 const MOST_VISITED: usize = 200_000;
 
-/// Files that a name stands for.
 #[derive(Debug, Default)]
 pub struct Named {
     /// Files, in the order of their names.

@@ -19,7 +19,6 @@ const MOST_GEARS: usize = 100_000;
 /// Warnings of one list, at most (tuned: they fit a screen beside others).
 const MOST_WARNINGS: usize = 12;
 
-/// A measured gear and its table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredGear {
     pub gear: AsBuilt,

@@ -18,10 +18,8 @@ const TENTHS_PER_UM: f64 = 1e4;
 /// The greatest length that text gives back exactly, tenths of a nanometre: 2^53.
 const MOST_TENTHS: f64 = 9_007_199_254_740_992.0;
 
-/// Start of the header.
 const FORMAT: &str = "# gearlash rows 1: ";
 
-/// The columns.
 const COLUMNS: &str = "assembly,outcome,least_um,greatest_um,proven,below,above,margin_um";
 
 /// The longest line that is read, bytes; a header is shorter.
@@ -67,7 +65,6 @@ impl RowsHead {
         )
     }
 
-    /// Parses the header.
     fn parse(line: &str) -> Option<RowsHead> {
         let mut fields = line.strip_prefix(FORMAT)?.split(", ");
         let mut value = |name: &str| fields.next()?.strip_prefix(name)?.strip_prefix(' ');
@@ -103,7 +100,6 @@ pub fn row_line(row: &Row) -> String {
     )
 }
 
-/// Parses a row.
 fn parse_row(line: &str) -> Option<Row> {
     let mut fields = line.split(',');
     let mut field = || fields.next();

@@ -81,7 +81,6 @@ impl<'a> ToleranceRun<'a> {
         self.assemblies
     }
 
-    /// The pair file.
     pub(super) fn path(&self) -> &Path {
         self.path
     }

@@ -9,7 +9,6 @@ use gearlash::outline::PathSegment;
 use nalgebra::{Matrix2, Point3, Rotation2, Vector2};
 use std::rc::Rc;
 
-/// A block.
 #[derive(Debug, Default)]
 pub struct Block<'a> {
     /// The point that an INSERT puts at its own.
@@ -28,7 +27,6 @@ pub struct Placed {
 }
 
 impl Default for Placed {
-    /// As drawn.
     fn default() -> Placed {
         Placed {
             map: None,
@@ -39,9 +37,7 @@ impl Default for Placed {
 
 impl Placed {
     /// The places of a block with the base point `base`, one for each column and row of an INSERT.
-    ///
-    /// # Errors
-    /// Extrusion directions and scales that are not supported.
+    /// Errors: extrusion directions and scales that are not supported.
     pub fn copies(
         insert: &Entity,
         base: Point3<f64>,

@@ -61,20 +61,14 @@ const IGNORED: [&str; 21] = [
     "XLINE",
 ];
 
-/// The handling of an entity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Handling {
-    /// Read it.
     Read,
-    /// Place the block that it names.
     Insert,
-    /// Ignore it with a remark.
     Ignore,
-    /// Reject it.
     Reject,
 }
 
-/// An entity as written.
 #[derive(Debug, Default)]
 pub struct Entity<'a> {
     /// Its kind, such as `LINE`.
@@ -106,7 +100,6 @@ impl<'a> Entity<'a> {
         pair.map(|pair| pair.value)
     }
 
-    /// The layer it is on.
     pub fn layer(&self) -> &'a str {
         self.value(8).unwrap_or("0")
     }
@@ -126,7 +119,6 @@ impl<'a> Entity<'a> {
         )
     }
 
-    /// Its handling.
     pub fn handling(&self) -> Handling {
         match self.kind {
             "INSERT" => Handling::Insert,

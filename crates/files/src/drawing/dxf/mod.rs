@@ -64,29 +64,22 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     shape::read(&sheet.kept, scale, pieces)
 }
 
-/// An entity to read.
 #[derive(Debug)]
 pub struct Kept<'a> {
-    /// The entity.
     pub entity: Rc<Entity<'a>>,
-    /// Where it is placed.
     pub placed: Placed,
     /// Its layer; that of the INSERT where its own is "0".
     pub layer: &'a str,
 }
 
-/// The useful content of a file.
 #[derive(Debug, Default)]
 struct Sheet<'a> {
-    /// The selected layer.
     select: Option<&'a str>,
     /// The value of `$INSUNITS`, and its place.
     insunits: Option<(String, String)>,
     /// The value of `$MEASUREMENT`.
     measurement: Option<&'a str>,
-    /// Layers with something that is read.
     layers: Vec<String>,
-    /// Blocks by name.
     blocks: HashMap<&'a str, Block<'a>>,
     /// The block whose entities are being read.
     block: Option<&'a str>,

@@ -9,14 +9,12 @@ const DWG: &[u8] = b"AC10";
 /// The remedy for a file that is not whole.
 pub const EXPORT: &str = "export it again as DXF";
 
-/// A group code and its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair<'a> {
     /// The code: what the value means.
     pub code: u16,
     /// The value without the white space around it.
     pub value: &'a str,
-    /// The line of the code.
     pub line: usize,
 }
 

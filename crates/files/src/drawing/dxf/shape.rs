@@ -26,9 +26,7 @@ const FLAT: &str = "export a flat drawing of lines, arcs, polylines and splines"
 type BoundedSegments = (Vec<PathSegment>, f64);
 
 /// Adds the `kept` entities; their unit is `scale` mm.
-///
-/// # Errors
-/// An entity that is not supported, a number no gear has, or a drawing that is not flat.
+/// Errors: an entity that is not supported, a number no gear has, or a drawing that is not flat.
 pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), DrawingError> {
     let mut corners = [f64::INFINITY, f64::NEG_INFINITY].map(|end| Point2::from([end; 2]));
     let mut heights = Vec::with_capacity(kept.len());
@@ -78,7 +76,6 @@ pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), Drawin
     }
 }
 
-/// The plane of an entity.
 struct Space {
     /// Length of a unit, mm.
     scale: f64,
@@ -95,7 +92,6 @@ impl Space {
         DrawingError::refused(&self.place, kind, FLAT)
     }
 
-    /// The segments of an entity.
     fn segments(&mut self, entity: &Entity) -> Result<BoundedSegments, DrawingError> {
         // The ends of a line are in the space of the drawing, all else in that of the entity.
         if entity.kind != "LINE" && entity.kind != "SPLINE" {

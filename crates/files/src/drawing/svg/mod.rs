@@ -25,11 +25,9 @@ const XLINK: &str = "http://www.w3.org/1999/xlink";
 const NAMESPACE: &str = "http://www.w3.org/2000/svg";
 /// Groups in groups: drawing programs nest a dozen.
 const DEEPEST: usize = 200;
-/// Elements and texts of a page.
 const MOST_NODES: u32 = 4_000_000;
 const PLAIN: &str = "save it as plain SVG with absolute paths";
 
-/// Elements that draw nothing themselves.
 const NOT_DRAWN: [&str; 19] = [
     "clipPath",
     "cursor",
@@ -116,29 +114,23 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     }
 }
 
-/// State that an element inherits.
 #[derive(Clone, Copy)]
 struct Within {
     /// From user space to mm.
     map: Affine,
     /// Whether it is inside the selected element.
     selected: bool,
-    /// Whether it is visible.
     shown: bool,
-    /// Groups around it.
     depth: usize,
 }
 
 struct Page<'a> {
     lines: Lines,
-    /// Elements by id.
     with_id: HashMap<&'a str, Node<'a, 'a>>,
     /// How many elements were visited, those that `use` repeats included.
     visited: usize,
     select: Option<&'a str>,
-    /// Whether the selected id exists.
     found: bool,
-    /// Ids of elements that are read.
     ids: Vec<String>,
     pieces: &'a mut Pieces,
 }

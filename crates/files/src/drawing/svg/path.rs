@@ -21,9 +21,7 @@ pub struct Path {
 struct Pen<'a> {
     /// From user space to mm.
     map: &'a Affine,
-    /// Its position.
     at: Point2<f64>,
-    /// The start of its path.
     start: Point2<f64>,
     /// The last control point of the curve before, if that was cubic or quadratic.
     cubic: Option<Point2<f64>>,
@@ -49,7 +47,6 @@ pub fn read(data: &str, map: &Affine) -> Result<Vec<Path>, String> {
 }
 
 impl Pen<'_> {
-    /// The point of a command.
     fn to(&self, abs: bool, x: f64, y: f64) -> Point2<f64> {
         if abs {
             Point2::new(x, y)
@@ -118,7 +115,6 @@ impl Pen<'_> {
         }
     }
 
-    /// Starts a new path.
     fn begin(&mut self) {
         self.paths.push(Path {
             segments: Vec::new(),

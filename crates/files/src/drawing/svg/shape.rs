@@ -3,9 +3,7 @@
 use roxmltree::Node;
 use svgtypes::{Length, LengthUnit};
 
-/// The shape of an element.
 pub enum Data {
-    /// Path data.
     Path(String),
     /// An ellipse by its centre and radii.
     Round([f64; 2], [f64; 2]),
@@ -54,7 +52,6 @@ pub fn number(node: Node, name: &str) -> Result<Option<f64>, String> {
     }
 }
 
-/// A number that must be present.
 fn needed(node: Node, name: &str) -> Result<f64, String> {
     number(node, name)?.ok_or_else(|| format!("{name} is missing"))
 }

@@ -45,9 +45,7 @@ impl Title {
 #[derive(Debug)]
 enum Open {
     Nothing,
-    /// Skipped up to the next head.
     Wrong,
-    /// Values of a trace.
     Values(Trace),
     /// Diameters, by name.
     Diameters(&'static str),
@@ -95,7 +93,6 @@ impl<'f> Data<'f> {
         ))
     }
 
-    /// Reads a line.
     pub fn take<'a>(&mut self, p40: &mut P40<'a>, (line, text): (u64, &'a str)) {
         let file = self.file;
         let mut wrong = |reason: String| file.add_at(line, reason, CORRECT);
@@ -171,7 +168,6 @@ impl<'f> Data<'f> {
         }
     }
 
-    /// The part that a head opens.
     fn begin(&mut self, p40: &mut P40, line: u64, text: &str) -> Result<Open, String> {
         let mut rest = text;
         if let Some((title, behind)) = Title::of(text) {

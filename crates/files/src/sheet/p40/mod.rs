@@ -19,7 +19,6 @@ use curves::Data;
 use gearlash::gear::Flank;
 use std::collections::{BTreeMap, HashSet};
 
-/// The remedy for a wrong line.
 const CORRECT: &str = "correct the line, or name a file as the machine wrote it";
 /// Names of parts of a file in [`P40::unused`].
 const PITCH: &str = "blocks of pitch";
@@ -28,10 +27,8 @@ const LEADS: &str = "lead traces";
 /// Angles must be in degrees; `Grad` is the German word.
 const DEGREES: [&str; 5] = ["deg", "degree", "degrees", "grad", "°"];
 
-/// A trace.
 #[derive(Debug)]
 struct FlankTrace {
-    /// The line of its head.
     line: u64,
     tooth: u32,
     flank: Flank,
@@ -39,7 +36,6 @@ struct FlankTrace {
     values: Vec<(u64, Option<f64>)>,
 }
 
-/// A numbered header line.
 #[derive(Debug)]
 struct Numbered {
     line: u64,
@@ -48,7 +44,6 @@ struct Numbered {
     numbers: Vec<f64>,
 }
 
-/// A file as read.
 #[derive(Debug, Default)]
 pub struct P40<'a> {
     header: Header,

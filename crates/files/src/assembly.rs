@@ -8,7 +8,6 @@ use super::shafts;
 use super::spec::{AssemblySpec, CenterDistanceSpec};
 use super::table::Table;
 use gearlash::error::GearError;
-use serde::Deserialize;
 use std::collections::HashSet;
 
 /// Reads `[assembly]`; the centre distances may be absent when not `needed`.
@@ -16,7 +15,7 @@ pub fn read(file: &Checked, needed: bool) -> Option<AssemblySpec> {
     const KEY: &str = "assembly.center_distance_mm";
     let empty = Node::Table(Vec::new());
     let stated = file.read::<AssemblySpec>("assembly")?;
-    let spec = stated.or_else(|| AssemblySpec::deserialize(&empty).ok())?;
+    let spec = stated.or_else(|| empty.to::<AssemblySpec>().ok())?;
     shafts::check_keys(file.table(), &spec)?;
     let CenterDistanceSpec::Distances(list) = &spec.center_distance_mm else {
         return Some(spec);

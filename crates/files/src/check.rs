@@ -10,7 +10,7 @@ use crate::reading::Reading;
 use crate::spec;
 use crate::table::Table;
 use crate::unknown_key::{is_slip, key_reason, nearest, synonym, teeth_reason};
-use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 /// Units at the end of a key's name.
@@ -71,7 +71,7 @@ impl<'a> Checked<'a> {
     }
 
     /// The value at the dotted `path`: `None` where it has a problem, `Some(None)` where it is absent.
-    pub fn read<T: Deserialize<'a>>(&self, path: &str) -> Option<Option<T>> {
+    pub fn read<T: DeserializeOwned>(&self, path: &str) -> Option<Option<T>> {
         if !self.is_good(path) {
             return None;
         }
@@ -80,7 +80,7 @@ impl<'a> Checked<'a> {
         };
         // The schema allows nothing that serde refuses.
         self.table
-            .keep(path, T::deserialize(node).map(Some), "correct it")
+            .keep(path, node.to::<T>().map(Some), "correct it")
     }
 }
 

@@ -1,11 +1,10 @@
 //! A pair file as a tree of values, the same for TOML and JSON.
 
 use crate::characters::cut;
-use serde::de::value::{self, MapDeserializer, SeqDeserializer};
 use serde::de::{
-    Deserialize, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Visitor,
+    Deserialize, DeserializeOwned, Deserializer, Error, MapAccess, SeqAccess, Visitor,
 };
-use serde::forward_to_deserialize_any;
+use serde_json::Value;
 use std::collections::HashSet;
 use std::fmt;
 
@@ -70,6 +69,11 @@ impl Node {
         cut(&text, LONGEST)
     }
 
+    /// The value as a spec that its schema allows.
+    pub fn to<T: DeserializeOwned>(&self) -> serde_json::Result<T> {
+        serde_json::from_value(self.into())
+    }
+
     /// Appends the value, and stops adding elements once `text` is longer than `enough`.
     fn write(&self, text: &mut String, enough: usize) {
         match self {
@@ -125,6 +129,32 @@ impl From<toml::Value> for Node {
                     .collect(),
             ),
             toml::Value::Datetime(date) => Node::Date(date.to_string()),
+        }
+    }
+}
+
+impl From<&Node> for Value {
+    fn from(node: &Node) -> Value {
+        match node {
+            Node::Flag(flag) => (*flag).into(),
+            Node::Whole(whole) => (*whole).into(),
+            // JSON writers like to print whole numbers with a point; −0.0 keeps its sign.
+            Node::Number(number)
+                if number.fract() == 0.0
+                    && number.abs() < 9e15
+                    && (*number != 0.0 || number.is_sign_positive()) =>
+            {
+                (*number as i64).into()
+            }
+            Node::Number(number) => (*number).into(),
+            Node::Text(text) | Node::Date(text) => text.as_str().into(),
+            Node::List(list) => list.iter().map(Value::from).collect(),
+            Node::Table(entries) => {
+                let entries = entries.iter();
+                let entries = entries.map(|(key, node)| (key.clone(), Value::from(node)));
+                Value::Object(entries.collect())
+            }
+            Node::Null => Value::Null,
         }
     }
 }
@@ -194,70 +224,5 @@ impl<'de> Visitor<'de> for NodeVisitor {
             }
         }
         Ok(Node::Table(entries))
-    }
-}
-
-/// Hands the tree to the spec that its schema allows.
-impl<'de> Deserializer<'de> for &'de Node {
-    type Error = value::Error;
-
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, value::Error> {
-        match self {
-            Node::Flag(flag) => visitor.visit_bool(*flag),
-            Node::Whole(whole) => visitor.visit_i64(*whole),
-            // JSON writers like to print whole numbers with a point; −0.0 keeps its sign.
-            Node::Number(number)
-                if number.fract() == 0.0
-                    && number.abs() < 9e15
-                    && (*number != 0.0 || number.is_sign_positive()) =>
-            {
-                visitor.visit_i64(*number as i64)
-            }
-            Node::Number(number) => visitor.visit_f64(*number),
-            Node::Text(text) | Node::Date(text) => visitor.visit_borrowed_str(text),
-            Node::List(list) => visitor.visit_seq(SeqDeserializer::new(list.iter())),
-            Node::Table(entries) => {
-                let entries = entries.iter().map(|(key, node)| (key.as_str(), node));
-                visitor.visit_map(MapDeserializer::new(entries))
-            }
-            Node::Null => visitor.visit_unit(),
-        }
-    }
-
-    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, value::Error> {
-        visitor.visit_some(self)
-    }
-
-    fn deserialize_newtype_struct<V: Visitor<'de>>(
-        self,
-        _: &'static str,
-        visitor: V,
-    ) -> Result<V::Value, value::Error> {
-        visitor.visit_newtype_struct(self)
-    }
-
-    fn deserialize_enum<V: Visitor<'de>>(
-        self,
-        _: &'static str,
-        _: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, value::Error> {
-        match self {
-            Node::Text(text) => visitor.visit_enum(text.as_str().into_deserializer()),
-            other => Err(value::Error::custom(other.kind())),
-        }
-    }
-
-    forward_to_deserialize_any! {
-        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf
-        unit unit_struct seq tuple tuple_struct map struct identifier ignored_any
-    }
-}
-
-impl<'de> IntoDeserializer<'de, value::Error> for &'de Node {
-    type Deserializer = Self;
-
-    fn into_deserializer(self) -> Self {
-        self
     }
 }

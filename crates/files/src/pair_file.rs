@@ -111,7 +111,10 @@ impl<'a> PairTables<'a> {
         }
         let mut materials = materials(&self.wheel, &self.pinion)?;
         let gears = [&self.wheel, &self.pinion];
-        let temperature = self.temperature(gears)?;
+        let temperature = Temperature::read(&table, &assembly, gears)?;
+        if temperature.is_some() {
+            self.check_rows("assembly.temperature_c")?;
+        }
         remarks.extend(table.reading().take_remarks());
         if let Some(temperature) = temperature {
             materials = temperature.gears(&table, materials)?;
@@ -125,10 +128,9 @@ impl<'a> PairTables<'a> {
             .first()
             .map(|(_, wheel, pinion)| wheel.gear().base_radius() + pinion.gear().base_radius())?;
         let is_shifted = temperature.is_some() || assembly.holds_at() != 0.0;
-        let mut overlaps = center_distances
-            .iter()
-            .map(|&a| assembly::overlap(a, base_radii));
-        if let Some(reason) = overlaps.find_map(|reason| reason).filter(|_| is_shifted) {
+        let mut distances = center_distances.iter();
+        let overlap = distances.find_map(|&a| assembly::overlap(a, base_radii));
+        if let Some(reason) = overlap.filter(|_| is_shifted) {
             let (key, help) = if temperature.is_some() {
                 (
                     "temperature_c",
@@ -148,7 +150,6 @@ impl<'a> PairTables<'a> {
             remarks.extend(meaning.map(|words| format!("assembly.center_distance_mm: {words}")));
         }
         let face_offset_mm = assembly.face_offset_mm;
-        let gears = [&self.wheel, &self.pinion];
         let warm = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
         let factors = [self.wheel.scale * warm[0], self.pinion.scale * warm[1]];
         temperature::check_unequal(&table, factors)?;
@@ -263,16 +264,6 @@ impl<'a> PairTables<'a> {
     /// The keys and values of the file.
     fn table(&self) -> &Table<'a> {
         self.file.table()
-    }
-
-    /// The temperature at which the pair runs, where one is stated.
-    fn temperature(&self, gears: [&GearPart; 2]) -> Option<Option<Temperature>> {
-        let assembly = self.assembly.as_ref()?;
-        let temperature = Temperature::read(self.table(), assembly, gears)?;
-        if temperature.is_some() {
-            self.check_rows("assembly.temperature_c")?;
-        }
-        Some(temperature)
     }
 
     /// Reports the `key` that changes centre distances beside measured rows, which state their own.

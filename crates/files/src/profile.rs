@@ -1,13 +1,13 @@
 //! `[profile]`: deviations of the flanks from the involute, for both flanks or each.
 
 use super::flanks;
+use super::node::Node;
 use super::sheet::Header;
 use super::spec::{FlankProfileSpec, FlanksSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 use super::table::Table;
 use super::traces::{Along, Measured};
 use gearlash::gear::{BasicGearData, Flank, Modification, Relief, Trace};
 use gearlash::metrology::ProfileKey;
-use serde::Deserialize;
 
 const NAME: &str = "profile";
 
@@ -78,7 +78,7 @@ pub fn check(gear: &Table) -> Option<()> {
     let mut good = flanks::check::<FlankProfileSpec>(gear, NAME);
     for name in ["profile.right", "profile.left", NAME] {
         let table = gear.below(name);
-        let range = table.get("range_mm").map(<[f64; 2]>::deserialize);
+        let range = table.get("range_mm").map(Node::to::<[f64; 2]>);
         if let Some(Ok([start, end])) = range
             && start >= end
         {

@@ -5,7 +5,6 @@ use super::node::Node;
 use super::spec::{DEFAULT_STEPS, ExtremePhases, Revolutions, SweepSpec};
 use crate::error::Problem;
 use gearlash::pair::SweepPlan;
-use serde::Deserialize;
 
 /// The poses of every run, and their keys in the pair file.
 #[derive(Debug)]
@@ -22,8 +21,7 @@ impl Sweep {
         reading.list("sweep.mating", || {
             // A mating with a problem of its own is already reported.
             let each = (1..).zip(matings);
-            let good =
-                each.filter_map(|(place, one)| Some((place, <[u32; 2]>::deserialize(one).ok()?)));
+            let good = each.filter_map(|(place, one)| Some((place, one.to::<[u32; 2]>().ok()?)));
             for (place, mating) in good {
                 let place = format!("value {place} of the list: ");
                 if let Some(problem) = beyond_gear("sweep.mating", mating, teeth, &place) {

@@ -65,26 +65,16 @@ fn complete_statement(table: &Table, spec: &mut StatementSpec, teeth: Option<u32
             );
         }
         let table = table.below("span");
-        let (places, file) = (&mut span.first_tooth, &mut span.table);
-        let places = Places {
-            key: "first_tooth",
-            places,
-            file,
-        };
-        places.complete(&table, Column::Span, &mut span.length, teeth)?;
+        let stated = (&mut span.length, &mut span.first_tooth, &mut span.table);
+        complete_readings(&table, (Column::Span, "first_tooth"), stated, teeth)?;
         if span.first_tooth.is_some() {
             span.per_tooth.get_or_insert(true);
         }
     }
     if let Some(pins) = &mut spec.over_pins {
         let table = table.below("over_pins");
-        let (places, file) = (&mut pins.space, &mut pins.table);
-        let places = Places {
-            key: "space",
-            places,
-            file,
-        };
-        places.complete(&table, Column::OverPins, &mut pins.length, teeth)?;
+        let stated = (&mut pins.length, &mut pins.space, &mut pins.table);
+        complete_readings(&table, (Column::OverPins, "space"), stated, teeth)?;
     }
     Some(())
 }
@@ -132,75 +122,70 @@ pub fn check_body(gear: &Table, spec: &ThicknessSpec, design: &GearDesign) -> Op
     named
 }
 
-/// Places of readings all round a gear.
-struct Places<'s> {
-    key: &'static str,
-    places: &'s mut Option<Vec<u32>>,
-    file: &'s mut Option<TableFileSpec>,
-}
-
-impl Places<'_> {
-    /// Fills in readings and places: from the table's file, or tooth by tooth where every tooth has a reading.
-    fn complete(
-        self,
-        table: &Table,
-        column: Column,
-        length: &mut LengthSpec,
-        teeth: Option<u32>,
-    ) -> Option<()> {
-        if self.file.take().is_some() {
-            let wanted = Wanted {
-                columns: &[column],
-                teeth,
-                coverage: Coverage::SomeTeeth,
-            };
-            let (_, sheet) = Sheet::read(table, &wanted)?;
-            *self.places = Some(sheet.teeth());
-            length.mm = Some(Either::Other(sheet.values(0)));
+/// Fills in readings of a `column` and their places, which `key` states: from the table's file, or tooth by tooth where every tooth has
+/// a reading.
+fn complete_readings(
+    table: &Table,
+    (column, key): (Column, &str),
+    (length, places, file): (
+        &mut LengthSpec,
+        &mut Option<Vec<u32>>,
+        &mut Option<TableFileSpec>,
+    ),
+    teeth: Option<u32>,
+) -> Option<()> {
+    if file.take().is_some() {
+        let wanted = Wanted {
+            columns: &[column],
+            teeth,
+            coverage: Coverage::SomeTeeth,
+        };
+        let (_, sheet) = Sheet::read(table, &wanted)?;
+        *places = Some(sheet.teeth());
+        length.mm = Some(Either::Other(sheet.values(0)));
+        return Some(());
+    }
+    let Some(Either::Other(mm)) = &length.mm else {
+        return Some(());
+    };
+    let (teeth, readings) = (teeth?, mm.len());
+    let help = "give the number of each reading, in the order of mm";
+    let wrong = |reason: String, help: String| table.refuse(key, reason, help);
+    let Some(listed) = places else {
+        if readings == teeth as usize {
+            *places = Some((1..=teeth).collect());
             return Some(());
         }
-        let Some(Either::Other(mm)) = &length.mm else {
-            return Some(());
-        };
-        let (key, teeth, readings) = (self.key, teeth?, mm.len());
-        let help = "give the number of each reading, in the order of mm";
-        let wrong = |reason: String, help: String| table.refuse(key, reason, help);
-        let Some(places) = self.places else {
-            if readings == teeth as usize {
-                *self.places = Some((1..=teeth).collect());
-                return Some(());
-            }
-            return wrong(
-                format!(
-                    "missing, expected one number a reading: there are {readings} for {teeth} teeth"
-                ),
-                format!("add `{key}`: {help}"),
-            );
-        };
-        if places.len() != readings {
-            let length = places.len();
-            return wrong(
-                format!("length {length}, expected {readings}: one number a reading"),
-                help.to_owned(),
-            );
-        }
-        if let Some((index, place)) = places.iter().enumerate().find(|(_, place)| **place > teeth) {
-            return wrong(
-                format!(
-                    "value {} of the list: {place} is out of range, allowed is a whole number, 1 … {teeth}",
-                    index + 1
-                ),
-                "give a number of the gear's teeth".to_owned(),
-            );
-        }
-        let mut seen = HashSet::new();
-        match places.iter().find(|place| !seen.insert(**place)) {
-            Some(duplicate) => wrong(
-                format!("{duplicate} is listed twice, allowed is once"),
-                "keep one reading of it, or their mean".to_owned(),
+        return wrong(
+            format!(
+                "missing, expected one number a reading: there are {readings} for {teeth} teeth"
             ),
-            None => Some(()),
-        }
+            format!("add `{key}`: {help}"),
+        );
+    };
+    if listed.len() != readings {
+        let length = listed.len();
+        return wrong(
+            format!("length {length}, expected {readings}: one number a reading"),
+            help.to_owned(),
+        );
+    }
+    if let Some((index, place)) = listed.iter().enumerate().find(|(_, place)| **place > teeth) {
+        return wrong(
+            format!(
+                "value {} of the list: {place} is out of range, allowed is a whole number, 1 … {teeth}",
+                index + 1
+            ),
+            "give a number of the gear's teeth".to_owned(),
+        );
+    }
+    let mut seen = HashSet::new();
+    match listed.iter().find(|place| !seen.insert(**place)) {
+        Some(duplicate) => wrong(
+            format!("{duplicate} is listed twice, allowed is once"),
+            "keep one reading of it, or their mean".to_owned(),
+        ),
+        None => Some(()),
     }
 }
 

@@ -316,20 +316,14 @@ fn of_file<T: StatedTrace>(
     own: Option<Flank>,
     gear: &Measured,
 ) -> Option<FlankTraces<T>> {
-    let (place, coverage) = match gear.along {
-        Along::Profile(basic_data) => {
-            let base_radius = basic_data.map(BasicGearData::base_radius);
-            (Column::RollLength, Coverage::Points { base_radius })
-        }
-        Along::Face { .. } => {
-            let base_radius = None;
-            (Column::Height, Coverage::Points { base_radius })
-        }
+    let (place, base_radius) = match gear.along {
+        Along::Profile(data) => (Column::RollLength, data.map(BasicGearData::base_radius)),
+        Along::Face { .. } => (Column::Height, None),
     };
     let wanted = Wanted {
         columns: &[place, Column::Deviation],
         teeth: gear.teeth,
-        coverage,
+        coverage: Coverage::Points { base_radius },
     };
     let (file, read) = Sheet::read(table, &wanted)?;
     let by = *read.columns.first()?;

@@ -212,32 +212,27 @@ fn rack(
     module: f64,
     addendum: Option<f64>,
 ) -> Result<Option<RackSpec>, Problem> {
-    let in_modules = |coefficients: &[&str], length: &str| {
-        for coefficient in coefficients {
-            if let Some(number) = tool.number(coefficient, NUMBER)? {
-                return Ok(Some(number));
+    let in_modules = |coefficients: &[&str], lengths: &[&str]| {
+        for (names, unit, per) in [(coefficients, NUMBER, 1.0), (lengths, MILLIMETRE, module)] {
+            for name in names {
+                if let Some(number) = tool.number(name, unit)? {
+                    return Ok(Some(number / per));
+                }
             }
         }
-        let mm = tool.number(length, MILLIMETRE)?;
-        Ok::<_, Problem>(mm.map(|mm| mm / module))
+        Ok::<_, Problem>(None)
     };
     let dedendum = in_modules(
         &["addendum_coefficient_reference_profile"],
-        "addendum_reference_profile",
+        &["addendum_reference_profile"],
     )?;
     let radius = in_modules(
         &[
             "tip_corner_radius_factor_reference_profile",
             "tip_radius_factor",
         ],
-        "tip_radius",
+        &["tip_radius", "tip_corner_radius_reference_profile"],
     )?;
-    let radius = match radius {
-        None => tool
-            .number("tip_corner_radius_reference_profile", MILLIMETRE)?
-            .map(|mm| mm / module),
-        some => some,
-    };
     Ok(dedendum
         .zip(radius)
         .map(|(dedendum, root_radius)| RackSpec {

@@ -6,9 +6,9 @@ use super::heading::{self, Meaning, Quantity};
 use super::number::Decimal;
 use crate::data_file::DataFile;
 use crate::error::Problem;
+use crate::node::Node;
 use crate::table::Table;
 use serde::Deserialize;
-use serde::de::value::{Error, MapDeserializer};
 use std::fmt::Display;
 
 /// Lines in which a header is searched, and most cells of such a line. Each cell takes some µs.
@@ -244,12 +244,8 @@ pub struct Choice {
 impl Choice {
     /// The keys of `table`.
     pub fn of(table: &Table) -> Choice {
-        let entries = table
-            .entries()
-            .iter()
-            .map(|(key, node)| (key.as_str(), node));
-        let choice: Result<Choice, Error> = Choice::deserialize(MapDeserializer::new(entries));
         // The schema allows nothing that serde refuses.
+        let choice = Node::Table(table.entries().to_vec()).to();
         choice.unwrap_or_default()
     }
 

@@ -106,9 +106,8 @@ fn rows(table: &Table, content: &Content, request: &Request) -> Option<Vec<(u64,
     let found = Found::find(request, grids)?;
     let rows = found.rows(request)?;
     let remark = |words| format!("{}: {}: left out: {words}", file.key(), file.name());
-    table
-        .reading()
-        .add_remark(found.left_out(file).words(&[]).map(remark));
+    let left_out = found.left_out.words(&[]);
+    table.reading().add_remark(left_out.map(remark));
     let sources = found.sources(file).into_iter();
     let measured = rows.into_iter().zip(sources).map(|(row, source)| {
         let [

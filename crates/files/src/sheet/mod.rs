@@ -106,44 +106,31 @@ impl Sheet {
     }
 
     pub fn of(content: &Content, request: &Request) -> Option<Sheet> {
-        let Request { file, wanted, .. } = request;
-        let mut columns = wanted.columns.to_vec();
-        let (rows, header, origin) = match content {
+        let (rows, header) = match content {
             Content::Cells(grids) => {
                 let found = Found::find(request, grids)?;
-                let rows = found.rows(request)?;
-                columns = found
-                    .places
-                    .values
-                    .iter()
-                    .map(|(column, _)| *column)
-                    .collect();
-                (
-                    rows,
-                    Header::default(),
-                    Some(Origin::of(&found, grids, file)),
-                )
+                let columns = found.places.values.iter();
+                return Some(Sheet {
+                    header: Header::default(),
+                    rows: found.rows(request)?,
+                    columns: columns.map(|(column, _)| *column).collect(),
+                    origin: Some(Origin::of(found, grids)),
+                });
             }
-            Content::Protocol(_) if wanted.is_points() => {
-                return file.refuse(
+            Content::Protocol(_) if request.wanted.is_points() => {
+                return request.file.refuse(
                     "is a protocol of pitch, expected is a table of traces",
                     "name a table with a row a point",
                 );
             }
-            Content::Protocol(text) => {
-                let (rows, header) = protocol::read(request, text)?;
-                (rows, header, None)
-            }
-            Content::P40(text) => {
-                let (rows, header) = p40::read(request, text)?;
-                (rows, header, None)
-            }
+            Content::Protocol(text) => protocol::read(request, text)?,
+            Content::P40(text) => p40::read(request, text)?,
         };
         Some(Sheet {
             header,
             rows,
-            columns,
-            origin,
+            columns: request.wanted.columns.to_vec(),
+            origin: None,
         })
     }
 
@@ -160,28 +147,25 @@ impl Sheet {
 }
 
 impl Origin {
-    fn of(found: &Found, grids: &[Grid], file: &DataFile) -> Origin {
-        let places = found.places.numbers();
-        let headings = places
-            .iter()
-            .map(|place| (&found.head.headings[*place], letter(*place)));
-        let quantities = headings
-            .clone()
-            .filter_map(|(heading, _)| heading.quantity());
+    fn of(found: Found, grids: &[Grid]) -> Origin {
+        let places = found.places.numbers().into_iter();
+        let headings = places.map(|place| (&found.head.headings[place], letter(place)));
+        let headings: Vec<_> = headings.collect();
+        let quantities = || {
+            headings
+                .iter()
+                .filter_map(|(heading, _)| heading.quantity())
+        };
         Origin {
             sheet: found.grid.sheet.clone().filter(|_| grids.len() > 1),
             header_row: found.head.line,
-            kind: quantities
-                .clone()
-                .filter_map(Quantity::pitch_kind)
-                .next_back(),
-            by_space: quantities
-                .clone()
-                .any(|quantity| quantity == Quantity::Space),
+            kind: quantities().filter_map(Quantity::pitch_kind).next_back(),
+            by_space: quantities().any(|quantity| quantity == Quantity::Space),
             columns: headings
-                .map(|(heading, letter)| (heading.shown.clone(), letter))
+                .iter()
+                .map(|(heading, letter)| (heading.shown.clone(), letter.clone()))
                 .collect(),
-            left_out: found.left_out(file),
+            left_out: found.left_out,
         }
     }
 

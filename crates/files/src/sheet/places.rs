@@ -36,7 +36,7 @@ impl Request<'_> {
             return self.places_of_points(head);
         }
         let tooth = if self.wanted.is_by_tooth() {
-            self.file.reading().keep(self.tooth(head, lines).map(Some))
+            self.keep(self.tooth(head, lines).map(Some))
         } else {
             Some(None)
         };
@@ -59,29 +59,26 @@ impl Request<'_> {
             );
         }
         if columns.len() > 1 && missing == columns.len() {
-            let join = |texts: Vec<String>, by: &str| texts.join(by);
-            let names = columns
-                .iter()
-                .map(|column| column.name().to_owned())
-                .collect();
-            let keys = columns
-                .iter()
+            let names: Vec<&str> = columns.iter().map(|column| column.name()).collect();
+            let keys = columns.iter();
+            let keys: Vec<String> = keys
                 .map(|column| format!("{} = \"…\"", column.key()))
                 .collect();
             let reason = format!(
                 "columns {} are missing; the columns are {}",
-                join(names, " and "),
+                names.join(" and "),
                 head.shown(self.file, &head.all())
             );
-            let keys = join(keys, ", ");
-            let help =
-                format!("name them there, or say which they are, by heading or letter: {keys}");
+            let help = format!(
+                "name them there, or say which they are, by heading or letter: {}",
+                keys.join(", ")
+            );
             return self.refuse(head, reason, help);
         }
         let values = columns.iter().map(|column| {
             let places = dedup_equal(head, lines, head.places_of(*column, self.choice));
             let place = self.one(head, *column, &in_unit(head, *column, places));
-            Some((*column, self.file.reading().keep(place)?))
+            Some((*column, self.keep(place)?))
         });
         // All problems are reported, not only the first.
         let values: Vec<Option<_>> = values.collect();
@@ -92,13 +89,13 @@ impl Request<'_> {
             source: source.filter(|_| self.wanted.is_results()),
             values,
         };
-        self.file
-            .reading()
-            .keep(self.check_same_kind(head, &places))?;
-        self.file
-            .reading()
-            .keep(self.check_distinct(head, &places))?;
+        self.keep(self.check_same_kind(head, &places))?;
+        self.keep(self.check_distinct(head, &places))?;
         Some(places)
+    }
+
+    fn keep<T>(&self, result: Result<T, Problem>) -> Option<T> {
+        self.file.reading().keep(result)
     }
 
     fn refuse<T>(&self, head: &Head, reason: String, help: impl Display) -> Option<T> {
@@ -129,11 +126,8 @@ impl Request<'_> {
         }
         let (by, at) = there().next().or(places.first())?;
         let deviation = head.places_of(Column::Deviation, self.choice);
-        let at = self.file.reading().keep(self.one(head, *by, at));
-        let deviation = self
-            .file
-            .reading()
-            .keep(self.one(head, Column::Deviation, &deviation));
+        let at = self.keep(self.one(head, *by, at));
+        let deviation = self.keep(self.one(head, Column::Deviation, &deviation));
         let values = vec![(*by, at?), (Column::Deviation, deviation?)];
         Some(Places {
             tooth: tooth?,

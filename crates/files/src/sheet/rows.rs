@@ -33,15 +33,8 @@ pub struct Found<'a> {
     pub head: Head,
     pub places: Places,
     lines: Vec<&'a Line>,
-    /// Lines and columns that are not part of the table.
-    left_out: LeftOut,
-}
-
-/// Lines with their labels, and columns.
-#[derive(Debug, Clone, Default, PartialEq)]
-struct LeftOut {
-    lines: Vec<(u64, String)>,
-    columns: Vec<usize>,
+    /// The parts of the file that are not part of the table.
+    pub left_out: Unread,
 }
 
 impl<'a> Found<'a> {
@@ -53,7 +46,7 @@ impl<'a> Found<'a> {
         let (grid, head) = request.head(grids)?;
         let places = request.places(&head, &grid.lines)?;
         let used = places.numbers();
-        let mut left_out = LeftOut::default();
+        let mut left_out = Vec::new();
         for (at, line) in grid.lines[..head.at].iter().enumerate() {
             let is_number = |place: &usize| line.cell(*place).number().is_some();
             if used.first().is_some_and(is_number) && used.iter().skip(1).any(is_number) {
@@ -64,7 +57,7 @@ impl<'a> Found<'a> {
                 );
             }
             if !(head.has_groups && at + 1 == head.at) {
-                left_out.lines.push((line.number, String::new()));
+                left_out.push((line.number, ""));
             }
         }
         let mut rows = Vec::new();
@@ -77,31 +70,29 @@ impl<'a> Found<'a> {
                 );
             }
             if is_statistic(line, &used) {
-                left_out
-                    .lines
-                    .push((line.number, line.first().text().to_owned()));
+                left_out.push((line.number, line.first().text()));
             } else if line.is_comment() {
-                left_out.lines.push((line.number, String::new()));
+                left_out.push((line.number, ""));
             } else {
                 rows.push(line);
             }
         }
         let last = rows.iter().rposition(|line| is_row(line, &used));
         for line in rows.drain(last.map_or(0, |last| last + 1)..) {
-            left_out
-                .lines
-                .push((line.number, line.first().text().to_owned()));
+            left_out.push((line.number, line.first().text()));
         }
-        for (place, heading) in head.headings.iter().enumerate() {
+        let beside = [places.flank, places.source];
+        let headings = head.headings.iter().enumerate();
+        let columns = headings.filter(|(place, heading)| {
             let has_content = !heading.shown.is_empty()
-                || rows.iter().any(|line| *line.cell(place) != Cell::Empty);
-            if has_content
-                && !used.contains(&place)
-                && ![places.flank, places.source].contains(&Some(place))
-            {
-                left_out.columns.push(place);
-            }
-        }
+                || rows.iter().any(|line| *line.cell(*place) != Cell::Empty);
+            has_content && !used.contains(place) && !beside.contains(&Some(*place))
+        });
+        let columns = columns.map(|(place, _)| (letter(place), head.shown_one(file, place)));
+        let left_out = Unread {
+            lines: lines_in_words(file, left_out),
+            columns: columns.collect(),
+        };
         Some(Found {
             grid,
             head,
@@ -243,42 +234,32 @@ impl<'a> Found<'a> {
             values,
         })
     }
+}
 
-    /// The parts of the file that are not part of the table.
-    pub fn left_out(&self, file: &DataFile) -> Unread {
-        let mut lines = self.left_out.lines.clone();
-        lines.sort();
-        let mut runs: Vec<[u64; 2]> = Vec::new();
-        for (line, _) in &lines {
-            match runs.last_mut() {
-                Some([_, last]) if *last + 1 == *line => *last = *line,
-                _ => runs.push([*line; 2]),
-            }
-        }
-        let run = |[first, last]: [u64; 2]| {
-            if first == last {
-                first.to_string()
-            } else {
-                format!("{first}–{last}")
-            }
-        };
-        let labels = lines.iter().filter(|(_, label)| !label.is_empty());
-        let labels = first_words(labels.map(|(_, label)| file.quote(label)));
-        let labels = if labels.is_empty() {
-            labels
-        } else {
-            format!(" ({labels})")
-        };
-        let shown = first_words(runs.into_iter().map(run));
-        let columns = self.left_out.columns.iter();
-        Unread {
-            lines: (!lines.is_empty())
-                .then(|| format!("line{} {shown}{labels}", plural(lines.len()))),
-            columns: columns
-                .map(|place| (letter(*place), self.head.shown_one(file, *place)))
-                .collect(),
+/// Lines with their labels: "lines 1–3, 50 (\"max\")"; `None` for none.
+fn lines_in_words(file: &DataFile, mut lines: Vec<(u64, &str)>) -> Option<String> {
+    lines.sort();
+    let mut runs: Vec<[u64; 2]> = Vec::new();
+    for (line, _) in &lines {
+        match runs.last_mut() {
+            Some([_, last]) if *last + 1 == *line => *last = *line,
+            _ => runs.push([*line; 2]),
         }
     }
+    let run = |[first, last]: [u64; 2]| {
+        if first == last {
+            first.to_string()
+        } else {
+            format!("{first}–{last}")
+        }
+    };
+    let labels = lines.iter().filter(|(_, label)| !label.is_empty());
+    let mut labels = first_words(labels.map(|(_, label)| file.quote(label)));
+    if !labels.is_empty() {
+        labels = format!(" ({labels})");
+    }
+    let shown = first_words(runs.into_iter().map(run));
+    (!lines.is_empty()).then(|| format!("line{} {shown}{labels}", plural(lines.len())))
 }
 
 /// The parts of a file that are not part of a table, in words.

@@ -15,8 +15,8 @@ const MOST_REMEMBERED: usize = 1000;
 #[derive(Debug, Default)]
 pub struct Inches {
     stated: HashMap<String, (String, String)>,
-    /// Keys that are given in both units.
-    in_both_units: Vec<Problem>,
+    /// The problems of keys that are given in both units.
+    pub in_both_units: Vec<Problem>,
 }
 
 /// The name in mm of a key in inches.
@@ -34,12 +34,11 @@ fn below(path: &str, key: &str) -> String {
 }
 
 impl Inches {
-    /// Converts all lengths of a file to mm. Also returns the problems of keys that are given in both units.
-    pub fn to_mm(entries: &mut Vec<(String, Node)>) -> (Inches, Vec<Problem>) {
+    /// Converts all lengths of a file to mm.
+    pub fn to_mm(entries: &mut Vec<(String, Node)>) -> Inches {
         let mut inches = Inches::default();
         inches.entries(entries, ["", ""], false);
-        let in_both_units = std::mem::take(&mut inches.in_both_units);
-        (inches, in_both_units)
+        inches
     }
 
     /// Puts key and value of `problem` as written in the file.

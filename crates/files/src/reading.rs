@@ -106,11 +106,10 @@ impl Reading {
 
     /// Turns all lengths of the file into mm.
     pub fn to_mm(&self, entries: &mut Vec<(String, Node)>) {
-        let (inches, problems_of_both) = Inches::to_mm(entries);
+        let mut inches = Inches::to_mm(entries);
+        let problems = inches.in_both_units.drain(..);
+        problems.for_each(|problem| self.add(problem));
         self.inches.replace(inches);
-        problems_of_both
-            .into_iter()
-            .for_each(|problem| self.add(problem));
     }
 
     pub fn add(&self, problem: Problem) {

@@ -370,8 +370,6 @@ impl DistanceBandSpec {
 
 fn band_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["tolerance_um"], &["upper_um", "lower_um"]]);
-    beside(schema, "upper_um", &[&["lower_um"]]);
-    beside(schema, "lower_um", &[&["upper_um"]]);
 }
 
 /// Centre distances as measured at two places, as at both walls: the axes lean in their plane.

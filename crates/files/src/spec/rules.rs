@@ -67,10 +67,16 @@ pub fn list_length(least: usize, most: Option<usize>) -> impl Fn(&mut Schema) {
     )
 }
 
-/// Exactly one of the groups of keys is given.
+/// Exactly one of the groups of keys is given. Both keys of a pair are.
 pub fn exactly_one(schema: &mut Schema, groups: &[&[&str]]) {
-    let groups: Vec<Value> = groups.iter().map(|keys| required(keys)).collect();
-    schema.insert("oneOf".to_owned(), json!(groups));
+    let each: Vec<Value> = groups.iter().map(|keys| required(keys)).collect();
+    schema.insert("oneOf".to_owned(), json!(each));
+    for group in groups {
+        if let [one, other] = group {
+            beside(schema, one, &[&[other]]);
+            beside(schema, other, &[&[one]]);
+        }
+    }
 }
 
 /// At most one of the groups of keys is given.

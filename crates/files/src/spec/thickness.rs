@@ -212,13 +212,9 @@ fn over_pins_keys(schema: &mut Schema) {
 
 fn chord_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["mm"], &["min_mm", "max_mm"]]);
-    beside(schema, "min_mm", &[&["max_mm"]]);
-    beside(schema, "max_mm", &[&["min_mm"]]);
 }
 
 /// One value, least and greatest, or a table.
 fn length_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["mm"], &["min_mm", "max_mm"], &["file"]]);
-    beside(schema, "min_mm", &[&["max_mm"]]);
-    beside(schema, "max_mm", &[&["min_mm"]]);
 }

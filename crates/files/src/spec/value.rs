@@ -118,10 +118,6 @@ pub struct AllowanceBandSpec {
 
 fn allowance_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["min", "max"], &["upper", "lower"]]);
-    for [one, other] in [["min", "max"], ["upper", "lower"]] {
-        beside(schema, one, &[&[other]]);
-        beside(schema, other, &[&[one]]);
-    }
 }
 
 /// A table of readings, one row a tooth.

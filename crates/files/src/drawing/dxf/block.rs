@@ -42,12 +42,7 @@ impl Placed {
         insert: &Entity,
         base: Point3<f64>,
     ) -> Result<impl Iterator<Item = Placed>, &'static str> {
-        let extrusion = [(210, 0.0), (220, 0.0), (230, 1.0)];
-        let [x, y, z] = extrusion.map(|(code, default)| insert.number(code, default));
-        if x.abs().max(y.abs()) > 1e-12 || z == 0.0 {
-            return Err("an extrusion direction other than 0, 0, ±1");
-        }
-        let hand = if z < 0.0 { -1.0 } else { 1.0 };
+        let hand = insert.hand()?;
         let scale = [41, 42, 43].map(|code| insert.number(code, 1.0));
         if scale[0] == 0.0 || scale[1] == 0.0 {
             return Err("an INSERT of scale 0");

@@ -216,6 +216,17 @@ impl<'a> Entity<'a> {
         Point3::from([code, code + 10, code + 20].map(|code| self.number(code, 0.0)))
     }
 
+    /// The direction of x, 1 or −1: an entity can be seen from behind.
+    pub fn hand(&self) -> Result<f64, &'static str> {
+        let extrusion = [(210, 0.0), (220, 0.0), (230, 1.0)];
+        let [x, y, z] = extrusion.map(|(code, default)| self.number(code, default));
+        // Printed values: 1 up to their last digits.
+        if x.abs().max(y.abs()) > 1e-12 || z == 0.0 {
+            return Err("an extrusion direction other than 0, 0, ±1");
+        }
+        Ok(if z < 0.0 { -1.0 } else { 1.0 })
+    }
+
     /// All points whose x is of `code`, each with its bulge, group 42. A z that is missing is `z`.
     pub fn points(&self, code: u16, z: f64) -> Vec<(Point3<f64>, f64)> {
         let mut points: Vec<(Point3<f64>, f64)> = Vec::new();

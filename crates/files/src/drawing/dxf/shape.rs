@@ -33,7 +33,7 @@ pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), Drawin
     for one in kept {
         let mut space = Space {
             scale,
-            mirrored: false,
+            hand: 1.0,
             heights: Vec::new(),
             place: one.entity.place(),
         };
@@ -79,8 +79,8 @@ pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), Drawin
 struct Space {
     /// Length of a unit, mm.
     scale: f64,
-    /// Whether an entity is seen from behind: its x points left.
-    mirrored: bool,
+    /// The direction of x, 1 or −1.
+    hand: f64,
     /// The z of its points, in units of the drawing.
     heights: Vec<f64>,
     /// The place of the entity in the file.
@@ -95,7 +95,7 @@ impl Space {
     fn segments(&mut self, entity: &Entity) -> Result<BoundedSegments, DrawingError> {
         // The ends of a line are in the space of the drawing, all else in that of the entity.
         if entity.kind != "LINE" && entity.kind != "SPLINE" {
-            self.seen_from(entity)?;
+            self.hand = entity.hand().map_err(|kind| self.refused(kind))?;
         }
         match entity.kind {
             "LINE" => {
@@ -108,9 +108,8 @@ impl Space {
                 self.round(entity, start, turn(start, end))
             }
             "ELLIPSE" => {
-                let left = if self.mirrored { -1.0 } else { 1.0 };
                 // Centre and axes of an ellipse are in the space of the drawing, too.
-                self.mirrored = false;
+                let left = std::mem::replace(&mut self.hand, 1.0);
                 let centre = self.point(entity.point(10));
                 let axis = entity.point(11);
                 if axis.z != 0.0 {
@@ -139,23 +138,10 @@ impl Space {
         }
     }
 
-    /// Sets the direction of x from the extrusion direction of the entity.
-    fn seen_from(&mut self, entity: &Entity) -> Result<(), DrawingError> {
-        let [x, y, z] = [(210, 0.0), (220, 0.0), (230, 1.0)]
-            .map(|(code, default)| entity.number(code, default));
-        // Printed values: 1 up to their last digits.
-        if x.abs().max(y.abs()) > 1e-12 || z == 0.0 {
-            return Err(self.refused("an extrusion direction other than 0, 0, ±1"));
-        }
-        self.mirrored = z < 0.0;
-        Ok(())
-    }
-
     /// A point in mm; its height is checked when the size of the drawing is known.
     fn point(&mut self, point: Point3<f64>) -> Point2<f64> {
-        let hand = if self.mirrored { -1.0 } else { 1.0 };
-        self.heights.push(hand * point.z);
-        Point2::new(hand * point.x, point.y) * self.scale
+        self.heights.push(self.hand * point.z);
+        Point2::new(self.hand * point.x, point.y) * self.scale
     }
 
     fn round(
@@ -173,10 +159,12 @@ impl Space {
             ));
         }
         let radius = radius * self.scale;
-        let side = if self.mirrored { -radius } else { radius };
         Ok(elliptic(
             centre,
-            [Vector2::new(side, 0.0), Vector2::new(0.0, radius)],
+            [
+                Vector2::new(self.hand * radius, 0.0),
+                Vector2::new(0.0, radius),
+            ],
             start,
             sweep,
         ))
@@ -188,7 +176,7 @@ impl Space {
         vertices: Vec<(Point3<f64>, f64)>,
         closed: bool,
     ) -> Result<BoundedSegments, DrawingError> {
-        let hand = if self.mirrored { -1.0 } else { 1.0 };
+        let hand = self.hand;
         let vertices: Vec<(Point2<f64>, f64)> = vertices
             .into_iter()
             .map(|(point, bulge)| (self.point(point), hand * bulge))

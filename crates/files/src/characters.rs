@@ -126,6 +126,17 @@ pub fn json(text: String) -> String {
     escaped
 }
 
+/// The first `most` of `words`, and the number of others: "a, b and 3 more".
+pub fn first_of(words: impl IntoIterator<Item = String>, most: usize) -> String {
+    let mut words = words.into_iter();
+    let first: Vec<String> = words.by_ref().take(most).collect();
+    let first = first.join(", ");
+    match words.count() {
+        0 => first,
+        more => format!("{first} and {more} more"),
+    }
+}
+
 /// `text` with at most `most` characters; a longer one is cut and ends with an ellipsis.
 pub fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {

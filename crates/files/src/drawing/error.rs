@@ -1,7 +1,7 @@
 //! Why a drawing cannot be read: what, where, and what helps.
 
 use super::limits::{MOST_NAMED, SAME_MM};
-use crate::characters::cut;
+use crate::characters::{cut, first_of};
 use crate::numbers::{ascii, rounded};
 use nalgebra::Point2;
 use std::fmt::Display;
@@ -95,16 +95,10 @@ fn available_names(known: &[String]) -> String {
     if known.is_empty() {
         return "and no other".to_owned();
     }
-    let named: Vec<String> = known
+    let named = known
         .iter()
-        .take(MOST_NAMED)
-        .map(|name| format!("\"{}\"", cut(name, LONGEST_NAME)))
-        .collect();
-    let more = match known.len() - named.len() {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
-    format!("those there are: {}{more}", named.join(", "))
+        .map(|name| format!("\"{}\"", cut(name, LONGEST_NAME)));
+    format!("those there are: {}", first_of(named, MOST_NAMED))
 }
 
 /// A number of two digits above `gap`.

@@ -1,5 +1,6 @@
 //! Selects the gear among the closed paths of a drawing.
 
+use crate::characters::first_of;
 use crate::drawing::{Drawing, Loop};
 use crate::numbers::ascii;
 use gearlash::outline::{PathSegment, polygon};
@@ -144,16 +145,11 @@ pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
 /// Outlines by number and place, at most a few.
 fn list(loops: &[Loop], outlines: &[Outline]) -> String {
     const FEW: usize = 6;
-    let named = outlines.iter().take(FEW).enumerate().map(|(index, one)| {
+    let named = outlines.iter().enumerate().map(|(index, one)| {
         let path = &loops[one.place];
         format!("{} from {} ({})", index + 1, start(path), path.place)
     });
-    let named: Vec<String> = named.collect();
-    let more = match outlines.len() {
-        count if count > FEW => format!(" and {} more", count - FEW),
-        _ => String::new(),
-    };
-    format!("{}{more}", named.join(", "))
+    first_of(named, FEW)
 }
 
 /// The start of a path, in words.

@@ -7,6 +7,7 @@ use super::heading;
 use super::number::{self, Decimal, Placed, check_decimal_sign};
 use super::places::Places;
 use super::request::{Coverage, Request, Wanted};
+use crate::characters::first_of;
 use crate::data_file::DataFile;
 use gearlash::gear::{Flank, Side};
 use std::ops::{RangeBounds, RangeInclusive};
@@ -254,11 +255,11 @@ fn lines_in_words(file: &DataFile, mut lines: Vec<(u64, &str)>) -> Option<String
         }
     };
     let labels = lines.iter().filter(|(_, label)| !label.is_empty());
-    let mut labels = first_words(labels.map(|(_, label)| file.quote(label)));
+    let mut labels = first_of(labels.map(|(_, label)| file.quote(label)), MOST_LISTED);
     if !labels.is_empty() {
         labels = format!(" ({labels})");
     }
-    let shown = first_words(runs.into_iter().map(run));
+    let shown = first_of(runs.into_iter().map(run), MOST_LISTED);
     (!lines.is_empty()).then(|| format!("line{} {shown}{labels}", plural(lines.len())))
 }
 
@@ -291,7 +292,7 @@ impl Unread {
         let names = self.columns.iter().filter(|(letter, _)| is_named(letter));
         let names: Vec<String> = names.map(|(_, name)| name.clone()).collect();
         let column = format!("column{}", plural(names.len()));
-        (!names.is_empty()).then(|| format!("{column} {}", first_words(names.into_iter())))
+        (!names.is_empty()).then(|| format!("{column} {}", first_of(names, MOST_LISTED)))
     }
 }
 
@@ -399,21 +400,6 @@ fn teeth_named(teeth: &[u32]) -> String {
         1 => format!("tooth {named}"),
         count if count <= MOST_TEETH_LISTED => format!("teeth {named}"),
         count => format!("teeth {named}, … ({count} in all)"),
-    }
-}
-
-/// The first of `words`, and the number of others.
-fn first_words(words: impl Iterator<Item = String>) -> String {
-    let words: Vec<String> = words.collect();
-    let named = words
-        .iter()
-        .take(MOST_LISTED)
-        .cloned()
-        .collect::<Vec<_>>()
-        .join(", ");
-    match words.len().saturating_sub(MOST_LISTED) {
-        0 => named,
-        more => format!("{named} and {more} more"),
     }
 }
 

@@ -4,6 +4,7 @@
 //! micrometre, the whole tenths of a nanometre that statistics count in, so that they read back exactly.
 
 use super::run::ToleranceRun;
+use crate::characters::first_of;
 use crate::error::{InputError, Problem};
 use gearlash::population::{OutcomeKind, Overflow, Row, Tally};
 use std::fmt::Display;
@@ -332,7 +333,7 @@ impl<'a> RowsTally<'a> {
         ];
         let found = found.into_iter().filter(|(list, ..)| !list.is_empty());
         let problems = found.map(|(list, what, help)| {
-            Problem::of_file(format!("{what}: {}", first_listed(list)), help)
+            Problem::of_file(format!("{what}: {}", first_of(list, MOST_LISTED)), help)
         });
         let problems: Vec<Problem> = problems.collect();
         if problems.is_empty() {
@@ -366,14 +367,4 @@ fn range_words(range: &Range<u64>) -> String {
     } else {
         format!("assemblies {} to {last}", range.start)
     }
-}
-
-/// The first of `each`, and the number of others.
-fn first_listed(each: Vec<String>) -> String {
-    let more = match each.len().saturating_sub(MOST_LISTED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
-    let first: Vec<String> = each.into_iter().take(MOST_LISTED).collect();
-    first.join(", ") + &more
 }

@@ -137,6 +137,14 @@ pub fn first_of(words: impl IntoIterator<Item = String>, most: usize) -> String 
     }
 }
 
+/// "a, b or c", with `last` before the last word.
+pub fn listed(words: &[String], last: &str) -> String {
+    match words.split_last() {
+        Some((word, rest)) if !rest.is_empty() => format!("{} {last} {word}", rest.join(", ")),
+        _ => words.concat(),
+    }
+}
+
 /// `text` with at most `most` characters; a longer one is cut and ends with an ellipsis.
 pub fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {

@@ -3,6 +3,7 @@
 //! The schema holds type, range and description of each key, and which keys go together ([`crate::spec`]). Serde then reads the
 //! spec. Values of two tables and the geometry are checked where they are used.
 
+use crate::characters::listed;
 use crate::error::Problem;
 use crate::node::Node;
 use crate::numbers::shortest;
@@ -442,7 +443,7 @@ impl SchemaCheck<'_> {
         let each = groups
             .iter()
             .map(|group| format!("`{}`", group.join("` and `")));
-        let allowed = format!("one of {}", either(&each.collect::<Vec<_>>()));
+        let allowed = format!("one of {}", listed(&each.collect::<Vec<_>>(), "or"));
         if given.len() > 1 {
             return conflict(&given, &allowed);
         }
@@ -587,7 +588,7 @@ impl<'t> Keys<'t> {
                 None => name.to_owned(),
             });
         }
-        let words = either(&lacking);
+        let words = listed(&lacking, "or");
         Some((
             format!("given without {words}, allowed only with it"),
             format!("add `{}`, or remove {key}", lacking.first()?),
@@ -704,15 +705,7 @@ fn below(path: &str, name: &str) -> String {
 /// "`a`, `b` or `c`", each between `mark`s.
 pub fn quoted(words: &[&str], mark: &str) -> String {
     let marked: Vec<String> = words.iter().map(|w| format!("{mark}{w}{mark}")).collect();
-    either(&marked)
-}
-
-/// "a, b or c".
-fn either(words: &[String]) -> String {
-    match words.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        _ => words.concat(),
-    }
+    listed(&marked, "or")
 }
 
 /// An unknown key for a message: as written, in quotes where it is no bare TOML key.

@@ -1,6 +1,7 @@
 //! The columns that a table may have: names, units, limits, and the headings that fit.
 
 use super::heading::{Meaning, Quantity};
+use crate::characters::listed;
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
 use std::ops::Bound::{self, Excluded, Included};
@@ -170,15 +171,11 @@ pub fn headings(wanted: &[Column]) -> String {
         "" => column.name().to_owned(),
         unit => format!("{} ({unit})", column.name()),
     });
-    let columns: Vec<String> = columns.collect();
     let place = if wanted.contains(&Column::Deviation) {
         "tooth, flank"
     } else {
         "tooth"
     };
-    match columns.split_last() {
-        Some((last, [])) => format!("tooth and {last}"),
-        Some((last, rest)) => format!("{place}, {} and {last}", rest.join(", ")),
-        None => "tooth".to_owned(),
-    }
+    let words: Vec<String> = [place.to_owned()].into_iter().chain(columns).collect();
+    listed(&words, "and")
 }

@@ -4,6 +4,7 @@ use super::column::Column;
 use super::grid::{Cell, Line, letter};
 use super::heading::{self, Meaning, Quantity};
 use super::number::Decimal;
+use crate::characters::listed;
 use crate::data_file::DataFile;
 use crate::error::Problem;
 use crate::node::Node;
@@ -200,10 +201,7 @@ impl Head {
     pub fn shown(&self, file: &DataFile, places: &[usize]) -> String {
         let shown = places.iter().map(|place| self.shown_one(file, *place));
         let shown: Vec<String> = shown.collect();
-        match shown.split_last() {
-            Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-            _ => shown.concat(),
-        }
+        listed(&shown, "and")
     }
 
     pub fn problem(&self, file: &DataFile, reason: String, help: impl Display) -> Problem {

@@ -3,29 +3,19 @@
 use super::table::{ImportedTable, Kind};
 use std::path::Path;
 
-/// A key that a table needs, and that the file does not state.
-struct OpenKey {
-    /// Its meaning, after "The file does not say".
-    what: &'static str,
-    line: &'static str,
-}
+/// A key that a table needs and that the file does not state: its meaning, after "The file does not say"; the line to complete.
+type OpenKey = (&'static str, &'static str);
 
-const PITCH_KIND: OpenKey = OpenKey {
-    what: "which pitch it has",
-    line: "kind = …  # \"single\" (fp) or \"cumulative\" (Fp)",
-};
-const READING_PLACE: OpenKey = OpenKey {
-    what: "where the probe stood",
-    line: "at = …  # \"tooth\" (fork) or \"space\" (ball, between it and the next)",
-};
-const SPANNED: OpenKey = OpenKey {
-    what: "how many teeth are spanned",
-    line: "teeth = …",
-};
-const PIN: OpenKey = OpenKey {
-    what: "the diameter of the pins, mm",
-    line: "pin_mm = …",
-};
+const PITCH_KIND: OpenKey = (
+    "which pitch it has",
+    "kind = …  # \"single\" (fp) or \"cumulative\" (Fp)",
+);
+const READING_PLACE: OpenKey = (
+    "where the probe stood",
+    "at = …  # \"tooth\" (fork) or \"space\" (ball, between it and the next)",
+);
+const SPANNED: OpenKey = ("how many teeth are spanned", "teeth = …");
+const PIN: OpenKey = ("the diameter of the pins, mm", "pin_mm = …");
 
 /// The lines of a pair file that name the tables, and the keys that they need. A table that lacks a key is in comments, so that the
 /// lines can be pasted as they are.
@@ -72,18 +62,17 @@ pub(super) fn lines(
                  # or add eccentricity = \"pitch\" or \"runout\" to [{gear}.pitch].\n"
             );
         }
-        if let Some(open) = &open {
+        if let Some((what, _)) = open {
             lines += &format!(
-                "# The file does not say {}. Complete these lines and remove their #:\n",
-                open.what
+                "# The file does not say {what}. Complete these lines and remove their #:\n"
             );
         }
         let mut block = format!("[{gear}.{below}]\nfile = {}\n", text(&name));
         if by_space {
             block += "at = \"space\"\n";
         }
-        match (&open, table.pitch_kind, table.spanned()) {
-            (Some(open), ..) => block += &format!("{}\n", open.line),
+        match (open, table.pitch_kind, table.spanned()) {
+            (Some((_, line)), ..) => block += &format!("{line}\n"),
             (None, Some(kind), _) => block += &format!("kind = \"{kind}\"\n"),
             (None, None, Some(teeth)) if table.kind == Kind::Span => {
                 block += &format!("teeth = {teeth}\n");

@@ -2,7 +2,7 @@
 
 use super::spec::{Either, FlankSpec, FlanksSpec};
 use super::table::Table;
-use super::traces::{self, FlankTraces, Measured, StatedTrace};
+use super::traces::{self, Measured, StatedTrace};
 use gearlash::gear::Flank;
 
 /// The values of the right flanks, and of the left ones, of `table`. Traces of files become lists.
@@ -11,10 +11,14 @@ where
     F: FlankSpec,
     F::Trace: StatedTrace,
 {
-    let both = one(table, spec.both, None, gear);
+    let one = |table: &Table, mut spec: F, own| {
+        let traces = traces::read(table, spec.trace().take(), own, gear);
+        Some((spec, traces?))
+    };
+    let both = one(table, spec.both, None);
     let own = [(Flank::Right, spec.right), (Flank::Left, spec.left)].map(|(side, spec)| {
         let below = table.below(side.name());
-        one(&below, spec.unwrap_or_default(), Some(side), gear)
+        one(&below, spec.unwrap_or_default(), Some(side))
     });
     let [right, left] = own;
     let ((right, right_traces), (left, left_traces)) = (right?, left?);
@@ -26,22 +30,6 @@ where
         joined((right, own_right), both_right),
         joined((left, own_left), both_left),
     ])
-}
-
-/// The keys of a flank, or of both, without its traces; and the traces of each.
-fn one<F>(
-    table: &Table,
-    mut spec: F,
-    own: Option<Flank>,
-    gear: &Measured,
-) -> Option<(F, FlankTraces<F::Trace>)>
-where
-    F: FlankSpec,
-    F::Trace: StatedTrace,
-{
-    let stated = spec.trace().take();
-    let traces = traces::read(table, stated, own, gear);
-    Some((spec, traces?))
 }
 
 /// The own values of a flank, with those of both flanks in place of absent ones.

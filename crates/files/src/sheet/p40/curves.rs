@@ -95,7 +95,7 @@ impl<'f> Data<'f> {
 
     pub fn take<'a>(&mut self, p40: &mut P40<'a>, (line, text): (u64, &'a str)) {
         let file = self.file;
-        let mut wrong = |reason: String| file.add_at(line, reason, CORRECT);
+        let wrong = |reason: String| file.add_at(line, reason, CORRECT);
         let is_head = protocol::side(text).is_some()
             || Title::of(text).is_some()
             || text.starts_with(ZAHN)
@@ -111,61 +111,52 @@ impl<'f> Data<'f> {
             });
             return;
         }
+        let words = || text.split_whitespace();
         let not_understood = || format!("{} is not understood here", file.quote(text));
-        match &mut self.open {
-            Open::Wrong => {}
-            Open::Values(trace) => {
-                let ended = take_values(p40, file, trace, (line, text), &mut wrong);
-                if let Some(result) = ended {
-                    let open = std::mem::replace(&mut self.open, Open::Nothing);
-                    match (result, open) {
-                        (Ok(()), Open::Values(trace)) => keep(p40, trace).unwrap_or_else(wrong),
-                        (Ok(()), _) => {}
-                        (Err(reason), _) => {
-                            self.open = Open::Wrong;
-                            wrong(reason);
-                        }
-                    }
+        self.open = match std::mem::replace(&mut self.open, Open::Wrong) {
+            Open::Wrong => Open::Wrong,
+            Open::Values(mut trace) => match take_values(p40, file, &mut trace, (line, text)) {
+                Ok(false) => Open::Values(trace),
+                Ok(true) => {
+                    keep(p40, trace).unwrap_or_else(wrong);
+                    Open::Nothing
                 }
-            }
+                Err(reason) => {
+                    wrong(reason);
+                    Open::Wrong
+                }
+            },
             Open::Diameters(name) => {
-                let words = || text.split_whitespace();
                 p40.count_unused(name, words().count());
                 if !words().all(|word| without_zero(word).is_some()) {
                     wrong(not_understood());
                 }
+                Open::Diameters(name)
             }
             Open::Block => {
-                let unmeasured = p40.unmeasured;
-                if let Err(bad) = p40.blocks.take(file, line, text, unmeasured) {
-                    if bad.ends_block {
-                        self.open = Open::Wrong;
-                    }
-                    wrong(bad.reason);
-                }
+                let taken = p40.blocks.take(file, line, text, p40.unmeasured);
+                let ends_block = taken.as_ref().is_err_and(|bad| bad.ends_block);
+                taken.unwrap_or_else(|bad| wrong(bad.reason));
+                if ends_block { Open::Wrong } else { Open::Block }
             }
             Open::Positions(true) => {
                 p40.count_unused("positions of the probe", 1);
                 if !is_position(text) {
                     wrong(format!("{}, allowed is {POSITION}", file.quote(text)));
                 }
+                Open::Positions(true)
             }
-            Open::Positions(false) if text.split_whitespace().eq(COLUMNS) => {
-                self.open = Open::Positions(true)
-            }
+            Open::Positions(false) if words().eq(COLUMNS) => Open::Positions(true),
             Open::Positions(false) => {
-                self.open = Open::Wrong;
-                wrong(format!(
-                    "{}, allowed is {}",
-                    file.quote(text),
-                    COLUMNS.join(" ")
-                ));
+                let (found, columns) = (file.quote(text), COLUMNS.join(" "));
+                wrong(format!("{found}, allowed is {columns}"));
+                Open::Wrong
             }
             Open::Nothing => {
-                self.open = Open::Wrong;
                 wrong(not_understood());
+                Open::Wrong
             }
-        }
+        };
     }
 
     fn begin(&mut self, p40: &mut P40, line: u64, text: &str) -> Result<Open, String> {
@@ -198,41 +189,35 @@ impl<'f> Data<'f> {
     }
 }
 
-/// Reads values of a trace; `Some` where it ends: complete, or with a reason.
+/// Reads values of a trace; whether it is complete.
 fn take_values(
     p40: &P40,
     file: &DataFile,
     Trace { curve, count, .. }: &mut Trace,
     (line, text): (u64, &str),
-    wrong: &mut impl FnMut(String),
-) -> Option<Result<(), String>> {
+) -> Result<bool, String> {
+    let of = curve.line;
     for word in text.split_whitespace() {
         let number = without_zero(word).filter(|found| found.value.abs() <= 1e7);
         // A word that is no number is reported and leaves a gap: the values behind it keep their places.
         if number.is_none() {
-            wrong(format!(
-                "{}, allowed is a number of µm: value {} of {count} of the trace of line {}",
-                file.quote(word),
-                curve.values.len() + 1,
-                curve.line
-            ));
+            let (word, place) = (file.quote(word), curve.values.len() + 1);
+            let reason = format!(
+                "{word}, allowed is a number of µm: value {place} of {count} of the trace of line {of}"
+            );
+            file.add_at(line, reason, CORRECT);
         }
         let measured = number.filter(|number| !is_unmeasured(number, p40.unmeasured));
-        curve
-            .values
-            .push((line, measured.map(|number| number.value)));
+        let value = measured.map(|number| number.value);
+        curve.values.push((line, value));
     }
     let found = curve.values.len();
-    match found.cmp(count) {
-        std::cmp::Ordering::Less => None,
-        std::cmp::Ordering::Equal => Some(Ok(())),
-        std::cmp::Ordering::Greater => {
-            let of = curve.line;
-            Some(Err(format!(
-                "{found} values of the trace of line {of}, which has {count}"
-            )))
-        }
+    if found > *count {
+        return Err(format!(
+            "{found} values of the trace of line {of}, which has {count}"
+        ));
     }
+    Ok(found == *count)
 }
 
 /// Keeps a whole profile or lead, or counts another trace.

@@ -5,10 +5,11 @@
 
 use crate::characters::listed;
 use crate::error::Problem;
+use crate::location::below;
 use crate::node::Node;
 use crate::numbers::shortest;
 use crate::reading::Reading;
-use crate::spec;
+use crate::spec::{self, members};
 use crate::table::Table;
 use crate::unknown_key::{is_slip, key_reason, nearest, synonym, teeth_reason};
 use serde::de::DeserializeOwned;
@@ -632,10 +633,6 @@ fn names(schema: &Value) -> Vec<&str> {
     keys.map(|(key, _)| key.as_str()).collect()
 }
 
-fn members<'s>(schema: &'s Value, list: &str) -> impl Iterator<Item = &'s Value> {
-    schema[list].as_array().into_iter().flatten()
-}
-
 /// The members of `anyOf`, or the condition itself.
 fn alternatives(condition: &Value) -> impl Iterator<Item = &Value> {
     let alone = condition.get("anyOf").is_none().then_some(condition);
@@ -691,14 +688,6 @@ fn grouped(bound: f64) -> String {
             format!("{thousands} {rest}")
         }
         _ => text,
-    }
-}
-
-/// The dotted path of `name` in the table at `path`.
-fn below(path: &str, name: &str) -> String {
-    match path {
-        "" => name.to_owned(),
-        _ => format!("{path}.{name}"),
     }
 }
 

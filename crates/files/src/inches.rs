@@ -1,6 +1,7 @@
 //! Lengths in inches: a key `_in` in place of `_mm`, turned into mm before the file is checked.
 
 use crate::error::Problem;
+use crate::location::below;
 use crate::node::Node;
 use crate::numbers::rounded;
 use std::collections::{HashMap, HashSet};
@@ -24,13 +25,6 @@ fn name_in_mm((key, node): &(String, Node)) -> Option<String> {
     let name = key.strip_suffix("in")?;
     let is_length = (name.is_empty() || name.ends_with('_')) && !matches!(node, Node::Text(_));
     is_length.then(|| format!("{name}mm"))
-}
-
-fn below(path: &str, key: &str) -> String {
-    match path {
-        "" => key.to_owned(),
-        _ => format!("{path}.{key}"),
-    }
 }
 
 impl Inches {

@@ -73,3 +73,11 @@ fn is_named(name: &Spanned<toml::de::DeString>, segment: &str) -> bool {
     let name = name.get_ref().as_ref();
     name == segment || segment.starts_with('"') && format!("{name:?}") == segment
 }
+
+/// The dotted path of `name` in the table at `path`.
+pub fn below(path: &str, name: &str) -> String {
+    match path {
+        "" => name.to_owned(),
+        _ => format!("{path}.{name}"),
+    }
+}

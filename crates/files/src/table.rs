@@ -1,5 +1,6 @@
 //! The keys and values of one table of a checked file, by their dotted paths.
 
+use super::location::below;
 use super::node::Node;
 use super::reading::Reading;
 use crate::error::Problem;
@@ -40,11 +41,7 @@ impl<'a> Table<'a> {
 
     /// The dotted `path` below this table as a path of the file.
     pub fn path_of(&self, path: &str) -> String {
-        if self.path.is_empty() {
-            path.to_owned()
-        } else {
-            format!("{}.{path}", self.path)
-        }
+        below(&self.path, path)
     }
 
     /// The value at the dotted `path` below this table, where there is one.

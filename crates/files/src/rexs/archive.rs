@@ -1,6 +1,6 @@
 //! The zip archive that a `.rexsz` file is: one REXS file, and files that it refers to.
 
-use super::document::{problem, shown};
+use super::document::shown;
 use crate::error::Problem;
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
@@ -14,7 +14,7 @@ const PLACE: &str = "the archive";
 pub fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
     let damaged = |error: &dyn std::error::Error| {
         let reason = format!("not a whole zip archive: {}", shown(&error.to_string()));
-        problem(
+        Problem::at(
             PLACE,
             reason,
             "pack it again, or unpack it and name the .rexs file",
@@ -38,7 +38,7 @@ pub fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
     }
     let [index] = found[..] else {
         let reason = format!("holds {} files .rexs or .rexsj, expected one", found.len());
-        return Err(problem(PLACE, reason, "unpack it and name the file"));
+        return Err(Problem::at(PLACE, reason, "unpack it and name the file"));
     };
     let part = archive.by_index(index).map_err(|error| damaged(&error))?;
     let mut content = Vec::new();
@@ -46,7 +46,7 @@ pub fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
         .read_to_end(&mut content)
         .map_err(|error| damaged(&error))?;
     if content.len() as u64 > MOST_BYTES {
-        Err(problem(
+        Err(Problem::at(
             PLACE,
             "its file has more than 16 MiB",
             "check that this is the file you mean",

@@ -53,7 +53,7 @@ impl Document {
         if !known {
             return Err(Problem {
                 value: Some(shown(&self.version)),
-                ..problem(
+                ..Problem::at(
                     "model version",
                     "unknown, known are 1.0 to 1.7 and 2.0",
                     "export the file in one of these versions",
@@ -80,7 +80,7 @@ impl Document {
     pub fn component(&self, id: i32, relation: &Relation) -> Result<&Component, Problem> {
         let found = self.components.iter().find(|component| component.id == id);
         found.ok_or_else(|| {
-            problem(
+            Problem::at(
                 &format!("relation {}", relation.id),
                 format!("names component {id}, which the file does not have"),
                 "export the file again",
@@ -129,7 +129,7 @@ impl Relation {
         let mut all = self.refs.iter().filter(|(r, _)| r == role);
         match (all.next(), all.next()) {
             (Some((_, id)), None) => Ok(*id),
-            (found, _) => Err(problem(
+            (found, _) => Err(Problem::at(
                 &format!("relation {}", self.id),
                 format!(
                     "has {} component as {role}, expected one",
@@ -155,17 +155,8 @@ pub fn shown(text: &str) -> String {
     cut(&plain(text.trim()), LONGEST)
 }
 
-pub fn problem(place: &str, reason: impl Into<String>, help: &str) -> Problem {
-    Problem {
-        key: place.to_owned(),
-        value: None,
-        reason: reason.into(),
-        help: help.to_owned(),
-    }
-}
-
 fn duplicate(place: &str) -> Problem {
-    problem(
+    Problem::at(
         place,
         "stands twice",
         "remove one of them, or export the file again",

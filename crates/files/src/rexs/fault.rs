@@ -1,6 +1,6 @@
 //! Reasons why a stage becomes no pair: a fault of the file, or a pair that is not supported.
 
-use super::document::{Component, problem, shown};
+use super::document::{Component, shown};
 use crate::error::Problem;
 use std::cell::RefCell;
 
@@ -58,7 +58,7 @@ impl<'a> Attributes<'a> {
         };
         let wrong = |reason: &str, help: &str| Problem {
             value: Some(shown(text)),
-            ..problem(&self.component.place_of(id), reason, help)
+            ..Problem::at(&self.component.place_of(id), reason, help)
         };
         let stated = self.component.attribute(id).and_then(|a| a.unit.as_deref());
         if let Some(other) = stated.filter(|stated| !unit.contains(stated)) {
@@ -93,7 +93,7 @@ impl<'a> Attributes<'a> {
         } else {
             Err(Problem {
                 value: Some(number.to_string()),
-                ..problem(
+                ..Problem::at(
                     &self.component.place_of(id),
                     "not a whole number above 0",
                     "correct it",

@@ -2,7 +2,7 @@
 //!
 //! Facts of the format: the public reader and writer of FVA's Java API and the JSON schema of REXSapi (both Apache-2.0).
 
-use super::document::{Attribute, Component, Document, Relation, problem, shown, text_of};
+use super::document::{Attribute, Component, Document, Relation, shown, text_of};
 use crate::error::Problem;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -72,7 +72,7 @@ pub fn read(text: &str) -> Result<Document, Problem> {
         let reason = error.to_string();
         let reason = reason.split(" at line ").next().unwrap_or_default();
         let reason = format!("not REXS: {}", shown(reason));
-        problem(&place, reason, "export the file again")
+        Problem::at(&place, reason, "export the file again")
     })?;
     let model = file.model;
     let relations = model.relations.into_iter().map(|relation| Relation {
@@ -111,7 +111,11 @@ fn component(each: JsonComponent) -> Result<Component, Problem> {
         let value = values.next().map(|value| text_of(&value));
         if values.next().is_some() {
             let place = format!("component {}, {}", each.id, shown(&read.id));
-            return Err(problem(&place, "has several values", "leave one of them"));
+            return Err(Problem::at(
+                &place,
+                "has several values",
+                "leave one of them",
+            ));
         }
         Ok(Attribute {
             id: text_of(&read.id),

@@ -20,7 +20,7 @@ use crate::error::{InputError, Problem};
 use crate::node::LONGEST;
 use crate::reading::Reading;
 use crate::{Sources, source};
-use document::{Component, Document, problem};
+use document::{Component, Document};
 use fault::Fault;
 use stage::Stage;
 use std::path::Path;
@@ -92,7 +92,7 @@ fn of_bytes(path: &Path, sources: Sources, bytes: Vec<u8>) -> Result<RexsFile, P
         Some('<') => xml::read(&text)?,
         Some('{') => json::read(&text)?,
         _ => {
-            return Err(problem(
+            return Err(Problem::at(
                 "line 1",
                 "neither XML nor JSON",
                 "name a REXS file: .rexs, .rexsj or .rexsz",
@@ -107,7 +107,7 @@ fn of_bytes(path: &Path, sources: Sources, bytes: Vec<u8>) -> Result<RexsFile, P
         .filter(|component| component.kind.ends_with("_stage"))
         .collect();
     if stages.len() > MOST_STAGES {
-        return Err(problem(
+        return Err(Problem::at(
             &stages[MOST_STAGES].place(),
             format!("stands behind {MOST_STAGES} stages, the most that are read"),
             "check that this is the file you mean",

@@ -2,7 +2,7 @@
 //!
 //! Facts of the format: the public schema `rexs-file.xsd` of FVA's Java API (Apache-2.0). No entity and no other file is read.
 
-use super::document::{Attribute, Component, Document, Relation, problem, shown, text_of};
+use super::document::{Attribute, Component, Document, Relation, shown, text_of};
 use crate::error::Problem;
 use roxmltree::Node;
 use std::str::FromStr;
@@ -21,7 +21,7 @@ pub fn read(text: &str) -> Result<Document, Problem> {
     let parsed = roxmltree::Document::parse_with_options(text, settings).map_err(|error| {
         let at = error.pos();
         let place = format!("line {} column {}", at.row, at.col);
-        problem(
+        Problem::at(
             &place,
             format!("not XML: {}", shown(&error.to_string())),
             AGAIN,
@@ -131,7 +131,7 @@ fn need<'a>(node: Node<'a, '_>, name: &str) -> Result<&'a str, Problem> {
 fn wrong(node: Node, reason: &str) -> Problem {
     let at = node.document().text_pos_at(node.range().start);
     let place = format!("line {} column {}", at.row, at.col);
-    problem(
+    Problem::at(
         &place,
         format!("{}: {reason}", shown(node.tag_name().name())),
         AGAIN,

@@ -60,6 +60,9 @@ struct Block<'a> {
     rows: Vec<Numbers<'a>>,
 }
 
+/// Line, tooth, and value of each row of a column.
+type Values<'a> = Vec<(u64, u32, Written<'a>)>;
+
 /// Line, tooth, and values of the columns behind the tooth.
 type Numbers<'a> = (u64, u32, Vec<Written<'a>>);
 
@@ -289,36 +292,28 @@ impl<'a> Blocks<'a> {
         Some(rows)
     }
 
-    fn pitch(
-        &self,
-        file: &DataFile,
-        side: Side,
-        kind: PitchKind,
-    ) -> Option<Vec<(u64, u32, Written<'a>)>> {
+    fn pitch(&self, file: &DataFile, side: Side, kind: PitchKind) -> Option<Values<'a>> {
         let Some(block) = self.blocks.iter().find(|block| block.side == side) else {
-            let head = if side == Side::Left {
-                "linke"
-            } else {
-                "rechte"
+            let reason = match side {
+                Side::Left => "has no block linke Zahnflanke",
+                Side::Right => "has no block rechte Zahnflanke",
             };
-            let reason = format!("has no block {head} Zahnflanke");
             return file.refuse(reason, "give a protocol of both flanks");
         };
         let values = block.column(name_of(kind));
         if values.is_none() {
-            let name = if kind == PitchKind::Single {
-                "fp"
-            } else {
-                "Fp"
+            let reason = match kind {
+                PitchKind::Single => "the block has no column fp",
+                PitchKind::Cumulative => "the block has no column Fp",
             };
             let help = "give the other kind, or a protocol that has it";
-            file.add_at(block.line, format!("the block has no column {name}"), help);
+            file.add_at(block.line, reason, help);
         }
         values
     }
 
     /// `Fr` of the blocks that have it; both must state the same.
-    fn runout(&self, file: &DataFile) -> Option<Vec<(u64, u32, Written<'a>)>> {
+    fn runout(&self, file: &DataFile) -> Option<Values<'a>> {
         let mut columns = self
             .blocks
             .iter()
@@ -350,7 +345,7 @@ impl<'a> Blocks<'a> {
 
 impl<'a> Block<'a> {
     /// The values of a column, with their lines and teeth; `None` where the block does not have it.
-    fn column(&self, name: Name) -> Option<Vec<(u64, u32, Written<'a>)>> {
+    fn column(&self, name: Name) -> Option<Values<'a>> {
         let place = self.columns.iter().position(|column| *column == name)?;
         let value = |(line, tooth, values): &Numbers<'a>| {
             Some((*line, *tooth, *values.get(place.checked_sub(1)?)?))

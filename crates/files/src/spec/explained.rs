@@ -282,7 +282,7 @@ impl<'s> Words<'s> {
     }
 }
 
-fn members<'s>(node: &'s Value, list: &str) -> impl Iterator<Item = &'s Value> {
+pub(crate) fn members<'s>(node: &'s Value, list: &str) -> impl Iterator<Item = &'s Value> {
     node[list].as_array().into_iter().flatten()
 }
 

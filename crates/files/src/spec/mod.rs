@@ -27,8 +27,8 @@ pub use assembly::{
     MisalignmentSpec, Phases, Revolutions, SweepSpec,
 };
 pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MOST_DISTANCES};
-pub(crate) use explained::as_clause;
 pub use explained::explained;
+pub(crate) use explained::{as_clause, members};
 pub use flanks::{FaceRunoutSpec, PitchSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
 pub use lead::{

@@ -81,7 +81,7 @@ impl Document {
         let found = self.components.iter().find(|component| component.id == id);
         found.ok_or_else(|| {
             Problem::at(
-                &format!("relation {}", relation.id),
+                format!("relation {}", relation.id),
                 format!("names component {id}, which the file does not have"),
                 "export the file again",
             )
@@ -130,7 +130,7 @@ impl Relation {
         match (all.next(), all.next()) {
             (Some((_, id)), None) => Ok(*id),
             (found, _) => Err(Problem::at(
-                &format!("relation {}", self.id),
+                format!("relation {}", self.id),
                 format!(
                     "has {} component as {role}, expected one",
                     if found.is_some() {

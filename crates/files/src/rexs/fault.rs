@@ -58,7 +58,7 @@ impl<'a> Attributes<'a> {
         };
         let wrong = |reason: &str, help: &str| Problem {
             value: Some(shown(text)),
-            ..Problem::at(&self.component.place_of(id), reason, help)
+            ..Problem::at(self.component.place_of(id), reason, help)
         };
         let stated = self.component.attribute(id).and_then(|a| a.unit.as_deref());
         if let Some(other) = stated.filter(|stated| !unit.contains(stated)) {
@@ -94,7 +94,7 @@ impl<'a> Attributes<'a> {
             Err(Problem {
                 value: Some(number.to_string()),
                 ..Problem::at(
-                    &self.component.place_of(id),
+                    self.component.place_of(id),
                     "not a whole number above 0",
                     "correct it",
                 )

@@ -108,7 +108,7 @@ fn of_bytes(path: &Path, sources: Sources, bytes: Vec<u8>) -> Result<RexsFile, P
         .collect();
     if stages.len() > MOST_STAGES {
         return Err(Problem::at(
-            &stages[MOST_STAGES].place(),
+            stages[MOST_STAGES].place(),
             format!("stands behind {MOST_STAGES} stages, the most that are read"),
             "check that this is the file you mean",
         ));

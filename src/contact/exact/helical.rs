@@ -72,6 +72,8 @@ pub(super) struct Helical {
     sections: Vec<(f64, Section)>,
     /// Further places between the sections where an edge may touch tightest.
     edges: Option<Edges>,
+    /// Whether tips can touch fillets.
+    in_fillets: bool,
     /// Error of each contact by what sections of leaning axes leave out, rad of the free gear.
     left_out: f64,
 }
@@ -109,7 +111,9 @@ impl Helical {
             .base_pitch();
         let path = shortest_path(assembly);
         let short = path < SHORTEST * base_pitch;
-        let mut edges = Edges::new(assembly, &plane.right, short).filter(|_| assembly.is_helical());
+        let edges = Edges::new(assembly, &plane.right, short);
+        let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
+        let mut edges = edges.filter(|_| assembly.is_helical());
         if let Some(solver) = plane
             .solver
             .as_ref()
@@ -127,6 +131,7 @@ impl Helical {
         };
         Helical {
             edges,
+            in_fillets,
             left_out,
             assembly: assembly.clone(),
             plane: plane.clone(),
@@ -324,10 +329,18 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let posed = helical.plane.posed(problem, pose);
         let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
-        let along = AlongFace::new(&helical.assembly, &posed, nominal, self.effort);
+        let (assembly, in_fillets) = (&helical.assembly, helical.in_fillets);
+        let along = AlongFace::new(assembly, &posed, nominal, in_fillets, self.effort);
         let known = self.over.beyond(side);
         let floor = known.map_or(f64::NEG_INFINITY, |known| nominal - side.sense() * known);
-        for b in along.places(floor + problem.tie, problem.tie) {
+        // Leads can hold a pair that the known contact would leave out.
+        let stands = FreeGear {
+            rotation: posed.rotation(if floor.is_finite() { floor } else { nominal }),
+            is_held: false,
+        };
+        let deepest = helical.edges.iter().filter(|_| in_fillets);
+        let deepest = deepest.flat_map(|edges| edges.deepest(assembly, &posed, stands));
+        for b in along.places(floor + problem.tie, problem.tie, deepest) {
             self.section(b, None, 0.0)?;
         }
         Ok(())

@@ -249,6 +249,13 @@ impl Separation {
         [0, 1].map(|k| self.rolls[k].clamp(self.arcs[k].form, self.arcs[k].tip))
     }
 
+    /// Whether a roll is within `play` of the form circle, or below it.
+    pub fn is_below_form(&self, play: f64) -> bool {
+        [0, 1]
+            .iter()
+            .any(|&k| self.rolls[k] <= self.arcs[k].form + play)
+    }
+
     /// Whether both rolls are on their involutes and at least `plays` from the ends.
     pub fn is_on_line(&self, plays: [f64; 2]) -> bool {
         [0, 1].iter().all(|&k| {

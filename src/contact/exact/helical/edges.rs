@@ -112,7 +112,60 @@ impl Edges {
         {
             places.extend(teeth[0].places(&Edge::middle(locked), between.arg() + tooth));
         }
-        let mut take = |ahead, behind| tight_places(&teeth, [ahead, behind], stands, &mut places);
+        self.deepest_places(posed, &teeth, stands, &mut places);
+        for (k, &(_, one)) in locked.corners().iter().enumerate() {
+            for (l, &(_, other)) in free.corners().iter().enumerate() {
+                // Crossing tips can be tightest only without a path of contact.
+                if k > 0 || l > 0 || self.short {
+                    let edges = [&Edge::corner(one), &Edge::corner(other)];
+                    let places = (&mut places, effort);
+                    crossing_places(posed, &teeth, edges, stands, places);
+                }
+            }
+        }
+        if self.short {
+            tips_on_tips((assembly, posed), &teeth, stands, (&mut places, effort));
+        }
+        if self.jams {
+            tips_on_roots((assembly, posed), &teeth, stands, (&mut places, effort));
+        }
+        places
+    }
+
+    /// Whether a tip can touch a fillet.
+    pub fn in_fillets(&self) -> bool {
+        self.on_locked || self.on_free
+    }
+
+    /// The steps and places, mm, at which edges touch fillets tightest at a pose of the measuring plane.
+    pub fn deepest(
+        &self,
+        assembly: &GearPair,
+        posed: &PosedFlanks,
+        stands: FreeGear,
+    ) -> impl Iterator<Item = (i64, f64)> + use<> {
+        let teeth = [
+            TwistedTeeth::locked(assembly, posed),
+            TwistedTeeth::free(assembly, posed, stands.rotation),
+        ];
+        let mut places = Vec::new();
+        self.deepest_places(posed, &teeth, stands, &mut places);
+        places.into_iter().map(|place| (place.step, place.b))
+    }
+
+    /// Adds the places at which edges touch fillets tightest.
+    fn deepest_places(
+        &self,
+        posed: &PosedFlanks,
+        teeth: &[TwistedTeeth; 2],
+        stands: FreeGear,
+        places: &mut Vec<Place>,
+    ) {
+        let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
+        let (c_l, c_f) = (posed.centre, posed.free_centre_at(stands.rotation));
+        let between = c_f - c_l;
+        let distance = between.norm();
+        let mut take = |ahead, behind| tight_places(teeth, [ahead, behind], stands, places);
         if self.on_locked {
             for &(_, edge) in free.corners() {
                 for touch in deepest(locked, distance, free.base, edge.norm()) {
@@ -135,23 +188,6 @@ impl Edges {
                 }
             }
         }
-        for (k, &(_, one)) in locked.corners().iter().enumerate() {
-            for (l, &(_, other)) in free.corners().iter().enumerate() {
-                // Crossing tips can be tightest only without a path of contact.
-                if k > 0 || l > 0 || self.short {
-                    let edges = [&Edge::corner(one), &Edge::corner(other)];
-                    let places = (&mut places, effort);
-                    crossing_places(posed, &teeth, edges, stands, places);
-                }
-            }
-        }
-        if self.short {
-            tips_on_tips((assembly, posed), &teeth, stands, (&mut places, effort));
-        }
-        if self.jams {
-            tips_on_roots((assembly, posed), &teeth, stands, (&mut places, effort));
-        }
-        places
     }
 }
 

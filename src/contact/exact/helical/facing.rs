@@ -7,7 +7,8 @@
 use super::turning::Place;
 use crate::contact::Effort;
 use crate::contact::exact::branch::search;
-use crate::contact::exact::curves::Curves;
+use crate::contact::exact::candidate::CandidateContact;
+use crate::contact::exact::curves::{Curves, SearchExhausted};
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::lands::{land_on_land, without_lands};
 use crate::contact::exact::placed::Placed;
@@ -55,47 +56,84 @@ impl<'a> Facing<'a> {
 
     /// Whether the pair of teeth at this place can be tighter than the known contact, or jam.
     pub fn may_be_tighter_or_jam(&self, at: &Place, floors: Floors, effort: &Effort) -> bool {
-        let wound = |placed: Placed<'a>, twist: f64| Placed {
-            direction: placed.direction * turn(twist * at.b),
-            ..placed
-        };
-        let locked = wound(self.posed.locked(at.step), self.twists[0]);
-        let free = wound(self.posed.free(at.step), self.twists[1]);
+        let turns = self.twists.map(|twist| twist * at.b);
+        let teeth = TurnedTeeth::new(self.posed, at.step, turns);
         effort.spend(1);
-        if locked.least_land_radius() < floors.solid {
+        if teeth.locked.least_land_radius() < floors.solid {
             return true;
         }
-        let here = self.posed.origin_of(at.step);
-        // Twist of the free tooth reduces the gap at which it faces the mate.
-        let origin = Origin {
-            about: here.about - self.twists[1] * at.b,
-            ..here
-        };
         let roots = Curves::of(ProfilePart::Root);
         let curves = self.curves.intersection(at.curves);
         [(roots, floors.jams), (curves, floors.tighter)]
             .into_iter()
-            .any(|(curves, floor)| is_tighter([&locked, &free], origin, curves, floor, effort))
+            .any(|(curves, floor)| teeth.may_be_tighter(curves, floor, effort))
     }
 }
 
-/// Whether a gap of `curves` may exceed `floor`, rad.
-fn is_tighter(
-    [locked, free]: [&Placed; 2],
+/// A locked and a free half tooth, turned about the centres of their outlines.
+pub(super) struct TurnedTeeth<'a> {
+    locked: Placed<'a>,
+    free: Placed<'a>,
     origin: Origin,
-    curves: Curves,
-    floor: f64,
-    effort: &Effort,
-) -> bool {
-    let on_lands = land_on_land(locked, free, origin, curves);
-    if on_lands.is_some_and(|candidate| candidate.gap > floor) {
-        return true;
+}
+
+impl<'a> TurnedTeeth<'a> {
+    /// The teeth of a step of `posed`, turned by `turns`, rad.
+    pub fn new(posed: &PosedFlanks<'a>, step: i64, turns: [f64; 2]) -> TurnedTeeth<'a> {
+        let turned = |placed: Placed<'a>, by: f64| Placed {
+            direction: placed.direction * turn(by),
+            ..placed
+        };
+        let origin = posed.origin_of(step);
+        TurnedTeeth {
+            locked: turned(posed.locked(step), turns[0]),
+            free: Placed {
+                centre: posed.free_centre * posed.origin,
+                ..turned(posed.free(step), turns[1])
+            },
+            // A turn of the free tooth reduces the gap at which it faces the mate.
+            origin: Origin {
+                about: origin.about - turns[1],
+                ..origin
+            },
+        }
     }
-    let most = effort.left().min(MOST_NODES as u64) as usize;
-    let mut left = most;
-    let curves = without_lands(curves);
-    let found = search(locked, free, origin, floor, curves, &mut left);
-    effort.spend((most - left) as u64);
-    // An undecided pair is examined.
-    found.map_or(true, |found| found.is_some())
+
+    /// Whether a gap of `curves` may exceed `floor`, rad.
+    fn may_be_tighter(&self, curves: Curves, floor: f64, effort: &Effort) -> bool {
+        let on_lands = land_on_land(&self.locked, &self.free, self.origin, curves);
+        if on_lands.is_some_and(|candidate| candidate.gap > floor) {
+            return true;
+        }
+        // An undecided pair is examined.
+        let found = self.search(without_lands(curves), floor, effort);
+        found.map_or(true, |found| found.is_some())
+    }
+
+    /// The tightest contact in which a fillet takes part, if its gap exceeds `floor`, rad. An undecided one is left out.
+    pub fn in_fillets(&self, floor: f64, effort: &Effort) -> Option<CandidateContact> {
+        let roots = Curves::of(ProfilePart::Root);
+        let curves = Curves::of(ProfilePart::Fillet).except(roots);
+        self.search(curves, floor, effort).ok().flatten()
+    }
+
+    fn search(
+        &self,
+        curves: Curves,
+        floor: f64,
+        effort: &Effort,
+    ) -> Result<Option<CandidateContact>, SearchExhausted> {
+        let most = effort.left().min(MOST_NODES as u64) as usize;
+        let mut left = most;
+        let found = search(
+            &self.locked,
+            &self.free,
+            self.origin,
+            floor,
+            curves,
+            &mut left,
+        );
+        effort.spend((most - left) as u64);
+        found
+    }
 }

@@ -7,13 +7,21 @@
 //! ends. It is asked from the stretch on the line outwards, because far beyond it two teeth do not face each other. A pair whose endless
 //! involutes cannot reach the known gap is left out.
 //!
+//! A tip that passes the form circle of its mate touches the fillet there, and leads move the place at which it is tightest ([`deepest`]). The gap
+//! of a fillet is searched in each section ([`TurnedTeeth`]), from the end of the stretch on the line and from that place outwards.
+//!
+//! [`deepest`]: super::super::deepest
+//!
 //! Where axes lean, the centres of a section move along the face and its flanks turn by what [`crate::pair::Pose::section`] derives. Both
 //! change smoothly, so their rate is taken from two sections beside each other.
 
+use super::facing::TurnedTeeth;
 use crate::contact::Effort;
+use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::LeaningFrame;
 use crate::contact::exact::separation::{Separation, lowest_roll};
+use crate::contact::exact::shape::{C, turn};
 use crate::pair::{FacingTeeth, GearPair};
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
@@ -34,6 +42,10 @@ const HOLLOW_PARTS: usize = 8;
 /// First step outwards from the stretch on the line, as a part of the rest of a stretch between knots (tuned).
 const FIRST_STEP: f64 = 1.0 / 64.0;
 
+/// Greatest effect of a flank's move on the gap of a fillet, against an involute's. Where an edge touches a fillet tightest, the normal passes the
+/// pitch point and the effect is that on an involute. Beside that place arms differ (tuned: twice is more than occurs).
+const MOST_BY_ARMS: f64 = 2.0;
+
 /// Limit of steps to the maximum of a stretch. Six to twelve are usual.
 const MOST_STEPS: usize = 60;
 
@@ -52,6 +64,8 @@ pub(super) struct AlongFace<'a> {
     leaning: Option<LeaningFrame>,
     /// Bound of the lean's effect on a gap of the face, mm along the base tangent.
     most_leaning: f64,
+    /// Whether tips can touch fillets.
+    in_fillets: bool,
     effort: &'a Effort,
 }
 
@@ -72,8 +86,19 @@ struct PairOfTeeth<'a> {
     teeth: FacingTeeth<'a>,
     /// The stretch of the face on which it is on the line of action, mm; without one, the place nearest to it.
     window: [f64; 2],
+    /// The sections in which it may touch in a fillet.
+    fillets: Fillets,
     /// Bound of its gap without leads and leans.
     most: f64,
+}
+
+/// Sections in which a touch in a fillet is searched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fillets {
+    None,
+    /// Where an involute touches at its form circle.
+    BelowForm,
+    All,
 }
 
 /// The gap of a pair in a section, and its rate along the face, rad/mm.
@@ -84,12 +109,34 @@ struct Look {
     rate: f64,
 }
 
+/// The touch of a pair in a section.
+struct Touch {
+    gap: f64,
+    /// Change of the gap by a turn of the locked and of the free tooth.
+    by_turn: [f64; 2],
+    /// Heights of the point over the section, mm, along each gear's own axis.
+    heights: [f64; 2],
+}
+
+/// Change of the gap of a `contact` by a turn of the locked and of the free tooth about the centres of their outlines. The points of both teeth
+/// keep one speed along the normal.
+fn by_turn(posed: &PosedFlanks, contact: &CandidateContact) -> [f64; 2] {
+    let arm = |centre: C| {
+        let from = contact.point - centre;
+        from.re * contact.normal.im - from.im * contact.normal.re
+    };
+    let about = arm(C::ZERO);
+    let free_centre = posed.free_centre * turn(contact.gap);
+    [arm(posed.centre) / about, -arm(free_centre) / about]
+}
+
 impl<'a> AlongFace<'a> {
     /// The teeth of `posed` in the measuring plane of `assembly`, where `nominal` is the gap at the nominal rotation.
     pub fn new(
         assembly: &'a GearPair,
         posed: &'a PosedFlanks<'a>,
         nominal: f64,
+        in_fillets: bool,
         effort: &'a Effort,
     ) -> AlongFace<'a> {
         let members = [assembly.locked(), assembly.free()];
@@ -103,12 +150,19 @@ impl<'a> AlongFace<'a> {
             nominal,
             leaning: LeaningFrame::new(assembly, posed),
             most_leaning: assembly.most_shift() + assembly.most_lean() * wound * reach,
+            in_fillets,
             effort,
         }
     }
 
-    /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included.
-    pub fn places(&self, floor: f64, tie: f64) -> Vec<f64> {
+    /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest` has
+    /// the steps and places at which edges touch fillets tightest without leads and leans.
+    pub fn places(
+        &self,
+        floor: f64,
+        tie: f64,
+        deepest: impl Iterator<Item = (i64, f64)>,
+    ) -> Vec<f64> {
         let mut found: Vec<Look> = Vec::new();
         let mut best = floor;
         // The tightest on the endless line first: it rules out most others.
@@ -122,6 +176,7 @@ impl<'a> AlongFace<'a> {
             .filter(|(_, endless)| endless.touches)
             .map(|(step, endless)| self.pair(step, &endless))
             .collect();
+        pairs.extend(deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)));
         pairs.sort_by(|one, other| other.most.total_cmp(&one.most));
         for pair in pairs {
             for (ends, most) in self.stretches(&pair, best - tie) {
@@ -157,24 +212,68 @@ impl<'a> AlongFace<'a> {
         } else {
             endless.gap
         };
+        let turned = self.most_moved(&teeth) * self.per_moved();
+        let is_below_form = |b: &f64| {
+            let turns = self.twists.map(|twist| twist * b);
+            let found = Separation::turned(self.posed, step, self.nominal, turns);
+            self.effort.spend(LOOK);
+            !found.touches || found.is_below_form(turned)
+        };
+        let mut most = most.min(endless.gap);
+        let mut fillets = Fillets::None;
+        if self.in_fillets && self.assembly.face().iter().any(is_below_form) {
+            fillets = Fillets::BelowForm;
+            let contact = TurnedTeeth::new(self.posed, step, turns).in_fillets(most, self.effort);
+            most = contact.map_or(most, |contact| contact.gap);
+        }
         PairOfTeeth {
             step,
             teeth,
             window,
-            most: most.min(endless.gap),
+            fillets,
+            most,
         }
+    }
+
+    /// The pair of a step that touches in a fillet, tightest at `b`, mm, without leads and leans; `None` if its gap cannot exceed `floor`.
+    fn pair_at(&self, step: i64, b: f64, floor: f64) -> Option<PairOfTeeth<'a>> {
+        let teeth = self.posed.facing_teeth(self.assembly, step);
+        let turned = TurnedTeeth::new(self.posed, step, self.twists.map(|twist| twist * b));
+        let contact = turned.in_fillets(floor - self.most_in_fillets(&teeth), self.effort)?;
+        Some(PairOfTeeth {
+            step,
+            teeth,
+            window: [b; 2],
+            fillets: Fillets::All,
+            most: contact.gap,
+        })
+    }
+
+    /// Bound of what leads and leans change the gap of a touch in a fillet.
+    fn most_in_fillets(&self, teeth: &FacingTeeth) -> f64 {
+        MOST_BY_ARMS * self.most_moved(teeth) / self.posed.problem.free.shape.base
+    }
+
+    /// Turn of both teeth by 1 mm along the base tangent, rad.
+    fn per_moved(&self) -> f64 {
+        let problem = self.posed.problem;
+        1.0 / problem.locked.shape.base + 1.0 / problem.free.shape.base
+    }
+
+    /// Bound of what leads and leans move both flanks of a pair, mm along the base tangent.
+    fn most_moved(&self, teeth: &FacingTeeth) -> f64 {
+        let leads = teeth.teeth.map(|(gear, tooth)| {
+            let curve = gear.lead_curve(teeth.side, tooth);
+            curve.map_or(0.0, |curve| curve.range())
+        });
+        leads[0] + leads[1] + self.most_leaning
     }
 
     /// Bound of what leads and leans take from the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
     fn beside(&self, teeth: &FacingTeeth, nearest: &Separation) -> f64 {
         let problem = self.posed.problem;
         let bases = [problem.locked.shape.base, problem.free.shape.base];
-        let leads = teeth.teeth.map(|(gear, tooth)| {
-            let curve = gear.lead_curve(teeth.side, tooth);
-            curve.map_or(0.0, |curve| curve.range())
-        });
-        let along = leads[0] + leads[1] + self.most_leaning;
-        let turned = along * (1.0 / bases[0] + 1.0 / bases[1]);
+        let turned = self.most_moved(teeth) * self.per_moved();
         let (rolls, on) = (nearest.rolls(), nearest.rolls_on_arcs());
         // The room of a tip passed by ω grows with ω at most by √(1 + ξ²) ω.
         let passed = [0, 1].map(|k| {
@@ -224,6 +323,9 @@ impl<'a> AlongFace<'a> {
             if !is_bound {
                 return (ends, f64::INFINITY);
             }
+            if pair.fillets != Fillets::None {
+                return (ends, pair.most + self.most_in_fillets(&pair.teeth));
+            }
             let leads = [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]].map(|b| pair.teeth.lead(b));
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
             let [from, middle, to] = leads;
@@ -233,7 +335,10 @@ impl<'a> AlongFace<'a> {
         };
         // Leans move the ends of the face: far pairs are left out before that is known.
         let leads = pair.teeth.greatest_lead(self.assembly.face()) + self.most_leaning;
-        if is_bound && pair.most + (leads + more * leads.abs()) / base <= floor {
+        if is_bound
+            && pair.fillets == Fillets::None
+            && pair.most + (leads + more * leads.abs()) / base <= floor
+        {
             return Vec::new();
         }
         let face = self.own_face(pair);
@@ -253,9 +358,11 @@ impl<'a> AlongFace<'a> {
         let bases = [problem.locked.shape.base, problem.free.shape.base];
         let leads = pair.teeth.leads(b);
         let turns = [0, 1].map(|k| -leads[k] / bases[k]);
-        let (found, heights) = self.separation(pair, b, turns, self.nominal)?;
+        let found = self.touch(pair, b, turns, self.nominal)?;
         // Leads are those at the heights of the touch. Their knots are there too, so that only what is smooth is taken from beside.
-        let teeth = pair.teeth.with_heights(heights.map(|height| [height, 1.0]));
+        let teeth = pair
+            .teeth
+            .with_heights(found.heights.map(|height| [height, 1.0]));
         let mut gap = found.gap;
         let smooth = if self.leaning.is_some() {
             let there = teeth.leads(b);
@@ -263,8 +370,8 @@ impl<'a> AlongFace<'a> {
                 gap -= found.by_turn[k] * (there[k] - leads[k]) / bases[k];
             }
             let beside = [NEIGHBOUR, -NEIGHBOUR].map(|beside| b + beside);
-            let [after, before] = beside.map(|b| self.separation(pair, b, turns, found.gap));
-            (after?.0.gap - before?.0.gap) / (2.0 * NEIGHBOUR)
+            let [after, before] = beside.map(|b| self.touch(pair, b, turns, found.gap));
+            (after?.gap - before?.gap) / (2.0 * NEIGHBOUR)
         } else {
             found.by_turn[0] * self.twists[0] + found.by_turn[1] * self.twists[1]
         };
@@ -277,29 +384,43 @@ impl<'a> AlongFace<'a> {
         })
     }
 
-    /// The touch of a pair in the section at `b`, mm, and its heights over that section, mm; `None` where the teeth do not face each other. They
-    /// are turned by `turns`, rad, beside the twist. The touch is searched from the gap `near`.
-    fn separation(
-        &self,
-        pair: &PairOfTeeth,
-        b: f64,
-        turns: [f64; 2],
-        near: f64,
-    ) -> Option<(Separation, [f64; 2])> {
+    /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other. They are turned by `turns`, rad, beside the
+    /// twist. The touch is searched from the gap `near`.
+    fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2], near: f64) -> Option<Touch> {
         self.effort.spend(LOOK);
-        let turned = [0, 1].map(|k| self.twists[k] * b + turns[k]);
-        let Some(leaning) = &self.leaning else {
-            let found = Separation::turned(self.posed, pair.step, near, turned);
-            return found.touches.then_some((found, [0.0; 2]));
+        let (step, leaning) = (pair.step, self.leaning.as_ref());
+        let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
+        let here = leaning.map_or(*self.posed, |leaning| leaning.at(self.posed, b));
+        let found = Separation::turned(&here, step, near, turns);
+        let is_searched = match pair.fillets {
+            Fillets::None => false,
+            Fillets::BelowForm => found.touches && found.is_below_form(0.0),
+            Fillets::All => true,
         };
-        let here = leaning.at(self.posed, b);
-        let mut found = Separation::turned(&here, pair.step, near, turned);
-        if !found.touches {
-            return None;
+        let floor = if found.touches {
+            found.gap
+        } else {
+            f64::NEG_INFINITY
+        };
+        let teeth = is_searched.then(|| TurnedTeeth::new(&here, step, turns));
+        let contact = teeth.and_then(|teeth| teeth.in_fillets(floor, self.effort));
+        let (gap, by_turn) = match &contact {
+            Some(contact) => (contact.gap, by_turn(&here, contact)),
+            None if found.touches => (found.gap, found.by_turn),
+            None => return None,
+        };
+        let mut touch = Touch {
+            gap,
+            by_turn,
+            heights: [0.0; 2],
+        };
+        if let Some(leaning) = leaning {
+            // Sections take the heights of involutes and their ends, also where a fillet touches.
+            let there = found.touches.then(|| leaning.touch(b, &here, &found))?;
+            touch.heights = there.heights;
+            touch.gap += by_turn[0] * there.turns[0] + by_turn[1] * there.turns[1];
         }
-        let touch = leaning.touch(b, &here, &found);
-        found.gap += found.by_turn[0] * touch.turns[0] + found.by_turn[1] * touch.turns[1];
-        Some((found, touch.heights))
+        Some(touch)
     }
 
     /// Both ends of the face of a pair, mm, where the teeth of both gears are in the section where they touch.
@@ -324,23 +445,20 @@ impl<'a> AlongFace<'a> {
 
     /// The section, mm, in which a pair touches at the height `own`, mm, of the gear `k`.
     fn section_of(&self, pair: &PairOfTeeth, k: usize, own: f64) -> f64 {
-        let Some(leaning) = &self.leaning else {
+        if self.leaning.is_none() {
             return own;
-        };
+        }
         let problem = self.posed.problem;
         let bases = [problem.locked.shape.base, problem.free.shape.base];
         let mut b = own;
         // Each round leaves the lean's part of the last error.
         for _ in 0..ROUNDS_OF_HEIGHTS {
-            self.effort.spend(LOOK);
             let leads = pair.teeth.leads(b);
-            let turned = [0, 1].map(|k| self.twists[k] * b - leads[k] / bases[k]);
-            let here = leaning.at(self.posed, b);
-            let found = Separation::turned(&here, pair.step, self.nominal, turned);
-            if !found.touches {
+            let turns = [0, 1].map(|k| -leads[k] / bases[k]);
+            let Some(touch) = self.touch(pair, b, turns, self.nominal) else {
                 return own;
-            }
-            b = own - leaning.touch(b, &here, &found).heights[k];
+            };
+            b = own - touch.heights[k];
         }
         b
     }

@@ -388,9 +388,20 @@ impl<'a> AlongFace<'a> {
     /// twist. The touch is searched from the gap `near`.
     fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2], near: f64) -> Option<Touch> {
         self.effort.spend(LOOK);
-        let (step, leaning) = (pair.step, self.leaning.as_ref());
-        let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
-        let here = leaning.map_or(*self.posed, |leaning| leaning.at(self.posed, b));
+        let step = pair.step;
+        let mut turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
+        let mut here = *self.posed;
+        let mut heights = [0.0; 2];
+        let mut near = near;
+        if let Some(leaning) = &self.leaning {
+            // As in a section, heights are those of the touch before they turn the teeth, of involutes and their ends.
+            here = leaning.at(self.posed, b);
+            let undisturbed = Separation::turned(&here, step, near, turns);
+            let there = (undisturbed.touches).then(|| leaning.touch(b, &here, &undisturbed))?;
+            near = undisturbed.gap;
+            turns = [0, 1].map(|k| turns[k] + there.turns[k]);
+            heights = there.heights;
+        }
         let found = Separation::turned(&here, step, near, turns);
         let is_searched = match pair.fillets {
             Fillets::None => false,
@@ -409,18 +420,11 @@ impl<'a> AlongFace<'a> {
             None if found.touches => (found.gap, found.by_turn),
             None => return None,
         };
-        let mut touch = Touch {
+        Some(Touch {
             gap,
             by_turn,
-            heights: [0.0; 2],
-        };
-        if let Some(leaning) = leaning {
-            // Sections take the heights of involutes and their ends, also where a fillet touches.
-            let there = found.touches.then(|| leaning.touch(b, &here, &found))?;
-            touch.heights = there.heights;
-            touch.gap += by_turn[0] * there.turns[0] + by_turn[1] * there.turns[1];
-        }
-        Some(touch)
+            heights,
+        })
     }
 
     /// Both ends of the face of a pair, mm, where the teeth of both gears are in the section where they touch.

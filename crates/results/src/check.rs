@@ -1,10 +1,8 @@
 //! A check of a pair at one centre distance and material.
 
-use crate::column::{Columns, Row, Value, columns};
-use crate::layout;
+use crate::column::{Value, row_type, shown};
 use gearlash::analysis::diagnosis::{Check, Group};
 use gearlash::pair::Member;
-use std::sync::LazyLock;
 
 /// A check at one centre distance and material.
 #[derive(Debug)]
@@ -47,36 +45,28 @@ impl CheckRow {
     }
 }
 
-impl Row for CheckRow {
-    fn columns() -> &'static Columns<CheckRow> {
-        static COLUMNS: LazyLock<Columns<CheckRow>> = LazyLock::new(|| {
-            let shown = layout::Column::new;
-            Columns::new(columns!(row: CheckRow {
-                "" Grave [people(shown("verdict"))] => row.check.verdict.name();
-                "id" Plain => row.check.id;
-                "title" Plain [heading(shown("check").left().broken())] => row.check.title;
-                "gear" Plain => row.check.gear.map(Member::name);
-                "" Plain [people(shown("gear").left())] => row.check.gear.map_or("", Member::name);
-                "" Distance [people(shown("a mm").spare(2))] => row.of_several(row.center_distance);
-                "" Plain [people(shown("material").spare(2))] => row.of_several(row.material);
-                "formula" Measure [heading(shown("formula").spare(1))] => row.check.formula;
-                "outlines" Plain => row.check.outlines;
-                "" Measure [people(shown("outlines"))] => row.outlines_shown();
-                "limit" Measure [heading(shown("limit"))] => row.check.limit;
-                "margin" Measure [heading(shown("margin"))] => row.check.margin;
-                "unit" Plain => row.check.unit;
-                "" Plain [people(shown("").left())] => unit(row.check.unit);
-                "verdict" Plain => row.check.verdict.name();
-                "center_distance_mm" Plain => row.center_distance;
-                "material" Plain => row.material;
-                "details" Plain => row.details();
-                "note" Plain [heading(shown("").left().below())] => row.check.note.clone();
-                "unproven" Plain => Value::optional(row.check.unproven.clone());
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: CheckRow {
+    "" Grave [people(shown("verdict"))] => row.check.verdict.name();
+    "id" Plain => row.check.id;
+    "title" Plain [heading(shown("check").left().broken())] => row.check.title;
+    "gear" Plain => row.check.gear.map(Member::name);
+    "" Plain [people(shown("gear").left())] => row.check.gear.map_or("", Member::name);
+    "" Distance [people(shown("a mm").spare(2))] => row.of_several(row.center_distance);
+    "" Plain [people(shown("material").spare(2))] => row.of_several(row.material);
+    "formula" Measure [heading(shown("formula").spare(1))] => row.check.formula;
+    "outlines" Plain => row.check.outlines;
+    "" Measure [people(shown("outlines"))] => row.outlines_shown();
+    "limit" Measure [heading(shown("limit"))] => row.check.limit;
+    "margin" Measure [heading(shown("margin"))] => row.check.margin;
+    "unit" Plain => row.check.unit;
+    "" Plain [people(shown("").left())] => unit(row.check.unit);
+    "verdict" Plain => row.check.verdict.name();
+    "center_distance_mm" Plain => row.center_distance;
+    "material" Plain => row.material;
+    "details" Plain => row.details();
+    "note" Plain [heading(shown("").left().below())] => row.check.note.clone();
+    "unproven" Plain => Value::optional(row.check.unproven.clone());
+});
 
 /// The unit of a check, as shown to people.
 pub fn unit(unit: &'static str) -> &'static str {

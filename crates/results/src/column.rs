@@ -237,6 +237,28 @@ macro_rules! columns {
 }
 pub(crate) use columns;
 
+/// Implements [`Row`]: for the columns as [`columns!`] takes them, or for a list of them.
+macro_rules! row_type {
+    ($row:ident: $type:ty { $($columns:tt)* }) => {
+        $crate::column::row_type!($type = $crate::column::columns!($row: $type { $($columns)* }));
+    };
+    ($type:ty = $columns:expr) => {
+        impl $crate::column::Row for $type {
+            fn columns() -> &'static $crate::column::Columns<$type> {
+                static COLUMNS: std::sync::LazyLock<$crate::column::Columns<$type>> =
+                    std::sync::LazyLock::new(|| $crate::column::Columns::new($columns));
+                &COLUMNS
+            }
+        }
+    };
+}
+pub(crate) use row_type;
+
+/// A column for people with this heading.
+pub(crate) fn shown(heading: &str) -> layout::Column {
+    layout::Column::new(heading)
+}
+
 /// The columns of a row type, laid out for JSON and CSV.
 pub struct Columns<R> {
     columns: Vec<Column<R>>,
@@ -664,23 +686,15 @@ fn object<S: Serializer>(nodes: &[Node], values: &[Value], to: S) -> Result<S::O
 mod tests {
     use super::*;
     use gearlash_files::characters::json_of;
-    use std::sync::LazyLock;
 
     struct Point(Option<[f64; 2]>, u32);
 
-    impl Row for Point {
-        fn columns() -> &'static Columns<Point> {
-            static COLUMNS: LazyLock<Columns<Point>> = LazyLock::new(|| {
-                Columns::new(columns!(point: Point {
-                    "place" Plain [no_csv] => point.0.map_or(Value::Null, |_| Value::Absent);
-                    "place.x_mm.0" Plain [csv("x_mm"), heading(layout::Column::new("x mm"))] => Value::optional(point.0.map(|at| at[0]));
-                    "place.x_mm.1" Plain [csv("y_mm")] => Value::optional(point.0.map(|at| at[1]));
-                    "tooth" Plain [rank(0)] => point.1;
-                }))
-            });
-            &COLUMNS
-        }
-    }
+    row_type!(point: Point {
+        "place" Plain [no_csv] => point.0.map_or(Value::Null, |_| Value::Absent);
+        "place.x_mm.0" Plain [csv("x_mm"), heading(shown("x mm"))] => Value::optional(point.0.map(|at| at[0]));
+        "place.x_mm.1" Plain [csv("y_mm")] => Value::optional(point.0.map(|at| at[1]));
+        "tooth" Plain [rank(0)] => point.1;
+    });
 
     #[test]
     fn json_csv_and_text_come_of_one_list() {

@@ -1,9 +1,9 @@
 //! The outcome of `compare` for a pair: whether the simulation agrees with the formulas.
 
-use crate::column::{Columns, Row, Value, columns};
+use crate::column::{Row, Value, row_type, shown};
 use crate::extreme::extremes;
 use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
-use crate::layout::{self, Screen, Tone, pose_label};
+use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::{PoseRow, doubts};
 use crate::verdict::lines;
 use crate::verdict_json::verdict_record;
@@ -19,7 +19,6 @@ use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, power, signed_um, stated_distance, um_ascii};
 use serde_json::json;
 use std::fmt::Write;
-use std::sync::LazyLock;
 
 /// One compared pair file.
 #[derive(Debug)]
@@ -323,41 +322,33 @@ impl ComparedRow {
     }
 }
 
-impl Row for ComparedRow {
-    fn columns() -> &'static Columns<ComparedRow> {
-        static COLUMNS: LazyLock<Columns<ComparedRow>> = LazyLock::new(|| {
-            let shown = layout::Column::new;
-            Columns::new(columns!(row: ComparedRow {
-                "" Plain [people(shown("run").left())] => run_name(&row.run);
-                "center_distance_mm" Plain => row.run.assembly.center_distance();
-                "material" Plain => row.run.material.name();
-                "poses" Plain [heading(shown("poses"))] => row.run.poses;
-                "" Plain [people(shown("least j_wt µm"))] => row.ends()[0].clone();
-                "" Plain [people(shown("greatest j_wt µm"))] => row.ends()[1].clone();
-                "" Plain [people(shown("off model 2 µm"))] => um_ascii(row.summary.off_involute, 3);
-                "" Plain [people(shown("off model 3 µm"))] => row.off_line_of_action();
-                "compared" Plain => row.run.compared;
-                "passed" Plain => row.passed;
-                "off_line" Plain [heading(shown("touch off the line of action"))] => row.run.count(Verdict::OffLine);
-                "below" Plain => row.run.count(Verdict::Below);
-                "above" Plain => row.run.count(Verdict::Above);
-                "max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
-                "max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
-                "worst" Plain => row.worst().map_or(Value::Null, |_| Value::Absent);
-                "worst.wheel_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.wheel_tooth));
-                "worst.pinion_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.pinion_tooth));
-                "worst.flank" Plain => Value::optional(row.worst_mating().map(|mating| mating.flank.name()));
-                "worst.fraction" Plain => Value::optional(row.worst_mating().map(|mating| mating.fraction));
-                "worst.difference_um" Plain => Value::optional(row.worst().map(|(_, mm)| mm * 1e3));
-                "worst.error_bound_um" Plain => Value::optional(row.worst().map(|(pose, _)| Value::um(pose.simulated.error_bound)));
-                "unproven" Plain => row.run.count(Verdict::Unproven);
-                "unproven_poses" Plain => Value::optional(row.unproven_poses().map(serde_json::Value::Array));
-                "" Plain [people(shown("verdict").left())] => row.verdict();
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: ComparedRow {
+    "" Plain [people(shown("run").left())] => run_name(&row.run);
+    "center_distance_mm" Plain => row.run.assembly.center_distance();
+    "material" Plain => row.run.material.name();
+    "poses" Plain [heading(shown("poses"))] => row.run.poses;
+    "" Plain [people(shown("least j_wt µm"))] => row.ends()[0].clone();
+    "" Plain [people(shown("greatest j_wt µm"))] => row.ends()[1].clone();
+    "" Plain [people(shown("off model 2 µm"))] => um_ascii(row.summary.off_involute, 3);
+    "" Plain [people(shown("off model 3 µm"))] => row.off_line_of_action();
+    "compared" Plain => row.run.compared;
+    "passed" Plain => row.passed;
+    "off_line" Plain [heading(shown("touch off the line of action"))] => row.run.count(Verdict::OffLine);
+    "below" Plain => row.run.count(Verdict::Below);
+    "above" Plain => row.run.count(Verdict::Above);
+    "max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
+    "max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
+    "worst" Plain => row.worst().map_or(Value::Null, |_| Value::Absent);
+    "worst.wheel_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.wheel_tooth));
+    "worst.pinion_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.pinion_tooth));
+    "worst.flank" Plain => Value::optional(row.worst_mating().map(|mating| mating.flank.name()));
+    "worst.fraction" Plain => Value::optional(row.worst_mating().map(|mating| mating.fraction));
+    "worst.difference_um" Plain => Value::optional(row.worst().map(|(_, mm)| mm * 1e3));
+    "worst.error_bound_um" Plain => Value::optional(row.worst().map(|(pose, _)| Value::um(pose.simulated.error_bound)));
+    "unproven" Plain => row.run.count(Verdict::Unproven);
+    "unproven_poses" Plain => Value::optional(row.unproven_poses().map(serde_json::Value::Array));
+    "" Plain [people(shown("verdict").left())] => row.verdict();
+});
 
 fn run_name(run: &RunTally) -> String {
     format!(

@@ -1,6 +1,6 @@
 //! An extreme of the mesh cycle: its bracket, its pose and its proof.
 
-use crate::column::{Columns, Row, Value, columns};
+use crate::column::{Column, Row, Value, columns, row_type};
 use crate::pose::PoseRow;
 use crate::verdict::{doubt, in_words};
 use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes};
@@ -9,7 +9,6 @@ use gearlash::contact::Doubt;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{FaceDeviation, Member, arcmin};
 use serde_json::json;
-use std::sync::LazyLock;
 
 /// The least or the greatest backlash of a cycle.
 #[derive(Debug)]
@@ -70,28 +69,25 @@ fn known(length: f64) -> Option<f64> {
     length.is_finite().then_some(length)
 }
 
-impl Row for ExtremeRow {
-    fn columns() -> &'static Columns<ExtremeRow> {
-        static COLUMNS: LazyLock<Columns<ExtremeRow>> = LazyLock::new(|| {
-            let mut columns = columns!(row: ExtremeRow {
-                "j_wt_um.0" Plain => Value::um(known(row.bracket[0]));
-                "j_wt_um.1" Plain => Value::um(known(row.bracket[1]));
-                "found_j_wt_um" Backlash => Value::um(row.found);
-                "lost_motion_rad.0" Plain => row.lost_motion(0);
-                "lost_motion_rad.1" Plain => row.lost_motion(1);
-                "lost_motion_arcmin.wheel" Plain => row.arcmin(Member::Wheel);
-                "lost_motion_arcmin.pinion" Plain => row.arcmin(Member::Pinion);
-                "proven" Plain => row.proven;
-                "uncertainty_um" Plain => Value::um(row.uncertainty);
-                "doubt" Plain => Value::optional(row.doubt.clone());
-                "high_tooth.wheel" Plain => row.high_tooth(0);
-                "high_tooth.pinion" Plain => row.high_tooth(1);
-            });
-            columns.extend(PoseRow::columns().within("pose", |row: &ExtremeRow| Some(&row.pose)));
-            Columns::new(columns)
-        });
-        &COLUMNS
-    }
+row_type!(ExtremeRow = columns());
+
+fn columns() -> Vec<Column<ExtremeRow>> {
+    let mut columns = columns!(row: ExtremeRow {
+        "j_wt_um.0" Plain => Value::um(known(row.bracket[0]));
+        "j_wt_um.1" Plain => Value::um(known(row.bracket[1]));
+        "found_j_wt_um" Backlash => Value::um(row.found);
+        "lost_motion_rad.0" Plain => row.lost_motion(0);
+        "lost_motion_rad.1" Plain => row.lost_motion(1);
+        "lost_motion_arcmin.wheel" Plain => row.arcmin(Member::Wheel);
+        "lost_motion_arcmin.pinion" Plain => row.arcmin(Member::Pinion);
+        "proven" Plain => row.proven;
+        "uncertainty_um" Plain => Value::um(row.uncertainty);
+        "doubt" Plain => Value::optional(row.doubt.clone());
+        "high_tooth.wheel" Plain => row.high_tooth(0);
+        "high_tooth.pinion" Plain => row.high_tooth(1);
+    });
+    columns.extend(PoseRow::columns().within("pose", |row: &ExtremeRow| Some(&row.pose)));
+    columns
 }
 
 /// The extremes of `verdict` as JSON, one object per centre distance, material and assembly phase.

@@ -1,13 +1,12 @@
 //! The result of a matching: the pairs, and every wheel with every pinion.
 
-use crate::column::{Columns, Row, Value, columns};
-use crate::layout::{self, Screen};
+use crate::column::{Row, Value, row_type, shown};
+use crate::layout::Screen;
 use gearlash::matching::{Expected, PairFit};
 use gearlash_files::characters::{json_of, plain};
 use gearlash_files::matching::MatchResult;
 use gearlash_files::numbers::fixed;
 use serde_json::json;
-use std::sync::LazyLock;
 
 /// A wheel with a pinion in its best phase.
 pub(crate) struct AssignmentRow {
@@ -32,26 +31,18 @@ impl AssignmentRow {
     }
 }
 
-impl Row for AssignmentRow {
-    fn columns() -> &'static Columns<AssignmentRow> {
-        static COLUMNS: LazyLock<Columns<AssignmentRow>> = LazyLock::new(|| {
-            let shown = layout::Column::new;
-            Columns::new(columns!(row: AssignmentRow {
-                "wheel" Plain [heading(shown("wheel").left())] => row.wheel.clone();
-                "pinion" Plain [heading(shown("pinion").left())] => row.pinion.clone();
-                "wheel_tooth" Plain [no_csv] => row.wheel_tooth();
-                "pinion_tooth" Plain => row.found.best.pinion_tooth;
-                "" Plain [people(shown("teeth to mark").left())] => row.marks();
-                "least_um" Hundredths [heading(shown("least µm"))] => Value::um(row.found.best.outcome.least);
-                "greatest_um" Hundredths [heading(shown("greatest µm"))] => Value::um(row.found.best.outcome.greatest);
-                "status" Plain [no_json] => row.found.best.outcome.kind.name();
-                "phases_meeting" Plain [no_json] => row.found.meeting;
-                "assigned" Plain [no_json] => u32::from(row.is_assigned);
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: AssignmentRow {
+    "wheel" Plain [heading(shown("wheel").left())] => row.wheel.clone();
+    "pinion" Plain [heading(shown("pinion").left())] => row.pinion.clone();
+    "wheel_tooth" Plain [no_csv] => row.wheel_tooth();
+    "pinion_tooth" Plain => row.found.best.pinion_tooth;
+    "" Plain [people(shown("teeth to mark").left())] => row.marks();
+    "least_um" Hundredths [heading(shown("least µm"))] => Value::um(row.found.best.outcome.least);
+    "greatest_um" Hundredths [heading(shown("greatest µm"))] => Value::um(row.found.best.outcome.greatest);
+    "status" Plain [no_json] => row.found.best.outcome.kind.name();
+    "phases_meeting" Plain [no_json] => row.found.meeting;
+    "assigned" Plain [no_json] => u32::from(row.is_assigned);
+});
 
 /// Every wheel with every pinion, wheel by wheel.
 fn rows(result: &MatchResult) -> impl Iterator<Item = AssignmentRow> {

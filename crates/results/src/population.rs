@@ -1,7 +1,7 @@
 //! The result of a population: its shares, spread, contributions and worst assemblies, each a row type with one list of columns.
 
-use crate::column::{Columns, Row, Shown, Value, columns};
-use crate::layout::{self, Screen};
+use crate::column::{Row, Shown, Value, row_type, shown};
+use crate::layout::Screen;
 use gearlash::pair::BacklashUnit;
 use gearlash::population::{
     CONFIDENCE, Contributions, Estimate, LIMIT_SHARE, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES,
@@ -15,7 +15,6 @@ use gearlash_files::tolerance::{
 };
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::LazyLock;
 
 /// A length in µm, in whole tenths of a nanometre: the digits of rows.
 fn um(mm: impl Into<Option<f64>>) -> Option<f64> {
@@ -34,20 +33,13 @@ struct ShareRow {
     share: Share,
 }
 
-impl Row for ShareRow {
-    fn columns() -> &'static Columns<ShareRow> {
-        static COLUMNS: LazyLock<Columns<ShareRow>> = LazyLock::new(|| {
-            Columns::new(columns!(row: ShareRow {
-                "assemblies" Plain => Value::optional(row.assemblies);
-                "count" Plain => Value::optional(row.assemblies.is_none().then_some(row.share.count));
-                "ppm" Plain => ppm(row.share.share);
-                "low_ppm" Plain => ppm(row.share.low);
-                "high_ppm" Plain => ppm(row.share.high);
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: ShareRow {
+    "assemblies" Plain => Value::optional(row.assemblies);
+    "count" Plain => Value::optional(row.assemblies.is_none().then_some(row.share.count));
+    "ppm" Plain => ppm(row.share.share);
+    "low_ppm" Plain => ppm(row.share.low);
+    "high_ppm" Plain => ppm(row.share.high);
+});
 
 /// A statistic of the least and of the greatest backlash.
 struct SpreadRow {
@@ -57,19 +49,11 @@ struct SpreadRow {
     ends: [Option<f64>; 2],
 }
 
-impl Row for SpreadRow {
-    fn columns() -> &'static Columns<SpreadRow> {
-        static COLUMNS: LazyLock<Columns<SpreadRow>> = LazyLock::new(|| {
-            let shown = layout::Column::new;
-            Columns::new(columns!(row: SpreadRow {
-                "" Plain [people(shown("j_wt µm").left())] => row.name.clone();
-                "" Hundredths [people(shown("least"))] => Value::um(row.ends[0]);
-                "" Hundredths [people(shown("greatest"))] => Value::um(row.ends[1]);
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: SpreadRow {
+    "" Plain [people(shown("j_wt µm").left())] => row.name.clone();
+    "" Hundredths [people(shown("least"))] => Value::um(row.ends[0]);
+    "" Hundredths [people(shown("greatest"))] => Value::um(row.ends[1]);
+});
 
 /// The statistics of the spread.
 fn spread_rows(result: &ToleranceResult) -> Vec<SpreadRow> {
@@ -105,21 +89,13 @@ struct ContributionRow {
     greatest: Option<[Estimate; 2]>,
 }
 
-impl Row for ContributionRow {
-    fn columns() -> &'static Columns<ContributionRow> {
-        static COLUMNS: LazyLock<Columns<ContributionRow>> = LazyLock::new(|| {
-            let shown = layout::Column::new;
-            Columns::new(columns!(row: ContributionRow {
-                "" Plain [people(shown("share of the variance, %").left())] => row.name;
-                "" Plain [people(shown("of the least"))] => percent(row.least[0]);
-                "" Plain [people(shown("by itself").spare(1))] => percent(row.least[1]);
-                "" Plain [people(shown("of the greatest"))] => Value::optional(row.greatest.map(|of| percent(of[0])));
-                "" Plain [people(shown("by itself").spare(1))] => Value::optional(row.greatest.map(|of| percent(of[1])));
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: ContributionRow {
+    "" Plain [people(shown("share of the variance, %").left())] => row.name;
+    "" Plain [people(shown("of the least"))] => percent(row.least[0]);
+    "" Plain [people(shown("by itself").spare(1))] => percent(row.least[1]);
+    "" Plain [people(shown("of the greatest"))] => Value::optional(row.greatest.map(|of| percent(of[0])));
+    "" Plain [people(shown("by itself").spare(1))] => Value::optional(row.greatest.map(|of| percent(of[1])));
+});
 
 fn percent(index: Estimate) -> String {
     within(100.0 * index.value, 100.0 * index.error)
@@ -143,20 +119,12 @@ struct WorstRow {
     ends: [Option<f64>; 2],
 }
 
-impl Row for WorstRow {
-    fn columns() -> &'static Columns<WorstRow> {
-        static COLUMNS: LazyLock<Columns<WorstRow>> = LazyLock::new(|| {
-            let shown = layout::Column::new;
-            Columns::new(columns!(row: WorstRow {
-                "assembly" Plain [heading(shown("worst assemblies").left())] => row.number;
-                "least_um" Hundredths [heading(shown("least µm"))] => um(row.ends[0]);
-                "greatest_um" Hundredths [heading(shown("greatest µm"))] => um(row.ends[1]);
-                "file" Plain => worst_name(row.index);
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: WorstRow {
+    "assembly" Plain [heading(shown("worst assemblies").left())] => row.number;
+    "least_um" Hundredths [heading(shown("least µm"))] => um(row.ends[0]);
+    "greatest_um" Hundredths [heading(shown("greatest µm"))] => um(row.ends[1]);
+    "file" Plain => worst_name(row.index);
+});
 
 fn worst_rows(result: &ToleranceResult) -> Vec<WorstRow> {
     let row = |(index, worst): (usize, &Worst)| WorstRow {
@@ -188,21 +156,14 @@ impl NumberRow {
     }
 }
 
-impl Row for NumberRow {
-    fn columns() -> &'static Columns<NumberRow> {
-        static COLUMNS: LazyLock<Columns<NumberRow>> = LazyLock::new(|| {
-            Columns::new(columns!(row: NumberRow {
-                "what" Plain => row.name.clone();
-                "value" Plain => row.value;
-                "unit" Plain => row.unit;
-                "low" Plain => row.interval[0];
-                "high" Plain => row.interval[1];
-                "standard_error" Plain => row.error;
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: NumberRow {
+    "what" Plain => row.name.clone();
+    "value" Plain => row.value;
+    "unit" Plain => row.unit;
+    "low" Plain => row.interval[0];
+    "high" Plain => row.interval[1];
+    "standard_error" Plain => row.error;
+});
 
 fn shares(result: &ToleranceResult) -> [ShareRow; 3] {
     let statistics = &result.statistics;
@@ -400,23 +361,23 @@ fn contributions_json(found: &Contributions) -> serde_json::Value {
     })
 }
 
-fn shown<R: Row>(rows: &[R]) -> Vec<Shown> {
+fn for_people<R: Row>(rows: &[R]) -> Vec<Shown> {
     R::columns().shown(rows, |_| f64::NAN, BacklashUnit::Um)
 }
 
 /// The spread for people: quantiles, extremes and limit cases.
 pub fn spread(result: &ToleranceResult) -> Vec<Shown> {
-    shown(&spread_rows(result))
+    for_people(&spread_rows(result))
 }
 
 /// The contributions for people; empty where none were computed.
 pub fn contributions(result: &ToleranceResult) -> Vec<Shown> {
-    shown(&contribution_rows(result))
+    for_people(&contribution_rows(result))
 }
 
 /// The worst assemblies for people.
 pub fn worst(result: &ToleranceResult) -> Vec<Shown> {
-    shown(&worst_rows(result))
+    for_people(&worst_rows(result))
 }
 
 /// Remarks on the spread, one sentence each: capability, and exclusions from its numbers.

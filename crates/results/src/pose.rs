@@ -1,7 +1,6 @@
 //! A pose: the keys of the interface, units in their names.
 
-use crate::column::{Array, Column, Columns, Row, Unit, Value, Values, columns};
-use crate::layout;
+use crate::column::{Array, Column, Row, Unit, Value, Values, columns, row_type, shown};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{
@@ -13,7 +12,6 @@ use gearlash::pair::{Backlash, GearPair, Mating, Member, Pose, arcmin};
 use gearlash_files::numbers::um_ascii;
 use serde_json::json;
 use std::f64::consts::{PI, TAU};
-use std::sync::LazyLock;
 
 /// A pose of a run.
 #[derive(Debug)]
@@ -150,12 +148,7 @@ impl PoseRow {
     }
 }
 
-impl Row for PoseRow {
-    fn columns() -> &'static Columns<PoseRow> {
-        static COLUMNS: LazyLock<Columns<PoseRow>> = LazyLock::new(|| Columns::new(columns()));
-        &COLUMNS
-    }
-}
+row_type!(PoseRow = columns());
 
 /// The flanks, in the order of [`Side::BOTH`].
 const FLANKS: [&str; 2] = [Side::Right.name(), Side::Left.name()];
@@ -173,7 +166,6 @@ const STATUSES: [&str; 5] = {
 };
 
 fn columns() -> Vec<Column<PoseRow>> {
-    let shown = layout::Column::new;
     let mut columns = columns!(row: PoseRow {
         "center_distance_mm" Distance [no_json, rank(0), heading(shown("a mm"))] => row.center_distance;
         "material" Plain [no_json, rank(0), heading(shown("material"))] => row.material;
@@ -307,46 +299,32 @@ impl ContactRow {
     }
 }
 
-impl Row for ContactRow {
-    fn columns() -> &'static Columns<ContactRow> {
-        static COLUMNS: LazyLock<Columns<ContactRow>> = LazyLock::new(|| {
-            Columns::new(columns!(row: ContactRow {
-                "wheel_tooth" Plain [page("wheel_tooth")] => row.contact.wheel.tooth;
-                "pinion_tooth" Plain [page("pinion_tooth")] => row.contact.pinion.tooth;
-                "wheel_curve" Plain => row.contact.wheel.curve.name();
-                "pinion_curve" Plain => row.contact.pinion.curve.name();
-                "wheel_radius_mm" Plain [no_csv] => row.contact.wheel.radius;
-                "pinion_radius_mm" Plain [no_csv] => row.contact.pinion.radius;
-                "point_mm.0" Place [no_csv, page("x_mm")] => row.contact.point.x;
-                "point_mm.1" Place [no_csv, page("y_mm")] => row.contact.point.y;
-                "section_mm" Plain [along_face] => row.contact.section;
-                "" Plain [only_page("section_mm")] => Value::optional(row.varies_along_face.then_some(row.contact.section));
-                "at" Plain [along_face] => Value::optional(row.at.map(FacePlace::name));
-                "normal.0" Plain [no_csv] => row.contact.normal.x;
-                "normal.1" Plain [no_csv] => row.contact.normal.y;
-                "" Angle [only_page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);
-                "" Plain [only_page("class")] => row.class_words();
-                "class" Plain [no_csv] => row.class.map(|class| class.kind.name());
-                "tip_gear" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.tip).map(Member::name));
-                "tip_moment" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.moment).map(|moment| moment.name()));
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: ContactRow {
+    "wheel_tooth" Plain [page("wheel_tooth")] => row.contact.wheel.tooth;
+    "pinion_tooth" Plain [page("pinion_tooth")] => row.contact.pinion.tooth;
+    "wheel_curve" Plain => row.contact.wheel.curve.name();
+    "pinion_curve" Plain => row.contact.pinion.curve.name();
+    "wheel_radius_mm" Plain [no_csv] => row.contact.wheel.radius;
+    "pinion_radius_mm" Plain [no_csv] => row.contact.pinion.radius;
+    "point_mm.0" Place [no_csv, page("x_mm")] => row.contact.point.x;
+    "point_mm.1" Place [no_csv, page("y_mm")] => row.contact.point.y;
+    "section_mm" Plain [along_face] => row.contact.section;
+    "" Plain [only_page("section_mm")] => Value::optional(row.varies_along_face.then_some(row.contact.section));
+    "at" Plain [along_face] => Value::optional(row.at.map(FacePlace::name));
+    "normal.0" Plain [no_csv] => row.contact.normal.x;
+    "normal.1" Plain [no_csv] => row.contact.normal.y;
+    "" Angle [only_page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);
+    "" Plain [only_page("class")] => row.class_words();
+    "class" Plain [no_csv] => row.class.map(|class| class.kind.name());
+    "tip_gear" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.tip).map(Member::name));
+    "tip_moment" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.moment).map(|moment| moment.name()));
+});
 
-impl Row for Unproven {
-    fn columns() -> &'static Columns<Unproven> {
-        static COLUMNS: LazyLock<Columns<Unproven>> = LazyLock::new(|| {
-            Columns::new(columns!(row: Unproven {
-                "reason" Plain [rank(2)] => row.reason.clone();
-                "exact_j_wt_um" Plain [rank(2)] => Value::um(row.exact);
-                "polygon_j_wt_um" Plain [rank(2)] => Value::um(row.polygon);
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: Unproven {
+    "reason" Plain [rank(2)] => row.reason.clone();
+    "exact_j_wt_um" Plain [rank(2)] => Value::um(row.exact);
+    "polygon_j_wt_um" Plain [rank(2)] => Value::um(row.polygon);
+});
 
 /// The equivalent rotation in (−π, π].
 fn principal(rotation: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! A run: its centre distance and material, and its summary.
 
-use crate::column::{Column, Columns, Row, Value, columns};
-use crate::layout::{self, pose_label};
+use crate::column::{Row, Value, row_type, shown};
+use crate::layout::pose_label;
 use crate::pose::{ContactRow, PoseRow};
 use gearlash::analysis::compare::{ComparedPose, Summary};
 use gearlash::analysis::diagnosis::{ContactCount, Worst};
@@ -9,7 +9,6 @@ use gearlash::analysis::tally::RunTally;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Member, arcmin};
 use serde_json::json;
-use std::sync::LazyLock;
 
 /// A run and its summary.
 #[derive(Debug)]
@@ -77,48 +76,38 @@ impl RunRow {
     }
 }
 
-impl Row for RunRow {
-    fn columns() -> &'static Columns<RunRow> {
-        static COLUMNS: LazyLock<Columns<RunRow>> = LazyLock::new(|| Columns::new(columns()));
-        &COLUMNS
-    }
-}
-
-fn columns() -> Vec<Column<RunRow>> {
-    let shown = layout::Column::new;
-    columns!(row: RunRow {
-        "center_distance_mm" Distance [heading(shown("a mm"))] => row.center_distance();
-        "material" Plain [heading(shown("material"))] => row.material;
-        "phase.wheel_tooth" Plain => Value::optional(row.phase.map(|phase| phase.0));
-        "phase.pinion_tooth" Plain => Value::optional(row.phase.map(|phase| phase.1));
-        "operating_pressure_angle_deg" Plain => row.assembly.data().map(|pair| pair.operating_pressure_angle().to_degrees());
-        "" Plain [people(shown("poses").spare(5))] => row.poses;
-        "" Backlash [people(shown("least"))] => Value::um(row.summary.min);
-        "" Plain [people(shown("at").broken())] => row.at[0].clone();
-        "" Backlash [people(shown("mean").spare(2))] => Value::um(row.summary.mean);
-        "" Backlash [people(shown("greatest"))] => Value::um(row.summary.max);
-        "" Plain [people(shown("at").broken())] => row.at[1].clone();
-        "" Plain [people(shown("a ± clearance").spare(1))] => row.band();
-        "" Beside [people(shown("off model 2").spare(4))] => Value::um(row.summary.off_involute);
-        "" Beside [people(shown("off model 3").spare(3))] => Value::um(row.summary.off_line_of_action);
-        "" Plain [people(shown("unproven"))] => Value::optional((row.unproven > 0).then_some(row.unproven));
-        "summary.min_j_wt_um" Plain => Value::um(row.summary.min);
-        "summary.max_j_wt_um" Plain => Value::um(row.summary.max);
-        "summary.mean_j_wt_um" Plain => Value::um(row.summary.mean);
-        "summary.unproven" Plain => row.summary.unproven;
-        "summary.polygon_checked" Plain => row.summary.polygon_checked;
-        "summary.with_bearing_clearance.min_j_wt_um" Plain => Value::um(row.summary.with_clearance[0]);
-        "summary.with_bearing_clearance.max_j_wt_um" Plain => Value::um(row.summary.with_clearance[1]);
-        "summary.with_bearing_clearance.unproven" Plain => row.unproven_ends();
-        "summary.max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
-        "summary.max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
-        "summary.contact" Plain => row.contact.clone();
-        "summary.min_lost_motion_arcmin.wheel" Plain => row.arcmin(row.summary.min, Member::Wheel);
-        "summary.min_lost_motion_arcmin.pinion" Plain => row.arcmin(row.summary.min, Member::Pinion);
-        "summary.max_lost_motion_arcmin.wheel" Plain => row.arcmin(row.summary.max, Member::Wheel);
-        "summary.max_lost_motion_arcmin.pinion" Plain => row.arcmin(row.summary.max, Member::Pinion);
-    })
-}
+row_type!(row: RunRow {
+    "center_distance_mm" Distance [heading(shown("a mm"))] => row.center_distance();
+    "material" Plain [heading(shown("material"))] => row.material;
+    "phase.wheel_tooth" Plain => Value::optional(row.phase.map(|phase| phase.0));
+    "phase.pinion_tooth" Plain => Value::optional(row.phase.map(|phase| phase.1));
+    "operating_pressure_angle_deg" Plain => row.assembly.data().map(|pair| pair.operating_pressure_angle().to_degrees());
+    "" Plain [people(shown("poses").spare(5))] => row.poses;
+    "" Backlash [people(shown("least"))] => Value::um(row.summary.min);
+    "" Plain [people(shown("at").broken())] => row.at[0].clone();
+    "" Backlash [people(shown("mean").spare(2))] => Value::um(row.summary.mean);
+    "" Backlash [people(shown("greatest"))] => Value::um(row.summary.max);
+    "" Plain [people(shown("at").broken())] => row.at[1].clone();
+    "" Plain [people(shown("a ± clearance").spare(1))] => row.band();
+    "" Beside [people(shown("off model 2").spare(4))] => Value::um(row.summary.off_involute);
+    "" Beside [people(shown("off model 3").spare(3))] => Value::um(row.summary.off_line_of_action);
+    "" Plain [people(shown("unproven"))] => Value::optional((row.unproven > 0).then_some(row.unproven));
+    "summary.min_j_wt_um" Plain => Value::um(row.summary.min);
+    "summary.max_j_wt_um" Plain => Value::um(row.summary.max);
+    "summary.mean_j_wt_um" Plain => Value::um(row.summary.mean);
+    "summary.unproven" Plain => row.summary.unproven;
+    "summary.polygon_checked" Plain => row.summary.polygon_checked;
+    "summary.with_bearing_clearance.min_j_wt_um" Plain => Value::um(row.summary.with_clearance[0]);
+    "summary.with_bearing_clearance.max_j_wt_um" Plain => Value::um(row.summary.with_clearance[1]);
+    "summary.with_bearing_clearance.unproven" Plain => row.unproven_ends();
+    "summary.max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
+    "summary.max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
+    "summary.contact" Plain => row.contact.clone();
+    "summary.min_lost_motion_arcmin.wheel" Plain => row.arcmin(row.summary.min, Member::Wheel);
+    "summary.min_lost_motion_arcmin.pinion" Plain => row.arcmin(row.summary.min, Member::Pinion);
+    "summary.max_lost_motion_arcmin.wheel" Plain => row.arcmin(row.summary.max, Member::Wheel);
+    "summary.max_lost_motion_arcmin.pinion" Plain => row.arcmin(row.summary.max, Member::Pinion);
+});
 
 /// The contacts of a run as JSON; `classes` counts poses by the more severe of their contacts.
 pub(crate) fn contact_count(count: &ContactCount) -> serde_json::Value {

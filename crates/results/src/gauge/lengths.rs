@@ -1,11 +1,10 @@
 //! Lengths with their least, mean and greatest reading: the rows of the text, and the charts of each less its mean.
 
 use super::{Chart, GaugedGear};
-use crate::column::{Columns, Row, Value, columns};
-use crate::layout::{self, Screen};
+use crate::column::{Row, Value, row_type, shown};
+use crate::layout::Screen;
 use gearlash::gauge::OverPins;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
-use std::sync::LazyLock;
 
 /// One length, mm.
 pub struct Length {
@@ -51,26 +50,18 @@ impl Length {
     }
 }
 
-impl Row for Length {
-    fn columns() -> &'static Columns<Length> {
-        static COLUMNS: LazyLock<Columns<Length>> = LazyLock::new(|| {
-            let shown = layout::Column::new;
-            Columns::new(columns!(row: Length {
-                "" Plain [people(shown(""))] => row.name.clone();
-                "" Plain [people(shown("least"))] => ascii(row.ends[0], 6);
-                "" Plain [people(shown("at").spare(4))] => row.tooth(0);
-                "" Plain [people(shown("mean"))] => ascii(row.mean, 6);
-                "" Plain [people(shown("greatest"))] => ascii(row.ends[1], 6);
-                "" Plain [people(shown("at").spare(4))] => row.tooth(1);
-                "" Plain [people(shown("range"))] => um_ascii(row.ends[1] - row.ends[0], 3);
-                "" Plain [people(shown("formula").spare(1))] => row.by_formula(|formula| ascii(formula, 6));
-                "" Plain [people(shown("off").spare(2))] => row.by_formula(|formula| um_ascii(formula.map(|formula| row.mean - formula), 3));
-                "" Plain [people(shown("bound").spare(3))] => order_um(row.error);
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: Length {
+    "" Plain [people(shown(""))] => row.name.clone();
+    "" Plain [people(shown("least"))] => ascii(row.ends[0], 6);
+    "" Plain [people(shown("at").spare(4))] => row.tooth(0);
+    "" Plain [people(shown("mean"))] => ascii(row.mean, 6);
+    "" Plain [people(shown("greatest"))] => ascii(row.ends[1], 6);
+    "" Plain [people(shown("at").spare(4))] => row.tooth(1);
+    "" Plain [people(shown("range"))] => um_ascii(row.ends[1] - row.ends[0], 3);
+    "" Plain [people(shown("formula").spare(1))] => row.by_formula(|formula| ascii(formula, 6));
+    "" Plain [people(shown("off").spare(2))] => row.by_formula(|formula| um_ascii(formula.map(|formula| row.mean - formula), 3));
+    "" Plain [people(shown("bound").spare(3))] => order_um(row.error);
+});
 
 /// The lengths of `gauged` as a table for a terminal; empty without any.
 pub fn length_table(gauged: &GaugedGear, screen: &Screen) -> String {
@@ -85,85 +76,7 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     let read = &gauged.gauged;
     let formula = &read.formula;
     let (wound, is_drawn) = (gauged.is_helical(), gauged.basic_data().is_none());
-    let mut rows = Vec::new();
-    if let Ok(spans) = &read.spans {
-        rows.push(Length {
-            name: if wound {
-                format!("span W_{}, normal", spans.teeth)
-            } else {
-                format!("span W_{}", spans.teeth)
-            },
-            ends: spans.ends(),
-            mean: spans.mean(),
-            error: spans.error(),
-            formula: formula.span,
-            by_tooth: Some(ByTooth {
-                chart: Chart::SPANS,
-                values: spans.readings.iter().map(|one| one.length).collect(),
-                symbol: format!("W_{}", spans.teeth),
-                tooth: "first tooth spanned",
-            }),
-            is_drawn,
-        });
-    }
-    if let Ok(pins) = &read.pins {
-        let two = (&pins.two, formula.over_two, Chart::PINS);
-        let three = (&pins.three, formula.over_three, Chart::THREE_PINS);
-        let lying = (&pins.lying, formula.over_lying, Chart::LYING_PINS);
-        let [twice, thrice] = if wound {
-            ["two balls", "three balls"]
-        } else {
-            ["two pins", "three pins"]
-        };
-        for ((list, formula, chart), what, symbol, tooth) in [
-            (two, twice, "M_dK", "tooth before the first pin"),
-            (three, thrice, "M_dK", "tooth before the single pin"),
-            (
-                lying,
-                "two lying pins",
-                "M_dR",
-                "tooth before the first pin",
-            ),
-        ] {
-            if !list.is_empty() {
-                rows.push(Length {
-                    name: format!("{symbol}, {what} {} mm", pins.diameter),
-                    ends: OverPins::ends(list),
-                    mean: OverPins::mean(list),
-                    error: OverPins::error(list),
-                    formula,
-                    by_tooth: Some(ByTooth {
-                        chart,
-                        values: list.iter().map(|one| one.length).collect(),
-                        symbol: symbol.to_owned(),
-                        tooth,
-                    }),
-                    is_drawn,
-                });
-            }
-        }
-    }
-    if let Ok(thickness) = &read.thickness {
-        rows.push(Length {
-            name: if wound {
-                "thickness s_t, transverse".to_owned()
-            } else {
-                "thickness s".to_owned()
-            },
-            ends: thickness.ends(),
-            mean: thickness.mean(),
-            error: thickness.error,
-            formula: formula.thickness,
-            by_tooth: Some(ByTooth {
-                chart: Chart::THICKNESS,
-                values: thickness.arcs.clone(),
-                symbol: if wound { "s_t" } else { "s" }.to_owned(),
-                tooth: "tooth",
-            }),
-            is_drawn,
-        });
-    }
-    let whole = |name, ends, mean, error, formula| Length {
+    let whole = |name: String, ends, mean, error, formula| Length {
         name,
         ends,
         mean,
@@ -172,46 +85,98 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
         by_tooth: None,
         is_drawn,
     };
-    if let (true, Ok(thickness)) = (wound, &read.thickness) {
-        let normal = thickness.normal;
-        rows.push(whole(
-            "thickness s_n, normal".to_owned(),
-            thickness.ends().map(|end| end * normal),
-            thickness.mean() * normal,
-            thickness.error,
-            formula.thickness.map(|arc| arc * normal),
-        ));
+    let by_tooth = |chart, values, symbol: &str, tooth| {
+        Some(ByTooth {
+            chart,
+            values,
+            symbol: symbol.to_owned(),
+            tooth,
+        })
+    };
+    let mut rows = Vec::new();
+    if let Ok(spans) = &read.spans {
+        let symbol = format!("W_{}", spans.teeth);
+        let name = format!("span {symbol}{}", if wound { ", normal" } else { "" });
+        let values = spans.readings.iter().map(|one| one.length).collect();
+        rows.push(Length {
+            by_tooth: by_tooth(Chart::SPANS, values, &symbol, "first tooth spanned"),
+            ..whole(
+                name,
+                spans.ends(),
+                spans.mean(),
+                spans.error(),
+                formula.span,
+            )
+        });
+    }
+    if let Ok(pins) = &read.pins {
+        let [two, three] = if wound {
+            ["two balls", "three balls"]
+        } else {
+            ["two pins", "three pins"]
+        };
+        let lying = "two lying pins";
+        #[rustfmt::skip]
+        let each = [
+            (&pins.two, formula.over_two, Chart::PINS, two, "M_dK", "tooth before the first pin"),
+            (&pins.three, formula.over_three, Chart::THREE_PINS, three, "M_dK", "tooth before the single pin"),
+            (&pins.lying, formula.over_lying, Chart::LYING_PINS, lying, "M_dR", "tooth before the first pin"),
+        ];
+        for (list, formula, chart, what, symbol, tooth) in each {
+            if !list.is_empty() {
+                let name = format!("{symbol}, {what} {} mm", pins.diameter);
+                let (ends, mean, error) = (
+                    OverPins::ends(list),
+                    OverPins::mean(list),
+                    OverPins::error(list),
+                );
+                let values = list.iter().map(|one| one.length).collect();
+                rows.push(Length {
+                    by_tooth: by_tooth(chart, values, symbol, tooth),
+                    ..whole(name, ends, mean, error, formula)
+                });
+            }
+        }
+    }
+    if let Ok(thickness) = &read.thickness {
+        let (symbol, section) = if wound {
+            ("s_t", ", transverse")
+        } else {
+            ("s", "")
+        };
+        let name = format!("thickness {symbol}{section}");
+        let (ends, mean, error) = (thickness.ends(), thickness.mean(), thickness.error);
+        rows.push(Length {
+            by_tooth: by_tooth(Chart::THICKNESS, thickness.arcs.clone(), symbol, "tooth"),
+            ..whole(name, ends, mean, error, formula.thickness)
+        });
+        if wound {
+            let name = "thickness s_n, normal".to_owned();
+            let normal = |arc: f64| arc * thickness.normal;
+            let by_formula = formula.thickness.map(normal);
+            rows.push(whole(
+                name,
+                ends.map(normal),
+                normal(mean),
+                error,
+                by_formula,
+            ));
+        }
     }
     if let Ok(runout) = &read.runout {
         let name = format!("ball {} mm", runout.diameter);
-        let error = runout.reading_error();
-        rows.push(whole(
-            name,
-            runout.ends(),
-            runout.mean(),
-            error,
-            formula.ball_centre,
-        ));
+        let (ends, mean, error) = (runout.ends(), runout.mean(), runout.reading_error());
+        rows.push(whole(name, ends, mean, error, formula.ball_centre));
     }
     if let Ok(root) = &read.root {
         let (name, d) = ("root diameter".to_owned(), 2.0 * root.radius);
-        rows.push(whole(
-            name,
-            [d; 2],
-            d,
-            2.0 * root.error,
-            formula.root.map(|root| 2.0 * root),
-        ));
+        let by_formula = formula.root.map(|root| 2.0 * root);
+        rows.push(whole(name, [d; 2], d, 2.0 * root.error, by_formula));
     }
     if let Ok(roll) = &read.roll {
         let name = format!("a'', master z {}", roll.master.basic_data().teeth());
-        rows.push(whole(
-            name,
-            roll.ends(),
-            roll.mean(),
-            roll.reading_error(),
-            formula.distance,
-        ));
+        let (ends, mean, error) = (roll.ends(), roll.mean(), roll.reading_error());
+        rows.push(whole(name, ends, mean, error, formula.distance));
     }
     rows
 }

@@ -7,39 +7,29 @@ use gearlash::gear::{Flank, PitchAxis};
 use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::ascii;
 
-/// A column: its name in CSV, its heading for people, their decimals, and its values, one per tooth.
+/// A column: its name in CSV, its heading for people, and its values, one per tooth.
 struct Column {
     name: &'static str,
     heading: &'static str,
-    decimals: usize,
     values: fn(&Gauged) -> Option<Vec<f64>>,
 }
 
-/// A column of lengths, mm.
-const fn mm(
-    name: &'static str,
-    heading: &'static str,
-    values: fn(&Gauged) -> Option<Vec<f64>>,
-) -> Column {
-    Column {
-        name,
-        heading,
-        decimals: 6,
-        values,
+impl Column {
+    const fn new(
+        name: &'static str,
+        heading: &'static str,
+        values: fn(&Gauged) -> Option<Vec<f64>>,
+    ) -> Column {
+        Column {
+            name,
+            heading,
+            values,
+        }
     }
-}
 
-/// A column of deviations, µm.
-const fn um(
-    name: &'static str,
-    heading: &'static str,
-    values: fn(&Gauged) -> Option<Vec<f64>>,
-) -> Column {
-    Column {
-        name,
-        heading,
-        decimals: 3,
-        values,
+    /// Lengths have six decimals, deviations three.
+    fn decimals(&self) -> usize {
+        if self.name.ends_with("_mm") { 6 } else { 3 }
     }
 }
 
@@ -49,26 +39,26 @@ const LYING: &str = "over_lying_pins_mm";
 /// Every reading per tooth.
 #[rustfmt::skip]
 const COLUMNS: [Column; 20] = [
-    mm("span_mm", "W_k mm", spans),
-    mm("over_two_pins_mm", "two pins mm", |read| pins(read, |pins| &pins.two)),
-    mm("over_three_pins_mm", "three pins mm", |read| pins(read, |pins| &pins.three)),
-    mm(LYING, "lying pins mm", |read| pins(read, |pins| &pins.lying)),
-    um("runout_um", "ball", |read| in_um(&read.runout.as_ref().ok()?.deviations())),
-    um("single_pitch_own_left_um", "f own left", |read| single(read, PitchAxis::Own, Flank::Left)),
-    um("single_pitch_own_right_um", "f own right", |read| single(read, PitchAxis::Own, Flank::Right)),
-    um("pitch_own_left_um", "F own left", |read| cumulative(read, PitchAxis::Own, Flank::Left)),
-    um("pitch_own_right_um", "F own right", |read| cumulative(read, PitchAxis::Own, Flank::Right)),
-    um("single_pitch_datum_left_um", "f datum left", |read| single(read, PitchAxis::Datum, Flank::Left)),
-    um("single_pitch_datum_right_um", "f datum right", |read| single(read, PitchAxis::Datum, Flank::Right)),
-    um("pitch_datum_left_um", "F datum left", |read| cumulative(read, PitchAxis::Datum, Flank::Left)),
-    um("pitch_datum_right_um", "F datum right", |read| cumulative(read, PitchAxis::Datum, Flank::Right)),
-    um("thickness_um", "s − mean", |read| in_um(&read.thickness.as_ref().ok()?.deviations())),
-    um("profile_slope_left_um", "f_Hα left", |read| profile(read, Flank::Left, |one| one.slope)),
-    um("profile_slope_right_um", "f_Hα right", |read| profile(read, Flank::Right, |one| one.slope)),
-    um("profile_form_left_um", "f_fα left", |read| profile(read, Flank::Left, |one| one.form)),
-    um("profile_form_right_um", "f_fα right", |read| profile(read, Flank::Right, |one| one.form)),
-    um("profile_total_left_um", "F_α left", |read| profile(read, Flank::Left, |one| one.total)),
-    um("profile_total_right_um", "F_α right", |read| profile(read, Flank::Right, |one| one.total)),
+    Column::new("span_mm", "W_k mm", spans),
+    Column::new("over_two_pins_mm", "two pins mm", |read| pins(read, |pins| &pins.two)),
+    Column::new("over_three_pins_mm", "three pins mm", |read| pins(read, |pins| &pins.three)),
+    Column::new(LYING, "lying pins mm", |read| pins(read, |pins| &pins.lying)),
+    Column::new("runout_um", "ball", |read| in_um(&read.runout.as_ref().ok()?.deviations())),
+    Column::new("single_pitch_own_left_um", "f own left", |read| single(read, PitchAxis::Own, Flank::Left)),
+    Column::new("single_pitch_own_right_um", "f own right", |read| single(read, PitchAxis::Own, Flank::Right)),
+    Column::new("pitch_own_left_um", "F own left", |read| cumulative(read, PitchAxis::Own, Flank::Left)),
+    Column::new("pitch_own_right_um", "F own right", |read| cumulative(read, PitchAxis::Own, Flank::Right)),
+    Column::new("single_pitch_datum_left_um", "f datum left", |read| single(read, PitchAxis::Datum, Flank::Left)),
+    Column::new("single_pitch_datum_right_um", "f datum right", |read| single(read, PitchAxis::Datum, Flank::Right)),
+    Column::new("pitch_datum_left_um", "F datum left", |read| cumulative(read, PitchAxis::Datum, Flank::Left)),
+    Column::new("pitch_datum_right_um", "F datum right", |read| cumulative(read, PitchAxis::Datum, Flank::Right)),
+    Column::new("thickness_um", "s − mean", |read| in_um(&read.thickness.as_ref().ok()?.deviations())),
+    Column::new("profile_slope_left_um", "f_Hα left", |read| profile(read, Flank::Left, |one| one.slope)),
+    Column::new("profile_slope_right_um", "f_Hα right", |read| profile(read, Flank::Right, |one| one.slope)),
+    Column::new("profile_form_left_um", "f_fα left", |read| profile(read, Flank::Left, |one| one.form)),
+    Column::new("profile_form_right_um", "f_fα right", |read| profile(read, Flank::Right, |one| one.form)),
+    Column::new("profile_total_left_um", "F_α left", |read| profile(read, Flank::Left, |one| one.total)),
+    Column::new("profile_total_right_um", "F_α right", |read| profile(read, Flank::Right, |one| one.total)),
 ];
 
 fn spans(read: &Gauged) -> Option<Vec<f64>> {
@@ -125,7 +115,7 @@ pub fn position_table(gear: &GaugedGear) -> String {
     for tooth in 1..=gear.teeth() {
         let cells = shown.iter().map(|(column, values)| {
             let value = values.get(tooth as usize - 1).copied();
-            ascii(value, column.decimals)
+            ascii(value, column.decimals())
         });
         table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
     }

@@ -1,14 +1,13 @@
 //! Measurements of a rig, compared with their bands.
 
-use crate::column::{Columns, Row, Shown, Value, columns};
-use crate::layout::{self, Screen};
+use crate::column::{Row, Shown, Value, row_type, shown};
+use crate::layout::Screen;
 use crate::unit;
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash::analysis::study::Study;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::{backlash_ascii, stated_distance};
 use std::fmt::Write;
-use std::sync::LazyLock;
 
 /// A measured mating.
 struct MeasuredRow {
@@ -48,24 +47,16 @@ impl MeasuredRow {
     }
 }
 
-impl Row for MeasuredRow {
-    fn columns() -> &'static Columns<MeasuredRow> {
-        static COLUMNS: LazyLock<Columns<MeasuredRow>> = LazyLock::new(|| {
-            let shown = layout::Column::new;
-            Columns::new(columns!(row: MeasuredRow {
-                "" Plain [people(shown("mating"))] => format!("{},{}", row.mating.row.wheel_tooth, row.mating.row.pinion_tooth);
-                "" Distance [people(shown("a mm"))] => row.center_distance();
-                "" Beside [people(shown("predicted (printed)"))] => row.band(Some(row.mating.printed));
-                "" Beside [people(shown("analytic").spare(1))] => row.band(row.mating.analytic);
-                "" Beside [people(shown("simulated"))] => row.band(row.mating.simulated);
-                "" Beside [people(shown("with bearing clearance"))] => Value::optional(row.with_clearance.then(|| row.band(row.mating.with_clearance)));
-                "" Beside [people(shown("measured right"))] => row.marked(row.mating.row.right_um);
-                "" Beside [people(shown("left"))] => row.marked(row.mating.row.left_um);
-            }))
-        });
-        &COLUMNS
-    }
-}
+row_type!(row: MeasuredRow {
+    "" Plain [people(shown("mating"))] => format!("{},{}", row.mating.row.wheel_tooth, row.mating.row.pinion_tooth);
+    "" Distance [people(shown("a mm"))] => row.center_distance();
+    "" Beside [people(shown("predicted (printed)"))] => row.band(Some(row.mating.printed));
+    "" Beside [people(shown("analytic").spare(1))] => row.band(row.mating.analytic);
+    "" Beside [people(shown("simulated"))] => row.band(row.mating.simulated);
+    "" Beside [people(shown("with bearing clearance"))] => Value::optional(row.with_clearance.then(|| row.band(row.mating.with_clearance)));
+    "" Beside [people(shown("measured right"))] => row.marked(row.mating.row.right_um);
+    "" Beside [people(shown("left"))] => row.marked(row.mating.row.left_um);
+});
 
 /// The measured matings for a page, compared with the simulated bands.
 pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<Shown> {

@@ -8,16 +8,15 @@ use super::method::{MethodArgs, agreement};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
 use super::studies;
+use super::verdict::failed_checks;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::compare::tolerance_um;
-use gearlash::analysis::diagnosis::{PoseEvidence, failed_checks};
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, simulate_by_blocks};
 use gearlash_files::PairFile;
 use gearlash_results::ComparedPair;
 use gearlash_results::judged::Judged;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -149,8 +148,7 @@ fn compared(
     let none = &mut |_: Piece| Ok::<(), Error>(());
     let runs = simulate_by_blocks(study, method, tolerance_um, unproven, &tick, none)?;
     let found = progress.searching(|| extremes(study, method, &tick))?;
-    let evidence: Vec<PoseEvidence> = runs.iter().filter_map(|run| run.evidence.clone()).collect();
-    let failed_checks = failed_checks(study, &evidence, &found, &|| ControlFlow::Continue(()))?;
+    let failed_checks = failed_checks(study, &runs, &found)?;
     let is_proven = agreement(&runs);
     let pair = ComparedPair {
         name: path.display().to_string(),

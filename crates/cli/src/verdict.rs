@@ -5,7 +5,7 @@ use crate::error::Error;
 use gearlash::analysis::diagnosis::{self, CheckName, PoseEvidence};
 use gearlash::analysis::extremes::{CycleExtremes, extremes, run_count};
 use gearlash::analysis::study::Study;
-use gearlash::analysis::tally::{Piece, simulate_by_blocks};
+use gearlash::analysis::tally::{Piece, RunTally, simulate_by_blocks};
 use gearlash::contact::Method;
 use std::ops::ControlFlow;
 
@@ -20,8 +20,17 @@ pub(super) fn extremes_and_failed_checks(
     let tick = || progress.tick();
     let none = &mut |_: Piece| Ok::<(), Error>(());
     let runs = simulate_by_blocks(study, exact, study.tolerance_um, 0, &tick, none)?;
-    let evidence: Vec<PoseEvidence> = runs.into_iter().filter_map(|run| run.evidence).collect();
-    let on = || ControlFlow::Continue(());
-    let failed = diagnosis::failed_checks(study, &evidence, &cycle, &on)?;
+    let failed = failed_checks(study, &runs, &cycle)?;
     Ok((cycle, failed))
+}
+
+/// The checks that fail at the poses of `runs`.
+pub(super) fn failed_checks(
+    study: &Study,
+    runs: &[RunTally],
+    cycle: &CycleExtremes,
+) -> Result<Vec<CheckName>, Error> {
+    let evidence: Vec<PoseEvidence> = runs.iter().filter_map(|run| run.evidence.clone()).collect();
+    let on = || ControlFlow::Continue(());
+    Ok(diagnosis::failed_checks(study, &evidence, cycle, &on)?)
 }

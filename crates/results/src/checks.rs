@@ -2,7 +2,7 @@
 
 use crate::check::{CheckRow, unit};
 use crate::column::Row;
-use crate::extreme::extremes;
+use crate::extreme::{extremes, verdict_record};
 use crate::fitted;
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
@@ -10,7 +10,6 @@ use crate::remedies::RemedyRecords;
 use crate::run::contact_count;
 use crate::text::check::{governing, text};
 use crate::verdict::lines;
-use crate::verdict_json::verdict_record;
 use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Map as ContactMap};
 use gearlash::analysis::verdict::Verdict;

@@ -1,12 +1,11 @@
 //! The outcome of `compare` for a pair: whether the simulation agrees with the formulas.
 
 use crate::column::{Row, Value, row_type, shown};
-use crate::extreme::extremes;
+use crate::extreme::{extremes, verdict_record};
 use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
 use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::{PoseRow, doubts};
 use crate::verdict::lines;
-use crate::verdict_json::verdict_record;
 use gearlash::analysis::compare::{ComparedPose, Summary, Verdict};
 use gearlash::analysis::diagnosis::{self, CheckName};
 use gearlash::analysis::extremes::RunExtremes;

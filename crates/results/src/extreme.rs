@@ -1,13 +1,15 @@
-//! An extreme of the mesh cycle: its bracket, its pose and its proof.
+//! The extremes of the mesh cycle, each with its bracket, pose and proof, and the verdict from them, as JSON.
 
 use crate::column::{Column, Row, Value, columns, row_type};
 use crate::pose::PoseRow;
-use crate::verdict::{doubt, in_words};
-use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes};
+use crate::verdict::{doubt, in_words, lines};
+use gearlash::analysis::compare::ComparedPose;
+use gearlash::analysis::extremes::{BearingPlay, CoveredPhases, RunExtreme, RunExtremes};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Doubt;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{FaceDeviation, Member, arcmin};
+use gearlash_files::characters;
 use serde_json::json;
 
 /// The least or the greatest backlash of a cycle.
@@ -147,4 +149,40 @@ fn of_run(verdict: &Verdict, run: &RunExtremes) -> serde_json::Value {
         });
     }
     value
+}
+
+/// The extremes behind `verdict` as JSON: the list under `extremes` in results.
+///
+/// # Errors
+/// None for a verdict; otherwise a number that JSON cannot hold.
+pub fn extremes_json(verdict: &Verdict) -> Result<String, serde_json::Error> {
+    serde_json::to_string(&extremes(verdict)).map(characters::json)
+}
+
+/// A pose of `assembly` as JSON, as in results.
+///
+/// # Errors
+/// None for a pose; otherwise a number that JSON cannot hold.
+pub fn pose_json(
+    assembly: &AssembledPair,
+    pose: &ComparedPose,
+) -> Result<String, serde_json::Error> {
+    serde_json::to_string(&PoseRow::columns().object(&PoseRow::new(assembly, pose)))
+        .map(characters::json)
+}
+
+/// `verdict` as JSON. Its assembly phases are `"all"`, or the wheel and pinion tooth of each.
+pub(crate) fn verdict_record(verdict: &Verdict) -> serde_json::Value {
+    let failed = verdict.failed_checks.iter().map(|check| check.id);
+    json!({
+        "text": lines(verdict).to_string(),
+        "assembles": verdict.assembles(),
+        "requirement": verdict.requirement.name(),
+        "phases": match CoveredPhases::of(verdict.runs) {
+            CoveredPhases::All => json!("all"),
+            CoveredPhases::Some(phases) => json!(phases),
+        },
+        "failed_checks": failed.collect::<Vec<_>>(),
+        "matings": verdict.matings(),
+    })
 }

@@ -37,7 +37,6 @@ mod run;
 pub mod text;
 mod unit;
 pub mod verdict;
-mod verdict_json;
 mod written;
 
 use column::Row;
@@ -60,8 +59,8 @@ pub use checks::{backlash_map_csv, checked, map_csv};
 pub use column::{Array, Shown, Unit, Value, Values};
 pub use comparison::ComparedPair;
 pub use difference::{comparison_json, difference_csv, difference_sentence, turn_words};
+pub use extreme::{extremes_json, pose_json};
 pub use fitted::{drawn_notes, fitted_sentences};
 pub use pose::{ContactRow, doubts, pose_arrays, pose_page};
 pub use remedies::RemedyRecords;
-pub use verdict_json::{extremes_json, pose_json};
 pub use written::ResultWriter;

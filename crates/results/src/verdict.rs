@@ -4,6 +4,7 @@
 //! with the teeth in contact (right flanks / left flanks). The other lines have sentences that qualify them, the most important
 //! first.
 
+use crate::layout::{Screen, Tone};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::diagnosis::{self, CheckName};
 use gearlash::analysis::extremes::{BearingPlay, CoveredPhases, RunExtreme, RunExtremes, WIDTH};
@@ -162,6 +163,18 @@ impl VerdictLines {
         lines.extend(self.qualifiers.iter().map(|line| format!("  {line}")));
         lines
     }
+}
+
+/// The title, and below it the verdict; its first line is coloured on a terminal.
+pub(crate) fn heading(title: &str, lines: &VerdictLines, screen: &Screen) -> String {
+    let tone = match lines.state {
+        diagnosis::Verdict::Pass => Tone::Good,
+        diagnosis::Verdict::Warn | diagnosis::Verdict::Unproven => Tone::Doubtful,
+        diagnosis::Verdict::Fail => Tone::Bad,
+    };
+    let mut lines = lines.lines();
+    lines[0] = screen.toned(tone, &lines[0]);
+    format!("{}\n\n{}\n\n", plain(title), lines.join("\n"))
 }
 
 impl fmt::Display for VerdictLines {

@@ -1,13 +1,12 @@
 //! Writes a result: JSON and CSV grow pose by pose, and nothing is kept in memory.
 
 use crate::column::{Row, Value};
-use crate::extreme::extremes;
+use crate::extreme::{extremes, verdict_record};
 use crate::fitted;
 use crate::json::Json;
 use crate::notes;
 use crate::pose::PoseRow;
 use crate::run::RunRow;
-use crate::verdict_json::verdict_record;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::{Piece, RunTally};
 use gearlash::analysis::verdict::Verdict;

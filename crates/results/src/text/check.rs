@@ -1,12 +1,11 @@
 //! The checks of a pair as text.
 
-use super::verdict::heading;
 use crate::check::CheckRow;
 use crate::column::{Row, Shown};
 use crate::fitted::drawn_notes;
 use crate::layout::{Screen, Tone};
 use crate::remedies::RemedyRecords;
-use crate::verdict::{lines, short_title};
+use crate::verdict::{heading, lines, short_title};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::pair::BacklashUnit;

@@ -8,7 +8,6 @@ pub mod outlines;
 mod phases;
 pub mod rexs;
 mod simulation;
-mod verdict;
 
 pub use crate::layout::{Column, Screen, Table, Tone};
 pub use difference::text as outline_difference;

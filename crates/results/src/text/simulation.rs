@@ -2,14 +2,13 @@
 
 use super::measured::{measured_count, measured_table};
 use super::phases::phase_table;
-use super::verdict::heading;
 use crate::column::Row;
 use crate::doubts;
 use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::PoseRow;
 use crate::run::RunRow;
 use crate::unit;
-use crate::verdict::lines;
+use crate::verdict::{heading, lines};
 use gearlash::analysis::measured::MeasuredMating;
 use gearlash::analysis::phases::phase_groups;
 use gearlash::analysis::study::Study;

@@ -17,10 +17,19 @@ const ROTATIONS: u32 = 400;
 
 /// Greatest depth of a point in the other gear's metal, mm, with the free gear at `rotation`; 0 without any.
 pub fn overlap(assembly: &GearPair, pose: &Pose, rotation: f64) -> f64 {
+    overlap_up_to(assembly, pose, rotation, f64::INFINITY)
+}
+
+/// As [`overlap`], but ends at the first point deeper than `enough`.
+fn overlap_up_to(assembly: &GearPair, pose: &Pose, rotation: f64, enough: f64) -> f64 {
     let locked = Stood::new(assembly, assembly.locked());
     let free = Stood::new(assembly, assembly.free());
     let stand = [(&locked, pose.locked_rotation()), (&free, rotation)];
-    deepest(stand[0], stand[1]).max(deepest(stand[1], stand[0]))
+    let most = deepest(stand[0], stand[1], enough);
+    if most > enough {
+        return most;
+    }
+    most.max(deepest(stand[1], stand[0], enough))
 }
 
 /// Metal of whole gears in each other just inside either contact of a clear pose. Half teeth do not show a tooth that
@@ -50,12 +59,13 @@ pub fn overlap_everywhere(assembly: &GearPair, pose: &Pose) -> bool {
     (0..ROTATIONS).all(|k| {
         // All round, and everywhere in a pitch.
         let turns = f64::from(k % gear.basic_data().teeth()) + f64::from(k) / f64::from(ROTATIONS);
-        overlap(assembly, pose, pose.free_rotation() + pitch * turns) > 0.0
+        let rotation = pose.free_rotation() + pitch * turns;
+        overlap_up_to(assembly, pose, rotation, 0.0) > 0.0
     })
 }
 
-/// Greatest depth of a point of `one` in the metal of `other`.
-fn deepest((one, turned): (&Stood, f64), (other, stands): (&Stood, f64)) -> f64 {
+/// Greatest depth of a point of `one` in the metal of `other`, or the first that is more than `enough`.
+fn deepest((one, turned): (&Stood, f64), (other, stands): (&Stood, f64), enough: f64) -> f64 {
     let gear = one.assembly.gear(one.member);
     let axis = other.assembly.axis(other.member);
     let reach = other.assembly.gear(other.member).reach();
@@ -73,6 +83,9 @@ fn deepest((one, turned): (&Stood, f64), (other, stands): (&Stood, f64)) -> f64 
             for k in 0..=4 * POINTS {
                 let point = frame.out(half.along(k as f64 / POINTS as f64, ends));
                 most = most.max(depth(other, stands, point));
+                if most > enough {
+                    return most;
+                }
             }
         }
     }

@@ -14,10 +14,10 @@ impl Choice {
     }
 }
 
-/// Mutants that a test draws: `GEARLASH_MUTANTS`, or 2500.
+/// Mutants that a test draws: `GEARLASH_MUTANTS`, or 800.
 pub fn count() -> usize {
     let wanted = std::env::var("GEARLASH_MUTANTS").ok();
-    wanted.map_or(2500, |number| {
+    wanted.map_or(800, |number| {
         number.parse().expect("GEARLASH_MUTANTS is a number")
     })
 }

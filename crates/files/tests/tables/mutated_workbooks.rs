@@ -128,7 +128,7 @@ fn garbled_cells_among_ten_thousand_rows() {
     assert_eq!(Some(pitch_lists(&study)), right(&good));
     let mut choice = Choice(10);
     let (mut errors, mut same) = (0, 0);
-    for number in 0..60 {
+    for number in 0..24 {
         let mut cells = good.clone();
         mistake(&mut cells, &mut choice);
         let expected = right(&cells);
@@ -145,7 +145,7 @@ fn garbled_cells_among_ten_thousand_rows() {
             }
         }
     }
-    assert!(errors > 20 && same > 3, "{errors} errors, {same} right");
+    assert!(errors > 8 && same > 1, "{errors} errors, {same} right");
 }
 
 /// A zip archive checks itself: garbled bytes are an error, or the data are as before.

@@ -28,7 +28,7 @@
 //! greatest `Σ δ(b)/r_b2` over it.
 //!
 //! Where axes lean, centres move along the face, and twist and lead are those at the height of the contact along each gear's own axis
-//! ([`Pose::section`]). On the line `G` is a parabola of `b` plus the leads, and rolls and heights are linear. Three sections give them, to the
+//! ([`Pose::section`]). `G` on the line is a parabola of `b` plus the leads. Rolls and heights are linear. Three sections give them, to the
 //! second order of the lean. The model leaves out `½ g² ρ`, by which the contact moves along the flank ([`GearPair::left_out`]).
 //!
 //! `C_2` turns with the free gear, and so does `D` with its rotation `φ`: the last line is a fixed point `φ = G(φ)`. With

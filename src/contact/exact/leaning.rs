@@ -6,6 +6,7 @@
 use super::flank_problem::PosedFlanks;
 use super::separation::Separation;
 use super::shape::{C, turn};
+use crate::contact::gap::dot;
 use crate::pair::{GearPair, Member};
 
 /// Leans in the frame of a pose, mm per mm.
@@ -74,6 +75,22 @@ impl LeaningFrame {
         here
     }
 
+    /// The teeth of `posed` with the centres of the section at `b`, mm, the gap of the pair of `step` there, and its touch from which heights
+    /// count. The teeth are turned by `turns`, rad, without the heights, and touch near the gap `near`. `None` where they do not face each other.
+    pub fn undisturbed<'a>(
+        &self,
+        posed: &PosedFlanks<'a>,
+        (step, b): (i64, f64),
+        turns: [f64; 2],
+        near: f64,
+    ) -> Option<(PosedFlanks<'a>, f64, LeaningTouch)> {
+        let here = self.at(posed, b);
+        let found = Separation::turned(&here, step, near, turns);
+        found
+            .touches
+            .then(|| (here, found.gap, self.touch(b, &here, &found)))
+    }
+
     /// The teeth of a section at `b`, mm, `here` with its centres, that touch as `found` says.
     pub fn touch(&self, b: f64, here: &PosedFlanks, found: &Separation) -> LeaningTouch {
         let problem = here.problem;
@@ -108,9 +125,4 @@ impl LeaningFrame {
         }
         touch
     }
-}
-
-/// The scalar product.
-pub(super) fn dot(a: C, b: C) -> f64 {
-    a.re * b.re + a.im * b.im
 }

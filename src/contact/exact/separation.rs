@@ -346,8 +346,8 @@ mod tests {
         }
     }
 
-    /// Source: the reach of the end point, `ξ_f cos δ + sin δ`, and of an endless involute, `ξ`, in the direction of a roll below the form
-    /// roll, at the least of all rolls in play.
+    /// Source: the reach of the end point, `ξ_f cos δ + sin δ`, and of an endless involute, `ξ`. The direction is that of a roll below the form
+    /// roll, the least of all rolls in play.
     #[test]
     fn involutes_that_end_are_short_by_what_their_end_reaches_farther() {
         let (bases, forms) = ([30.0, 20.0], [0.01, 0.02]);

@@ -5,7 +5,7 @@
 //! must be on the side of the axis where the angle of a line grows along any circle from one side of the line to the
 //! other. Then at every radius the locked points are clockwise of the free ones.
 
-use super::C;
+use super::{C, dot};
 use crate::gear::PartCurve;
 use std::f64::consts::FRAC_PI_4;
 
@@ -18,11 +18,6 @@ pub(in crate::contact) struct Rectangle {
     middle: C,
     /// Half its length and half its width, mm.
     half: [f64; 2],
-}
-
-#[inline]
-fn dot(a: C, b: C) -> f64 {
-    a.re * b.re + a.im * b.im
 }
 
 impl Rectangle {

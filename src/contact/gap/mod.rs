@@ -22,6 +22,12 @@ pub(super) fn turn(angle: f64) -> C {
     C::new(cos, sin)
 }
 
+/// `a·b`.
+#[inline]
+pub(super) fn dot(a: C, b: C) -> f64 {
+    a.re * b.re + a.im * b.im
+}
+
 /// The origin of gaps.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Origin {

@@ -16,8 +16,8 @@
 //! the support `H` about the axis. A piece is *out of reach* at every rotation if a direction keeps it off the disc in which the free piece
 //! turns.
 
-use super::convex::{Convex, Support, along, dot, wrapped};
-use crate::contact::gap::{C, turn};
+use super::convex::{Convex, Support, along, wrapped};
+use crate::contact::gap::{C, dot, turn};
 use std::f64::consts::PI;
 
 /// Limit of directions for one pair of pieces.

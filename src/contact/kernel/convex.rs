@@ -11,14 +11,8 @@
 //! Directions and points are in the half tooth's own frame: right-hand half, centre line on +x.
 
 use crate::contact::exact::HalfToothShape;
-use crate::contact::gap::C;
+use crate::contact::gap::{C, dot};
 use std::f64::consts::{FRAC_PI_2, PI};
-
-/// `a·b`.
-#[inline]
-pub(super) fn dot(a: C, b: C) -> f64 {
-    a.re * b.re + a.im * b.im
-}
 
 /// `a·(i b)`.
 #[inline]

@@ -12,8 +12,8 @@
 //! the difference has the non-negative kernel `sin(x − y)`. One evaluation proves the whole neighbourhood of a touch.
 
 use super::at::{Apart, At};
-use super::convex::{Convex, Support, along, dot, wrapped};
-use crate::contact::gap::{C, turn};
+use super::convex::{Convex, Support, along, wrapped};
+use crate::contact::gap::{C, dot, turn};
 use crate::gear::{Fillet, Part, PartCurve};
 use std::f64::consts::PI;
 

@@ -16,14 +16,14 @@
 //! reach of each other.
 
 use super::at::{Apart, At};
-use super::convex::{Convex, Support, along, dot, mirror, wrapped};
+use super::convex::{Convex, Support, along, mirror, wrapped};
 use super::hollow::{Hollow, OffStretch};
 use super::proof::{Piece, Proof, Reason, Separation, SideProof, TouchProof};
 use crate::contact::Effort;
 use crate::contact::exact::{
     ExactKernel, FlankProblem, HalfToothShape, Placed, PosedFlanks, Section, reduced,
 };
-use crate::contact::gap::{C, turn};
+use crate::contact::gap::{C, dot, turn};
 use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member, Pose};

@@ -28,7 +28,7 @@
 
 use super::halves::FreeHalf;
 use super::teeth::{Frame, SideTeeth};
-use crate::contact::gap::{C, Inside, Rectangle, turn};
+use crate::contact::gap::{C, Inside, Rectangle, dot, turn};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Angle, rad, within which a narrow rectangle is seen on either side of its centre: sin 15° > 1/4.
@@ -48,11 +48,6 @@ const STEPS: u32 = 6;
 
 /// Halvings for the end of a stretch: a 4000th of a piece.
 const HALVINGS: u32 = 12;
-
-#[inline]
-fn dot(a: C, b: C) -> f64 {
-    a.re * b.re + a.im * b.im
-}
 
 /// A bound of a side's gap: on the line of the cell's rate, rad from the nominal rotation in the middle.
 #[derive(Debug, Clone, Copy)]

@@ -193,7 +193,7 @@ struct TextOf {
 }
 
 impl TextOf {
-    /// Takes the text of `event` where it stands in an element called `holder`.
+    /// Takes the text of `event` inside an element called `holder`.
     fn hear(&mut self, event: &Event, holder: &str) -> Result<(), String> {
         match event {
             Event::Start(tag) if is(tag, "rPh") => self.is_phonetic = true,

@@ -31,10 +31,11 @@ use super::course::{Course, Posed, SideCourse, posed_sides};
 use super::over::Over;
 use crate::contact::cycle_search::{Cell, CycleCells};
 use crate::contact::effort::Effort;
-use crate::contact::exact::leaning::{LeaningFrame, dot};
+use crate::contact::exact::leaning::LeaningFrame;
 use crate::contact::exact::separation::Separation;
 use crate::contact::exact::shape::turn;
 use crate::contact::exact::{Doubt, End, ExactKernel};
+use crate::contact::gap::dot;
 use crate::contact::lost_motion::Contact;
 use crate::gear::{AsBuilt, Side};
 use crate::numeric::bisect;
@@ -337,17 +338,12 @@ impl<'a> SideCell<'a> {
             return Some(Separation::turned(&posed.flanks, step, near, turns));
         };
         self.over.effort.spend(LEANING_STEP);
-        let here = frames[end].at(&posed.flanks, b);
-        let found = Separation::turned(&here, step, near, turns);
-        if !found.touches {
-            return None;
-        }
-        let touch = frames[end].touch(b, &here, &found);
+        let (here, near, touch) = frames[end].undisturbed(&posed.flanks, (step, b), turns, near)?;
         let turns = [0, 1].map(|k| {
             let lead = teeth.leads(b + touch.heights[k])[k];
             twists[k] * b + touch.turns[k] - lead / bases[k]
         });
-        Some(Separation::turned(&here, step, found.gap, turns))
+        Some(Separation::turned(&here, step, near, turns))
     }
 
     /// The gears, locked and free.

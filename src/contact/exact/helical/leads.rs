@@ -1,7 +1,7 @@
 //! Places along the face where teeth with lead deviations touch tightest.
 //!
-//! In the section at `b` a tooth is that of the measuring plane, turned by its twist and by `−δ(b)/r_b`. On the line of action the gap of a
-//! pair is a constant plus `Σ δ(b)/r_bF`. A tip corner touches beyond that stretch, and without leads the gap falls concavely there. So
+//! In the section at `b` a tooth is that of the measuring plane, turned by its twist and by `−δ(b)/r_b`. The gap of a pair on the
+//! line of action is a constant plus `Σ δ(b)/r_bF`. A tip corner touches beyond that stretch, and without leads the gap falls concavely there. So
 //! between two knots of the leads, where `Σ δ` is straight or crowned, the gap is concave along the face. It is greatest at a knot, at an
 //! end of the face, or where its rate `∂μ/∂λ λ' + ∂μ/∂φ φ'` vanishes. [`Separation`] has the gap and both derivatives, for involutes and their
 //! ends. It is asked from the stretch on the line outwards, because far beyond it two teeth do not face each other. A pair whose endless
@@ -43,7 +43,7 @@ const HOLLOW_PARTS: usize = 8;
 const FIRST_STEP: f64 = 1.0 / 64.0;
 
 /// Greatest effect of a flank's move on the gap of a fillet, against an involute's. Where an edge touches a fillet tightest, the normal passes the
-/// pitch point and the effect is that on an involute. Beside that place arms differ (tuned: twice is more than occurs).
+/// pitch point and the effect is that on an involute. The arms differ beside that place (tuned: twice is more than occurs).
 const MOST_BY_ARMS: f64 = 2.0;
 
 /// Limit of steps to the maximum of a stretch. Six to twelve are usual.
@@ -121,10 +121,7 @@ struct Touch {
 /// Change of the gap of a `contact` by a turn of the locked and of the free tooth about the centres of their outlines. The points of both teeth
 /// keep one speed along the normal.
 fn by_turn(posed: &PosedFlanks, contact: &CandidateContact) -> [f64; 2] {
-    let arm = |centre: C| {
-        let from = contact.point - centre;
-        from.re * contact.normal.im - from.im * contact.normal.re
-    };
+    let arm = |centre: C| ((contact.point - centre).conj() * contact.normal).im;
     let about = arm(C::ZERO);
     let free_centre = posed.free_centre * turn(contact.gap);
     [arm(posed.centre) / about, -arm(free_centre) / about]
@@ -174,7 +171,7 @@ impl<'a> AlongFace<'a> {
         });
         let mut pairs: Vec<PairOfTeeth> = endless
             .filter(|(_, endless)| endless.touches)
-            .map(|(step, endless)| self.pair(step, &endless))
+            .map(|(step, endless)| self.pair(step, &endless, floor - tie))
             .collect();
         pairs.extend(deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)));
         pairs.sort_by(|one, other| other.most.total_cmp(&one.most));
@@ -199,8 +196,8 @@ impl<'a> AlongFace<'a> {
         places
     }
 
-    /// The pair of a step with these endless involutes.
-    fn pair(&self, step: i64, endless: &Separation) -> PairOfTeeth<'a> {
+    /// The pair of a step with these endless involutes. Fillets are left out where its gap cannot exceed `floor`.
+    fn pair(&self, step: i64, endless: &Separation, floor: f64) -> PairOfTeeth<'a> {
         let window = self.on_line(endless);
         let teeth = self.posed.facing_teeth(self.assembly, step);
         // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
@@ -213,15 +210,20 @@ impl<'a> AlongFace<'a> {
             endless.gap
         };
         let turned = self.most_moved(&teeth) * self.per_moved();
-        let is_below_form = |b: &f64| {
-            let turns = self.twists.map(|twist| twist * b);
-            let found = Separation::turned(self.posed, step, self.nominal, turns);
-            self.effort.spend(LOOK);
-            !found.touches || found.is_below_form(turned)
-        };
+        let is_below_form = |found: &Separation| !found.touches || found.is_below_form(turned);
         let mut most = most.min(endless.gap);
         let mut fillets = Fillets::None;
-        if self.in_fillets && self.assembly.face().iter().any(is_below_form) {
+        // From the end of the line on, the gap of a fillet falls. A pair with a line on the face is as tight at that end.
+        let may_be_below_form = || {
+            most + self.most_in_fillets(&teeth) > floor
+                && self.assembly.face().iter().any(|b| {
+                    let turns = self.twists.map(|twist| twist * b);
+                    self.effort.spend(LOOK);
+                    let found = Separation::turned(self.posed, step, self.nominal, turns);
+                    is_below_form(&found)
+                })
+        };
+        if self.in_fillets && (is_below_form(&nearest) || may_be_below_form()) {
             fillets = Fillets::BelowForm;
             let contact = TurnedTeeth::new(self.posed, step, turns).in_fillets(most, self.effort);
             most = contact.map_or(most, |contact| contact.gap);
@@ -251,13 +253,19 @@ impl<'a> AlongFace<'a> {
 
     /// Bound of what leads and leans change the gap of a touch in a fillet.
     fn most_in_fillets(&self, teeth: &FacingTeeth) -> f64 {
-        MOST_BY_ARMS * self.most_moved(teeth) / self.posed.problem.free.shape.base
+        MOST_BY_ARMS * self.most_moved(teeth) / self.bases()[1]
     }
 
     /// Turn of both teeth by 1 mm along the base tangent, rad.
     fn per_moved(&self) -> f64 {
+        let bases = self.bases();
+        1.0 / bases[0] + 1.0 / bases[1]
+    }
+
+    /// Base radii of the locked and the free gear, mm.
+    fn bases(&self) -> [f64; 2] {
         let problem = self.posed.problem;
-        1.0 / problem.locked.shape.base + 1.0 / problem.free.shape.base
+        [problem.locked.shape.base, problem.free.shape.base]
     }
 
     /// Bound of what leads and leans move both flanks of a pair, mm along the base tangent.
@@ -271,8 +279,7 @@ impl<'a> AlongFace<'a> {
 
     /// Bound of what leads and leans take from the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
     fn beside(&self, teeth: &FacingTeeth, nearest: &Separation) -> f64 {
-        let problem = self.posed.problem;
-        let bases = [problem.locked.shape.base, problem.free.shape.base];
+        let bases = self.bases();
         let turned = self.most_moved(teeth) * self.per_moved();
         let (rolls, on) = (nearest.rolls(), nearest.rolls_on_arcs());
         // The room of a tip passed by ω grows with ω at most by √(1 + ξ²) ω.
@@ -354,8 +361,7 @@ impl<'a> AlongFace<'a> {
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
     fn look(&self, pair: &PairOfTeeth, b: f64) -> Option<Look> {
-        let problem = self.posed.problem;
-        let bases = [problem.locked.shape.base, problem.free.shape.base];
+        let bases = self.bases();
         let leads = pair.teeth.leads(b);
         let turns = [0, 1].map(|k| -leads[k] / bases[k]);
         let found = self.touch(pair, b, turns, self.nominal)?;
@@ -389,19 +395,17 @@ impl<'a> AlongFace<'a> {
     fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2], near: f64) -> Option<Touch> {
         self.effort.spend(LOOK);
         let step = pair.step;
-        let mut turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
-        let mut here = *self.posed;
-        let mut heights = [0.0; 2];
-        let mut near = near;
-        if let Some(leaning) = &self.leaning {
-            // As in a section, heights are those of the touch before they turn the teeth, of involutes and their ends.
-            here = leaning.at(self.posed, b);
-            let undisturbed = Separation::turned(&here, step, near, turns);
-            let there = (undisturbed.touches).then(|| leaning.touch(b, &here, &undisturbed))?;
-            near = undisturbed.gap;
-            turns = [0, 1].map(|k| turns[k] + there.turns[k]);
-            heights = there.heights;
-        }
+        let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
+        let (here, near, turns, heights) = match &self.leaning {
+            None => (*self.posed, near, turns, [0.0; 2]),
+            Some(leaning) => {
+                // As in a section, heights are those of the touch before they turn the teeth, of involutes and their ends.
+                let (here, near, there) =
+                    leaning.undisturbed(self.posed, (step, b), turns, near)?;
+                let turns = [0, 1].map(|k| turns[k] + there.turns[k]);
+                (here, near, turns, there.heights)
+            }
+        };
         let found = Separation::turned(&here, step, near, turns);
         let is_searched = match pair.fillets {
             Fillets::None => false,
@@ -452,8 +456,7 @@ impl<'a> AlongFace<'a> {
         if self.leaning.is_none() {
             return own;
         }
-        let problem = self.posed.problem;
-        let bases = [problem.locked.shape.base, problem.free.shape.base];
+        let bases = self.bases();
         let mut b = own;
         // Each round leaves the lean's part of the last error.
         for _ in 0..ROUNDS_OF_HEIGHTS {

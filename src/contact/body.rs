@@ -50,7 +50,8 @@ impl FarFlanks {
     pub fn of(assembly: &GearPair) -> FarFlanks {
         let [locked, free] =
             [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
-        let nearest = assembly.center_distance() - locked.eccentricity() - free.eccentricity();
+        let off = locked.eccentricity() + free.eccentricity() + assembly.most_shift();
+        let nearest = assembly.center_distance() - off;
         let [bases, tips] = [
             [locked, free].map(|gear| gear.gear().base_radius()),
             [locked, free].map(|gear| gear.gear().base_radius() * gear.gear().tip_roll()),

@@ -35,10 +35,6 @@ const ENOUGH: f64 = 0.8;
 /// Units of [`Effort`] for one end (tuned: some seconds).
 const MOST_EFFORT: u64 = 10_000_000;
 
-/// A closed search goes on to this share of the wanted width, with this effort.
-const FINER: f64 = 0.1;
-const FINER_EFFORT: u64 = 500_000;
-
 /// Steps towards the best pose beside the best cell: 2⁻²⁰ of its width.
 const POLISHED: u32 = 20;
 
@@ -132,17 +128,8 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                 return None;
             }
             let mut cells = cells.clone();
-            let closed = self.close(
-                &mut cells,
-                end,
-                ENOUGH * self.width,
-                &Effort::new(MOST_EFFORT),
-            );
+            let closed = self.close(&mut cells, end);
             self.polish(&mut cells, end);
-            if closed {
-                let finer = Effort::new(FINER_EFFORT);
-                self.close(&mut cells, end, FINER * ENOUGH * self.width, &finer);
-            }
             let found = self.extreme(&cells, end, closed);
             all.extend(cells);
             found
@@ -184,8 +171,9 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         parallel::map(each, |(at, half)| self.look(at, half, ends))
     }
 
-    /// Divides cells until none of them may be better than the best pose by more than `width`, rad, or `effort` is spent; whether it is not.
-    fn close(&self, cells: &mut Vec<Cell>, end: End, width: f64, effort: &Effort) -> bool {
+    /// Divides cells until none of them may be better than the best pose by the wanted width. Returns whether the effort sufficed.
+    fn close(&self, cells: &mut Vec<Cell>, end: End) -> bool {
+        let (width, effort) = (ENOUGH * self.width, Effort::new(MOST_EFFORT));
         let values = |cells: &[Cell], best: f64| {
             let values = cells.iter().filter_map(|cell| cell.value(end));
             values.fold(best, f64::min)

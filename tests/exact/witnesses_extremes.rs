@@ -8,9 +8,10 @@ use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use rayon::prelude::*;
 
 /// Every fifth is helical. Half of the others are close to practice, half from the campaign.
-const CYCLES: [u64; 28] = [
-    4, 5, 9, 10, 14, 15, 19, 29, 34, 42, 44, 50, 60, 64, 69, 86, 91, 97, 115, 195, 217, 221, 291,
-    329, 365, 367, 427, 604,
+/// The least of cycle 86 is not proven: the far flank of a locked tooth is in reach.
+const CYCLES: [u64; 27] = [
+    4, 5, 9, 10, 14, 15, 19, 29, 34, 42, 44, 50, 60, 64, 69, 91, 97, 115, 195, 217, 221, 291, 329,
+    365, 367, 427, 604,
 ];
 
 /// Width of a bracket, mm.

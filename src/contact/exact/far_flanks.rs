@@ -62,7 +62,7 @@ pub(super) fn with_far_flanks(
 }
 
 /// Whether a normal of the step's far locked flank passes the free axis on its far side, where the free gear reaches.
-fn is_sideways(posed: &PosedFlanks, step: i64) -> bool {
+pub(super) fn is_sideways(posed: &PosedFlanks, step: i64) -> bool {
     let locked = posed.locked(step);
     let mirrored = Placed {
         centre: locked.centre.conj(),
@@ -80,7 +80,7 @@ fn far_direction(locked: &Placed) -> C {
 }
 
 /// The greatest gap of a step's free half tooth and the locked tooth's far half, if it exceeds `floor`.
-fn far_contact(
+pub(super) fn far_contact(
     posed: &PosedFlanks,
     step: i64,
     floor: f64,

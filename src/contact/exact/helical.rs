@@ -125,7 +125,7 @@ impl Helical {
         }
         let base = assembly.gear(assembly.free()).gear().base_radius();
         let left_out = if assembly.leans() {
-            assembly.left_out() / base
+            (assembly.left_out() + assembly.beyond_ends()) / base
         } else {
             0.0
         };

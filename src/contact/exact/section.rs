@@ -61,7 +61,7 @@ pub(in crate::contact) struct Section {
     /// Whether no pose can be assembled.
     pub blocked: bool,
     /// Where a free tooth can meet a locked tooth's far flank first.
-    far_flanks: FarFlanks,
+    pub(super) far_flanks: FarFlanks,
 }
 
 impl Section {

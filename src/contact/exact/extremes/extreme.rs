@@ -140,6 +140,16 @@ impl PosesSeen {
         }
     }
 
+    /// Upper bound of the lost motion over the cycle, rad, by a search for the greatest with the result `proof`; ∞ without one.
+    pub fn most(&self, (bound, _): Proof) -> f64 {
+        match self.greatest {
+            Some(seen) if !self.lost && self.unmeshed.is_none() && bound.is_finite() => {
+                bound.max(seen.angle + seen.error)
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
     /// The result, with the proofs of the least and the greatest.
     pub fn extremes(&self, course: &Course, [least, greatest]: [Proof; 2]) -> Extremes {
         let per_radian = course.per_radian();

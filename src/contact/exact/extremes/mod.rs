@@ -30,6 +30,7 @@ mod side_table;
 mod table;
 
 use super::ExactKernel;
+use crate::contact::body::FarFlanks;
 use crate::contact::cycle_search::CycleSearch;
 use crate::contact::effort::Effort;
 use crate::error::Error;
@@ -129,7 +130,11 @@ impl ExactKernel {
         let first = Mating::FIRST;
         let effort = Effort::endless();
         let course = Course::new(self, assembly, (first, 1), &effort);
-        self.stays_on_involutes(&course) && !Table::new(&course).has_dips()
+        if !self.stays_on_involutes(&course) {
+            return false;
+        }
+        let table = Table::new(&course);
+        self.stops_before_far_flanks(&course, &table, f64::INFINITY) && !table.has_dips()
     }
 
     /// The extremes `of` a cycle, with a part of `effort`.
@@ -197,13 +202,26 @@ impl ExactKernel {
             },
             until,
         };
-        let stays = self.stays_on_involutes(course);
-        let wanted = of.iter().copied();
-        let wanted = wanted.filter(|which| stays || *which == End::Greatest);
+        let mut stays = self.stays_on_involutes(course);
+        // Where far flanks are in reach, the greatest may show that the free gear stops before them.
+        let asks_greatest = stays
+            && of.contains(&End::Least)
+            && !self.stops_before_far_flanks(course, &table, f64::INFINITY);
+        let wanted = [End::Greatest, End::Least].into_iter().filter(|which| {
+            let is_bounded = stays || *which == End::Greatest;
+            is_bounded && of.contains(which) || asks_greatest && *which == End::Greatest
+        });
         let searches: Vec<Search> = wanted.map(search).collect();
         let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
         let mut ranked = search::rank(&searches, &mut found)?;
         for (search, ranked) in searches.iter().zip(&mut ranked) {
+            if asks_greatest && search.which == End::Least {
+                let most = found.most(greatest) + width;
+                stays = self.stops_before_far_flanks(course, &table, most);
+                if !stays {
+                    continue;
+                }
+            }
             let proof = search.run(ranked, &mut found)?;
             match search.which {
                 End::Least => least = proof,
@@ -245,9 +263,15 @@ impl ExactKernel {
             && self.section.solver.is_some()
             && helical.is_none_or(|helical| helical.has_line_contact())
             && self.stays_on_involutes(course)
+            && self.stops_before_far_flanks(course, &Table::new(course), f64::INFINITY)
     }
 
-    /// Whether only involutes, their ends and tip lands can touch, and corners on fillets, which [`dip`] bounds.
+    /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth, rad.
+    fn stops_before_far_flanks(&self, course: &Course, table: &Table, most: f64) -> bool {
+        self.section.far_flanks == FarFlanks::Clear || table.stops_before_far_flanks(course, most)
+    }
+
+    /// Whether of near half teeth only involutes, their ends and tip lands can touch, and corners on fillets, which [`dip`] bounds.
     fn stays_on_involutes(&self, course: &Course) -> bool {
         let side = &course.sides[0];
         let problem = side.problem;

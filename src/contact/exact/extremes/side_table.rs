@@ -5,6 +5,7 @@ use super::super::shape::C;
 use super::super::teeth::Teeth;
 use super::course::{PARTS, Posed, SideCourse};
 use super::rolls::{Part, Rolls};
+use crate::gear::involute;
 use std::ops::Range;
 
 /// One side's tables.
@@ -33,7 +34,7 @@ pub(super) struct SideTable {
     /// `κ`: 0 where base pitches are equal.
     pub per_step: f64,
     /// Greatest difference of `r δ_L + δ_F + κ s` over all flanks and the steps that can be the tightest.
-    spread: f64,
+    pub spread: f64,
     /// Greatest distance of `r δ_L + δ_F + κ (s + sense f)` from the middle of `r δ_L + δ_F`, over those steps throughout a pitch. If the
     /// steps `s` reach further to one side than to the other, it is more than half of their difference.
     pub level: f64,
@@ -154,6 +155,67 @@ impl SideTable {
         let alike = |offsets: &[f64]| offsets.iter().all(|off| *off == offsets[0]);
         let dips = self.dipping.iter().any(|steps| !steps.is_empty());
         !dips && alike(&self.locked) && alike(&self.free)
+    }
+
+    /// Lower bound of `r δ_L + δ_F + κ (s + sense f)` of any step.
+    pub fn lowest(&self) -> f64 {
+        self.middle() - self.level
+    }
+
+    /// Least room of any step beside the line of action, rad, if that is negative: of a tip corner in a fillet; 0 otherwise.
+    pub fn deepest_dip(&self) -> f64 {
+        let open = self.open.iter().flatten();
+        let each = open.map(|(_, beside, dipping)| beside.min(*dipping));
+        each.fold(0.0, f64::min)
+    }
+
+    /// Whether some step is on the line of action at every pose.
+    pub fn always_covers(&self) -> bool {
+        self.covering.iter().all(|steps| !steps.is_empty())
+    }
+
+    /// Lower bound of the room of a free half tooth at the far flank of a locked tooth ([`FarFlanks`]) above the room of both on the line of
+    /// action, extended without end, rad. `None` where the axes are too near for a line.
+    ///
+    /// The normal at a far contact passes the free axis on its far side. With the point's roll `ξ`, the angle `λ` of the locked tooth and the
+    /// distance `d` of the outlines' centres, `λ + ψ − ξ ≤ −acos(r_bL/d)`, where `ψ` is the half angle of the far flank at its base. At the
+    /// tip `ξ − ψ = atan ξ_a − ψ_a`, and the far corner is no nearer to the centre line than the near one: `λ ≤ atan ξ_a + ψ_a −
+    /// acos(r_bL/d)`. The gap on the line of action falls as `λ` grows, and as `d` does. At the far contact, the free tooth's gap is the
+    /// angle of a point inside both tip circles and the tooth's half angle there. The point is at least `√(d² − r_bL²) − r_bL ξ_a` away from
+    /// the free axis.
+    ///
+    /// An eccentric free outline moves by up to `e Δ` on the turn `Δ` between the two gaps. That turns the frame of its centres and the line
+    /// of action by less than `6 e Δ/r_bF`.
+    ///
+    /// [`FarFlanks`]: crate::contact::body::FarFlanks
+    pub fn before_far_flanks(&self, side: &SideCourse) -> Option<f64> {
+        let problem = side.problem;
+        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
+        let off = side.off[0] + side.off[1];
+        let nearest = problem.distance - off;
+        let line = Line::new(C::from(problem.distance + off), problem.sum())?;
+        let half_tip = locked.half_base - involute::inv_of_roll(locked.tip_roll);
+        let angle = locked.tip_roll.atan() + half_tip - (locked.base / nearest).acos();
+        let on_line =
+            (problem.sum() * line.angle - line.length - locked.base * (angle - locked.half_base))
+                * problem.per_free_base
+                + free.half_base;
+        let (own, mate) = (free.tip_radius, locked.tip_radius);
+        let point = if nearest * nearest <= own * own + mate * mate {
+            (mate / nearest).min(1.0).asin()
+        } else {
+            let cos = (nearest * nearest + own * own - mate * mate) / (2.0 * nearest * own);
+            cos.clamp(-1.0, 1.0).acos()
+        };
+        let from_axis =
+            (nearest * nearest - locked.base * locked.base).sqrt() - locked.base * locked.tip_roll;
+        let half = if from_axis >= free.form_radius() {
+            free.half_base - involute::inv_of_roll(involute::roll_at(from_axis.min(own), free.base))
+        } else {
+            problem.free.pitch
+        };
+        let later = on_line - point - half;
+        Some(later * (1.0 - 6.0 * side.off[1] * problem.per_free_base))
     }
 
     fn ends(&self) -> [f64; 2] {

@@ -8,7 +8,7 @@
 //! throughout a part: these bound the room from above.
 
 use super::super::shape::C;
-use super::course::{Course, PARTS};
+use super::course::{Course, PARTS, SideCourse};
 use super::shift::Shift;
 use super::side_table::SideTable;
 use std::ops::Range;
@@ -204,6 +204,36 @@ impl Table {
         })
     }
 
+    /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth over the cycle,
+    /// rad; ∞ if unknown.
+    ///
+    /// A pair on the line of action stops the gear first where far flanks leave more room than the flanks are spread. At other poses the room
+    /// of a side is at most `most`, less the room of the other side.
+    pub fn stops_before_far_flanks(&self, course: &Course, most: f64) -> bool {
+        let mut sides = self.sides.iter().zip(&course.sides);
+        let later = |(table, side): (&SideTable, &SideCourse)| table.before_far_flanks(side);
+        let Some(later) = sides.try_fold(f64::INFINITY, |least: f64, side| {
+            Some(least.min(later(side)?))
+        }) else {
+            return false;
+        };
+        let spread = |table: &SideTable| table.always_covers() && later > table.spread;
+        if self.sides.iter().all(spread) {
+            return true;
+        }
+        if !most.is_finite() {
+            return false;
+        }
+        let shifts = (0..self.matings).flat_map(|mating| self.shifts.at(mating));
+        let shift = shifts.fold(f64::INFINITY, f64::min) - self.slack[0];
+        let on_line = self
+            .sides
+            .each_ref()
+            .map(|side| side.nominal + side.lowest());
+        let dip = self.sides.each_ref().map(SideTable::deepest_dip);
+        most < on_line[0] + on_line[1] + shift + dip[0].min(dip[1]) + later
+    }
+
     /// Whether a tip corner on a fillet can be the tightest somewhere.
     pub fn has_dips(&self) -> bool {
         self.sides.iter().any(|side| side.may_dip)
@@ -253,14 +283,19 @@ impl Distances {
 
 #[cfg(test)]
 mod tests {
+    use super::super::course::posed_sides;
     use super::super::side_table::steps;
     use super::*;
     use crate::contact::Effort;
     use crate::contact::ExactKernel;
+    use crate::contact::body::FarFlanks;
+    use crate::contact::exact::far_flanks::{far_contact, is_sideways};
+    use crate::contact::exact::search::SideRequest;
+    use crate::contact::exact::separation::Separation;
     use crate::gear::{
         AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, ProfilePart,
     };
-    use crate::pair::{GearPair, Mating};
+    use crate::pair::{GearPair, Mating, Pose};
 
     /// 400/400 teeth with base pitches 0.001 % apart and profile shifts −6 and 6. They touch far from the pitch point, and their steps
     /// reach further to one side of it. κ (s + sense f) of any touching step is at most the level.
@@ -351,5 +386,80 @@ mod tests {
             touched += u32::from(on_fillet);
         }
         assert!(kept > 20 && touched > 10, "{kept} {touched}");
+    }
+
+    /// No far flank touches before the bound of [`SideTable::before_far_flanks`]. Source: the search for contacts with far flanks, at ten poses of
+    /// pairs of few teeth.
+    #[test]
+    fn far_flanks_are_as_late_as_their_bound() {
+        let (mut examined, mut near) = (0, 0);
+        for k in 0..3000u32 {
+            let part = |step: u32| f64::from((k * step + 7 * (k % 97) * k) % 101) / 101.0;
+            let built = |teeth: u32, face, step: u32| {
+                let design = GearDesign {
+                    profile_shift: 0.8 * part(step),
+                    ..GearDesign::plain(teeth, 2.0)
+                };
+                let deviations = Deviations {
+                    eccentricity: 0.2 * part(step + 20),
+                    high_tooth: 1.5,
+                    ..Deviations::default()
+                };
+                AsBuilt::new(Gear::nominal(design).ok()?, face, &deviations).ok()
+            };
+            let teeth = [3 + k % 17, 3 + k / 17 % 40];
+            let (Some(wheel), Some(pinion)) = (
+                built(teeth[0], Face::Front, 17),
+                built(teeth[1], Face::Back, 29),
+            ) else {
+                continue;
+            };
+            let formula = crate::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
+            let Some(closed) = formula.center_distance(0.0) else {
+                continue;
+            };
+            let Ok(pair) = GearPair::new(wheel, pinion, closed + part(41)) else {
+                continue;
+            };
+            let kernel = ExactKernel::new(&pair);
+            let far_flanks = kernel.section.far_flanks;
+            if kernel.section.solver.is_none() || far_flanks == FarFlanks::Clear {
+                continue;
+            }
+            let effort = Effort::endless();
+            let course = Course::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+            let start = course.posed(0);
+            let later = [0, 1].map(|side| {
+                let table = SideTable::new(&course.sides[side], &start[side]);
+                table.before_far_flanks(&course.sides[side])
+            });
+            for at in 0..10 {
+                let mating = Mating::FIRST.onward(&pair, 0.237 * f64::from(at));
+                let pose = Pose::new(&pair, mating);
+                let posed = posed_sides(&course.sides, &kernel.section, &pose);
+                for (side, later) in posed.iter().zip(later) {
+                    let (flanks, later) = (&side.flanks, later.unwrap());
+                    for step in flanks.steps() {
+                        if !is_sideways(flanks, step) {
+                            continue;
+                        }
+                        let line = Separation::endless(flanks, step, side.nominal_gap());
+                        let is_before = |floor: f64| {
+                            let request = SideRequest {
+                                effort: &effort,
+                                floor,
+                            };
+                            let found = far_contact(flanks, step, floor, request);
+                            found.unwrap().is_some()
+                        };
+                        let floor = line.gap - later;
+                        assert!(!is_before(floor + 1e-9), "{teeth:?}, pair {k}, step {step}");
+                        examined += 1;
+                        near += u32::from(is_before(floor - 0.02));
+                    }
+                }
+            }
+        }
+        assert!(examined > 1000 && near > 3, "{examined} {near}");
     }
 }

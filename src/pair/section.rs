@@ -26,7 +26,7 @@ use nalgebra::{Rotation2, Vector2};
 use std::f64::consts::PI;
 
 /// Distance beyond the end of its teeth at which a flank is still in a section, mm: above the effect of flank deviations on the place of the
-/// contact, and times any slope of a lead below 1e-5 µm.
+/// contact. [`GearPair::beyond_ends`] bounds its effect.
 const AT_END: f64 = 1e-5;
 
 /// Turn back of a flank that is not in a section, as a part of a pitch.
@@ -49,6 +49,19 @@ impl Pose {
         let leaning = Leaning::new(assembly, self, &pair, &pose, (b, turned));
         let [wheel, pinion] = leaning.turns();
         (pair.with_flanks_turned(wheel, pinion), pose)
+    }
+}
+
+impl GearPair {
+    /// Bound on what flanks that a section keeps beyond the ends of their teeth add to a contact, mm along the base tangent.
+    pub(crate) fn beyond_ends(&self) -> f64 {
+        let height = self.most_height();
+        let [from, to] = self.face();
+        let rate = |member| {
+            self.gear(member)
+                .steepest_lead([from - height, to + height])
+        };
+        AT_END * (rate(Member::Wheel) + rate(Member::Pinion) + self.most_lean())
     }
 }
 

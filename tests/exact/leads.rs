@@ -2,7 +2,7 @@
 
 use crate::along_face::{dense, drawn, witness};
 use gearlash::analytic::LineOfAction;
-use gearlash::contact::{ExactKernel, FacePlace};
+use gearlash::contact::{ExactKernel, FacePlace, PROVEN_WIDTH};
 use gearlash::gear::{
     AsBuilt, BasicGearData, Deviations, Face, Flank, Gear, GearDesign, Hand, Lead, Pitch, Side,
     Trace, thickness,
@@ -289,7 +289,7 @@ fn reference_extremes() {
         let [wheel, pinion] = Member::BOTH.map(|member| pair.teeth(member));
         let pitches = SweepPlan::hunting_pitches(wheel, pinion);
         let found = ExactKernel::new(&pair)
-            .extremes(&pair, Mating::FIRST, pitches, 1e-5)
+            .extremes(&pair, Mating::FIRST, pitches, PROVEN_WIDTH)
             .unwrap();
         // The reference's poses are right to 1e-6 µm, to 5e-6 µm where axes lean, and no denser than its sampling.
         let off = if leans(case) { 5e-6 } else { 1e-6 };

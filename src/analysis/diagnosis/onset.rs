@@ -41,32 +41,56 @@ pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
 
 /// Finds the onset over `matings`, then turns the gears from the pose that touches first.
 ///
-/// A pose with contact below an involute is assumed to have it at every lesser distance. So the bracket needs only the poses that touch at
-/// its lower end. `None` if no pose has such contact even at the least distance that the base circles allow.
+/// A pose with contact below an involute is assumed to have it at every lesser distance. So a pose without it at the onset of the poses before
+/// needs no search of its own. `None` if no pose has such contact even at the least distance that the base circles allow.
 ///
 /// # Errors
 /// A lost contact.
 pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Option<Onset>, Error> {
     let [nearest, farthest] = reach(assembly);
     let form = |member| form_onset(assembly, member);
-    let guess = form(Member::Wheel)
-        .max(form(Member::Pinion))
-        .clamp(nearest, farthest);
+    let guess = form(Member::Wheel).max(form(Member::Pinion));
+    let mut from = guess.clamp(nearest, farthest);
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
-
-    let mut stride = 0.02 * module;
-    let mut low = guess;
     let bench = PairAtDistance::new(assembly);
-    let mut active = touching(&bench, low, matings)?;
-    while active.is_empty() {
-        if low <= nearest {
-            return Ok(None);
+
+    // An odd number, so that each group has poses from all over a pitch.
+    let groups = matings.len().isqrt() | 1;
+    let mut found = None;
+    for group in 0..groups {
+        let group: Vec<Mating> = matings
+            .iter()
+            .skip(group)
+            .step_by(groups)
+            .copied()
+            .collect();
+        let mut low = from;
+        let mut active = touching(&bench, low, &group)?;
+        let mut stride = 0.02 * module;
+        while active.is_empty() && found.is_none() && low > nearest {
+            low = (low - stride).max(nearest);
+            stride *= 2.0;
+            active = touching(&bench, low, &group)?;
         }
-        low = (low - stride).max(nearest);
-        stride *= 2.0;
-        active = touching(&bench, low, matings)?;
+        if active.is_empty() {
+            // Without an onset, `low` is the least distance.
+            from = low;
+            continue;
+        }
+        from = close(&bench, &mut low, from, &mut active)?;
+        found = Some(low);
     }
-    let mut high = close(&bench, &mut low, guess, &mut active)?;
+    let Some(mut low) = found else {
+        return Ok(None);
+    };
+    let mut high = from;
+    let mut active = Vec::new();
+    for some in matings.chunks(groups) {
+        active = touching(&bench, low, some)?;
+        if !active.is_empty() {
+            break;
+        }
+    }
     let mut span = BESIDE;
     for _ in 0..REFINEMENTS {
         let first = active[0];

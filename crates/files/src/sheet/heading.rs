@@ -4,8 +4,8 @@
 
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
-use serde::Deserialize;
-use std::collections::{BTreeMap, HashSet};
+use serde::{Deserialize, Deserializer};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::LazyLock;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
@@ -71,11 +71,14 @@ type Set = HashSet<String>;
 /// The words of `headings.toml`.
 #[derive(Debug, Default, Deserialize)]
 struct Vocabulary {
-    symbols: BTreeMap<Quantity, Set>,
-    quantities: BTreeMap<Quantity, Set>,
+    #[serde(deserialize_with = "by_word")]
+    symbols: HashMap<String, Quantity>,
+    #[serde(deserialize_with = "by_word")]
+    quantities: HashMap<String, Quantity>,
     flanks: Flanks,
     words: Words,
-    units: BTreeMap<String, Set>,
+    #[serde(deserialize_with = "by_word")]
+    units: HashMap<String, String>,
     statistics: Statistics,
 }
 
@@ -102,12 +105,16 @@ struct Statistics {
 static VOCABULARY: LazyLock<Vocabulary> =
     LazyLock::new(|| toml::from_str(include_str!("headings.toml")).unwrap_or_default());
 
-/// The meaning whose list holds `word`.
-fn find<'a, T>(lists: &'a BTreeMap<T, Set>, word: &str) -> Option<&'a T> {
-    let mut lists = lists.iter();
-    lists
-        .find(|(_, words)| words.contains(word))
-        .map(|(meaning, _)| meaning)
+/// Reads lists of words, one for each meaning, as the meaning of each word.
+fn by_word<'de, D: Deserializer<'de>, T: Deserialize<'de> + Ord + Clone>(
+    lists: D,
+) -> Result<HashMap<String, T>, D::Error> {
+    let lists = BTreeMap::<T, Vec<String>>::deserialize(lists)?;
+    // The first meaning counts.
+    let words = lists.into_iter().rev();
+    let each = words
+        .flat_map(|(meaning, words)| words.into_iter().map(move |word| (word, meaning.clone())));
+    Ok(each.collect())
 }
 
 /// The unit in `text`, with or without brackets.
@@ -115,7 +122,7 @@ pub fn unit(text: &str) -> Option<&'static str> {
     let bare = text.trim().trim_start_matches(['(', '[']);
     let bare = bare.trim_end_matches([')', ']']).trim().to_lowercase();
     let bare = bare.strip_prefix("in ").unwrap_or(&bare);
-    find(&VOCABULARY.units, bare).map(String::as_str)
+    VOCABULARY.units.get(bare).map(String::as_str)
 }
 
 /// Whether `text` is a placeholder for no unit in a row of units.
@@ -176,7 +183,7 @@ fn letter(word: &str) -> Option<Side> {
 }
 
 fn of_words(name: &str) -> Option<Meaning> {
-    if let Some(quantity) = find(&VOCABULARY.quantities, &plain(name)) {
+    if let Some(quantity) = VOCABULARY.quantities.get(&plain(name)) {
         return Some(Meaning {
             side: None,
             quantity: *quantity,
@@ -242,17 +249,17 @@ fn of_words(name: &str) -> Option<Meaning> {
 fn parts(name: &str) -> impl Iterator<Item = &str> {
     let separators = |c: char| c.is_whitespace() || "_/,:()[]|".contains(c);
     let words = name.split(separators).flat_map(|word| {
-        let is_one = of_word(word).is_some();
+        let is_one = word.contains('-') && of_word(word).is_some();
         word.split(move |c| c == '-' && !is_one)
     });
     words.filter(|part| !part.is_empty())
 }
 
 fn of_word(word: &str) -> Option<Quantity> {
-    let symbol = find(&VOCABULARY.symbols, word.trim_end_matches('.'));
+    let symbol = VOCABULARY.symbols.get(word.trim_end_matches('.'));
     let plain = plain(word);
     let letters = plain.trim_end_matches(|c: char| c.is_ascii_digit());
-    let known = |word: &str| find(&VOCABULARY.quantities, word);
+    let known = |word: &str| VOCABULARY.quantities.get(word);
     let found = symbol.or_else(|| known(&plain));
     let numbered = || known(&format!("{letters}#")).filter(|_| letters.len() < plain.len());
     found.or_else(numbered).copied()

@@ -108,6 +108,10 @@ fn poses_once_left_to_the_polygons_are_proven() {
             744097,
             "a tip on the far flank of a tooth that points sideways",
         ),
+        (92407, "tips that hardly overlap, of 233 teeth"),
+        (94302, "tips that hardly overlap, and both runouts"),
+        (175_520, "tips that hardly overlap, and one runout"),
+        (195_485, "tips that hardly overlap, and undercut teeth"),
     ] {
         let drawn = Drawn::new(None, 3, index);
         let pose = Pose::new(&drawn.assembly, drawn.mating);

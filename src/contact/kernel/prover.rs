@@ -78,7 +78,8 @@ struct Held {
     /// `δ`, rad, to the open and to the closed side.
     opening: f64,
     closing: f64,
-
+    /// Whether a tip touches a tip.
+    on_tips: bool,
     point: C,
     /// Points out of the locked metal.
     normal: C,
@@ -407,7 +408,7 @@ impl<'a> Proving<'a> {
             rotation: self.turned(contact.rotation + onward),
             opening,
             closing,
-
+            on_tips: curves == [ToothPlace::Tip; 2],
             point,
             normal,
             arm,
@@ -798,13 +799,25 @@ impl<'a> Proving<'a> {
         };
         let below = [held.point - deep, held.point * turn(-held.closing) + deep];
         let near = below.map(|point| iter::once(point).chain(deeper(point)));
+        // Tips that hardly overlap share a thin lens between their circles. The corner of the free or of the locked tip stands in it.
+        let lens = [2.0, -1.0, 0.5].map(|part| {
+            let point = held.point * turn(-part * held.closing);
+            let [on_locked, on_free] = [0, 1].map(|k| {
+                let half = [&locked, &free][k];
+                half.shape.tip_radius - (point - centres[k]).norm()
+            });
+            let across = centres[1] - centres[0];
+            point + across / across.norm() * (0.5 * (on_locked - on_free))
+        });
         let mut tied = self.posed.steps().filter_map(|step| {
             let Pair { at, tops, .. } = self.pair(step, closed, turned);
             Some((step, at.middle(&tops, held.normal, 4.0 * deep.norm())?))
         });
         // A point's own rounding is at most half of that of a room.
         let need = self.prover.need;
-        let mut near = near.into_iter().flatten().map(|point| (named, point));
+        let lens = lens.into_iter().filter(|_| held.on_tips);
+        let near = near.into_iter().flatten().chain(lens);
+        let mut near = near.map(|point| (named, point));
         near.find(|found| is_common(found, 0.5 * need))
             .or_else(|| tied.find(|found| is_common(found, need)))
     }

@@ -15,7 +15,7 @@
 //!
 //! `P` is taken where the teeth touch on the line of action, or at the corner that touches beyond it. A flank whose height `h` lies beyond the
 //! ends of its gear's teeth is not in the section: it is turned back out of the way. Centre and lean of the free gear are those at the rotation
-//! at which the pair nearest to the line of centres touches.
+//! at which the pair of the flank touches.
 //!
 //! The point of contact moves along the flank because `h` changes along it, with the slope `g = tan β_b (α_2 − α_1)·τ̂`. Each side is tighter
 //! by `½ g² ρ` along the base tangent, with `ρ ≤ T/4`: [`GearPair::left_out`].
@@ -151,17 +151,14 @@ impl<'a> Leaning<'a> {
         });
         for side in Side::BOTH {
             let index = side.index();
-            let touching = self.at_contact(side);
-            touching.turn(side, [&mut wheel[index], &mut pinion[index]]);
+            self.turn(side, [&mut wheel[index], &mut pinion[index]]);
         }
         [wheel, pinion]
     }
 
-    /// These gears with the free one where the pair nearest to the line of centres touches on `side`.
-    fn at_contact(&self, side: Side) -> Leaning<'a> {
-        let (pair, free) = (self.pair, self.pair.free());
-        let line = self.line(side);
-        let step = line.nearest;
+    /// These gears with the free one where the pair of a step touches on `line`.
+    fn at_contact(&self, line: &LineOfAction, step: i64) -> Leaning<'a> {
+        let (pair, free, side) = (self.pair, self.pair.free(), line.side);
         let mate = (line.length - line.bases[0] * line.roll(step)) / line.bases[1];
         // θ_T = θ_0 − s ξ on either gear.
         let wanted = line.tangent + PI + side.sense() * mate;
@@ -210,11 +207,9 @@ impl<'a> Leaning<'a> {
         let (pair, pose) = (self.pair, self.pose);
         let (locked, free) = (pair.locked(), pair.free());
         let gears = [locked, free].map(|member| pair.gear(member));
-        let line = self.line(side);
-        let (bases, length, nearest, mating) = (line.bases, line.length, line.nearest, line.mating);
+        let pose_line = self.line(side);
+        let (bases, nearest, mating) = (pose_line.bases, pose_line.nearest, pose_line.mating);
         let s = side.sense();
-        let direction = Vector2::new(line.tangent.cos(), line.tangent.sin());
-        let normal = s * Vector2::new(-direction.y, direction.x);
         let [locked_turns, free_turns] = match locked {
             Member::Wheel => turns,
             Member::Pinion => {
@@ -223,8 +218,6 @@ impl<'a> Leaning<'a> {
             }
         };
         let rolls = gears.map(|gear| [gear.gear().form_roll(), gear.gear().tip_roll()]);
-        let mates = rolls[1].map(|roll| (length - bases[1] * roll) / bases[0]);
-        let (least, most) = (rolls[0][0].max(mates[1]), rolls[0][1].min(mates[0]));
         let teeth = gears.map(|gear| gear.gear().basic_data().teeth());
         let most_steps = (i64::from(teeth[0].max(teeth[1])) / 2).min(self.steps_in_reach());
         // From the line of centres outwards: the first facing of a tooth is the one that can touch.
@@ -233,6 +226,13 @@ impl<'a> Leaning<'a> {
         for step in steps.map(|step| nearest + step) {
             let tooth = gears[0].counter_clockwise(mating, step);
             let facing = pose.facing_tooth(pair, side, step);
+            let here = self.at_contact(&pose_line, step);
+            let line = here.line(side);
+            let length = line.length;
+            let direction = Vector2::new(line.tangent.cos(), line.tangent.sin());
+            let normal = s * Vector2::new(-direction.y, direction.x);
+            let mates = rolls[1].map(|roll| (length - bases[1] * roll) / bases[0]);
+            let (least, most) = (rolls[0][0].max(mates[1]), rolls[0][1].min(mates[0]));
             let roll = line.roll(step);
             let mate = (length - bases[0] * roll) / bases[1];
             let corner = corner(roll, [least, most], rolls);
@@ -241,7 +241,7 @@ impl<'a> Leaning<'a> {
                 let turn = Rotation2::new(s * beyond);
                 let (direction, normal) = (turn * from, turn * normal);
                 let outward = if k == 0 { normal } else { -normal };
-                self.centre(member) + bases[k] * (direction + roll * outward)
+                here.centre(member) + bases[k] * (direction + roll * outward)
             };
             let point = match corner {
                 None => at(locked, 0, direction, 0.0, roll),
@@ -252,7 +252,7 @@ impl<'a> Leaning<'a> {
             for (k, (member, tooth, normal)) in own.into_iter().enumerate() {
                 let place = tooth as usize - 1;
                 if !std::mem::replace(&mut is_turned[k][place], true) {
-                    let turned = self.turn_of(member, side, tooth, point, normal);
+                    let turned = here.turn_of(member, side, tooth, point, normal);
                     if k == 0 {
                         locked_turns[place] = turned;
                     } else {

@@ -175,7 +175,7 @@ impl SideTable {
     }
 
     /// Lower bound of the room of a free half tooth at the far flank of a locked tooth ([`FarFlanks`]) above the room of both on the line of
-    /// action, extended without end, rad. `None` where the axes are too near for a line.
+    /// action, extended without end, rad. `None` where the axes are too near for a bound.
     ///
     /// The normal at a far contact passes the free axis on its far side. With the point's roll `ξ`, the angle `λ` of the locked tooth and the
     /// distance `d` of the outlines' centres, `λ + ψ − ξ ≤ −acos(r_bL/d)`, where `ψ` is the half angle of the far flank at its base. At the
@@ -215,7 +215,8 @@ impl SideTable {
             problem.free.pitch
         };
         let later = on_line - point - half;
-        Some(later * (1.0 - 6.0 * side.off[1] * problem.per_free_base))
+        let later = later * (1.0 - 6.0 * side.off[1] * problem.per_free_base);
+        later.is_finite().then_some(later)
     }
 
     fn ends(&self) -> [f64; 2] {

@@ -217,8 +217,8 @@ impl Table {
         }) else {
             return false;
         };
-        let spread = |table: &SideTable| table.always_covers() && later > table.spread;
-        if self.sides.iter().all(spread) {
+        let is_first = |table: &SideTable| table.always_covers() && later > table.spread;
+        if self.sides.iter().all(is_first) {
             return true;
         }
         if !most.is_finite() {

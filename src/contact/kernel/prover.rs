@@ -799,15 +799,16 @@ impl<'a> Proving<'a> {
         };
         let below = [held.point - deep, held.point * turn(-held.closing) + deep];
         let near = below.map(|point| iter::once(point).chain(deeper(point)));
-        // Tips that hardly overlap share a thin lens between their circles. The corner of the free or of the locked tip stands in it.
-        let lens = [2.0, -1.0, 0.5].map(|part| {
+        // Tips that hardly overlap share a thin lens between their circles, with the corner of the free or of the locked tip in it.
+        let parts = [2.0, -1.0, 0.5].into_iter().filter(|_| held.on_tips);
+        let lens = parts.map(|part| {
             let point = held.point * turn(-part * held.closing);
-            let [on_locked, on_free] = [0, 1].map(|k| {
-                let half = [&locked, &free][k];
-                half.shape.tip_radius - (point - centres[k]).norm()
+            let rooms = [0, 1].map(|k| {
+                let tip = [&locked, &free][k].shape.tip_radius;
+                tip - (point - centres[k]).norm()
             });
             let across = centres[1] - centres[0];
-            point + across / across.norm() * (0.5 * (on_locked - on_free))
+            point + across / across.norm() * (0.5 * (rooms[0] - rooms[1]))
         });
         let mut tied = self.posed.steps().filter_map(|step| {
             let Pair { at, tops, .. } = self.pair(step, closed, turned);
@@ -815,7 +816,6 @@ impl<'a> Proving<'a> {
         });
         // A point's own rounding is at most half of that of a room.
         let need = self.prover.need;
-        let lens = lens.into_iter().filter(|_| held.on_tips);
         let near = near.into_iter().flatten().chain(lens);
         let mut near = near.map(|point| (named, point));
         near.find(|found| is_common(found, 0.5 * need))

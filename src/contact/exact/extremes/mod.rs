@@ -207,9 +207,10 @@ impl ExactKernel {
         let asks_greatest = stays
             && of.contains(&End::Least)
             && !self.stops_before_far_flanks(course, &table, f64::INFINITY);
-        let wanted = [End::Greatest, End::Least].into_iter().filter(|which| {
-            let is_bounded = stays || *which == End::Greatest;
-            is_bounded && of.contains(which) || asks_greatest && *which == End::Greatest
+        let wanted = [End::Greatest, End::Least];
+        let wanted = wanted.into_iter().filter(|which| match which {
+            End::Greatest => asks_greatest || of.contains(which),
+            End::Least => stays && of.contains(which),
         });
         let searches: Vec<Search> = wanted.map(search).collect();
         let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
@@ -263,7 +264,8 @@ impl ExactKernel {
             && self.section.solver.is_some()
             && helical.is_none_or(|helical| helical.has_line_contact())
             && self.stays_on_involutes(course)
-            && self.stops_before_far_flanks(course, &Table::new(course), f64::INFINITY)
+            && (self.section.far_flanks == FarFlanks::Clear
+                || Table::new(course).stops_before_far_flanks(course, f64::INFINITY))
     }
 
     /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth, rad.

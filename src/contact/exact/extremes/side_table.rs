@@ -6,6 +6,7 @@ use super::super::teeth::Teeth;
 use super::course::{PARTS, Posed, SideCourse};
 use super::rolls::{Part, Rolls};
 use crate::gear::involute;
+use crate::pair::lens_half;
 use std::ops::Range;
 
 /// One side's tables.
@@ -174,13 +175,13 @@ impl SideTable {
         self.covering.iter().all(|steps| !steps.is_empty())
     }
 
-    /// Lower bound of the room of a free half tooth at the far flank of a locked tooth ([`FarFlanks`]) above the room of both on the line of
-    /// action, extended without end, rad. `None` where the axes are too near for a bound.
+    /// How much later the far flank of a locked tooth ([`FarFlanks`]) stops a free half tooth than endless involutes of the same step do: a lower
+    /// bound, rad. `None` where the axes are too near for a bound.
     ///
-    /// The normal at a far contact passes the free axis on its far side. With the point's roll `ξ`, the angle `λ` of the locked tooth and the
-    /// distance `d` of the outlines' centres, `λ + ψ − ξ ≤ −acos(r_bL/d)`, where `ψ` is the half angle of the far flank at its base. At the
-    /// tip `ξ − ψ = atan ξ_a − ψ_a`, and the far corner is no nearer to the centre line than the near one: `λ ≤ atan ξ_a + ψ_a −
-    /// acos(r_bL/d)`. The gap on the line of action falls as `λ` grows, and as `d` does. At the far contact, the free tooth's gap is the
+    /// The normal at a far contact passes the free axis on its far side. `ξ` is the point's roll, `λ` the angle of the locked tooth, `d` the
+    /// distance of the outlines' centres, and `ψ` the half angle of the far flank at its base. Then `λ + ψ − ξ ≤ −acos(r_bL/d)`. At the tip
+    /// `ξ − ψ = atan ξ_a − ψ_a`, and the far corner is no nearer to the centre line than the near one: `λ ≤ atan ξ_a + ψ_a − acos(r_bL/d)`. The
+    /// gap on the line of action falls as `λ` grows, and as `d` does. At the far contact, the free tooth's gap is the
     /// angle of a point inside both tip circles and the tooth's half angle there. The point is at least `√(d² − r_bL²) − r_bL ξ_a` away from
     /// the free axis.
     ///
@@ -200,17 +201,15 @@ impl SideTable {
             (problem.sum() * line.angle - line.length - locked.base * (angle - locked.half_base))
                 * problem.per_free_base
                 + free.half_base;
-        let (own, mate) = (free.tip_radius, locked.tip_radius);
-        let point = if nearest * nearest <= own * own + mate * mate {
-            (mate / nearest).min(1.0).asin()
-        } else {
-            let cos = (nearest * nearest + own * own - mate * mate) / (2.0 * nearest * own);
-            cos.clamp(-1.0, 1.0).acos()
-        };
+        let point = lens_half(free.tip_radius, locked.tip_radius, nearest).unwrap_or(0.0);
         let from_axis =
             (nearest * nearest - locked.base * locked.base).sqrt() - locked.base * locked.tip_roll;
         let half = if from_axis >= free.form_radius() {
-            free.half_base - involute::inv_of_roll(involute::roll_at(from_axis.min(own), free.base))
+            free.half_base
+                - involute::inv_of_roll(involute::roll_at(
+                    from_axis.min(free.tip_radius),
+                    free.base,
+                ))
         } else {
             problem.free.pitch
         };

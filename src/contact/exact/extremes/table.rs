@@ -3,7 +3,7 @@
 //! Where two involutes touch on the line of action, a side has the room `ρ + r δ_L + δ_F − ε`. `ρ` is that of perfect gears, `r δ_L + δ_F`
 //! the offset of both flanks (`r = r_bL/r_bF`), and `ε` the effect of the eccentricities. The shift `b` of the centres along the line of
 //! action gives `ε = (−b_x sin α + b_y cos α)/r_bF`, except for its second order. In gears of unequal base pitch a pair `s` steps on, and
-//! `f` of a pitch later, has `κ (s + sense f)` more, with `κ = r τ_L − τ_F`. Beside the line of action a pair has more room. The least
+//! `f` of a pitch later, has `κ (s + sense f)` more, with `κ = r τ_L − τ_F`. A pair beside the line of action has more room. The least
 //! addition depends only on the part of the pitch, so it is computed once for each of [`PARTS`]. So are the pairs on the line of action
 //! throughout a part: these bound the room from above.
 
@@ -297,6 +297,13 @@ mod tests {
     };
     use crate::pair::{GearPair, Mating, Pose};
 
+    /// Gears `more` mm farther apart than without backlash.
+    fn farther(wheel: AsBuilt, pinion: AsBuilt, more: f64) -> Option<GearPair> {
+        let formula = crate::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
+        let closed = formula.center_distance(0.0)?;
+        GearPair::new(wheel, pinion, closed + more).ok()
+    }
+
     /// 400/400 teeth with base pitches 0.001 % apart and profile shifts −6 and 6. They touch far from the pitch point, and their steps
     /// reach further to one side of it. κ (s + sense f) of any touching step is at most the level.
     #[test]
@@ -363,11 +370,7 @@ mod tests {
             ) else {
                 continue;
             };
-            let formula = crate::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
-            let Some(closed) = formula.center_distance(0.0) else {
-                continue;
-            };
-            let Ok(pair) = GearPair::new(wheel, pinion, closed + 0.6 * part(41)) else {
+            let Some(pair) = farther(wheel, pinion, 0.6 * part(41)) else {
                 continue;
             };
             let kernel = ExactKernel::new(&pair);
@@ -414,11 +417,7 @@ mod tests {
             ) else {
                 continue;
             };
-            let formula = crate::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
-            let Some(closed) = formula.center_distance(0.0) else {
-                continue;
-            };
-            let Ok(pair) = GearPair::new(wheel, pinion, closed + part(41)) else {
+            let Some(pair) = farther(wheel, pinion, part(41)) else {
                 continue;
             };
             let kernel = ExactKernel::new(&pair);

@@ -120,7 +120,7 @@ fn polygons_alone_see_what_touches_between_the_sections() {
 /// Source: clearance of dense points of either gear in the other's own frame, nothing of either method.
 #[test]
 fn the_exact_method_holds_against_brute_force() {
-    let complaints: Vec<(u64, Vec<String>)> = (0..60u64)
+    let complaints: Vec<(u64, Vec<String>)> = (0..24u64)
         .into_par_iter()
         .filter_map(|index| {
             let drawn = Drawn::new(None, SEED, index);
@@ -137,7 +137,7 @@ fn the_exact_method_holds_against_brute_force() {
 #[test]
 fn brute_force_refuses_wrong_rotations() {
     let mut refused = 0;
-    for index in 0..8 {
+    for index in 0..5 {
         let drawn = Drawn::new(None, SEED, index);
         let pose = Pose::new(&drawn.assembly, drawn.mating);
         let found = ExactKernel::new(&drawn.assembly)
@@ -164,7 +164,7 @@ fn brute_force_refuses_wrong_rotations() {
             refused += 1;
         }
     }
-    assert!(refused > 10, "{refused}");
+    assert!(refused > 8, "{refused}");
 }
 
 /// The pair file printed for a pose is that pose, to the last bit.

@@ -214,7 +214,7 @@ fn a_drawn_section_stands_as_the_whole_face_holds_it() {
 /// contact ratio ε_γ = ε_α + ε_β, ε_α = (√(r_a1² − r_b1²) + √(r_a2² − r_b2²) − a sin α_wt)/p_bt, ε_β = b sin β/(π m_n).
 #[test]
 fn as_many_lines_touch_as_the_total_contact_ratio_says() {
-    const STEPS: u32 = 200;
+    const STEPS: u32 = 60;
     let (_, pitch) = tangent_and_base_pitch();
     let pair = pair_of_the_prototype([0.0; 2], [0.0; 2], Hand::Right, 1);
     for face in [[-20.0, 30.0], [-7.0, 5.0], [-100.0, 100.0]] {

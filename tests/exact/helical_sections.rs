@@ -62,7 +62,7 @@ fn by_sections(
 fn no_section_is_tighter_than_the_face() {
     let mut rng = Draws(5);
     let (mut pairs, mut compared, mut between, mut over) = (0, 0, 0, 0);
-    while pairs < 300 {
+    while pairs < 100 {
         let Some(pair) = drawn(&mut rng) else {
             continue;
         };
@@ -100,7 +100,7 @@ fn no_section_is_tighter_than_the_face() {
         }
     }
     println!("{compared} compared, {between} found tighter between, {over} over");
-    assert!(over == 0 && compared > 400 && between > 0);
+    assert!(over == 0 && compared > 130 && between > 0);
 }
 
 /// Another way, of pairs from far beyond what anybody makes: the tightest of 49 single sections, and by golden section what is tightest about it.
@@ -109,7 +109,7 @@ fn no_section_is_tighter_than_the_face() {
 fn no_section_of_wild_pairs_is_tighter_than_the_face() {
     let mut rng = Draws(1);
     let (mut compared, mut short, mut given_up, mut touched) = (0, 0, 0, [0; 3]);
-    for _ in 0..900 {
+    for _ in 0..300 {
         let state = rng.0;
         let Some(pair) = drawn_wide(&mut rng) else {
             continue;
@@ -170,10 +170,10 @@ fn no_section_of_wild_pairs_is_tighter_than_the_face() {
         "{compared} contacts, {short} with more than 1 mm of play, involutes, tips, fillets {touched:?}"
     );
     assert!(
-        compared > 400 && short > 20 && 20 * given_up < compared,
+        compared > 130 && short > 6 && 20 * given_up < compared,
         "{compared} {short} {given_up}"
     );
-    assert!(touched.into_iter().all(|count| count > 10), "{touched:?}");
+    assert!(touched.into_iter().all(|count| count > 3), "{touched:?}");
 }
 
 /// Pairs from a longer run of those draws with a tip in the root of the eccentric free gear between the sections. They

@@ -198,7 +198,7 @@ fn random_profiles_by_every_method() {
 /// The extremes of the whole cycle hold every pose of it. Source: the poses themselves, of pairs in ordinary mesh.
 #[test]
 fn extremes_hold_every_pose() {
-    let found: Vec<bool> = (0..200u64)
+    let found: Vec<bool> = (0..80u64)
         .into_par_iter()
         .filter_map(|seed| {
             let mut random = Random(seed ^ 0xe47e);
@@ -235,5 +235,5 @@ fn extremes_hold_every_pose() {
         .collect();
     let held = found.iter().filter(|held| **held).count();
     println!("{held} of {}", found.len());
-    assert!(held > 20, "{held} of {}", found.len());
+    assert!(held > 8, "{held} of {}", found.len());
 }

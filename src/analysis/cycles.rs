@@ -44,6 +44,8 @@ pub(super) struct Planned {
     open_lean: [f64; 2],
     /// [`Study::bearing_ends`].
     bearing_ends: Option<BearingEnds>,
+    /// Whether only the extremes are searched: no distances that follow from them, and no losses along the face.
+    pub alone: bool,
 }
 
 /// Extremes of a cycle, and their poses: least, greatest, lost.
@@ -284,7 +286,11 @@ impl Planned {
                 let kernel = OutlineKernel::new(pair);
                 let cycle = self.outlines(pair);
                 let found = kernel.extremes(pair, &cycle, &End::BOTH, PROVEN_WIDTH_DRAWN);
-                let assembles_from = AssemblesFrom::of_outlines(&kernel, pair, &cycle, &found)?;
+                let assembles_from = if self.alone {
+                    None
+                } else {
+                    AssemblesFrom::of_outlines(&kernel, pair, &cycle, &found)?
+                };
                 return Ok(Searched {
                     poses: vec![self.poses_of(&found, assembles_from)],
                     found,
@@ -304,7 +310,7 @@ impl Planned {
             let [(near, nearest), (far, farthest)] = &all.ends;
             return Ok(Searched {
                 assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
-                meshes_to: meshes_to(far, farthest, all.off, (&greatest, effort))?,
+                meshes_to: self.meshes_to(far, farthest, all.off, (&greatest, effort))?,
                 face_loss: None,
                 found: all.found,
                 poses: all.poses,
@@ -315,7 +321,7 @@ impl Planned {
         Ok(Searched {
             poses: vec![self.poses_of(&found, assembles_from)],
             assembles_from,
-            meshes_to: meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
+            meshes_to: self.meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
             face_loss: None,
             found,
         })
@@ -323,7 +329,7 @@ impl Planned {
 
     /// The loss of the least `found` by deviations along the face; `None` for a pair without any.
     fn face_loss(&self, pair: &GearPair, found: &Extremes) -> Result<Option<FaceLoss>, Error> {
-        if !pair.deviates_along_face() {
+        if self.alone || !pair.deviates_along_face() {
             return Ok(None);
         }
         let held = |found: &Extremes| {
@@ -477,7 +483,8 @@ impl Planned {
         effort: &Effort,
     ) -> Result<Option<AssemblesFrom>, Error> {
         let least = found.least.map(|least| least.low);
-        if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
+        let is_clear = least.is_some_and(|least| least >= 0.0);
+        if self.alone || found.status == Status::NoContact || is_clear {
             return Ok(None);
         }
         // A pair that needs no search has as much effort once more: with a share of the rest, what can be proven would not be.
@@ -492,24 +499,25 @@ impl Planned {
             ..from
         }))
     }
-}
 
-/// The distance up to which `pair`, with the result `found`, is in mesh, reduced by `nearer`, mm.
-fn meshes_to(
-    pair: &GearPair,
-    found: &Extremes,
-    nearer: f64,
-    (search, effort): (&Search<'_>, &Effort),
-) -> Result<Option<MeshesTo>, Error> {
-    if found.status != Status::NoContact {
-        return Ok(None);
+    /// The distance up to which `pair`, with the result `found`, is in mesh, reduced by `nearer`, mm.
+    fn meshes_to(
+        &self,
+        pair: &GearPair,
+        found: &Extremes,
+        nearer: f64,
+        (search, effort): (&Search<'_>, &Effort),
+    ) -> Result<Option<MeshesTo>, Error> {
+        if self.alone || found.status != Status::NoContact {
+            return Ok(None);
+        }
+        let to = MeshesTo::new(pair, found, search, effort)?;
+        Ok(to.map(|to| MeshesTo {
+            low: to.low - nearer,
+            high: to.high - nearer,
+            ..to
+        }))
     }
-    let to = MeshesTo::new(pair, found, search, effort)?;
-    Ok(to.map(|to| MeshesTo {
-        low: to.low - nearer,
-        high: to.high - nearer,
-        ..to
-    }))
 }
 
 /// Every centre distance and material in every assembly phase of the study: those of its listed matings, or all.
@@ -553,6 +561,7 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
                 phases: count,
                 open_lean: study.open_lean,
                 bearing_ends: study.bearing_ends,
+                alone: false,
             });
         }
     }

@@ -255,7 +255,32 @@ pub fn extremes(
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<CycleExtremes, Error> {
-    let plans = plans(study)?;
+    of_plans(study, plans(study)?, method, tick)
+}
+
+/// As [`extremes`], without the distances from which a pair assembles and up to which it is in mesh, and without losses along the face.
+/// Each of these takes several searches.
+///
+/// # Errors
+/// As [`super::simulate::simulate`].
+pub fn extremes_alone(
+    study: &Study,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<CycleExtremes, Error> {
+    let mut plans = plans(study)?;
+    for plan in &mut plans {
+        plan.alone = true;
+    }
+    of_plans(study, plans, method, tick)
+}
+
+fn of_plans(
+    study: &Study,
+    plans: Vec<Planned>,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<CycleExtremes, Error> {
     let found = parallel::map(0..plans.len() as u64, |index| {
         Error::if_stopped(tick())?;
         let plan = &plans[index as usize];

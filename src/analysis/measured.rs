@@ -77,11 +77,10 @@ pub struct MeasuredTally {
 impl MeasuredTally {
     /// A tally without poses.
     pub fn new(study: &Study) -> MeasuredTally {
-        let materials = study.materials.iter();
-        let keys = materials.flat_map(|(material, ..)| {
-            study.measured.iter().map(|row| {
+        let keys = study.material_names().flat_map(|material| {
+            study.measured.iter().map(move |row| {
                 let distance = row.center_distance.to_bits();
-                (distance, *material, row.wheel_tooth, row.pinion_tooth)
+                (distance, material, row.wheel_tooth, row.pinion_tooth)
             })
         });
         MeasuredTally {
@@ -179,7 +178,7 @@ pub fn bands(
 impl Bands {
     /// From the thickest to the thinnest material of `study`.
     fn of(study: &Study, means: impl Fn(Material) -> Means) -> Bands {
-        let (thick, thin) = match study.materials.len() {
+        let (thick, thin) = match study.material_count() {
             1 => (Material::AsMeasured, Material::AsMeasured),
             _ => (Material::Most, Material::Least),
         };

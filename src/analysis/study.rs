@@ -154,26 +154,29 @@ impl Study {
             materials: vec![(Material::AsMeasured, wheel.clone(), pinion.clone())],
             face: pair.face(),
             lean: pair.lean(),
-            ..Study::plain(title, pair.locked(), vec![pair.center_distance()], sweep)
+            sweep: Some(sweep),
+            ..Study::plain(title, pair.locked(), vec![pair.center_distance()])
         }
     }
 
-    /// The poses `sweep` of a pair with a drawn gear, with its wheel and pinion of each material at each centre distance, mm.
+    /// The poses `sweep` of a pair with a drawn gear, with its wheel and pinion of each material at each centre distance, mm. Without
+    /// `sweep`, exactly the rows of [`Study::measured`].
     pub fn of_drawn(
         title: &str,
         gears: Vec<(Material, OutlineGear, OutlineGear)>,
         locked: Member,
         center_distances: Vec<f64>,
-        sweep: SweepPlan,
+        sweep: impl Into<Option<SweepPlan>>,
     ) -> Study {
         Study {
             drawn: gears,
-            ..Study::plain(title, locked, center_distances, sweep)
+            sweep: sweep.into(),
+            ..Study::plain(title, locked, center_distances)
         }
     }
 
     /// A study without gears, with the defaults of a pair file.
-    fn plain(title: &str, locked: Member, center_distances: Vec<f64>, sweep: SweepPlan) -> Study {
+    fn plain(title: &str, locked: Member, center_distances: Vec<f64>) -> Study {
         Study {
             title: title.to_owned(),
             materials: Vec::new(),
@@ -186,7 +189,7 @@ impl Study {
             center_distances,
             band: None,
             bearing_clearance: 0.0,
-            sweep: Some(sweep),
+            sweep: None,
             all_phases: false,
             measured: Vec::new(),
             chord: 1e-5,
@@ -228,9 +231,16 @@ impl Study {
         !self.drawn.is_empty()
     }
 
+    /// Its materials.
+    pub fn material_names(&self) -> impl Iterator<Item = Material> + '_ {
+        let drawn = self.drawn.iter().map(|(material, ..)| *material);
+        let data = self.materials.iter().map(|(material, ..)| *material);
+        data.chain(drawn)
+    }
+
     /// Number of materials.
     pub fn material_count(&self) -> usize {
-        self.materials.len() + self.drawn.len()
+        self.material_names().count()
     }
 
     /// Keeps only the pairs of `material`.

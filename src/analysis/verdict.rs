@@ -122,7 +122,7 @@ impl<'a> Verdict<'a> {
     /// Expanded uncertainty of an extreme's `j_wt`, mm, if uncertainties are stated.
     pub fn expanded(&self, extreme: &RunExtreme) -> Option<f64> {
         self.uncertainty?
-            .of(extreme.assembly.data()?, &extreme.pose.simulated)
+            .of(&extreme.assembly, &extreme.pose.simulated)
     }
 
     /// Whether the pair assembles at every run; `None` if unproven.

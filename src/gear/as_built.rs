@@ -396,8 +396,12 @@ impl AsBuilt {
 
     /// Displacement of the outline's centre from the axis, mm, with tooth 1 turned to the angle `tooth_1`.
     pub fn displacement(&self, tooth_1: f64) -> Vector2<f64> {
-        UnitComplex::new(tooth_1 + self.tooth_angle(self.high_tooth))
-            * Vector2::new(self.eccentricity, 0.0)
+        self.eccentricity * self.displacement_direction(tooth_1)
+    }
+
+    /// The direction of the high tooth, with tooth 1 turned to the angle `tooth_1`.
+    pub fn displacement_direction(&self, tooth_1: f64) -> Vector2<f64> {
+        UnitComplex::new(tooth_1 + self.tooth_angle(self.high_tooth)) * Vector2::x()
     }
 
     /// Wobble: lean of the teeth's axis from the rotation axis, mm per mm.

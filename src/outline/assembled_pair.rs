@@ -4,7 +4,7 @@ use super::pair::OutlinePair;
 use crate::error::Error;
 use crate::gear::Face;
 use crate::pair::{GearPair, Mating, Member, Pose, ToothNumbers};
-use nalgebra::Point2;
+use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 
 /// Two gears at a centre distance.
@@ -147,6 +147,22 @@ impl AssembledPair {
     /// Rotation axis, mm.
     pub fn axis(&self, member: Member) -> Point2<f64> {
         member.axis(self.center_distance())
+    }
+
+    /// The direction in which a gear's outline is displaced from its axis at `pose`; `None` for a drawn gear that is not displaced.
+    pub fn displaced_towards(&self, member: Member, pose: &Pose) -> Option<Vector2<f64>> {
+        let rotation = pose.rotation(self, member);
+        match self {
+            AssembledPair::Data(pair) => {
+                let gear = pair.gear(member);
+                let tooth_1 = member.mate_direction() + rotation;
+                Some(gear.displacement_direction(tooth_1))
+            }
+            AssembledPair::Drawn(pair) => {
+                let displaced = pair.centre(member, rotation) - pair.axis(member);
+                displaced.try_normalize(0.0)
+            }
+        }
     }
 
     /// The pose of `mating`.

@@ -213,7 +213,7 @@ impl Pose {
     }
 
     /// Rotation of one of the gears of `assembly`, rad; that of the free gear is nominal.
-    pub fn rotation(&self, assembly: &GearPair, member: Member) -> f64 {
+    pub fn rotation(&self, assembly: &impl ToothNumbers, member: Member) -> f64 {
         if member == assembly.locked() {
             self.locked_rotation
         } else {

@@ -10,13 +10,13 @@ use gearlash::contact::{Method, Status};
 use gearlash::outline::OutlineGear;
 use gearlash::pair::SweepPlan;
 
-fn extremes_of_outlines(study: &Study) -> RunExtremes {
+pub(super) fn extremes_of_outlines(study: &Study) -> RunExtremes {
     let on = || ControlFlow::Continue(());
     let found = extremes(study, Method::Exact { certify: true }, &on).unwrap();
     found.each.into_iter().next().unwrap()
 }
 
-fn study_of(pair: &GearPair) -> Study {
+pub(super) fn study_of(pair: &GearPair) -> Study {
     let gear = |member| OutlineGear::from(pair.gear(member));
     Study::of_drawn(
         "outlines",

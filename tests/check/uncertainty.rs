@@ -1,6 +1,7 @@
 //! The expanded uncertainty of an extreme beside the spread of redrawn inputs: the propagation of JCGM 100 against sampling as in
 //! JCGM 101, which shares nothing with it but the gears.
 
+use super::outlines::{extremes_of_outlines, study_of};
 use super::*;
 use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::gear::Hand;
@@ -108,10 +109,7 @@ fn hold(pairs: u32, redraws: u32, helix_deg: f64) {
         let run = extremes_of(&pair);
         let told = [&run.least, &run.greatest].map(|extreme| {
             uncertainty
-                .of(
-                    run.assembly.data().unwrap(),
-                    &extreme.as_ref().unwrap().pose.simulated,
-                )
+                .of(&run.assembly, &extreme.as_ref().unwrap().pose.simulated)
                 .unwrap()
         });
         let mut sums = [[0.0; 2]; 2];
@@ -147,6 +145,34 @@ fn the_uncertainty_is_that_of_redrawn_inputs() {
 #[test]
 fn the_uncertainty_of_helical_pairs_is_that_of_redrawn_inputs() {
     hold(2, 2000, 18.0);
+}
+
+/// Of gears by their data and by the outlines of these: the arms and normals of the same contacts.
+#[test]
+fn outlines_have_the_uncertainty_of_their_data() {
+    let mut random = Random(44);
+    for _ in 0..3 {
+        let pair = Inputs::draw(&mut random, 0.0).pair();
+        let drawn = extremes_of_outlines(&study_of(&pair));
+        let data = extremes_of(&pair);
+        let uncertainty = Uncertainty {
+            runout: 2e-3,
+            center_distance: 3e-3,
+            coverage: 2.0,
+            ..Uncertainty::default()
+        };
+        for (drawn, data) in [
+            (&drawn.least, &data.least),
+            (&drawn.greatest, &data.greatest),
+        ] {
+            let [drawn, data] = [drawn, data].map(|extreme| {
+                let extreme = extreme.as_ref().unwrap();
+                let of = uncertainty.of(&extreme.assembly, &extreme.pose.simulated);
+                of.unwrap()
+            });
+            assert!((drawn / data - 1.0).abs() < 1e-3, "{drawn} {data}");
+        }
+    }
 }
 
 /// As issue 14 asks; some minutes.

@@ -37,10 +37,15 @@ pub struct PairTables<'a> {
     wheel: GearPart,
     pinion: GearPart,
     assembly: Option<AssemblySpec>,
+    poses: PosesRead,
+    tolerance: Option<Option<ToleranceSpec>>,
+}
+
+/// `[sweep]` and `[measured]`: `None` for a table with a problem, `Some(None)` for an absent one.
+pub(crate) struct PosesRead {
     measured: Option<Option<Measured>>,
     /// `Some(None)`: exactly the measured rows are run.
     sweep: Option<Option<Sweep>>,
-    tolerance: Option<Option<ToleranceSpec>>,
 }
 
 impl<'a> PairTables<'a> {
@@ -49,21 +54,10 @@ impl<'a> PairTables<'a> {
         let file = Checked::new(&PAIR, tree.table());
         let wheel = GearPart::read(&file, "wheel");
         let pinion = GearPart::read(&file, "pinion");
-        let teeth = (wheel.teeth, pinion.teeth);
-        let with_measured = file.means("measured");
-        let rows_only = with_measured && !file.means("sweep");
+        let poses = PosesRead::new(&file, (wheel.teeth, pinion.teeth));
         PairTables {
-            assembly: assembly::read(&file, !rows_only),
-            measured: if with_measured {
-                Measured::read(&file, teeth).map(Some)
-            } else {
-                Some(None)
-            },
-            sweep: if rows_only {
-                Some(None)
-            } else {
-                Sweep::read(&file, teeth).map(Some)
-            },
+            assembly: assembly::read(&file, !rows_only(&file)),
+            poses,
             tolerance: tolerance_table::tolerance(&file),
             file,
             path: tree.path,
@@ -77,9 +71,18 @@ impl<'a> PairTables<'a> {
         let table = self.table().clone();
         let mut warnings = [&self.wheel.warnings[..], &self.pinion.warnings].concat();
         let mut remarks = [&self.wheel.remarks[..], &self.pinion.remarks].concat();
-        let stated = self.distances(&mut warnings);
+        let base_radii = self.base_radii();
+        let assembly = self.assembly.as_ref();
+        let stated = assembly.and_then(|assembly| {
+            self.poses
+                .distances(&table, assembly, base_radii, &mut warnings)
+        });
         let center_distances = stated.as_ref().map(CenterDistanceSpec::distances_mm);
-        self.check_poses(center_distances.as_deref())?;
+        let is_band = [&self.wheel.as_built, &self.pinion.as_built]
+            .iter()
+            .any(|gear| gear.as_ref().is_some_and(|gear| gear.is_band()));
+        self.poses
+            .check_count(&table, center_distances.as_deref(), is_band)?;
         let (stated, mut center_distances) = (stated?, center_distances?);
         let mut band = stated.band_mm();
         let assembly = self.assembly.clone()?;
@@ -96,7 +99,7 @@ impl<'a> PairTables<'a> {
             remarks.push("assembly.misalignment: least and greatest of the verdict are over all deviations up to max, in either sense; single poses have none".to_owned());
         }
         if assembly.holds_at() != 0.0 && lean != [0.0; 2] {
-            self.check_rows("assembly.misalignment.at_mm")?;
+            self.poses.check_rows(&table, "assembly.misalignment.at_mm")?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
                 *mm = assembly.in_measuring_plane(*mm);
             }
@@ -113,7 +116,7 @@ impl<'a> PairTables<'a> {
         let gears = [&self.wheel, &self.pinion];
         let temperature = Temperature::read(&table, &assembly, gears)?;
         if temperature.is_some() {
-            self.check_rows("assembly.temperature_c")?;
+            self.poses.check_rows(&table, "assembly.temperature_c")?;
         }
         remarks.extend(table.reading().take_remarks());
         if let Some(temperature) = temperature {
@@ -180,7 +183,8 @@ impl<'a> PairTables<'a> {
             }
         }
         let (locked, bearings) = (assembly.locked, assembly.bearing_clearance_mm);
-        let (measured, sweep, tolerance) = (self.measured?, self.sweep?, self.tolerance?);
+        let (measured, sweep, tolerance) =
+            (self.poses.measured?, self.poses.sweep?, self.tolerance?);
         let accuracy: AccuracySpec = self.file.read("accuracy")?.unwrap_or_default();
         let compare: CompareSpec = self.file.read("compare")?.unwrap_or_default();
         let require: Option<RequireSpec> = self.file.read("require")?;
@@ -223,7 +227,7 @@ impl<'a> PairTables<'a> {
         let uncertainty = uncertainty.zip(gears).map(|(stated, (_, wheel, pinion))| {
             stated.of_pair(
                 &spec.assembly,
-                [(&spec.wheel, wheel), (&spec.pinion, pinion)],
+                [Some((&spec.wheel, wheel)), Some((&spec.pinion, pinion))],
             )
         });
         let study = Study {
@@ -266,31 +270,64 @@ impl<'a> PairTables<'a> {
         self.file.table()
     }
 
+    /// The sum of both base radii, mm, after the checks of values that the gears share.
+    fn base_radii(&self) -> Option<f64> {
+        assembly::check_shared(self.table(), &self.wheel, &self.pinion)?;
+        Some(self.wheel.base_radius()? + self.pinion.base_radius()?)
+    }
+}
+
+/// Whether exactly the measured rows are run.
+pub(crate) fn rows_only(file: &Checked) -> bool {
+    file.means("measured") && !file.means("sweep")
+}
+
+impl PosesRead {
+    /// Reads both tables of `file`, a pair of gears with `teeth` teeth.
+    pub(crate) fn new(file: &Checked, teeth: (Option<u32>, Option<u32>)) -> PosesRead {
+        PosesRead {
+            measured: if file.means("measured") {
+                Measured::read(file, teeth).map(Some)
+            } else {
+                Some(None)
+            },
+            sweep: if rows_only(file) {
+                Some(None)
+            } else {
+                Sweep::read(file, teeth).map(Some)
+            },
+        }
+    }
+
+    /// The tables without problems: the measured rows, and the poses besides.
+    pub(crate) fn tables(self) -> Option<(Option<Measured>, Option<Sweep>)> {
+        Some((self.measured?, self.sweep?))
+    }
+
     /// Reports the `key` that changes centre distances beside measured rows, which state their own.
-    fn check_rows(&self, key: &str) -> Option<()> {
+    fn check_rows(&self, table: &Table, key: &str) -> Option<()> {
         if self.measured.as_ref()?.is_none() {
             return Some(());
         }
-        self.table().refuse(
+        table.refuse(
             key,
             "given together with measured, whose rows state their own centre distances",
             "remove one or the other",
         )
     }
 
-    /// The centre distances to run, a list in ascending order, checked against the base circles.
-    fn distances(&self, warnings: &mut Vec<String>) -> Option<CenterDistanceSpec> {
-        let file = self.table();
-        let shared = assembly::check_shared(file, &self.wheel, &self.pinion);
-        let base_radii = match (shared, self.wheel.base_radius(), self.pinion.base_radius()) {
-            (Some(()), Some(wheel), Some(pinion)) => Some(wheel + pinion),
-            _ => None,
-        };
-        let assembly = self.assembly.as_ref()?;
+    /// The centre distances to run, a list in ascending order. They are checked against the sum of `base_radii`, mm, if it is known.
+    pub(crate) fn distances(
+        &self,
+        file: &Table,
+        assembly: &AssemblySpec,
+        base_radii: Option<f64>,
+        warnings: &mut Vec<String>,
+    ) -> Option<CenterDistanceSpec> {
         let given = &assembly.center_distance_mm;
         let mut stated = match (&self.sweep, self.measured.as_ref()?) {
             (Some(None), Some(measured)) => {
-                let list = self.measured_distances(measured, base_radii);
+                let list = measured_distances(measured, base_radii);
                 let given = given.distances_mm();
                 if !given.is_empty()
                     && (given.len() != list.len() || list.iter().any(|mm| !given.contains(mm)))
@@ -323,33 +360,14 @@ impl<'a> PairTables<'a> {
         Some(stated)
     }
 
-    fn measured_distances(&self, measured: &Measured, base_radii: Option<f64>) -> Vec<f64> {
-        let list = measured.distances();
-        measured.file.list(|| {
-            for &(line, a) in &list {
-                if let Some(reason) = base_radii.and_then(|sum| assembly::overlap(a, sum)) {
-                    let help = "correct the line, or remove it";
-                    measured.file.add_at(line, reason, help);
-                }
-            }
-            Some(())
-        });
-        if let Some((line, _)) = list.get(MOST_DISTANCES) {
-            measured.file.add_at(
-                *line,
-                "one centre distance too many, allowed are up to 10 000",
-                "split the file",
-            );
-        }
-        list.into_iter().map(|(_, a)| a).collect()
-    }
-
-    /// Reports a study of too many poses.
-    fn check_poses(&self, distances: Option<&[f64]>) -> Option<()> {
-        let bands = [&self.wheel.as_built, &self.pinion.as_built]
-            .iter()
-            .any(|gear| gear.as_ref().is_some_and(|gear| gear.is_band()));
-        let materials = 1 + u64::from(bands);
+    /// Reports a study of too many poses; `is_band`: it has least and most material.
+    pub(crate) fn check_count(
+        &self,
+        table: &Table,
+        distances: Option<&[f64]>,
+        is_band: bool,
+    ) -> Option<()> {
+        let materials = 1 + u64::from(is_band);
         let (poses, key) = match (self.sweep.as_ref()?, self.measured.as_ref()?) {
             (Some(sweep), _) => {
                 let runs = distances.map_or(1, <[f64]>::len) as u64 * materials;
@@ -361,7 +379,7 @@ impl<'a> PairTables<'a> {
         if poses <= MOST_POSES {
             return Some(());
         }
-        self.table().refuse(
+        table.refuse(
             key,
             format!(
                 "{poses} poses over all centre distances and materials, about {} of result, allowed are up to 10 million, {}",
@@ -371,6 +389,28 @@ impl<'a> PairTables<'a> {
             "take fewer steps_per_pitch or fractions, or split the centre distances over several files",
         )
     }
+}
+
+/// The centre distances of measured rows, checked against the sum of `base_radii`, mm, if it is known.
+fn measured_distances(measured: &Measured, base_radii: Option<f64>) -> Vec<f64> {
+    let list = measured.distances();
+    measured.file.list(|| {
+        for &(line, a) in &list {
+            if let Some(reason) = base_radii.and_then(|sum| assembly::overlap(a, sum)) {
+                let help = "correct the line, or remove it";
+                measured.file.add_at(line, reason, help);
+            }
+        }
+        Some(())
+    });
+    if let Some((line, _)) = list.get(MOST_DISTANCES) {
+        measured.file.add_at(
+            *line,
+            "one centre distance too many, allowed are up to 10 000",
+            "split the file",
+        );
+    }
+    list.into_iter().map(|(_, a)| a).collect()
 }
 
 /// The stem of the file at `path`, and its title if it has one.

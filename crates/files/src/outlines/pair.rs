@@ -6,25 +6,25 @@ use crate::assembly;
 use crate::check::Checked;
 use crate::gear::{GearPart, materials as of_materials};
 use crate::gear_file;
-use crate::pair_file::names;
+use crate::measured::Measured;
+use crate::pair_file::{PosesRead, names, rows_only};
 use crate::read::{AnyGears, AnyPair, GearEntry, PairFile};
 use crate::spec::{
-    AssemblySpec, CenterDistanceSpec, EitherGearSpec, GEAR, PAIR, PairSpec, RequireSpec, SweepSpec,
+    AssemblySpec, CenterDistanceSpec, EitherGearSpec, GEAR, PAIR, PairSpec, RequireSpec,
+    UncertaintySpec,
 };
-use crate::sweep::Sweep;
 use gearlash::analysis::study::{Material, Study};
+use gearlash::gear::AsBuilt;
 use gearlash::outline::{OutlineGear, OutlinePair};
 use std::path::Path;
 
 /// Tables that do not apply to an outline, and why.
-const LEFT_OUT: [(&str, &str); 5] = [
+const LEFT_OUT: [(&str, &str); 3] = [
     (
         "accuracy",
         "cuts no polygons: its curves are searched as drawn",
     ),
     ("compare", "has no formula to compare with"),
-    ("measured", "has no measured rows beside it yet"),
-    ("uncertainty", "has no readings with an uncertainty"),
     ("tolerance", "does not scatter yet"),
 ];
 
@@ -47,6 +47,8 @@ const NOT_REQUIRED: [(&str, &str); 3] = [
 /// One gear, in one or both materials.
 struct Part {
     gears: Vec<(Material, OutlineGear)>,
+    /// A gear given by its data, the thickest.
+    data: Option<AsBuilt>,
     read: Option<DrawingRead>,
     spec: EitherGearSpec,
     warnings: Vec<String>,
@@ -69,10 +71,11 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
     }
     let [wheel, pinion] = ["wheel", "pinion"].map(|name| part(&file, name));
     let teeth = [&wheel, &pinion].map(|part| part.as_ref().map(|part| part.gears[0].1.teeth()));
-    let assembly = assembly::read(&file, true);
-    let sweep = Sweep::read(&file, (teeth[0], teeth[1]));
+    let assembly = assembly::read(&file, !rows_only(&file));
+    let poses = PosesRead::new(&file, (teeth[0], teeth[1]));
     let require = required(&file);
-    let (assembly, sweep, require) = (assembly?, sweep?, require?);
+    let uncertainty = uncertain(&file, [&wheel, &pinion]);
+    let (assembly, require) = (assembly?, require?);
     let locked = assembly.locked;
     let refused = [
         (
@@ -106,20 +109,18 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
             "scale drawings and centre distance by 1 + expansion × (temperature − 20)",
         ),
     ];
-    if table.has("sweep.extremes") {
-        table.add(
-            "sweep.extremes",
-            "extremes of drawn gears are those of the phase of the listed poses",
-            "leave it out",
-        );
-    }
     for (key, _, reason, help) in refused.iter().filter(|(_, stated, ..)| *stated) {
         table.add(&format!("assembly.{key}"), *reason, *help);
     }
     let (wheel, pinion) = (wheel?, pinion?);
     tree.reading.is_good().then_some(())?;
-    let mut distances = assembly.center_distance_mm.distances_mm();
-    distances.sort_by(f64::total_cmp);
+    let mut warnings = [&wheel.warnings[..], &pinion.warnings].concat();
+    let stated = poses.distances(table, &assembly, None, &mut warnings)?;
+    let distances = stated.distances_mm();
+    let is_band = wheel.gears.len().max(pinion.gears.len()) > 1;
+    poses.check_count(table, Some(&distances), is_band)?;
+    let (measured, sweep) = poses.tables()?;
+    warnings.extend(measured.as_ref().and_then(Measured::equal_rows));
     for &distance in &distances {
         let pair = OutlinePair::new(
             wheel.gears[0].1.clone(),
@@ -136,9 +137,23 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
         }
     }
     let gears = materials(&wheel, &pinion);
-    let mut study = Study::of_drawn(&title?, gears, locked, distances, sweep.plan);
-    study.bearing_clearance = assembly.bearing_clearance_mm.sum_mm();
-    study.requirements = require.map_or_else(Vec::new, |require| require.requirements());
+    let uncertainty = uncertainty?;
+    let data = [&wheel, &pinion].map(|part| match &part.spec {
+        EitherGearSpec::Data(spec) => part.data.as_ref().map(|gear| (&**spec, gear)),
+        EitherGearSpec::Outline(_) => None,
+    });
+    let measured_spec = measured.as_ref().map(Measured::spec);
+    let (sweep_spec, plan) = sweep.map(|sweep| (sweep.spec, sweep.plan)).unzip();
+    let study = Study {
+        bearing_clearance: assembly.bearing_clearance_mm.sum_mm(),
+        requirements: require.map_or_else(Vec::new, |require| require.requirements()),
+        all_phases: sweep_spec
+            .as_ref()
+            .is_some_and(|sweep| sweep.extremes.is_some()),
+        measured: measured.map_or_else(Vec::new, Measured::into_rows),
+        uncertainty: uncertainty.map(|stated| stated.of_pair(&assembly, data)),
+        ..Study::of_drawn(&title?, gears, locked, distances, plan)
+    };
     Some(PairFile {
         stem,
         drawings: [wheel.read, pinion.read],
@@ -148,21 +163,19 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
             pinion: pinion.spec,
             assembly: AssemblySpec {
                 housing_expansion_per_k: None,
+                center_distance_mm: stated,
                 ..assembly
             },
-            measured: None,
-            sweep: Some(SweepSpec {
-                extremes: None,
-                ..sweep.spec
-            }),
+            measured: measured_spec,
+            sweep: sweep_spec,
             accuracy: None,
             compare: None,
             require,
-            uncertainty: None,
+            uncertainty,
             tolerance: None,
         },
         study,
-        warnings: [wheel.warnings, pinion.warnings].concat(),
+        warnings,
         remarks: [wheel.remarks, pinion.remarks].concat(),
         sources: tree.reading.sources(),
     })
@@ -184,6 +197,24 @@ fn required(file: &Checked) -> Option<Option<RequireSpec>> {
     }
 }
 
+/// `[uncertainty]`, limited to quantities that the gears have.
+fn uncertain(file: &Checked, gears: [&Option<Part>; 2]) -> Option<Option<UncertaintySpec>> {
+    let stated: Option<UncertaintySpec> = file.read("uncertainty")?;
+    let has_data = |part: &&Option<Part>| part.as_ref().is_none_or(|part| part.data.is_some());
+    if gears.iter().any(has_data) {
+        return Some(stated);
+    }
+    let keys: Vec<&str> = stated.iter().flat_map(UncertaintySpec::of_data).collect();
+    for key in &keys {
+        file.table().add(
+            &format!("uncertainty.{key}"),
+            "an outline has no such reading",
+            "leave it out: runout_um and center_distance_um apply",
+        );
+    }
+    keys.is_empty().then_some(stated)
+}
+
 fn part(file: &Checked, name: &str) -> Option<Part> {
     if file.table().has(&format!("{name}.outline")) {
         let OutlinePart {
@@ -194,6 +225,7 @@ fn part(file: &Checked, name: &str) -> Option<Part> {
         } = gear::read(file, name)?;
         return Some(Part {
             gears: of_materials(&gears, OutlineGear::clone),
+            data: None,
             read: Some(read),
             spec: EitherGearSpec::Outline(Box::new(spec)),
             warnings: Vec::new(),
@@ -204,6 +236,7 @@ fn part(file: &Checked, name: &str) -> Option<Part> {
     let built = data.as_built?;
     Some(Part {
         gears: of_materials(&built, |gear| gear.into()),
+        data: Some(built.most().clone()),
         read: None,
         spec: EitherGearSpec::Data(Box::new(data.spec?)),
         warnings: data.warnings,

@@ -63,21 +63,30 @@ impl Default for UncertaintySpec {
 }
 
 impl UncertaintySpec {
-    /// In mm for the library, with the thickness of each gear by its statement.
+    /// In mm for the library. A gear given by data has its thickness by its statement; `None`: a drawn gear.
     pub(crate) fn of_pair(
         &self,
         assembly: &AssemblySpec,
-        gears: [(&GearSpec, &AsBuilt); 2],
+        gears: [Option<(&GearSpec, &AsBuilt)>; 2],
     ) -> Uncertainty {
         let mm = 1e-3;
+        let each = |of: &dyn Fn(&GearSpec, &AsBuilt) -> f64| {
+            gears.map(|gear| gear.map_or(0.0, |(spec, gear)| of(spec, gear)))
+        };
         Uncertainty {
-            base_thickness: gears
-                .map(|(spec, gear)| spec.scale() * self.base_thickness(&spec.thickness, gear)),
-            per_tooth: self.per_tooth_um * mm,
-            pitch: self.pitch_um * mm,
+            base_thickness: each(&|spec, gear| {
+                spec.scale() * self.base_thickness(&spec.thickness, gear)
+            }),
+            per_tooth: each(&|_, gear| {
+                self.per_tooth_um * mm * thickness::per_normal_thickness(gear.gear().basic_data())
+            }),
+            pitch: each(&|_, gear| {
+                let angle = gear.gear().basic_data().transverse_pressure_angle();
+                self.pitch_um * mm * angle.cos()
+            }),
+            lead: each(&|_, _| self.lead_um.unwrap_or(0.0) * mm),
             runout: self.runout_um * mm,
             center_distance: self.center_distance_um * mm,
-            lead: self.lead_um.unwrap_or(0.0) * mm,
             lean: self
                 .misalignment_um
                 .zip(assembly.over_mm())
@@ -85,6 +94,21 @@ impl UncertaintySpec {
             distance_at: assembly.holds_at(),
             coverage: self.coverage_factor,
         }
+    }
+
+    /// The keys stated that concern gears given by data alone.
+    pub(crate) fn of_data(&self) -> impl Iterator<Item = &'static str> {
+        let keys = [
+            ("span_um", self.span_um),
+            ("over_pins_um", self.over_pins_um),
+            ("allowance_um", self.allowance_um),
+            ("per_tooth_um", self.per_tooth_um),
+            ("pitch_um", self.pitch_um),
+            ("lead_um", self.lead_um.unwrap_or(0.0)),
+            ("misalignment_um", self.misalignment_um.unwrap_or(0.0)),
+        ];
+        let stated = keys.into_iter().filter(|(_, um)| *um > 0.0);
+        stated.map(|(key, _)| key)
     }
 
     /// Standard uncertainty of `s_bt`, mm. A span measures `s_bt cos β_b`. A thicker tooth lifts pins: the slope of that lift

@@ -283,8 +283,7 @@ fn uncertain_leads_and_shafts_widen_the_result() {
         .unwrap();
         let least = found.each[0].least.as_ref().unwrap();
         let stated = file.study.uncertainty.unwrap();
-        let pair = least.assembly.data().unwrap();
-        let um = 1e3 * stated.of(pair, &least.pose.simulated).unwrap();
+        let um = 1e3 * stated.of(&least.assembly, &least.pose.simulated).unwrap();
         assert!(
             (um - expected).abs() < 1e-9,
             "{uncertain}: {um}, {expected}"

@@ -35,6 +35,7 @@ mod tolerance;
 pub mod viewer;
 
 pub use chart::PictureError;
+pub use kit::dark_style;
 pub use map::{backlash_map_picture, map_picture};
 pub use match_map::match_map;
 pub use report::{Report, ToleranceReport, report, tolerance_report};

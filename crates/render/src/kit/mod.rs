@@ -11,6 +11,7 @@ mod occupied;
 mod paint;
 mod plot;
 pub mod scale;
+mod scheme;
 mod sheet;
 mod text;
 
@@ -20,5 +21,6 @@ pub use marks::{around, arrow, cross, diamond, disc, dot, hatch, shaded, square,
 pub use occupied::{CLEAR, Occupied};
 pub use paint::{ACTION, GAP, GREY, HATCH, INK, OVERLAP, PATH, PINION, WHEEL};
 pub use plot::{Axis, NUMBERS, Plot, axes, grid};
+pub use scheme::dark_style;
 pub use sheet::{FONTS, HEIGHT, Ids, UNITS_PER_MM, WIDTH, blank_sheet, line, path_data, polygon};
 pub use text::{Anchor, TextStyle, room};

@@ -1,6 +1,7 @@
 //! The frame of every page: style, heading, contents, foot.
 
 use super::phrases::plain;
+use crate::kit::dark_style;
 use crate::viewer;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -32,6 +33,7 @@ impl PageFrame<'_> {
                     meta name="generator" content=(format!("gearlash {}", env!("CARGO_PKG_VERSION")));
                     title { (title) " – backlash" }
                     style { (style) }
+                    (PreEscaped(dark_style(&main.0)))
                 }
                 body {
                     (self.head(&title))

@@ -2,6 +2,7 @@
 
 use super::mesh::Mesh;
 use super::viewed::{Shown, Viewed};
+use crate::kit::dark_style;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::simulate::Run;
 use gearlash::analysis::study::{Material, Study};
@@ -55,7 +56,8 @@ impl<'a> LivePose<'a> {
     /// The picture with its controls, for `mesh.js`.
     pub fn html(&self) -> String {
         let mesh = self.mesh().map(|mesh| mesh.html(""));
-        mesh.unwrap_or_default()
+        let html = mesh.unwrap_or_default();
+        dark_style(&html) + &html
     }
 
     /// The columns that `mesh.js` moves the picture by.

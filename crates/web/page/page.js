@@ -53,10 +53,12 @@
 
   // Work that newer work may end.
   const quietly = (work) => work.catch((fault) => { if (fault !== STOPPED) fail(fault); });
-  const fail = (fault) => showProblems([{ reason: `an internal fault: ${fault.message}`, help: "report it with this pair file" }]);
+  const fail = (fault) => showProblems([{ reason: `an internal fault: ${fault.message}`, help: `report it with this pair file and the version, ${document.querySelector("meta[name=generator]").content}` }]);
 
   // ---- files: names and bytes; one of them is the pair file in the editor
   const files = new Map();
+  // The names of an example, which another pair replaces.
+  let ofExample = [];
   let main = "pair.toml";
   const text = byId("text");
   const isText = (name) => /\.(toml|json)$/i.test(name);
@@ -92,6 +94,11 @@
 
   async function take(given) {
     const added = [];
+    const names = Array.from(given, ({ name }) => name);
+    if (names.some(isText) || names.filter(isDrawing).length === 2) {
+      for (const name of ofExample) files.delete(name);
+      ofExample = [];
+    }
     for (const file of given) {
       const most = isText(file.name) ? MOST_TEXT : MOST_BYTES;
       if (file.size > most) {
@@ -278,11 +285,6 @@
       ...qualifiers.map((line) => make("p", line)), make("p", proof, { className: "proof" }));
   }
 
-  function pictures(into, each) {
-    const drawn = (svg) => new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
-    into.replaceChildren(...each.map((svg) => document.importNode(drawn(svg), true)));
-  }
-
   function checks(table) {
     // A heading without words is no header.
     const cell = (tag) => (value, i) => make(value ? tag : "td", value, { className: table.left[i] ? "left" : "" });
@@ -303,7 +305,7 @@
     byId("found").hidden = false;
     byId("found").classList.remove("old");
     verdict(byId("verdict"), result.verdict);
-    pictures(byId("curve"), result.curve);
+    byId("curve").innerHTML = result.curve.join("");
     byId("remedies").textContent = result.remedies.trim();
     byId("checks").replaceChildren(...(result.checks ? checks(result.checks) : []));
     const notes = [...opened.warnings, ...opened.remarks];
@@ -355,6 +357,7 @@
     const a = distance();
     showBand(await answer("band", "live_band", a));
     byId("cycle").dataset.a = a;
+    byId("live").classList.toggle("behind", a !== distance());
     clearTimeout(resting);
     resting = setTimeout(() => {
       byId("spoken").textContent = `At ${distance()} mm: this mating ${byId("here").textContent}, whole cycle ${byId("cycle").textContent}`;
@@ -362,6 +365,7 @@
   });
 
   function live() {
+    byId("live").classList.toggle("behind", Number(byId("cycle").dataset.a) !== distance());
     livePose();
     liveBand();
   }
@@ -380,6 +384,9 @@
     const half = Math.max(0.5, Math.ceil(2 * Math.abs(at.fraction)) / 2);
     [fields.turn.min, fields.turn.max, fields.turn.value] = [-half, half, at.fraction];
     mesh = null;
+    byId("cycle").textContent = "…";
+    delete byId("cycle").dataset.a;
+    scale(null);
     live();
     marks(opened.marks);
   }
@@ -554,7 +561,9 @@
 
   function open(held) {
     files.clear();
-    for (const [name, content] of Object.entries(held.files)) files.set(name, Uint8Array.from(atob(content), (char) => char.charCodeAt(0)));
+    ofExample = Object.keys(held.texts ?? {});
+    for (const [name, content] of Object.entries(held.texts ?? {})) files.set(name, new TextEncoder().encode(content));
+    for (const [name, content] of Object.entries(held.files ?? {})) files.set(name, Uint8Array.from(atob(content), (char) => char.charCodeAt(0)));
     edit(held.main);
     calculate();
   }

@@ -10,13 +10,13 @@ use gearlash::analysis::{Analysis, Plan, Progress, extremes};
 use gearlash::contact::{Doubt, Method, PoseResult};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
-use gearlash::pair::{Mating, Member};
+use gearlash::pair::{Mating, Member, SweepPlan};
 use gearlash_files::numbers::{trimmed, um};
 use gearlash_files::outlines::{Drawings, OutlineOptions};
 use gearlash_files::{AnyPair, Files, InputError, import, read_files};
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::viewer::LivePose;
-use gearlash_render::{Report, pose_picture};
+use gearlash_render::{Report, dark_style, pose_picture};
 use gearlash_results::RemedyRecords;
 use gearlash_results::grades::grades;
 use gearlash_results::text::check::shown;
@@ -175,12 +175,10 @@ impl Page {
             return nothing_open();
         };
         let a = range(&pair.study)[end];
-        let found = without_clearance(&pair.study)
-            .at(vec![a])
-            .and_then(|study| {
-                let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
-                Ok(mark(&Verdict::of_study(&study, &found.each, Vec::new())))
-            });
+        let found = movable(&pair.study).at(vec![a]).and_then(|study| {
+            let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
+            Ok(mark(&Verdict::of_study(&study, &found.each, Vec::new())))
+        });
         // A pair without a result there has no mark.
         found.ok().flatten().into_iter().collect()
     }
@@ -339,19 +337,17 @@ impl Page {
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
-        let found = without_clearance(&pair.study)
-            .at(vec![a])
-            .and_then(|study| {
-                let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
-                let verdict = Verdict::of_study(&study, &found.each, Vec::new());
-                let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
-                let shown = lines(&verdict);
-                Ok(json!({
-                    "verdict": verdict_json(&shown),
-                    "least_um": value(verdict.least().map(|(_, least)| least.low)),
-                    "greatest_um": value(verdict.greatest().map(|(_, greatest)| greatest.high)),
-                }))
-            });
+        let found = movable(&pair.study).at(vec![a]).and_then(|study| {
+            let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
+            let verdict = Verdict::of_study(&study, &found.each, Vec::new());
+            let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
+            let shown = lines(&verdict);
+            Ok(json!({
+                "verdict": verdict_json(&shown),
+                "least_um": value(verdict.least().map(|(_, least)| least.low)),
+                "greatest_um": value(verdict.greatest().map(|(_, greatest)| greatest.high)),
+            }))
+        });
         found.unwrap_or_else(failed)
     }
 }
@@ -370,9 +366,19 @@ fn range(study: &Study) -> [f64; 2] {
     [least - 0.25 * (apart - least), apart].map(|mm| (mm * 1e3).round() / 1e3)
 }
 
-/// The study without bearing clearance: a stated distance is the distance of the axes.
-fn without_clearance(study: &Study) -> Study {
+/// The study for other centre distances: without bearing clearance, so that a stated distance is the distance of the axes, and with
+/// the matings of measured rows at each.
+fn movable(study: &Study) -> Study {
+    let measured = || SweepPlan::Matings {
+        matings: study
+            .measured
+            .iter()
+            .map(|row| (row.wheel_tooth, row.pinion_tooth))
+            .collect(),
+        fractions: vec![0.0],
+    };
     Study {
+        sweep: study.sweep.clone().or_else(|| Some(measured())),
         bearing_clearance: 0.0,
         ..study.clone()
     }
@@ -476,7 +482,7 @@ fn curve(analysis: &Analysis, verdict: &Verdict) -> Vec<String> {
     };
     chart::revolution(&heading, &course).map_or(Vec::new(), |chart| {
         let narrow = chart.narrow().svg;
-        vec![chart.svg, narrow]
+        vec![dark_style(&chart.svg) + &chart.svg, narrow]
     })
 }
 

@@ -19,9 +19,12 @@ pub struct Gearlash {
 
 #[wasm_bindgen]
 impl Gearlash {
-    /// No files and no pair.
+    /// No files and no pair. A panic becomes a fault in JavaScript, in its words.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Gearlash {
+        std::panic::set_hook(Box::new(|panic| {
+            wasm_bindgen::throw_str(&panic.to_string())
+        }));
         Gearlash::default()
     }
 

@@ -18,7 +18,16 @@ let steps = 0;
 Gearlash.on_progress(() => { steps += 1; });
 Gearlash.version();
 
+const times = [];
+const timed = (act) => {
+  const since = performance.now();
+  const answer = act();
+  times.at(-1).push(performance.now() - since);
+  return answer;
+};
+
 for (const files of cases) {
+  times.push([]);
   const one = wrapped(new program.Gearlash());
   one.add("gone.toml", new Uint8Array());
   one.clear();
@@ -27,11 +36,13 @@ for (const files of cases) {
   const answers = [one.open(main)];
   const opened = JSON.parse(answers[0]);
   if (opened.title !== undefined) {
-    const result = one.result();
+    const result = timed(() => one.result());
     const at = JSON.parse(result).start ?? { wheel: 1, pinion: 1, left: false, fraction: 0 };
     const a = opened.distances_mm[0];
     const place = [a, 0, at.wheel, at.pinion, at.left, at.fraction];
-    answers.push(result, one.mark_of_jam(), one.live_band(a), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
+    answers.push(result, one.mark_of_jam(), timed(() => one.live_band(a)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
+    // As the slider moves it, after the first.
+    timed(() => [one.live_band(a + 0.01), one.pose("live", a + 0.01, ...place.slice(1))]);
   } else {
     answers.push(one.understand(main), one.of_drawings(main, files.at(-1)[0], ""));
   }
@@ -45,4 +56,4 @@ last.open(name);
 process.stdout.write(`[${last.report("2026-01-01")},${last.mark_of_mesh()}]\n`);
 const all = [Object.getOwnPropertyNames(program.Gearlash.prototype), Object.getOwnPropertyNames(program.Gearlash)].flat();
 const own = all.filter((key) => !key.startsWith("__") && !["constructor", "free", "length", "name", "prototype"].includes(key));
-process.stdout.write(`${JSON.stringify({ uncalled: own.filter((key) => !called.has(key)), steps })}\n`);
+process.stdout.write(`${JSON.stringify({ uncalled: own.filter((key) => !called.has(key)), steps, times })}\n`);

@@ -6,27 +6,15 @@ use std::io::{BufRead, BufReader, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Instant;
 
-/// Pair files, each with all files of its folder.
-const PAIRS: [&str; 17] = [
-    "docs/files/drawing.toml",
-    "docs/files/sheet.toml",
-    "docs/files/jams.toml",
-    "docs/files/helical.toml",
-    "docs/files/helical_runout.toml",
-    "docs/files/joint.toml",
-    "docs/files/limits.toml",
-    "docs/files/printed.toml",
-    // No pair: its problems.
-    "docs/files/tolerances.toml",
-    "fixtures/karba_86x21.toml",
-    "fixtures/tip_on_fillet_86x21.toml",
-    "fixtures/profiled_44x44.toml",
-    "fixtures/grazing/land_on_land.toml",
-    "fixtures/grazing/passed_by.toml",
-    "fixtures/grazing/tips_just_meet_5_18.toml",
-    "fixtures/sheets/inspected_44x44.toml",
-    "fixtures/outlines/drawn_20x20.toml",
+/// Folders of pair files. Each file is opened with all files of its folder; of those that are no pair, the problems are compared.
+const FOLDERS: [&str; 5] = [
+    "docs/files",
+    "fixtures",
+    "fixtures/grazing",
+    "fixtures/sheets",
+    "fixtures/outlines",
 ];
 
 /// Files without a pair file.
@@ -52,17 +40,18 @@ fn named(path: PathBuf) -> (String, PathBuf) {
 }
 
 fn cases() -> Vec<Files> {
-    let with_folder = PAIRS.iter().map(|pair| {
-        let main = root().join(pair);
-        let folder = main.parent().expect("a file is in a folder");
-        let entries = std::fs::read_dir(folder).expect("an example is in the repository");
+    let with_folder = FOLDERS.iter().flat_map(|folder| {
+        let entries = std::fs::read_dir(root().join(folder)).expect("it is in the repository");
         let paths = entries.map(|entry| entry.expect("a folder can be read").path());
-        let mut others: Vec<PathBuf> = paths
-            .filter(|path| path.is_file() && *path != main)
-            .collect();
-        others.sort();
-        let files = [main].into_iter().chain(others);
-        files.map(named).collect()
+        let mut paths: Vec<PathBuf> = paths.filter(|path| path.is_file()).collect();
+        paths.sort();
+        let is_pair = |path: &&PathBuf| path.extension().is_some_and(|end| end == "toml");
+        let mains: Vec<PathBuf> = paths.iter().filter(is_pair).cloned().collect();
+        mains.into_iter().map(move |main| {
+            let others = paths.iter().filter(|path| **path != main).cloned();
+            let files = [main.clone()].into_iter().chain(others);
+            files.map(named).collect()
+        })
     });
     let alone = OTHERS.iter().map(|names| {
         let paths = names.iter().map(|name| root().join(name));
@@ -84,14 +73,16 @@ fn page(files: &Files) -> Page {
     page
 }
 
-/// The answers that the script asks for, natively.
-fn answers(files: &Files) -> Value {
+/// The answers that the script asks for, natively; the time of the verdict, ms, is added to `times`.
+fn answers(files: &Files, times: &mut Vec<f64>) -> Value {
     let mut page = page(files);
     let main = &files[0].0;
     let opened = page.open(main);
     let mut answers = vec![opened.clone()];
     if opened["title"].is_string() {
+        let since = Instant::now();
         let result = page.result(&silent);
+        times.push(since.elapsed().as_secs_f64() * 1e3);
         let a = opened["distances_mm"][0].as_f64().expect("a distance");
         let start = &result["start"];
         let tooth = |name: &str| start[name].as_u64().unwrap_or(1) as u32;
@@ -175,13 +166,16 @@ fn answers_under_node_are_the_native_ones() {
         .write_all(input.as_bytes())
         .expect("node reads its input");
     drop(stdin);
-    let mut lines = BufReader::new(node.stdout.take().expect("stdout is piped")).lines();
+    // All before the native answers, which would slow node down.
+    let lines = BufReader::new(node.stdout.take().expect("stdout is piped")).lines();
+    let mut lines = lines.collect::<Vec<_>>().into_iter();
     let mut next = || -> Value {
         let line = lines.next().expect("node answers").expect("text");
         serde_json::from_str(&line).expect("an answer is JSON")
     };
+    let mut native = Vec::new();
     for files in &cases {
-        assert_same(&answers(files), &next(), &files[0].0);
+        assert_same(&answers(files, &mut native), &next(), &files[0].0);
     }
     let mut page = page(&cases[0]);
     page.open(&cases[0][0].0);
@@ -190,5 +184,13 @@ fn answers_under_node_are_the_native_ones() {
     let last = next();
     assert_eq!(last["uncalled"], json!([]), "every function is called");
     assert!(last["steps"].as_u64() > Some(0), "progress is reported");
+    println!("verdict native and under node, first and next live answer with band, ms:");
+    let pairs = cases.iter().zip(last["times"].as_array().expect("times"));
+    let pairs = pairs.filter(|(_, times)| times[0].is_number());
+    for ((files, times), native) in pairs.zip(native) {
+        let [verdict, first, next] = [0, 1, 2].map(|i| times[i].as_f64().expect("a time"));
+        let name = &files[0].0;
+        println!("{name:25} {native:8.0} {verdict:8.0} {first:8.1} {next:8.1}");
+    }
     assert!(node.wait().expect("node ends").success());
 }

@@ -7,7 +7,7 @@ use data_encoding::BASE64;
 use gearlash::gear::Side;
 use gearlash::pair::Mating;
 use serde_json::{Value, json};
-use std::io::{Read, Write};
+use std::io::{Cursor, Read, Write};
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -550,8 +550,7 @@ pub fn page_tables_and_links_are_understood(browser: &Chromium, _: &Site) {
     tab.until("document.getElementById('understood-toml').textContent.includes('wheel.csv')");
     drop_files(&mut tab, &read(&["docs/files/jams.toml"]));
     settled(&mut tab);
-    tab.eval("document.querySelector('#files li:not(.now) button').click()");
-    settled(&mut tab);
+    assert!(!text(&mut tab, "files").contains("drawing.toml"));
     tab.eval("[...document.querySelectorAll('#files li:not(.now) button')].forEach((out) => out.click())");
     settled(&mut tab);
     let verdict = text(&mut tab, "verdict");
@@ -564,27 +563,61 @@ pub fn page_tables_and_links_are_understood(browser: &Chromium, _: &Site) {
     assert_eq!(text(&mut other, "verdict"), verdict);
 }
 
-/// Noise, a long file and a name with markup are problems in words; no script of theirs runs.
+/// A zip archive of one part that unpacks to 300 MiB.
+fn bomb() -> Vec<u8> {
+    let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    archive
+        .start_file("xl/workbook.xml", zip::write::SimpleFileOptions::default())
+        .and_then(|()| Ok((0..300).try_for_each(|_| archive.write_all(&[b' '; 1 << 20]))?))
+        .expect("an archive in memory");
+    archive.finish().expect("an archive in memory").into_inner()
+}
+
+/// Noise, long and nested files, archives and names with markup are problems in words; no script of theirs runs.
 pub fn page_hostile_files_are_problems(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, [1280, 900]);
-    let noise: Vec<u8> = (0..200_000u32)
-        .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
-        .collect();
-    let name = "<img src=x onerror=\"window.ran = true\">.toml";
-    let files = [
-        (name, noise.clone()),
-        ("long.toml", vec![b'#'; 3 << 20]),
-        (
-            "deep.toml",
-            format!("a = {}1{}", "[".repeat(10_000), "]".repeat(10_000)).into_bytes(),
-        ),
+    let noise = |size: u32| -> Vec<u8> {
+        let bytes = (0..size).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8);
+        bytes.collect()
+    };
+    let deep = format!("a = {}1{}", "[".repeat(10_000), "]".repeat(10_000));
+    let gear = "teeth = 20\nmodule_mm = 1\npressure_angle_deg = 20\n";
+    let book = format!(
+        "[wheel]\n{gear}pitch = {{ kind = \"single\", file = \"p.xlsx\" }}\n[pinion]\n{gear}[assembly]\ncenter_distance_mm = 20.1\n"
+    );
+    let marked = "<img src=x onerror=\"window.ran = true\">";
+    let mut archive_noise = b"PK\x03\x04".to_vec();
+    archive_noise.extend(noise(16 << 20));
+    let cases: [Vec<(String, Vec<u8>)>; 6] = [
+        vec![(format!("{marked}.toml"), noise(200_000))],
+        vec![(
+            "title.toml".to_owned(),
+            format!("'{marked}' = 1\n").into_bytes(),
+        )],
+        vec![("long.toml".to_owned(), vec![b'#'; 3 << 20])],
+        vec![("deep.toml".to_owned(), deep.into_bytes())],
+        vec![
+            ("p.xlsx".to_owned(), archive_noise),
+            ("book.toml".to_owned(), book.clone().into_bytes()),
+        ],
+        vec![
+            ("p.xlsx".to_owned(), bomb()),
+            ("book.toml".to_owned(), book.into_bytes()),
+        ],
     ];
-    for (name, bytes) in files {
+    for files in &cases {
+        let name = &files[0].0;
         tab.eval("document.getElementById('problems').hidden = true");
-        drop_files(&mut tab, &[(name.to_owned(), bytes)]);
+        drop_files(&mut tab, files);
         tab.until("!document.getElementById('problems').hidden && document.getElementById('working').hidden");
         let shown = text(&mut tab, "problem-list");
-        assert!(!shown.is_empty(), "{name}");
+        assert!(
+            !shown.is_empty() && !shown.contains("internal fault"),
+            "{name}: {shown}"
+        );
+        if name == "p.xlsx" {
+            assert!(shown.contains(".xlsx workbook"), "{shown}");
+        }
     }
     assert_eq!(tab.eval("window.ran === undefined"), json!(true));
     assert_eq!(tab.events("Runtime.exceptionThrown"), Vec::<&Value>::new());

@@ -307,6 +307,7 @@
     verdict(byId("verdict"), result.verdict);
     byId("curve").innerHTML = result.curve.join("");
     byId("remedies").textContent = result.remedies.trim();
+    byId("checks-title").hidden = !result.checks && !result.remedies.trim();
     byId("checks").replaceChildren(...(result.checks ? checks(result.checks) : []));
     const notes = [...opened.warnings, ...opened.remarks];
     byId("notes").hidden = notes.length === 0;

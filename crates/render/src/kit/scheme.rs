@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// The `<style>` element that shows the pictures among `texts` on a dark screen.
+/// The `<style>` element that shows the pictures in `text` on a dark screen.
 pub fn dark_style(text: &str) -> String {
     let mut found = BTreeSet::new();
     for property in ["fill", "stroke"] {

@@ -282,9 +282,18 @@ impl Study {
 
     /// Whether teeth deviate along the face: lead deviations, or leaning axes.
     pub fn deviates_along_face(&self) -> bool {
+        self.has_pair(GearPair::deviates_along_face)
+    }
+
+    fn has_pair(&self, is: fn(&GearPair) -> bool) -> bool {
         let pairs = self.center_distances.first().map(|a| self.pairs(*a));
         let mut pairs = pairs.into_iter().flatten().flatten();
-        pairs.any(|(_, pair)| pair.data().is_some_and(GearPair::deviates_along_face))
+        pairs.any(|(_, pair)| pair.data().is_some_and(is))
+    }
+
+    /// Whether a pair of teeth may be tightest anywhere on the face ([`GearPair::binds_anywhere`]).
+    pub fn binds_anywhere(&self) -> bool {
+        self.has_pair(GearPair::binds_anywhere)
     }
 
     /// Whether transverse sections differ along the face.

@@ -27,6 +27,8 @@
 //! Leads turn the flanks of the section at `b` by `δ(b)/r_b`: a pair is on the line over one stretch of the face, and `G` grows by the
 //! greatest `Σ δ(b)/r_b2` over it.
 //!
+//! Profile deviations of helical teeth count at the rolls of each section, so that `G` is greatest at one of them as well.
+//!
 //! Where axes lean, centres move along the face, and twist and lead are those at the height of the contact along each gear's own axis
 //! ([`Pose::section`]). `G` on the line is a parabola of `b` plus the leads. Rolls and heights are linear. Three sections give them, to the
 //! second order of the lean. The model leaves out `½ g² ρ`, by which the contact moves along the flank ([`GearPair::left_out`]).
@@ -34,7 +36,7 @@
 //! `C_2` turns with the free gear, and so does `D` with its rotation `φ`: the last line is a fixed point `φ = G(φ)`. With
 //! `G' = Im(conj(E_1) dD/dφ)/r_b2` and `|dD/dφ| = e_2`, `|G'| ≤ e_2/r_b2`.
 
-use crate::gear::{AsBuilt, DeviationCurve, Side};
+use crate::gear::{AsBuilt, DeviationCurve, ProfilePart, Side};
 use crate::numeric::{bisect, wrap_angle};
 use crate::pair::{FacingTeeth, GearPair, Member, Pose};
 use nalgebra::{UnitComplex, Vector2};
@@ -378,6 +380,61 @@ impl<'a> OneSide<'a> {
         Some((b, teeth.leads(b)))
     }
 
+    /// The tightest section of two teeth whose profiles deviate, mm, and the contact there; `None` if they are nowhere on the line.
+    ///
+    /// Rolls on the line fall by `τ` per mm, but for the deviations. The second round takes those of the first.
+    fn tightest_on_profiles(&self, facing: &Facing) -> Option<(f64, Touch)> {
+        let first = (0.0, self.touch(facing, 0.0, [0.0; 2]));
+        let second = self.tightest_near(facing, &first)?;
+        self.tightest_near(facing, &second)
+    }
+
+    /// The tightest section, with rolls on the line that are those of the contact `known` in its section.
+    ///
+    /// What profiles and leads add is a cubic between their knots, whose maximum is at one of them, at an end of the line or where its slope
+    /// vanishes.
+    fn tightest_near(&self, facing: &Facing, (at, known): &(f64, Touch)) -> Option<(f64, Touch)> {
+        let gears = [self.locked, self.free].map(AsBuilt::gear);
+        let twists = gears.map(|gear| self.mirror * gear.basic_data().twist());
+        let roll = |k: usize, b: f64| known.rolls[k] - twists[k] * (b - at);
+        let [mut from, mut to] = self.assembly.face();
+        let mut own = Vec::new();
+        for (k, (gear, tooth)) in facing.teeth.teeth.into_iter().enumerate() {
+            let place = |roll: f64| at + (known.rolls[k] - roll) / twists[k];
+            let profile = gear.profile(self.side, tooth);
+            let (low, high) = profile.range(ProfilePart::Involute);
+            let ends = [place(low), place(high)];
+            (from, to) = (from.max(ends[0].min(ends[1])), to.min(ends[0].max(ends[1])));
+            let knots = facing.flanks[k].map_or(&[][..], DeviationCurve::knots);
+            own.extend(knots.iter().map(|roll| place(*roll)));
+        }
+        if !(from <= to) {
+            return None;
+        }
+        let mut places = facing.teeth.knots([from, to], |_, height| height);
+        places.extend(own.into_iter().filter(|b| *b > from && *b < to));
+        places.sort_by(f64::total_cmp);
+        let slope = |b: f64| {
+            let along = |k: usize| facing.flanks[k].map_or(0.0, |flank| flank.slope(roll(k, b)));
+            facing.teeth.rate(b) - twists[0] * along(0) - twists[1] * along(1)
+        };
+        let tops = places.windows(2).filter_map(|ends| {
+            let beside = 1e-9 * (ends[1] - ends[0]);
+            let (low, high) = (ends[0] + beside, ends[1] - beside);
+            (slope(low) > 0.0 && slope(high) < 0.0)
+                .then(|| bisect(low, high, 0.0, |b| slope(b) > 0.0)[0])
+        });
+        let tops: Vec<f64> = tops.collect();
+        let found = places.into_iter().chain(tops).map(|b| {
+            let twisted = Facing {
+                angles: [0, 1].map(|k| facing.angles[k] + twists[k] * b),
+                ..*facing
+            };
+            (b, self.touch(&twisted, 0.0, facing.teeth.leads(b)))
+        });
+        found.reduce(|best, next| if next.1.turn > best.1.turn { next } else { best })
+    }
+
     /// The twists `s` of the locked teeth, from and to, with a contact on both involutes; `None` without one on the common face.
     ///
     /// The arms are the lengths of the tangents to the base circles in the measuring plane, mm. A section has the rolls `ξ_1 − s` and
@@ -457,6 +514,10 @@ impl<'a> OneSide<'a> {
         // The leads' part of G, and the rounds in which it settles: the stretch on the line moves with it.
         let (mut leads, mut rounds) = ([0.0; 2], 0);
         let (section, turned, touch) = loop {
+            if self.assembly.binds_along_profiles() {
+                let (section, touch) = self.tightest_on_profiles(&facing)?;
+                break (section, 0.0, touch);
+            }
             if !self.assembly.deviates_along_face() {
                 let touch = self.touch(&facing, 0.0, [0.0; 2]);
                 let (section, turned) = self.nearest_section(touch.arms)?;

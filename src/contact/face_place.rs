@@ -31,9 +31,9 @@ impl FacePlace {
         FacePlace::Inside,
     ];
 
-    /// The place of `contact`, found on `assembly` at `pose`; `None` for a pair that does not deviate along the face.
+    /// The place of `contact`, found on `assembly` at `pose`; `None` for a pair that binds alike in many sections.
     pub fn of(assembly: &GearPair, pose: &Pose, contact: &Contact) -> Option<FacePlace> {
-        if !assembly.deviates_along_face() {
+        if !assembly.binds_anywhere() {
             return None;
         }
         let heights = Member::BOTH.map(|member| {

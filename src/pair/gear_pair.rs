@@ -168,12 +168,6 @@ impl GearPair {
         if let Some(hand) = w.hand().filter(|_| w.hand() == p.hand()) {
             return Err(GearError::SameHand { hand: hand.name() });
         }
-        GearError::require(
-            w.hand().is_none() || !(wheel.is_modified() || pinion.is_modified()),
-            "helix angle, degrees, of gears whose profiles deviate",
-            w.helix_angle().to_degrees(),
-            "0: between such helical teeth the lost motion varies along the face",
-        )?;
         let least = w.base_radius() + p.base_radius();
         if !(center_distance > least && center_distance.is_finite()) {
             return Err(GearError::BaseCirclesOverlap {
@@ -181,14 +175,26 @@ impl GearPair {
                 least_mm: least,
             });
         }
-        Ok(GearPair {
+        GearPair {
             wheel,
             pinion,
             center_distance,
             locked,
             faces: [[0.0; 2]; 2],
             lean: [0.0; 2],
-        })
+        }
+        .without_leaning_profiles()
+    }
+
+    /// This pair, unless helical teeth whose profiles deviate lean.
+    fn without_leaning_profiles(self) -> Result<GearPair, GearError> {
+        GearError::require(
+            !(self.binds_along_profiles() && self.leans()),
+            "lean of the axes (mm per mm) of helical gears whose profiles deviate",
+            self.most_lean(),
+            "0: sections of leaning axes are not worked out for such teeth",
+        )?;
+        Ok(self)
     }
 
     /// This pair with the pinion's axis leaning from the wheel's, mm per mm: `in_plane`, + = apart at the far end, and `out_of_plane`, + = its
@@ -208,7 +214,7 @@ impl GearPair {
             lean,
             "up to 0.02: sections do not describe the teeth beyond it",
         )?;
-        Ok(pair)
+        pair.without_leaning_profiles()
     }
 
     /// Lean of the pinion's axis from the wheel's: in the plane of the axes, and out of it, mm per mm.
@@ -312,6 +318,16 @@ impl GearPair {
     /// Whether teeth deviate along the face: lead deviations, or leaning axes.
     pub fn deviates_along_face(&self) -> bool {
         self.has_leads() || self.leans()
+    }
+
+    /// Whether helical teeth have profile deviations, which touch anywhere on their lines of contact.
+    pub fn binds_along_profiles(&self) -> bool {
+        self.is_helical() && self.is_modified()
+    }
+
+    /// Whether a pair of teeth may be tightest anywhere on the face: teeth deviate along it, or the profiles of helical ones do.
+    pub fn binds_anywhere(&self) -> bool {
+        self.deviates_along_face() || self.binds_along_profiles()
     }
 
     /// Whether this pair has a kind of deviation along the face.

@@ -125,6 +125,12 @@ impl Scatters {
         vary(&self.wheel) || vary(&self.pinion) || self.lean.iter().any(Option::is_some)
     }
 
+    /// Whether an axis of teeth leans in some assembly.
+    pub fn lean(&self) -> bool {
+        let wobbles = [&self.wheel, &self.pinion].map(|gear| gear.wobble.is_some());
+        wobbles.contains(&true) || self.lean.iter().any(Option::is_some)
+    }
+
     pub(super) fn factors(&self, pair: &GearPair) -> Vec<Factor> {
         let scatters = |scatter: &Option<Scatter>| {
             let scatter = scatter.as_ref();

@@ -9,7 +9,7 @@ mod random;
 use gearlash::contact::{ExactKernel, LostMotion};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, EndRelief, Face, Gear, GearDesign, Hand, Lead,
-    Pitch, Side, Trace, thickness,
+    Modification, Pitch, Relief, Side, Trace, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use random::Random;
@@ -27,15 +27,24 @@ const REFINED: f64 = 1e-6;
 /// Pose `index` of `seed`, each of a pair of its own, with a helix angle of 0 to 35°. Leads, pitch, eccentricity, wobble and leaning shafts are up
 /// to some 30 µm over the face.
 pub fn drawn(seed: u64, index: u64) -> (GearPair, Pose) {
+    first(seed, index, false)
+}
+
+/// As [`drawn`], with profile deviations of up to some 20 µm on most flanks and with parallel axes.
+pub fn drawn_with_profiles(seed: u64, index: u64) -> (GearPair, Pose) {
+    first(seed, index, true)
+}
+
+fn first(seed: u64, index: u64, profiles: bool) -> (GearPair, Pose) {
     let mut random = Random::of(seed, index);
     loop {
-        if let Some(drawn) = one(&mut random) {
+        if let Some(drawn) = one(&mut random, profiles) {
             return drawn;
         }
     }
 }
 
-fn one(random: &mut Random) -> Option<(GearPair, Pose)> {
+fn one(random: &mut Random, profiles: bool) -> Option<(GearPair, Pose)> {
     let module = random.decades(1.0, 6.0);
     let helix = if random.chance(0.25) {
         0.0
@@ -54,10 +63,11 @@ fn one(random: &mut Random) -> Option<(GearPair, Pose)> {
     }
     let kinds = Kinds {
         traces: random.pick(&[0, 0, 1, 2]),
-        leads: random.chance(0.8),
-        wobble: random.chance(0.4),
+        leads: random.chance(if profiles { 0.4 } else { 0.8 }),
+        wobble: random.chance(0.4) && !profiles,
+        profiles,
     };
-    let shafts = random.chance(0.4);
+    let shafts = random.chance(0.4) && !profiles;
     let data = [hand, hand.mate()].map(|hand| {
         let teeth = random.decades(17.0, 90.0) as u32;
         let data = BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap();
@@ -79,7 +89,7 @@ fn one(random: &mut Random) -> Option<(GearPair, Pose)> {
         [0.0; 2]
     };
     let pair = pair.with_faces(faces).ok()?.with_lean(lean).ok()?;
-    if !pair.deviates_along_face() {
+    if !pair.binds_anywhere() {
         return None;
     }
     let [wheel_tooth, pinion_tooth] = Member::BOTH.map(|member| random.one_of(pair.teeth(member)));
@@ -97,6 +107,7 @@ struct Kinds {
     traces: u32,
     leads: bool,
     wobble: bool,
+    profiles: bool,
 }
 
 fn gear(
@@ -129,7 +140,13 @@ fn gear(
     let leads = [0, 1].map(|_| lead(random, teeth, own, kinds));
     let mut high = || random.within(1.0, f64::from(teeth) + 1.0);
     let (high_tooth, wobble_tooth) = (high(), high());
+    let gear = Gear::new(design, base).ok()?;
+    let profiles = [0, 1].map(|_| {
+        let is_drawn = kinds.profiles && random.chance(0.8);
+        is_drawn.then(|| profile(random, &gear)).unwrap_or_default()
+    });
     let deviations = Deviations {
+        profiles,
         pitch: random
             .chance(0.7)
             .then(|| Pitch::from_cumulative(&right, &left)),
@@ -144,7 +161,49 @@ fn gear(
         leads,
         ..Deviations::default()
     };
-    AsBuilt::new(Gear::new(design, base).ok()?, seen, &deviations).ok()
+    AsBuilt::new(gear, seen, &deviations).ok()
+}
+
+/// Slope, crowning, reliefs and traces of one side of a gear.
+fn profile(random: &mut Random, gear: &Gear) -> Modification {
+    let um = 1e-3;
+    let [form, tip] = [gear.form_roll(), gear.tip_roll()];
+    let at = |share: f64| form + (tip - form) * share;
+    let radius = |roll: f64| gear.base_radius() * roll.hypot(1.0);
+    let some =
+        |random: &mut Random, least: f64, most: f64| random.pick(&[0.0, 1.0]) * um * random.within(least, most);
+    let relief = |random: &mut Random, from: f64| {
+        random.chance(0.4).then(|| Relief {
+            amount: um * random.within(0.0, 20.0),
+            from: radius(at(from + random.within(-0.2, 0.2))),
+            parabolic: random.chance(0.5),
+        })
+    };
+    let mut modification = Modification {
+        slope: some(random, -12.0, 12.0),
+        crowning: some(random, -4.0, 10.0),
+        tip_relief: relief(random, 0.7),
+        root_relief: relief(random, 0.25),
+        ..Modification::default()
+    };
+    let own = match random.one_of(4) {
+        1 => vec![None],
+        2 => (1..=gear.basic_data().teeth()).map(Some).collect(),
+        _ => Vec::new(),
+    };
+    let (wave, noise) = (random.within(0.0, 3.0), random.pick(&[0.0, 0.2, 1.0]));
+    let trace = |tooth: Option<u32>| {
+        let (phase, turns) = (random.within(0.0, TAU), random.within(0.5, 3.0));
+        let point = |k: u32| {
+            let part = f64::from(k) / f64::from(TRACE_POINTS - 1);
+            let form = wave * (phase + TAU * turns * part).sin() + noise * random.within(-1.0, 1.0);
+            (at(part).max(1e-6 * f64::from(k)), um * form)
+        };
+        let points = (0..TRACE_POINTS).map(point).collect();
+        Trace { tooth, points }
+    };
+    modification.traces = own.into_iter().map(trace).collect();
+    modification
 }
 
 fn lead(random: &mut Random, teeth: u32, face: [f64; 2], kinds: &Kinds) -> Lead {

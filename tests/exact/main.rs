@@ -31,6 +31,7 @@ mod outlines;
 mod perfect;
 #[path = "../common/posed.rs"]
 mod posed;
+mod profiles;
 mod proofs;
 mod random;
 mod reference;

@@ -1,7 +1,7 @@
 //! The campaign: exact against polygon method on seeded random poses, each exact result certified.
 //!
 //! `cargo run --release --example campaign -- [--poses N] [--seed S] [--first I] [--helical] [--depth any|grazing|on-root]
-//! [--longest SECONDS] [--proofs] [--brute] [--along-face SECTIONS] [--print I]`.
+//! [--longest SECONDS] [--proofs] [--brute] [--along-face SECTIONS [--profiles]] [--print I]`.
 //! Whole gears are a further referee: just inside both contacts of a clear pose no metal may be in the other gear. It
 //! exits with 1 if the methods differ by more than the sum of both error bounds, disagree on a status, or the
 //! certificate refuses. It also does if a class of contact did not occur, or if the prover leaves an ordinary pose to the
@@ -18,7 +18,7 @@ mod clearance;
 use campaign::{Depth, Drawn, LONGEST, Tally, Teeth, run_of};
 use clap::{Parser, ValueEnum};
 use gearlash::contact::ExactKernel;
-use gearlash::pair::Pose;
+use gearlash::pair::{GearPair, Pose};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::process::ExitCode;
@@ -54,6 +54,9 @@ struct Options {
     /// Pairs that deviate along the face, one pose each, against this many sections with zoom at the tightest
     #[arg(long, conflicts_with_all = ["helical", "brute", "proofs"])]
     along_face: Option<u32>,
+    /// With profile deviations, and parallel axes
+    #[arg(long, requires = "along_face")]
+    profiles: bool,
     /// Print this pose of the campaign as a pair file, and nothing else
     #[arg(long)]
     print: Option<u64>,
@@ -116,7 +119,12 @@ fn main() -> ExitCode {
     }
     let indices = options.first..options.first + poses;
     if let Some(sections) = options.along_face {
-        return against_sections(seed, indices, sections);
+        let drawn = if options.profiles {
+            along_face::drawn_with_profiles
+        } else {
+            along_face::drawn
+        };
+        return against_sections(drawn, seed, indices, sections);
     }
     let longest = Duration::from_secs(options.longest);
     let tally = run_of(kind, depth, seed, indices, longest, !options.proofs);
@@ -177,12 +185,17 @@ fn brute(depth: Option<Depth>, seed: u64, first: u64, poses: u64) -> Vec<(u64, S
 }
 
 /// Poses along the face against dense sections: faults, and how far sections without zoom are from the contacts.
-fn against_sections(seed: u64, indices: Range<u64>, sections: u32) -> ExitCode {
+fn against_sections(
+    drawn: fn(u64, u64) -> (GearPair, Pose),
+    seed: u64,
+    indices: Range<u64>,
+    sections: u32,
+) -> ExitCode {
     let start = Instant::now();
     let witnessed: Vec<_> = indices
         .into_par_iter()
         .filter_map(|index| {
-            let (pair, pose) = along_face::drawn(seed, index);
+            let (pair, pose) = drawn(seed, index);
             Some((index, along_face::witness(&pair, &pose, sections)?))
         })
         .collect();

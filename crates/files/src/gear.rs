@@ -252,18 +252,11 @@ impl GearPart {
         )
     }
 
-    /// Rejects keys that are not allowed beside a helix angle, and warns of a face too short for the span.
+    /// Warns of a face too short for the span of helical teeth.
     fn beside_helix(&mut self, of: &Statements, gear: &AsBuilt) -> Option<()> {
         let helix = self.helix?;
         if helix.angle_deg == 0.0 {
             return Some(());
-        }
-        if gear.is_modified() {
-            return of.table.refuse(
-                "profile",
-                "given beside a helix angle: between helical teeth whose profiles deviate the lost motion varies along the face, which is not worked out",
-                "leave it out, or give a spur pair",
-            );
         }
         let span = of.thickness.statement.span.as_ref().map(|span| span.teeth);
         let name = of.table.path_of("face_mm");

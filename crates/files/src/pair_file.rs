@@ -175,6 +175,20 @@ impl<'a> PairTables<'a> {
             || bearing_ends.is_some()
             || lean != [0.0; 2]
             || materials.iter().any(wobbles);
+        let mut pairs = materials.iter();
+        let profiled = pairs.find_map(|(_, wheel, pinion)| {
+            let is_helical = wheel.gear().basic_data().hand().is_some();
+            let gears = [("wheel", wheel), ("pinion", pinion)].into_iter();
+            let mut modified = gears.filter(|(_, gear)| is_helical && gear.is_modified());
+            modified.next()
+        });
+        if let Some((name, _)) = profiled.filter(|_| leans) {
+            return table.refuse(
+                &format!("{name}.profile"),
+                "given beside a helix angle and axes that lean: such sections are not worked out",
+                "leave it out, or the misalignment, the wobble and the bearing clearances at two ends",
+            );
+        }
         let face = common_face::common_face(&table, gears, (offset, leans), factors)?;
         // Teeth are counted in the wheel's measuring plane.
         if face[0] < face[1] && face_offset_mm.is_some() {

@@ -58,7 +58,7 @@ impl<'w> ResultWriter<'w> {
             json.key("runs")?;
             json.open_list()?;
         }
-        let along_face = file.study.deviates_along_face();
+        let along_face = file.study.binds_anywhere();
         let mut csv = csv.map(csv::Writer::from_writer);
         if let Some(csv) = &mut csv {
             let names = PoseRow::columns().csv_names(along_face);

@@ -216,7 +216,7 @@ impl<'a> HeldSide<'a> {
             limits,
             lines: Vec::new(),
         };
-        if !assembly.deviates_along_face() {
+        if !assembly.binds_anywhere() {
             held.lines = SideContact::all(assembly, pose, side)
                 .filter_map(|line| held.line(&line))
                 .collect();
@@ -339,7 +339,7 @@ impl<'a> HeldSide<'a> {
     }
 
     fn field(mut self, sections: &[SectionAlone]) -> FieldSide {
-        if self.assembly.deviates_along_face() {
+        if self.assembly.binds_anywhere() {
             self.lines = self.lines_of(sections);
         }
         let looks: Vec<(f64, bool)> = sections

@@ -26,6 +26,7 @@
 mod edges;
 mod facing;
 mod leads;
+mod profiles;
 mod roots;
 #[cfg(test)]
 mod tests;
@@ -43,6 +44,7 @@ use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
 use facing::{Facing, Floors};
 use leads::AlongFace;
+use profiles::{AlongFlanks, Highest, LEVEL};
 use std::borrow::Cow;
 use turning::FreeGear;
 
@@ -58,6 +60,9 @@ const BUILT_SECTION: u64 = 40;
 
 /// Greatest number of rounds over the places of [`edges`]. Each round squares the remaining error.
 const MOST_ROUNDS: usize = 4;
+
+/// Greatest number of rounds over the places of [`profiles`]: two or three are usual. A height left over is added to the error.
+const MOST_ROUNDS_OF_PROFILES: usize = 8;
 
 /// Change of the free gear's rotation, rad, that ends the rounds: its square is below rounding.
 const SETTLED: f64 = 1e-7;
@@ -117,7 +122,7 @@ impl Helical {
         if let Some(solver) = plane
             .solver
             .as_ref()
-            .filter(|_| !assembly.deviates_along_face())
+            .filter(|_| !assembly.binds_anywhere())
             && let Some(spread) = spread_on_line(plane, path, base_pitch)
         {
             let deepest = [solver.proof.locked_fillet, solver.proof.free_fillet];
@@ -126,6 +131,8 @@ impl Helical {
         let base = assembly.gear(assembly.free()).gear().base_radius();
         let left_out = if assembly.leans() {
             (assembly.left_out() + assembly.beyond_ends()) / base
+        } else if assembly.is_modified() {
+            2.0 * LEVEL / base
         } else {
             0.0
         };
@@ -224,9 +231,13 @@ impl Helical {
             examined.between(edges, &self.plane.right)?;
             examined.between(edges, &self.plane.left)?;
         }
-        if self.assembly.deviates_along_face() {
+        if self.assembly.binds_anywhere() {
             examined.along_leads(&self.plane.right)?;
             examined.along_leads(&self.plane.left)?;
+        }
+        if self.assembly.is_modified() && !self.assembly.leans() {
+            examined.along_profiles(&self.plane.right)?;
+            examined.along_profiles(&self.plane.left)?;
         }
         let over = examined.over;
         Ok(over.found(pose.free_rotation(), self.plane.free_pitch()))
@@ -254,7 +265,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         }
         let effort = self.effort;
         let (section, here) = self.helical.section_at(self.pose, b, kept);
-        if matches!(section, Cow::Owned(_)) && self.helical.assembly.deviates_along_face() {
+        if matches!(section, Cow::Owned(_)) && self.helical.assembly.binds_anywhere() {
             effort.spend(BUILT_SECTION);
         }
         let section = &section;
@@ -342,6 +353,32 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let deepest = deepest.flat_map(|edges| edges.deepest(assembly, &posed, stands));
         for b in along.places(floor + problem.tie, problem.tie, deepest) {
             self.section(b, None, 0.0)?;
+        }
+        Ok(())
+    }
+}
+
+impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
+    /// Examines the places at which profile deviations make a pair tightest, on the side of `problem`. Each round is at the gap of the last.
+    fn along_profiles(&mut self, problem: &FlankProblem) -> Result<(), Error> {
+        let (helical, pose, side) = (self.helical, self.pose, problem.side);
+        let posed = helical.plane.posed(problem, pose);
+        let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
+        for round in 1..=MOST_ROUNDS_OF_PROFILES {
+            let Some(beyond) = self.over.beyond(side).filter(|_| !self.over.is_solid()) else {
+                return Ok(());
+            };
+            let gap = nominal - side.sense() * beyond;
+            let along = AlongFlanks::new(&helical.assembly, &posed, gap, self.effort);
+            let highest = along.map_or(Ok(None), |along| along.highest());
+            let (b, doubt) = match highest {
+                Ok(None) => return Ok(()),
+                Ok(Some(Highest { b, .. })) if round < MOST_ROUNDS_OF_PROFILES => (b, 0.0),
+                Ok(Some(Highest { b, height })) => (b, 2.0 * height * problem.per_free_base),
+                // The section reports it.
+                Err(_) => (0.0, 0.0),
+            };
+            self.section(b, None, doubt)?;
         }
         Ok(())
     }

@@ -100,6 +100,15 @@ impl OuterGears {
         })
     }
 
+    /// The outer gears in another section, `pair`, which turns their eccentricities.
+    pub fn turned(&self, pair: &GearPair) -> OuterGears {
+        OuterGears {
+            right: self.right.turned(pair),
+            left: self.left.turned(pair),
+            ..self.clone()
+        }
+    }
+
     /// The outer gears at the centre distance of `modified`.
     pub fn at(&self, modified: &[FlankProblem; 2]) -> Option<OuterGears> {
         let center_distance = modified[0].distance;

@@ -74,6 +74,14 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
         phase: tolerance.phase == PhaseName::Any,
         thickness_correlation: tolerance.thickness_correlation,
     };
+    let is_profiled = |member| pair.spec.gear(member).profile.is_some();
+    if pair.study.is_helical() && Member::BOTH.into_iter().any(is_profiled) && scatters.lean() {
+        return file.refuse(
+            "tolerance",
+            "wobble or axes scatter beside the profile deviations of helical gears: such sections are not worked out",
+            "leave out the wobble and the misalignment, or the profile",
+        );
+    }
     let measured = [&wheels, &pinions].map(|gears| gears.iter().map(|one| &one.gear));
     let why = if scatters.vary_along_face() {
         Some("lead, wobble or axes scatter")

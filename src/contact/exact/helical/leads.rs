@@ -22,6 +22,7 @@ use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::LeaningFrame;
 use crate::contact::exact::separation::{Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
+use crate::gear::ProfilePart;
 use crate::pair::{FacingTeeth, GearPair};
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
@@ -174,6 +175,10 @@ impl<'a> AlongFace<'a> {
             .map(|(step, endless)| self.pair(step, &endless, floor - tie))
             .collect();
         pairs.extend(deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)));
+        if self.is_modified() {
+            // The flanks themselves are found elsewhere.
+            pairs.retain(|pair| pair.fillets != Fillets::None);
+        }
         pairs.sort_by(|one, other| other.most.total_cmp(&one.most));
         for pair in pairs {
             for (ends, most) in self.stretches(&pair, best - tie) {
@@ -251,6 +256,11 @@ impl<'a> AlongFace<'a> {
         })
     }
 
+    /// Whether profiles deviate, so that involutes do not tell where flanks touch: see [`super::profiles`].
+    fn is_modified(&self) -> bool {
+        self.assembly.is_modified() && self.leaning.is_none()
+    }
+
     /// Bound of what leads and leans change the gap of a touch in a fillet.
     fn most_in_fillets(&self, teeth: &FacingTeeth) -> f64 {
         MOST_BY_ARMS * self.most_moved(teeth) / self.bases()[1]
@@ -268,13 +278,19 @@ impl<'a> AlongFace<'a> {
         [problem.locked.shape.base, problem.free.shape.base]
     }
 
-    /// Bound of what leads and leans move both flanks of a pair, mm along the base tangent.
+    /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
     fn most_moved(&self, teeth: &FacingTeeth) -> f64 {
         let leads = teeth.teeth.map(|(gear, tooth)| {
             let curve = gear.lead_curve(teeth.side, tooth);
             curve.map_or(0.0, |curve| curve.range())
         });
-        leads[0] + leads[1] + self.most_leaning
+        let profiles = teeth.teeth.map(|(gear, tooth)| {
+            let flank = gear.modification(teeth.side, tooth);
+            let range = gear.profile(teeth.side, tooth).range(ProfilePart::Involute);
+            let own = flank.map_or([0.0; 2], |curve| curve.bounds(range.0, range.1)[0]);
+            own[0].abs().max(own[1].abs())
+        });
+        leads[0] + leads[1] + self.most_leaning + profiles[0] + profiles[1]
     }
 
     /// Bound of what leads and leans take from the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
@@ -409,10 +425,17 @@ impl<'a> AlongFace<'a> {
         let found = Separation::turned(&here, step, near, turns);
         let is_searched = match pair.fillets {
             Fillets::None => false,
-            Fillets::BelowForm => found.touches && found.is_below_form(0.0),
+            Fillets::BelowForm => {
+                let play = if self.is_modified() {
+                    self.most_moved(&pair.teeth) * self.per_moved()
+                } else {
+                    0.0
+                };
+                found.touches && found.is_below_form(play)
+            }
             Fillets::All => true,
         };
-        let floor = if found.touches {
+        let floor = if found.touches && !self.is_modified() {
             found.gap
         } else {
             f64::NEG_INFINITY
@@ -421,7 +444,7 @@ impl<'a> AlongFace<'a> {
         let contact = teeth.and_then(|teeth| teeth.in_fillets(floor, self.effort));
         let (gap, by_turn) = match &contact {
             Some(contact) => (contact.gap, by_turn(&here, contact)),
-            None if found.touches => (found.gap, found.by_turn),
+            None if found.touches && !self.is_modified() => (found.gap, found.by_turn),
             None => return None,
         };
         Some(Touch {

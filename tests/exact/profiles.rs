@@ -1,0 +1,164 @@
+//! Helical gears whose profiles deviate, against dense sections and closed forms.
+
+use crate::along_face::{dense, drawn_with_profiles, witness};
+use gearlash::analytic::LineOfAction;
+use gearlash::contact::ExactKernel;
+use gearlash::gear::{
+    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Hand, Modification, Relief, Trace,
+    thickness,
+};
+use gearlash::pair::{GearPair, Mating, Pose};
+
+/// 27/51, m_n 4.5, β 21° over a face of 50 mm at 190 mm, with profiles of the wheel and of the pinion, the same on both flanks.
+fn pair(helix: f64, profiles: [&Modification; 2], thicker: f64) -> GearPair {
+    let gear = |teeth, hand, profile: &Modification, face, thicker: f64| {
+        let data = BasicGearData::new(teeth, 4.5, 20f64.to_radians()).unwrap();
+        let data = if helix == 0.0 {
+            data
+        } else {
+            data.with_helix(helix.to_radians(), hand).unwrap()
+        };
+        let design = GearDesign::standard(data);
+        let base = thickness::base_from_allowance(&data, design.nominal_base_thickness(), -0.1);
+        // Both flanks by this along the transverse base tangent; the thickness is that of the normal section.
+        let base = base + 2.0 * thicker * data.base_helix_angle().cos();
+        let deviations = Deviations {
+            profiles: [profile.clone(), profile.clone()],
+            ..Deviations::default()
+        };
+        AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
+    };
+    let wheel = gear(51, Hand::Right, profiles[0], Face::Front, thicker);
+    let pinion = gear(27, Hand::Left, profiles[1], Face::Back, 0.0);
+    let distance = 0.5 * 78.0 * 4.5 / helix.to_radians().cos() + 0.1;
+    let pair = GearPair::new(wheel, pinion, distance).unwrap();
+    pair.with_face([-20.0, 30.0]).unwrap()
+}
+
+fn angles(pair: &GearPair) -> Vec<f64> {
+    let kernel = ExactKernel::new(pair);
+    let matings = (0..8).map(|k| Mating {
+        fraction: f64::from(k) / 8.0,
+        ..Mating::FIRST
+    });
+    let found = matings.map(|mating| kernel.lost_motion(&Pose::new(pair, mating)));
+    found.map(|found| found.unwrap().angle().unwrap()).collect()
+}
+
+fn most_off(one: &GearPair, other: &GearPair, more: f64) -> f64 {
+    let um = 1e3 * one.operating_pitch_radius(one.free());
+    let pairs = angles(one).into_iter().zip(angles(other));
+    pairs.fold(0.0, |most, (one, other)| {
+        f64::max(most, (one - other - more).abs() * um)
+    })
+}
+
+/// Never looser than the bound, and tighter by no more than 301 dense sections with zoom explain. Source: the sections, each a spur pair.
+#[test]
+fn random_profiles_agree_with_dense_sections() {
+    let mut count = 0;
+    for index in 0..60 {
+        let (pair, pose) = drawn_with_profiles(47, index);
+        let Some(found) = witness(&pair, &pose, 301) else {
+            continue;
+        };
+        assert!(found.looser <= 0.0 && found.tighter <= 0.0, "{index}: {found:?}");
+        count += usize::from(pair.is_helical());
+    }
+    assert!(count > 30, "{count}");
+}
+
+/// A constant deviation is a thicker tooth: by δ along the base tangent on each flank.
+#[test]
+fn a_constant_profile_is_a_thicker_tooth() {
+    let constant = Modification {
+        traces: vec![Trace {
+            tooth: None,
+            points: vec![(0.1, 8e-3), (0.9, 8e-3)],
+        }],
+        ..Modification::default()
+    };
+    let none = Modification::default();
+    let one = pair(21.0, [&constant, &none], 0.0);
+    let other = pair(21.0, [&none, &none], 8e-3);
+    assert!(most_off(&one, &other, 0.0) < 1e-4);
+}
+
+/// A straight slope touches at an end of its evaluation range that is on the line of contact, which this face always has: the tooth is thicker
+/// by all of the slope. Relief beyond the path of contact changes nothing.
+#[test]
+fn a_slope_binds_at_the_end_of_the_line() {
+    let none = Modification::default();
+    let slope = Modification {
+        slope: 10e-3,
+        ..Modification::default()
+    };
+    let perfect = pair(21.0, [&none, &none], 0.0);
+    let sloped = pair(21.0, [&slope, &none], 0.0);
+    let base = sloped.gear(sloped.free()).gear().base_radius();
+    let off = most_off(&perfect, &sloped, 2.0 * 10e-3 / base);
+    // The tilted normal moves the contact: ½ ρ (δ'/s)² a side.
+    assert!(off < 0.1, "{off}");
+}
+
+/// Crowns of both gears touch where their sum is greatest; the quantity of model 3, which knows no sections but closed forms.
+#[test]
+fn model_3_agrees_over_the_face() {
+    let profile = Modification {
+        slope: -4e-3,
+        crowning: 6e-3,
+        tip_relief: Some(Relief {
+            amount: 10e-3,
+            from: 118.5,
+            parabolic: true,
+        }),
+        ..Modification::default()
+    };
+    let other = Modification {
+        crowning: 5e-3,
+        ..Modification::default()
+    };
+    let pair = pair(21.0, [&profile, &other], 0.0);
+    let kernel = ExactKernel::new(&pair);
+    let um = 1e3 * pair.operating_pitch_radius(pair.free());
+    for k in 0..8 {
+        let mating = Mating {
+            fraction: f64::from(k) / 8.0,
+            ..Mating::FIRST
+        };
+        let pose = Pose::new(&pair, mating);
+        let found = kernel.lost_motion(&pose).unwrap();
+        let formula = LineOfAction::new(&pair, &pose).angle().unwrap();
+        let off = (formula - found.angle().unwrap()) * um;
+        assert!((-1e-6..0.05).contains(&off), "{k}: {off}");
+        let [right, left] = dense(&pair, &pose, 2001);
+        assert!((left - right - found.angle().unwrap()) * um < 1e-2);
+    }
+}
+
+/// The extremes hold 1500 poses of the cycle.
+#[test]
+fn extremes_hold_every_pose() {
+    let mut held = 0;
+    for index in 0..12 {
+        let (pair, _) = drawn_with_profiles(11, index);
+        let kernel = ExactKernel::new(&pair);
+        let matings = 30;
+        let extremes = kernel.extremes(&pair, Mating::FIRST, matings, 1e-6).unwrap();
+        let Some((least, greatest)) = extremes.least.zip(extremes.greatest) else {
+            continue;
+        };
+        let radius = pair.operating_pitch_radius(pair.free());
+        for k in 0..1500 {
+            let pitches = f64::from(k) * f64::from(matings as u32) / 1500.0;
+            let pose = Pose::new(&pair, Mating::FIRST.onward(&pair, pitches));
+            let Some(angle) = kernel.lost_motion(&pose).unwrap().angle() else {
+                continue;
+            };
+            let play = angle * radius;
+            assert!(play >= least.low - 1e-8 && play <= greatest.high + 1e-8, "{index} {k}");
+        }
+        held += usize::from(least.low.is_finite() && greatest.high.is_finite());
+    }
+    assert!(held > 6, "{held}");
+}

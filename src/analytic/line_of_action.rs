@@ -432,7 +432,13 @@ impl<'a> OneSide<'a> {
             };
             (b, self.touch(&twisted, 0.0, facing.teeth.leads(b)))
         });
-        found.reduce(|best, next| if next.1.turn > best.1.turn { next } else { best })
+        found.reduce(|best, next| {
+            if next.1.turn > best.1.turn {
+                next
+            } else {
+                best
+            }
+        })
     }
 
     /// The twists `s` of the locked teeth, from and to, with a contact on both involutes; `None` without one on the common face.

@@ -170,8 +170,9 @@ fn profile(random: &mut Random, gear: &Gear) -> Modification {
     let [form, tip] = [gear.form_roll(), gear.tip_roll()];
     let at = |share: f64| form + (tip - form) * share;
     let radius = |roll: f64| gear.base_radius() * roll.hypot(1.0);
-    let some =
-        |random: &mut Random, least: f64, most: f64| random.pick(&[0.0, 1.0]) * um * random.within(least, most);
+    let some = |random: &mut Random, least: f64, most: f64| {
+        random.pick(&[0.0, 1.0]) * um * random.within(least, most)
+    };
     let relief = |random: &mut Random, from: f64| {
         random.chance(0.4).then(|| Relief {
             amount: um * random.within(0.0, 20.0),

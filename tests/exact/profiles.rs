@@ -62,7 +62,10 @@ fn random_profiles_agree_with_dense_sections() {
         let Some(found) = witness(&pair, &pose, 301) else {
             continue;
         };
-        assert!(found.looser <= 0.0 && found.tighter <= 0.0, "{index}: {found:?}");
+        assert!(
+            found.looser <= 0.0 && found.tighter <= 0.0,
+            "{index}: {found:?}"
+        );
         count += usize::from(pair.is_helical());
     }
     assert!(count > 30, "{count}");
@@ -144,7 +147,9 @@ fn extremes_hold_every_pose() {
         let (pair, _) = drawn_with_profiles(11, index);
         let kernel = ExactKernel::new(&pair);
         let matings = 30;
-        let extremes = kernel.extremes(&pair, Mating::FIRST, matings, 1e-6).unwrap();
+        let extremes = kernel
+            .extremes(&pair, Mating::FIRST, matings, 1e-6)
+            .unwrap();
         let Some((least, greatest)) = extremes.least.zip(extremes.greatest) else {
             continue;
         };
@@ -156,7 +161,10 @@ fn extremes_hold_every_pose() {
                 continue;
             };
             let play = angle * radius;
-            assert!(play >= least.low - 1e-8 && play <= greatest.high + 1e-8, "{index} {k}");
+            assert!(
+                play >= least.low - 1e-8 && play <= greatest.high + 1e-8,
+                "{index} {k}"
+            );
         }
         held += usize::from(least.low.is_finite() && greatest.high.is_finite());
     }

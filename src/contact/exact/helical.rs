@@ -119,10 +119,7 @@ impl Helical {
         let edges = Edges::new(assembly, &plane.right, short);
         let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
         let mut edges = edges.filter(|_| assembly.is_helical());
-        if let Some(solver) = plane
-            .solver
-            .as_ref()
-            .filter(|_| !assembly.binds_anywhere())
+        if let Some(solver) = plane.solver.as_ref().filter(|_| !assembly.binds_anywhere())
             && let Some(spread) = spread_on_line(plane, path, base_pitch)
         {
             let deepest = [solver.proof.locked_fillet, solver.proof.free_fillet];
@@ -376,7 +373,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
                 Ok(Some(Highest { b, .. })) if round < MOST_ROUNDS_OF_PROFILES => (b, 0.0),
                 Ok(Some(Highest { b, height })) => (b, 2.0 * height * problem.per_free_base),
                 // The section reports it.
-                Err(_) => (0.0, 0.0),
+                Err(_) => (helical.assembly.face()[0], 0.0),
             };
             self.section(b, None, doubt)?;
         }

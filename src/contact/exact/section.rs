@@ -92,7 +92,10 @@ impl Section {
             right: self.right.turned(pair),
             left: self.left.turned(pair),
             bodies: self.bodies.as_ref().map(|_| Box::new(pair.clone())),
-            outer: self.outer.as_ref().map(|outer| Box::new(outer.turned(pair))),
+            outer: self
+                .outer
+                .as_ref()
+                .map(|outer| Box::new(outer.turned(pair))),
             ..self.clone()
         }
     }

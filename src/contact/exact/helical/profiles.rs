@@ -39,8 +39,8 @@ pub(super) const LEVEL: f64 = 1e-9;
 /// Part of the highest place so far by which another may be higher: the next round, at its gap, finds the rest.
 const ROUGH: f64 = 1e-3;
 
-/// Effort of the place at the middle of a box and of its bounds, nodes (tuned: 0.3 µs).
-const BOX: u64 = 1;
+/// Effort of the place at the middle of a box and of its bounds, nodes (tuned: 1 µs).
+const BOX: u64 = 2;
 
 /// Angle of normals, rad, beyond which a box is divided instead of bounded.
 const WIDEST: f64 = 1.5;
@@ -332,10 +332,7 @@ impl<'a> Ordered<'a> {
             length: line.length,
             ends,
             rates: [0, 1].map(|k| twists[k].abs() + steepest[k] / bases[k]),
-            bends: (
-                (bends[0][1] + bends[1][1]).max(0.0),
-                [amount(0), amount(1)],
-            ),
+            bends: ((bends[0][1] + bends[1][1]).max(0.0), [amount(0), amount(1)]),
         }
     }
 
@@ -481,6 +478,10 @@ impl<'a> Ordered<'a> {
                 {
                     continue;
                 }
+                if at.height > best.enough() {
+                    // Beyond the end of a piece: a smaller box is on it or misses it.
+                    adds = [play[0], wide];
+                }
             }
             let [along, across] = if adds[0] >= adds[1] && half > 0.0 {
                 [0.5 * half, wide]
@@ -531,9 +532,8 @@ impl<'a> Ordered<'a> {
         let outward = 1.0 + mate_steepest * near.by_arm;
         // The deviation also moves the point in E and in the direction of the string.
         let beside = (near.sin + mate_steepest * near.by_arm) * amount(own[2]);
-        let square = own[2][1].max(0.0) * outward
-            + beside
-            + mate_steepest * near.bows[2] * arm * arm;
+        let square =
+            own[2][1].max(0.0) * outward + beside + mate_steepest * near.bows[2] * arm * arm;
         let product = (near.sin * (1.0 + near.follows) + mate_steepest * near.bows[1]) * arm;
         let mate_moves = [
             self.rates[1] + near.by_arm * arm * rate,
@@ -598,7 +598,8 @@ impl<'a> Ordered<'a> {
             + mate_square * mate_moves[1]
             + mate_steepest * near.bows[0]
             + near.along * (1.0 + near.follows);
-        self.slopes(at)[1].abs() > by_b * half + by_eta * wide
+        // Its rounding is far below the level.
+        self.slopes(at)[1].abs() > by_b * half + by_eta * wide + LEVEL
     }
 
     /// Raises `best` to the highest place of the corner of the first flank at a roll.
@@ -621,7 +622,11 @@ impl<'a> Ordered<'a> {
             if most - self.room(arm, eta.abs() - wide) <= best.enough() {
                 continue;
             }
-            let at = self.point(b, eta, pieces);
+            let at = self.point(b, eta, pieces).map(|at| Point {
+                // As rounding may leave it beyond the end.
+                rolls: [roll, at.rolls[1]],
+                ..at
+            });
             let bounds = at.as_ref().and_then(|at| self.bounds(at, wide, 0.0));
             if let Some((at, near)) = at.zip(bounds) {
                 let second = self.rates[1] * half + near.turned;

@@ -20,9 +20,10 @@ fn pair(helix: f64, profiles: [&Modification; 2], thicker: f64) -> GearPair {
         };
         let design = GearDesign::standard(data);
         let base = thickness::base_from_allowance(&data, design.nominal_base_thickness(), -0.1);
-        // Both flanks by this along the transverse base tangent; the thickness is that of the normal section.
-        let base = base + 2.0 * thicker * data.base_helix_angle().cos();
+        // Both flanks by this along the transverse base tangent; a thickness is an arc of the reference circle in the normal section.
+        let arc = 2.0 * thicker * data.reference_radius() / data.base_radius() * data.helix_cos();
         let deviations = Deviations {
+            per_tooth: vec![arc; teeth as usize],
             profiles: [profile.clone(), profile.clone()],
             ..Deviations::default()
         };
@@ -112,7 +113,7 @@ fn model_3_agrees_over_the_face() {
         crowning: 6e-3,
         tip_relief: Some(Relief {
             amount: 10e-3,
-            from: 118.5,
+            from: 125.0,
             parabolic: true,
         }),
         ..Modification::default()

@@ -186,11 +186,11 @@ impl GearPair {
         .without_leaning_profiles()
     }
 
-    /// This pair, unless helical teeth whose profiles deviate lean.
+    /// This pair, unless teeth whose profiles deviate lean.
     fn without_leaning_profiles(self) -> Result<GearPair, GearError> {
         GearError::require(
-            !(self.binds_along_profiles() && self.leans()),
-            "lean of the axes (mm per mm) of helical gears whose profiles deviate",
+            !(self.is_modified() && self.leans()),
+            "lean of the axes (mm per mm) of gears whose profiles deviate",
             self.most_lean(),
             "0: sections of leaning axes are not worked out for such teeth",
         )?;

@@ -177,15 +177,13 @@ impl<'a> PairTables<'a> {
             || materials.iter().any(wobbles);
         let mut pairs = materials.iter();
         let profiled = pairs.find_map(|(_, wheel, pinion)| {
-            let is_helical = wheel.gear().basic_data().hand().is_some();
-            let gears = [("wheel", wheel), ("pinion", pinion)].into_iter();
-            let mut modified = gears.filter(|(_, gear)| is_helical && gear.is_modified());
-            modified.next()
+            let gears = [("wheel", wheel), ("pinion", pinion)];
+            gears.into_iter().find(|(_, gear)| gear.is_modified())
         });
         if let Some((name, _)) = profiled.filter(|_| leans) {
             return table.refuse(
                 &format!("{name}.profile"),
-                "given beside a helix angle and axes that lean: such sections are not worked out",
+                "given beside axes that lean: sections of such teeth are not worked out",
                 "leave it out, or the misalignment, the wobble and the bearing clearances at two ends",
             );
         }

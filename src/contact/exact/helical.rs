@@ -232,7 +232,7 @@ impl Helical {
             examined.along_leads(&self.plane.right)?;
             examined.along_leads(&self.plane.left)?;
         }
-        if self.assembly.is_modified() && !self.assembly.leans() {
+        if self.assembly.is_modified() {
             examined.along_profiles(&self.plane.right)?;
             examined.along_profiles(&self.plane.left)?;
         }

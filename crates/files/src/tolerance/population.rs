@@ -75,10 +75,10 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
         thickness_correlation: tolerance.thickness_correlation,
     };
     let is_profiled = |member| pair.spec.gear(member).profile.is_some();
-    if pair.study.is_helical() && Member::BOTH.into_iter().any(is_profiled) && scatters.lean() {
+    if Member::BOTH.into_iter().any(is_profiled) && scatters.lean() {
         return file.refuse(
             "tolerance",
-            "wobble or axes scatter beside the profile deviations of helical gears: such sections are not worked out",
+            "wobble or axes scatter beside profile deviations: sections of such teeth are not worked out",
             "leave out the wobble and the misalignment, or the profile",
         );
     }

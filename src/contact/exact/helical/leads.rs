@@ -258,7 +258,7 @@ impl<'a> AlongFace<'a> {
 
     /// Whether profiles deviate, so that involutes do not tell where flanks touch: see [`super::profiles`].
     fn is_modified(&self) -> bool {
-        self.assembly.is_modified() && self.leaning.is_none()
+        self.assembly.is_modified()
     }
 
     /// Bound of what leads and leans change the gap of a touch in a fillet.

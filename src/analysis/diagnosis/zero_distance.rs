@@ -63,7 +63,9 @@ pub fn zero_distance(
         return Ok(None);
     };
     let plays = as_assembled.at(bracket[0])?.plays(matings)?;
-    let Some(&first) = local_minima(&plays).first() else {
+    // Of equal plays the first is named, on every platform.
+    let least = plays.iter().copied().fold(f64::INFINITY, f64::min);
+    let Some(first) = plays.iter().position(|play| *play <= least + NO_PLAY) else {
         return Ok(None);
     };
     let (mut last, mut worst) = (bracket, matings[first]);

@@ -54,13 +54,14 @@ fn most_off(one: &GearPair, other: &GearPair, more: f64) -> f64 {
     })
 }
 
-/// Never looser than the bound, and tighter by no more than 301 dense sections with zoom explain. Source: the sections, each a spur pair.
+/// Never looser than the bound, and tighter by no more than 151 dense sections with zoom explain. Source: the sections, each a spur pair.
+/// `campaign --along-face` draws more.
 #[test]
 fn random_profiles_agree_with_dense_sections() {
     let mut count = 0;
-    for index in 0..60 {
+    for index in 0..16 {
         let (pair, pose) = drawn_with_profiles(47, index);
-        let Some(found) = witness(&pair, &pose, 301) else {
+        let Some(found) = witness(&pair, &pose, 151) else {
             continue;
         };
         assert!(
@@ -69,7 +70,7 @@ fn random_profiles_agree_with_dense_sections() {
         );
         count += usize::from(pair.is_helical());
     }
-    assert!(count > 30, "{count}");
+    assert!(count > 8, "{count}");
 }
 
 /// A constant deviation is a thicker tooth: by δ along the base tangent on each flank.
@@ -86,6 +87,20 @@ fn a_constant_profile_is_a_thicker_tooth() {
     let one = pair(21.0, [&constant, &none], 0.0);
     let other = pair(21.0, [&none, &none], 8e-3);
     assert!(most_off(&one, &other, 0.0) < 1e-4);
+}
+
+/// With next to no helix angle a pair is the spur pair with the same profiles.
+#[test]
+fn a_pair_with_hardly_a_helix_is_a_spur_pair() {
+    let profile = Modification {
+        slope: -4e-3,
+        crowning: 6e-3,
+        ..Modification::default()
+    };
+    let none = Modification::default();
+    let pairs = [1e-4, 0.0].map(|helix| pair(helix, [&profile, &none], 0.0));
+    let off = most_off(&pairs[0], &pairs[1], 0.0);
+    assert!(off < 1e-3, "{off}");
 }
 
 /// A straight slope touches at an end of its evaluation range that is on the line of contact, which this face always has: the tooth is thicker
@@ -140,11 +155,11 @@ fn model_3_agrees_over_the_face() {
     }
 }
 
-/// The extremes hold 1500 poses of the cycle.
+/// The extremes hold 60 poses of the cycle.
 #[test]
 fn extremes_hold_every_pose() {
     let mut held = 0;
-    for index in 0..12 {
+    for index in 0..4 {
         let (pair, _) = drawn_with_profiles(11, index);
         let kernel = ExactKernel::new(&pair);
         let matings = 30;
@@ -155,8 +170,8 @@ fn extremes_hold_every_pose() {
             continue;
         };
         let radius = pair.operating_pitch_radius(pair.free());
-        for k in 0..1500 {
-            let pitches = f64::from(k) * f64::from(matings as u32) / 1500.0;
+        for k in 0..60 {
+            let pitches = f64::from(k) * f64::from(matings as u32) / 60.0;
             let pose = Pose::new(&pair, Mating::FIRST.onward(&pair, pitches));
             let Some(angle) = kernel.lost_motion(&pose).unwrap().angle() else {
                 continue;
@@ -169,5 +184,5 @@ fn extremes_hold_every_pose() {
         }
         held += usize::from(least.low.is_finite() && greatest.high.is_finite());
     }
-    assert!(held > 6, "{held}");
+    assert!(held > 1, "{held}");
 }

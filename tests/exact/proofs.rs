@@ -1,7 +1,7 @@
 //! Proofs by directions: what they accept, what they refuse, and what the checker verifies.
 
 use crate::clearance;
-use crate::wide::drawn::{Depth, Drawn};
+use crate::wide::drawn::{Depth, Drawn, Teeth};
 use gearlash::contact::{
     Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, Piece, Proof, Prover, Reason,
     Status, sweep,
@@ -65,6 +65,26 @@ fn the_checker_accepts_what_is_proven() {
         let expected = if depth.is_none() { 3 } else { 2 };
         assert!(200 * left < proven.len() && reasons[..expected].iter().all(|count| *count > 0));
     }
+}
+
+/// The checker accepts proofs of helical pairs, whose sides touch in different sections: the play of both meets in the measuring plane.
+#[test]
+fn the_checker_accepts_proofs_in_two_sections() {
+    let mut in_two = 0;
+    for index in 0..400 {
+        let drawn = Drawn::of(Teeth::Helical, None, 3, index);
+        let (pair, pose) = (&drawn.assembly, Pose::new(&drawn.assembly, drawn.mating));
+        let kernel = ExactKernel::new(pair);
+        let found = kernel.lost_motion(&pose).ok().filter(|found| !found.solid);
+        let proof = found.and_then(|found| Prover::new(pair, &kernel).proof(&pose, &found).ok());
+        let Some((found, proof)) = found.zip(proof) else {
+            continue;
+        };
+        assert_eq!(proof.verify(pair, &pose), Ok(()), "{}", drawn.pair_file());
+        let sections = [found.right, found.left].map(|contact| contact.map(|one| one.section));
+        in_two += usize::from(sections[0] != sections[1]);
+    }
+    assert!(in_two > 50, "{in_two}");
 }
 
 /// A contact moved by three of its bounds to either side is refused, as certificates by polygons refuse one moved by three of theirs.

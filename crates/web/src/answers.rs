@@ -338,7 +338,7 @@ impl Page {
             return nothing_open();
         };
         let found = movable(&pair.study).at(vec![a]).and_then(|study| {
-            let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
+            let found = extremes::extremes_alone(&study, METHOD, &|| ControlFlow::Continue(()))?;
             let verdict = Verdict::of_study(&study, &found.each, Vec::new());
             let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
             let shown = lines(&verdict);

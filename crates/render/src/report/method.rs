@@ -77,7 +77,11 @@ fn base_index(page: &Page) -> &'static str {
 
 /// Effects that this run does not model.
 fn not_modelled(page: &Page) -> Vec<&'static str> {
-    let mut left_out = vec!["Deflection under load.", "Axes that are not parallel."];
+    let study = &page.report.pair.study;
+    let mut left_out = vec!["Deflection under load."];
+    if study.lean == [0.0; 2] && study.open_lean == [0.0; 2] && study.bearing_ends.is_none() {
+        left_out.push("Axes that are not parallel.");
+    }
     let spec = &page.report.pair.spec;
     let Some(gears) = spec.by_data() else {
         left_out.extend([
@@ -86,11 +90,11 @@ fn not_modelled(page: &Page) -> Vec<&'static str> {
         ]);
         return left_out;
     };
-    left_out.push(if page.report.pair.study.is_helical() {
-        "Lead deviations and modifications."
-    } else {
-        "Deviations along the face width."
-    });
+    if study.is_helical() && gears.iter().all(|gear| gear.lead.is_none()) {
+        left_out.push("Lead deviations and modifications.");
+    } else if !study.deviates_along_face() {
+        left_out.push("Deviations along the face width.");
+    }
     if spec.assembly.temperature_c.is_none() {
         left_out.push("Temperature: none is stated.");
     }

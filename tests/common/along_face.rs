@@ -143,7 +143,11 @@ fn gear(
     let gear = Gear::new(design, base).ok()?;
     let profiles = [0, 1].map(|_| {
         let is_drawn = kinds.profiles && random.chance(0.8);
-        is_drawn.then(|| profile(random, &gear)).unwrap_or_default()
+        if is_drawn {
+            profile(random, &gear)
+        } else {
+            Modification::default()
+        }
     });
     let deviations = Deviations {
         profiles,

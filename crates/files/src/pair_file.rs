@@ -99,7 +99,8 @@ impl<'a> PairTables<'a> {
             remarks.push("assembly.misalignment: least and greatest of the verdict are over all deviations up to max, in either sense; single poses have none".to_owned());
         }
         if assembly.holds_at() != 0.0 && lean != [0.0; 2] {
-            self.poses.check_rows(&table, "assembly.misalignment.at_mm")?;
+            self.poses
+                .check_rows(&table, "assembly.misalignment.at_mm")?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
                 *mm = assembly.in_measuring_plane(*mm);
             }

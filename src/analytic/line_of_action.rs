@@ -243,14 +243,7 @@ impl<'a> OneSide<'a> {
         let value = |b: f64| teeth.lead(b) + (at_0 + b * (slope + b * bend));
         let rate = |b: f64| teeth.rate(b) + (slope + 2.0 * b * bend);
         let mut places = teeth.knots(stretch, |k, height| teeth.section_of(k, height));
-        let tops = places.windows(2).filter_map(|ends| {
-            let beside = 1e-9 * (ends[1] - ends[0]);
-            let (low, high) = (ends[0] + beside, ends[1] - beside);
-            (rate(low) > 0.0 && rate(high) < 0.0)
-                .then(|| bisect(low, high, 0.0, |b| rate(b) > 0.0)[0])
-        });
-        let tops: Vec<f64> = tops.collect();
-        places.extend(tops);
+        places.extend(tops(&places, rate));
         // The nearest to the measuring plane comes first.
         places.sort_by(|one, other| one.abs().total_cmp(&other.abs()));
         let mut best = (places[0], value(places[0]));
@@ -418,14 +411,8 @@ impl<'a> OneSide<'a> {
             let along = |k: usize| facing.flanks[k].map_or(0.0, |flank| flank.slope(roll(k, b)));
             facing.teeth.rate(b) - twists[0] * along(0) - twists[1] * along(1)
         };
-        let tops = places.windows(2).filter_map(|ends| {
-            let beside = 1e-9 * (ends[1] - ends[0]);
-            let (low, high) = (ends[0] + beside, ends[1] - beside);
-            (slope(low) > 0.0 && slope(high) < 0.0)
-                .then(|| bisect(low, high, 0.0, |b| slope(b) > 0.0)[0])
-        });
-        let tops: Vec<f64> = tops.collect();
-        let found = places.into_iter().chain(tops).map(|b| {
+        places.extend(tops(&places, slope));
+        let found = places.into_iter().map(|b| {
             let twisted = Facing {
                 angles: [0, 1].map(|k| facing.angles[k] + twists[k] * b),
                 ..*facing
@@ -623,6 +610,16 @@ impl LineOfAction {
     pub fn backlash(&self, assembly: &GearPair) -> Option<f64> {
         Some(self.angle()? * assembly.operating_pitch_radius(assembly.free()))
     }
+}
+
+/// Places between neighbouring `places` at which a rate falls through 0.
+fn tops(places: &[f64], rate: impl Fn(f64) -> f64) -> Vec<f64> {
+    let tops = places.windows(2).filter_map(|ends| {
+        let beside = 1e-9 * (ends[1] - ends[0]);
+        let (low, high) = (ends[0] + beside, ends[1] - beside);
+        (rate(low) > 0.0 && rate(high) < 0.0).then(|| bisect(low, high, 0.0, |b| rate(b) > 0.0)[0])
+    });
+    tops.collect()
 }
 
 #[cfg(test)]

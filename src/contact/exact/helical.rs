@@ -353,9 +353,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         }
         Ok(())
     }
-}
 
-impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
     /// Examines the places at which profile deviations make a pair tightest, on the side of `problem`. Each round is at the gap of the last.
     fn along_profiles(&mut self, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);

@@ -175,8 +175,8 @@ impl<'a> AlongFace<'a> {
             .map(|(step, endless)| self.pair(step, &endless, floor - tie))
             .collect();
         pairs.extend(deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)));
-        if self.is_modified() {
-            // The flanks themselves are found elsewhere.
+        if self.assembly.is_modified() {
+            // Involutes do not tell where flanks touch whose profiles deviate: see [`super::profiles`].
             pairs.retain(|pair| pair.fillets != Fillets::None);
         }
         pairs.sort_by(|one, other| other.most.total_cmp(&one.most));
@@ -254,11 +254,6 @@ impl<'a> AlongFace<'a> {
             fillets: Fillets::All,
             most: contact.gap,
         })
-    }
-
-    /// Whether profiles deviate, so that involutes do not tell where flanks touch: see [`super::profiles`].
-    fn is_modified(&self) -> bool {
-        self.assembly.is_modified()
     }
 
     /// Bound of what leads and leans change the gap of a touch in a fillet.
@@ -426,7 +421,7 @@ impl<'a> AlongFace<'a> {
         let is_searched = match pair.fillets {
             Fillets::None => false,
             Fillets::BelowForm => {
-                let play = if self.is_modified() {
+                let play = if self.assembly.is_modified() {
                     self.most_moved(&pair.teeth) * self.per_moved()
                 } else {
                     0.0
@@ -435,7 +430,7 @@ impl<'a> AlongFace<'a> {
             }
             Fillets::All => true,
         };
-        let floor = if found.touches && !self.is_modified() {
+        let floor = if found.touches && !self.assembly.is_modified() {
             found.gap
         } else {
             f64::NEG_INFINITY
@@ -444,7 +439,7 @@ impl<'a> AlongFace<'a> {
         let contact = teeth.and_then(|teeth| teeth.in_fillets(floor, self.effort));
         let (gap, by_turn) = match &contact {
             Some(contact) => (contact.gap, by_turn(&here, contact)),
-            None if found.touches && !self.is_modified() => (found.gap, found.by_turn),
+            None if found.touches && !self.assembly.is_modified() => (found.gap, found.by_turn),
             None => return None,
         };
         Some(Touch {

@@ -133,14 +133,15 @@ impl<'a> AlongFlanks<'a> {
             return Ok(());
         }
         let knots = teeth.knots(near, |_, place| place);
+        let pieces = flanks.each_ref().map(Flank::pieces);
         let flanks = flanks.each_ref();
         for ends in knots.windows(2) {
             let ends = [ends[0], ends[1]];
             let locked = Ordered::new(&teeth, [0, 1], flanks, (rolls, twists), &self.line, ends);
             let free = Ordered::new(&teeth, [1, 0], flanks, (rolls, twists), &self.line, ends);
-            for one in flanks[0].pieces() {
-                for other in flanks[1].pieces() {
-                    locked.smooth([&one, &other], best, self.effort)?;
+            for one in &pieces[0] {
+                for other in &pieces[1] {
+                    locked.smooth([one, other], best, self.effort)?;
                 }
             }
             for ordered in [&locked, &free] {
@@ -321,7 +322,7 @@ impl<'a> Ordered<'a> {
         let (steepest, bends) = (teeth.steepest(ends), teeth.bends(ends));
         let [steepest, twists, rolls] = [steepest, twists, rolls].map(|of| order.map(|k| of[k]));
         let bends = order.map(|k| bends[k]);
-        let amount = |k: usize| bends[k][0].abs().max(bends[k][1].abs()) / bases[k];
+        let bend = |k: usize| amount(bends[k]) / bases[k];
         Ordered {
             teeth,
             order,
@@ -332,7 +333,7 @@ impl<'a> Ordered<'a> {
             length: line.length,
             ends,
             rates: [0, 1].map(|k| twists[k].abs() + steepest[k] / bases[k]),
-            bends: ((bends[0][1] + bends[1][1]).max(0.0), [amount(0), amount(1)]),
+            bends: ((bends[0][1] + bends[1][1]).max(0.0), [bend(0), bend(1)]),
         }
     }
 
@@ -426,7 +427,6 @@ impl<'a> Ordered<'a> {
         best: &mut Highest,
         effort: &Effort,
     ) -> Result<(), Spent> {
-        let amount = |[least, most]: [f64; 2]| least.abs().max(most.abs());
         let all = pieces.map(|piece| piece.bounds(piece.range));
         let slopes = all.map(|bounds| amount(bounds[1]));
         let arms = [0, 1].map(|k| self.bases[k] * pieces[k].range[0] + all[k][0][0]);
@@ -524,7 +524,6 @@ impl<'a> Ordered<'a> {
         adds: &mut [f64; 2],
         [half, wide]: [f64; 2],
     ) -> f64 {
-        let amount = |[least, most]: [f64; 2]| least.abs().max(most.abs());
         let [own, mate] = deviations;
         let [steepest, mate_steepest] = [amount(own[1]), amount(mate[1])];
         let arm = self.bases[0] + steepest;
@@ -579,7 +578,6 @@ impl<'a> Ordered<'a> {
         deviations: [[[f64; 2]; 3]; 2],
         [half, wide]: [f64; 2],
     ) -> bool {
-        let amount = |[least, most]: [f64; 2]| least.abs().max(most.abs());
         let [own, mate] = deviations;
         let [steepest, mate_steepest] = [amount(own[1]), amount(mate[1])];
         let arm = self.bases[0] + steepest;
@@ -604,9 +602,10 @@ impl<'a> Ordered<'a> {
 
     /// Raises `best` to the highest place of the corner of the first flank at a roll.
     fn corner(&self, roll: f64, best: &mut Highest, effort: &Effort) -> Result<(), Spent> {
-        let amount = |[least, most]: [f64; 2]| least.abs().max(most.abs());
         let whole = [self.flanks[0].whole(), self.flanks[1].whole()];
         let pieces = whole.each_ref();
+        let arm = self.bases[0] * roll + pieces[0].jet(roll)[0];
+        let mate_most = self.flanks[1].most();
         let [from, to] = self.ends;
         let mut open = vec![[0.5 * (from + to), 0.5 * (to - from)]];
         while let Some([b, half]) = open.pop() {
@@ -616,9 +615,8 @@ impl<'a> Ordered<'a> {
             }
             let rolls = self.on_line(b);
             let (wide, eta) = (self.rates[0] * half, roll - rolls[0]);
-            let arm = self.bases[0] * roll + pieces[0].jet(roll)[0];
             let lead = self.teeth.greatest_lead([b - half, b + half]);
-            let most = arm - self.bases[0] * roll + self.flanks[1].most() + lead - self.apart();
+            let most = arm - self.bases[0] * roll + mate_most + lead - self.apart();
             if most - self.room(arm, eta.abs() - wide) <= best.enough() {
                 continue;
             }
@@ -696,6 +694,11 @@ impl Highest {
             self.height * (1.0 + ROUGH)
         }
     }
+}
+
+/// Greatest amount of a value in an interval.
+fn amount([least, most]: [f64; 2]) -> f64 {
+    least.abs().max(most.abs())
 }
 
 /// Greatest value of a parabola, from its slope and second derivative in the middle of an interval of this half width, above that there.

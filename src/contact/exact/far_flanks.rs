@@ -43,7 +43,7 @@ pub(super) fn with_far_flanks(
     let Some(mut tightest) = found.filter(|_| far_flanks != FarFlanks::Clear) else {
         return Ok(found);
     };
-    for step in posed.steps() {
+    for step in posed.steps_of_whole_teeth() {
         if far_flanks == FarFlanks::BesideTips && !is_sideways(posed, step) {
             continue;
         }

@@ -241,6 +241,16 @@ impl<'a> PosedFlanks<'a> {
         first.max(-((count - 1) / 2))..last.min(count / 2) + 1
     }
 
+    /// Steps whose locked tooth can reach the free gear: [`PosedFlanks::steps`], and the one before, whose far half can.
+    pub fn steps_of_whole_teeth(&self) -> Range<i64> {
+        let steps = self.steps();
+        if self.problem.window.is_none() {
+            return steps;
+        }
+        let least = -((self.problem.locked.count() - 1) / 2);
+        (steps.start - 1).max(least)..steps.end
+    }
+
     /// Steps whose locked half tooth can reach the free gear in some section, where sections turn the locked teeth by the least and the
     /// greatest of `turns`, rad.
     pub fn steps_over(&self, [least, most]: [f64; 2]) -> Range<i64> {

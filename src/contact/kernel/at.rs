@@ -55,6 +55,8 @@ pub(super) struct Room {
     pub radius: f64,
     /// `s_μ`, mm.
     pub arm: f64,
+    /// Its slope over `ν`, mm: `c·n` of the centre `c` of curvature of the free piece.
+    pub arm_slope: f64,
 }
 
 /// A direction that proves two pieces apart.
@@ -91,6 +93,7 @@ impl At {
             slope: along(d, n) - l.along - f.along,
             radius: l.radius + f.radius,
             arm: self.least_arm(f, n),
+            arm_slope: dot(self.centres[1], n) - f.reach + f.radius,
         }
     }
 
@@ -164,6 +167,9 @@ impl At {
             if self.stays(here.room, here.arm, need) {
                 return Some(Apart::Direction(n));
             }
+            if here.room > need && !(here.arm > 0.0) {
+                return self.with_arm(locked, free, (nu, here), need, looks);
+            }
             if here.slope > 0.0 {
                 low = off;
                 ends[0] = Some(here);
@@ -200,6 +206,31 @@ impl At {
                 return None;
             }
             off = next;
+        }
+        None
+    }
+
+    /// A direction with a positive arm near `nu`, where there is room without one. Newton's method on the arm.
+    fn with_arm(
+        &self,
+        locked: &Convex,
+        free: &Convex,
+        (mut nu, mut here): (f64, Room),
+        need: f64,
+        looks: &mut u32,
+    ) -> Option<Apart> {
+        for _ in 0..6 {
+            let step = (1e-6 * self.radius - 1.1 * here.arm) / here.arm_slope;
+            nu = wrapped(nu + step);
+            *looks += 1;
+            let n = turn(nu);
+            here = self.room(locked, free, nu, n);
+            if self.stays(here.room, here.arm, need) {
+                return Some(Apart::Direction(n));
+            }
+            if !(here.room > need) || here.arm > 0.0 {
+                return None;
+            }
         }
         None
     }

@@ -314,11 +314,11 @@ impl At {
     }
 
     /// Whether `mate` is off the whole hollow curve of gear `owner` by more than `need` mm. `tell` receives each proven stretch. `looks`
-    /// counts the examined directions, up to `most`. `start`, rad, is the first direction, if that is not a stretch's own normal.
+    /// counts the examined directions, up to `most`. The first direction for a stretch is its normal or `facing`, whichever leaves more room.
     pub fn is_off_hollow(
         &self,
         (owner, hollow): (usize, &Hollow),
-        (mate, start): (&Convex, Option<f64>),
+        (mate, facing): (&Convex, C),
         need: f64,
         (looks, most): (&mut u32, u32),
         tell: &mut impl FnMut([f64; 2], OffStretch),
@@ -327,7 +327,8 @@ impl At {
         for stretch in &hollow.stretches {
             open.push((*stretch, 0));
             while let Some((stretch, depth)) = open.pop() {
-                let proof = self.off_stretch((owner, hollow), &stretch, (mate, start), need, looks);
+                let proof =
+                    self.off_stretch((owner, hollow), &stretch, (mate, facing), need, looks);
                 if let Some(proof) = proof {
                     tell(stretch.ends, proof);
                     continue;
@@ -382,14 +383,14 @@ impl At {
         &self,
         (owner, hollow): (usize, &Hollow),
         stretch: &Stretch,
-        (mate, given): (&Convex, Option<f64>),
+        (mate, facing): (&Convex, C),
         need: f64,
         looks: &mut u32,
     ) -> Option<OffStretch> {
         *looks += 1;
-        let start = self.out_of_locked(owner, stretch.normal);
+        let normal = self.out_of_locked(owner, stretch.normal);
         if self.is_off_chord(owner, stretch, mate, need) {
-            return Some(OffStretch::Apart(Apart::Direction(start)));
+            return Some(OffStretch::Apart(Apart::Direction(normal)));
         }
         if self.is_off_tangents((owner, hollow), stretch, mate, need) {
             let (_, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
@@ -405,7 +406,13 @@ impl At {
             0 => (&chord, mate),
             _ => (mate, &chord),
         };
-        let start = given.unwrap_or_else(|| start.im.atan2(start.re));
+        let room = |n: C| self.room(locked, free, n.arg(), n).room;
+        let start = if room(normal) >= room(facing) {
+            normal
+        } else {
+            facing
+        };
+        let start = start.arg();
         let apart = self.separated(locked, free, start, need, looks)?;
         let back = self.directions[owner].conj();
         let is_of_curve = match apart {
@@ -478,7 +485,6 @@ impl At {
             open.extend(free.stretches.iter().map(|f| [*l, *f]));
         }
         let n = turn(nu);
-        let start = Some(nu);
         while let Some([l, f]) = open.pop() {
             if self.are_off_along([&l, &f], n, need) {
                 tell([l.ends, f.ends], 0, OffStretch::Apart(Apart::Direction(n)));
@@ -492,14 +498,12 @@ impl At {
                     _ => ((free, &f), &l),
                 };
                 let chord = &chords[1 - owner];
-                let off =
-                    self.off_stretch((owner, hollow), stretch, (chord, start), need, looks)?;
+                let off = self.off_stretch((owner, hollow), stretch, (chord, n), need, looks)?;
                 if self.holds_for_curve(1 - owner, mate, stretch, off) {
                     return Some((owner, off));
                 }
                 let need = need + mate.sag;
-                let off =
-                    self.off_stretch((owner, hollow), stretch, (chord, start), need, looks)?;
+                let off = self.off_stretch((owner, hollow), stretch, (chord, n), need, looks)?;
                 Some((owner, off))
             };
             if let Some((owner, proof)) = proof(0).or_else(|| proof(1)) {
@@ -596,7 +600,7 @@ mod tests {
         let before = *looks;
         at.is_off_hollow(
             (0, hollow),
-            (mate, None),
+            (mate, C::ONE),
             1e-14,
             (looks, before + 4000),
             &mut |_, _| (),
@@ -782,6 +786,113 @@ mod tests {
         }
         assert!(tried > 60, "{tried}");
         println!("{} looks", looks_of_all / tried);
+    }
+
+    /// Points of the curve in a stretch, and their normals, at the position of gear `k`.
+    fn sampled(at: &At, k: usize, hollow: &Hollow, [low, high]: [f64; 2]) -> Vec<(C, C)> {
+        let place = |i: u32| {
+            let (point, normal) = hollow.curve.at(low + (high - low) * f64::from(i) / 40.0);
+            (
+                at.centres[k] + at.directions[k] * point,
+                at.directions[k] * normal,
+            )
+        };
+        (0..=40).map(place).collect()
+    }
+
+    /// Whether `proof` of a stretch of gear `owner` holds for points of both pieces, the owner's with normals.
+    fn holds_for(owner: usize, own: &[(C, C)], mate: &[C], proof: OffStretch) -> bool {
+        let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
+        let own_points: Vec<C> = own.iter().map(|(point, _)| *point).collect();
+        let (locked, free) = match owner {
+            0 => (&own_points[..], mate),
+            _ => (mate, &own_points[..]),
+        };
+        let room = match proof {
+            OffStretch::Apart(Apart::Direction(n)) => {
+                least(&mut free.iter().map(|p| dot(*p, n)))
+                    + least(&mut locked.iter().map(|p| -dot(*p, n)))
+            }
+            OffStretch::Apart(Apart::OutOfReach(n)) => {
+                least(&mut locked.iter().map(|p| -dot(*p, n)))
+                    + least(&mut free.iter().map(|p| -p.norm()))
+            }
+            OffStretch::Tangents(_) => least(
+                &mut own
+                    .iter()
+                    .flat_map(|(p, n)| mate.iter().map(move |q| dot(*q - *p, *n))),
+            ),
+        };
+        room > -1e-12
+    }
+
+    /// Proofs of stretches hold for the curves themselves, with both gears turned. The mate is a chord or another fillet. Source: 41 points and
+    /// normals of each stretch.
+    #[test]
+    fn proofs_of_stretches_hold_for_their_curves() {
+        let fillets: Vec<Hollow> = fillets().collect();
+        let mut told = [[0; 2]; 2];
+        for k in 0..4000u32 {
+            let part = |step: u32| f64::from((k * step + 11 * (k % 89) * k) % 97) / 97.0;
+            let [a, b] = [17, 31].map(|step| &fillets[(part(step) * 4.99) as usize]);
+            let place = |hollow: &Hollow, at: f64| {
+                let [low, high] = hollow.whole.ends;
+                hollow.curve.at(low + (high - low) * at)
+            };
+            let ((p, n), (q, m)) = (place(a, part(41)), place(b, part(53)));
+            let first = turn(6.0 * part(61));
+            let out = first * n;
+            let second = -out * m.conj() * turn(1.5 * part(71) - 0.75);
+            // The free axis is where the mate has a long lever about it.
+            let shift = -out * C::i() * 50.0;
+            let gap = [1e-6, 0.01, 0.2, 1.0][(k % 4) as usize];
+            for owner in 0..2 {
+                let mut centres = [shift; 2];
+                let mut directions = [first; 2];
+                centres[1 - owner] += first * p + out * gap - second * q;
+                directions[1 - owner] = second;
+                let at = At {
+                    centres,
+                    angles: directions.map(C::arg),
+                    directions,
+                    play: 1e-3,
+                    radius: 100.0,
+                };
+                let facing = at.out_of_locked(owner, n);
+                let chord = [q, q + m * turn(1.3 * part(83) - 2.0) * 0.3];
+                let ends = chord.map(|end| centres[1 - owner] + second * end);
+                let mut check = |both: bool, own: &[(C, C)], mate: &[C], by: usize, proof| {
+                    assert!(
+                        holds_for(by, own, mate, proof),
+                        "{k} {owner} {both}: {proof:?}"
+                    );
+                    let is_tangents = matches!(proof, OffStretch::Tangents(_));
+                    told[usize::from(both)][usize::from(is_tangents)] += 1;
+                };
+                at.is_off_hollow(
+                    (owner, a),
+                    (&Convex::Chord(chord), facing),
+                    1e-14,
+                    (&mut 0, 4000),
+                    &mut |ends_of, proof| {
+                        check(false, &sampled(&at, owner, a, ends_of), &ends, owner, proof);
+                    },
+                );
+                let hollows = if owner == 0 { [a, b] } else { [b, a] };
+                at.is_off_both(
+                    (hollows, facing.arg()),
+                    1e-14,
+                    (&mut 0, 400),
+                    &mut |ends_of, by, proof| {
+                        let points = [0, 1].map(|k| sampled(&at, k, hollows[k], ends_of[k]));
+                        let mate: Vec<C> = points[1 - by].iter().map(|(point, _)| *point).collect();
+                        check(true, &points[by], &mate, by, proof);
+                    },
+                );
+            }
+        }
+        println!("{told:?}");
+        assert!(told.iter().flatten().all(|count| *count > 100), "{told:?}");
     }
 
     /// The bound of a room over a stretch of directions, compared with samples of a function with the same second derivative.

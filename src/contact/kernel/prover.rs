@@ -30,7 +30,6 @@ use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::PI;
 use std::iter;
-use std::ops::Range;
 
 /// Widest bound, as a part of a pitch, that is proven: a wider one is not specific to one pair of teeth.
 const NARROW: f64 = 1e-2;
@@ -58,6 +57,8 @@ pub struct Prover {
     /// Whether the mate's top reaches the root land, and whether its fillet does.
     roots: [bool; 2],
     deep_roots: [bool; 2],
+    /// Least distance of the locked outline's centre from the free axis at which no root lands meet, mm.
+    roots_meet: f64,
     /// Whether both fillets reach each other.
     fillets_meet: bool,
     /// The reason why no pose of the assembly is proven here.
@@ -113,17 +114,12 @@ impl Prover {
             is_reached[k].then(|| Hollow::new(fillet, shapes[k].pitch_radius, mirrored))
         };
         let is_other = |k: usize| !gears[k].is_generated() || gears[k].is_modified();
-        let beyond = if (0..2).any(is_other) {
-            Some("a flank is no involute")
-        } else if rooted[0] + rooted[1] > nearest {
-            Some("root lands reach each other")
-        } else {
-            None
-        };
+        let beyond = (0..2).any(is_other).then_some("a flank is no involute");
         Prover {
             kernel: kernel.clone(),
             roots: [0, 1].map(|k| nearest - tips[1 - k] < rooted[k]),
             deep_roots: [0, 1].map(|k| rooted[k] + forms[1 - k] > nearest),
+            roots_meet: rooted[0] + rooted[1] + gears[1].eccentricity(),
             fillets_meet: forms[0] + forms[1] > nearest,
             hollows: [0, 1].map(|k| hollow(k, false)),
             far_hollow: hollow(0, true),
@@ -371,6 +367,9 @@ impl<'a> Proving<'a> {
         contact: Option<&Contact>,
         b: f64,
     ) -> Result<Option<(Held, Option<CommonPoint>)>, NotProven> {
+        if self.posed.centre.norm() * (1.0 - 1e-9) < self.prover.roots_meet {
+            return Err("root lands reach each other");
+        }
         let Some(contact) = contact else {
             return self.nothing().map(|()| None);
         };
@@ -513,7 +512,7 @@ impl<'a> Proving<'a> {
         let rotation = held.rotation + held.opening;
         let turned = turn(rotation);
         let nu = held.normal.im.atan2(held.normal.re);
-        for step in self.steps() {
+        for step in self.posed.steps_of_whole_teeth() {
             let pair = self.pair(step, rotation, turned);
             let (apart, nu) = self.tops_apart(&pair, (nu, held.normal))?;
             self.fillets_apart(&pair, apart, nu)?;
@@ -525,16 +524,6 @@ impl<'a> Proving<'a> {
             }
         }
         Ok(())
-    }
-
-    /// Steps whose locked tooth can reach the free gear, plus one whose far half can.
-    fn steps(&self) -> Range<i64> {
-        let steps = self.posed.steps();
-        if self.problem().window().is_none() {
-            return steps;
-        }
-        let least = -((self.problem().locked.count() - 1) / 2);
-        (steps.start - 1).max(least)..steps.end
     }
 
     /// Proves that the tops of a pair are apart; returns their separation and its direction, rad.
@@ -576,8 +565,6 @@ impl<'a> Proving<'a> {
             };
             let piece = named(hollow.whole.ends);
             let reach = along.of_locked(pair, hollow, is_far);
-            // The normals of a far fillet point away from the mate.
-            let start = is_far.then_some(nu);
             let here = || if is_far { pair.far_at() } else { pair.at };
             if along.keeps_off(at, reach, along.top, prover.need) {
                 self.tell_apart(pair.step, [piece, Piece::Top], apart);
@@ -586,7 +573,7 @@ impl<'a> Proving<'a> {
                     pair.step,
                     &here(),
                     (0, hollow),
-                    (Piece::Top, top, start),
+                    (Piece::Top, top, along.n),
                     named,
                 )?;
             }
@@ -608,7 +595,7 @@ impl<'a> Proving<'a> {
             self.tell_apart(pair.step, pieces, apart);
             return Ok(());
         }
-        let mate = (Piece::Tooth, tooth, None);
+        let mate = (Piece::Tooth, tooth, along.n);
         self.fillet_apart(pair.step, at, (1, free), mate, Piece::Fillet)
     }
 
@@ -618,7 +605,7 @@ impl<'a> Proving<'a> {
         step: i64,
         at: &At,
         (owner, hollow): (usize, &Hollow),
-        (piece, mate, start): (Piece, &Convex, Option<f64>),
+        (piece, mate, facing): (Piece, &Convex, C),
         named: fn([f64; 2]) -> Piece,
     ) -> Result<(), NotProven> {
         let need = self.prover.need;
@@ -634,7 +621,7 @@ impl<'a> Proving<'a> {
         let mut tell = |ends, proof| {
             self.tell_stretch(step, owner, ordered(owner, named(ends), piece), proof);
         };
-        let is_off = at.is_off_hollow((owner, hollow), (mate, start), need, budget, &mut tell);
+        let is_off = at.is_off_hollow((owner, hollow), (mate, facing), need, budget, &mut tell);
         self.looks = looks;
         if is_off {
             Ok(())
@@ -686,14 +673,14 @@ impl<'a> Proving<'a> {
     ) -> Result<(), NotProven> {
         let prover = self.prover;
         if let Some(hollow) = &prover.hollows[owner] {
-            let mate = (Piece::Root, land, None);
+            let mate = (Piece::Root, land, turn(nu));
             self.fillet_apart(pair.step, &pair.at, (owner, hollow), mate, Piece::Fillet)?;
         }
         let far = prover.far_hollow.as_ref().filter(|_| owner == 0);
         let Some(hollow) = far else {
             return Ok(());
         };
-        let mate = (Piece::Root, land, Some(nu));
+        let mate = (Piece::Root, land, turn(nu));
         self.fillet_apart(
             pair.step,
             &pair.far_at(),
@@ -789,7 +776,8 @@ impl<'a> Proving<'a> {
                 depth(&locked, *point, deep.norm()) > need || far_depth(&locked, *point) > need;
             in_locked && depth(&free, point * turned.conj(), deep.norm()) > need
         };
-        let named = (self.posed.steps()).find(|step| held.teeth == self.teeth(*step))?;
+        let named =
+            (self.posed.steps_of_whole_teeth()).find(|step| held.teeth == self.teeth(*step))?;
         // At the end of a root land the mate's flank may be along the radius: there it is deeper towards the centre.
         let (locked, free) = (self.posed.locked(named), self.posed.free(named));
         let centres = [locked.centre, turned * free.centre];
@@ -800,7 +788,7 @@ impl<'a> Proving<'a> {
         let below = [held.point - deep, held.point * turn(-held.closing) + deep];
         let near = below.map(|point| iter::once(point).chain(deeper(point)));
         // Tips that hardly overlap share a thin lens between their circles, with the corner of the free or of the locked tip in it.
-        let parts = [2.0, -1.0, 0.5].into_iter().filter(|_| held.on_tips);
+        let parts = [2.0, 1.2, 0.5, -1.0].into_iter().filter(|_| held.on_tips);
         let lens = parts.map(|part| {
             let point = held.point * turn(-part * held.closing);
             let rooms = [0, 1].map(|k| {
@@ -810,7 +798,7 @@ impl<'a> Proving<'a> {
             let across = centres[1] - centres[0];
             point + across / across.norm() * (0.5 * (rooms[0] - rooms[1]))
         });
-        let mut tied = self.posed.steps().filter_map(|step| {
+        let mut tied = self.posed.steps_of_whole_teeth().filter_map(|step| {
             let Pair { at, tops, .. } = self.pair(step, closed, turned);
             Some((step, at.middle(&tops, held.normal, 4.0 * deep.norm())?))
         });
@@ -924,7 +912,7 @@ mod tests {
         let checked = prover.over(&pose, &found, |section, here, _| {
             let posed = section.posed(section.side(Side::Right), here);
             let proving = Proving::new(&prover, &posed, section.free(), &found);
-            for step in proving.steps() {
+            for step in posed.steps_of_whole_teeth() {
                 let pair = proving.pair(step, 0.0, C::ONE);
                 let [_, free] = &pair.placed;
                 let parts = [ProfilePart::Tip, ProfilePart::Involute];

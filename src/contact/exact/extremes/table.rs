@@ -217,7 +217,10 @@ impl Table {
         }) else {
             return false;
         };
-        let is_first = |table: &SideTable| table.always_covers() && later > table.spread;
+        // One more step than near half teeth have can reach the mate by its far half.
+        let is_first = |table: &SideTable| {
+            table.always_covers() && later > table.spread + table.per_step.abs()
+        };
         if self.sides.iter().all(is_first) {
             return true;
         }
@@ -438,7 +441,7 @@ mod tests {
                 let posed = posed_sides(&course.sides, &kernel.section, &pose);
                 for (side, later) in posed.iter().zip(later) {
                     let (flanks, later) = (&side.flanks, later.unwrap());
-                    for step in flanks.steps() {
+                    for step in flanks.steps_of_whole_teeth() {
                         if !is_sideways(flanks, step) {
                             continue;
                         }

@@ -85,23 +85,45 @@ pub(super) fn traced(teeth: u32, face: Face, points: u32) -> AsBuilt {
 
 /// The 44/44 pair with a helix angle of 15° and a face of overlap ratio 1.3, as deviated and eccentric as the spur one.
 pub(super) fn helical() -> GearPair {
-    let build = |hand, face| {
-        let data = BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap();
+    // ε_β = b sin β/(π m_n), ISO 21771.
+    let width = 1.3 * std::f64::consts::PI * 3.0 / 15f64.to_radians().sin();
+    helical_of([44, 44], width)
+}
+
+/// A helical 27/51 pair, 15°, on a face of 50 mm.
+pub(super) fn wide_face() -> GearPair {
+    helical_of([27, 51], 50.0)
+}
+
+fn helical_of([wheel, pinion]: [u32; 2], width: f64) -> GearPair {
+    let build = |teeth, hand, face| {
+        let data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();
         let design = GearDesign::standard(data.with_helix(15f64.to_radians(), hand).unwrap());
         deviating(Gear::nominal(design).unwrap(), face, Default::default())
     };
+    let distance = 1.5 * f64::from(wheel + pinion) / 15f64.to_radians().cos() + 0.1;
     let (wheel, pinion) = (
-        build(Hand::Right, Face::Front),
-        build(Hand::Left, Face::Back),
+        build(wheel, Hand::Right, Face::Front),
+        build(pinion, Hand::Left, Face::Back),
     );
-    let distance = 132.0 / 15f64.to_radians().cos() + 0.1;
     let pair = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
-    // ε_β = b sin β/(π m_n), ISO 21771.
-    let half = 0.5 * 1.3 * std::f64::consts::PI * 3.0 / 15f64.to_radians().sin();
-    pair.with_face([-half, half]).unwrap()
+    pair.with_face([-0.5 * width, 0.5 * width]).unwrap()
 }
 
-/// 0.1 mm beyond the play-free distance.
+/// A pair whose only deviations are runouts, mm.
+pub(super) fn with_runouts(teeth: [u32; 2], runout: f64) -> GearPair {
+    let build = |teeth, face| {
+        let deviations = Deviations {
+            eccentricity: 0.5 * runout,
+            high_tooth: 3.3,
+            ..Deviations::default()
+        };
+        AsBuilt::new(gear(teeth), face, &deviations).unwrap()
+    };
+    at_play(teeth, build)
+}
+
+/// A pair 0.1 mm beyond the play-free distance.
 pub(super) fn pair(teeth: [u32; 2], perfect: bool) -> GearPair {
     let build = |teeth, face| {
         if perfect {
@@ -110,6 +132,10 @@ pub(super) fn pair(teeth: [u32; 2], perfect: bool) -> GearPair {
             deviated(teeth, face)
         }
     };
+    at_play(teeth, build)
+}
+
+fn at_play(teeth: [u32; 2], build: impl Fn(u32, Face) -> AsBuilt) -> GearPair {
     let distance = 1.5 * f64::from(teeth[0] + teeth[1]) + 0.1;
     let (wheel, pinion) = (build(teeth[0], Face::Front), build(teeth[1], Face::Back));
     GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()

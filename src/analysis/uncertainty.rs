@@ -53,10 +53,7 @@ impl Uncertainty {
         let touching = [found.right?, found.left?];
         let free = assembly.free();
         let radius = assembly.operating_pitch_radius(free);
-        let rates = touching.map(|contact| {
-            let arm = (contact.point - assembly.axis(free)).perp(&contact.normal);
-            radius / arm.abs()
-        });
+        let rates = touching.map(|contact| radius / contact.lever(assembly.axis(free)));
         let mean = 0.5 * (rates[0] + rates[1]);
         let apart = rates[0] * touching[0].normal + rates[1] * touching[1].normal;
         let square_sum = rates[0].powi(2) + rates[1].powi(2);

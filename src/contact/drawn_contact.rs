@@ -40,8 +40,7 @@ impl DrawnContact {
         let turn = contact.rotation - rotation;
         let turn = turn - TAU * (turn / TAU).round();
         let free = assembly.axis(assembly.free());
-        let lever = (contact.point - free).perp(&contact.normal).abs();
-        let along_normal = side.sense() * turn * lever;
+        let along_normal = side.sense() * turn * contact.lever(free);
         let base = assembly
             .data()
             .map(|pair| pair.gear(pair.free()).gear().base_radius());

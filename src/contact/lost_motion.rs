@@ -108,6 +108,11 @@ impl Contact {
             Member::Pinion => &self.pinion,
         }
     }
+
+    /// Lever of the contact force about `axis`, mm.
+    pub(crate) fn lever(&self, axis: Point2<f64>) -> f64 {
+        (self.point - axis).perp(&self.normal).abs()
+    }
 }
 
 #[cfg(feature = "serde")]

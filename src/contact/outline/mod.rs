@@ -216,8 +216,7 @@ impl SideKernel<'_> {
         let Some(contact) = contact else {
             return witness.touches_nothing();
         };
-        let arm = contact.point - pair.axis(pair.free());
-        let lever = arm.perp(&contact.normal).abs();
+        let lever = contact.lever(pair.axis(pair.free()));
         let little = contact.error + witness.little(lever);
         if !(little <= NARROW * self.free.gear.pitch()) {
             return Ok(());

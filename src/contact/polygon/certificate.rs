@@ -146,8 +146,7 @@ impl<'a> Certifier<'a> {
     ) -> Result<bool, String> {
         let assembly = self.kernel.teeth.assembly;
         let finest = finest_chord(assembly);
-        let arm = contact.point - assembly.axis(assembly.free());
-        let lever = arm.perp(&contact.normal).abs();
+        let lever = contact.lever(assembly.axis(assembly.free()));
         let opening = side.sense() * (pose.free_rotation() - contact.rotation);
         let mut touching = false;
         let allowed = effort.left().saturating_mul(PAIRS_PER_UNIT.into());

@@ -49,6 +49,8 @@
     });
   }
 
+  // A worker that is still busy, with marks say, is ended for newer work.
+  const free = async (name) => { if (workers[name].waiting.size > 0) await begin(name); };
   const answer = async (name, call, ...args) => JSON.parse(await ask(name, call, ...args));
 
   // Work that newer work may end.
@@ -94,6 +96,8 @@
 
   async function take(given) {
     const added = [];
+    byId("unit-row").hidden = true;
+    byId("unit").value = "";
     const names = Array.from(given, ({ name }) => name);
     if (names.some(isText) || names.filter(isDrawing).length === 2) {
       for (const name of ofExample) files.delete(name);
@@ -122,9 +126,18 @@
 
   // Two drawings without a pair file: a text to go on from, at the distance without play.
   async function startFromDrawings([wheel, pinion]) {
-    await send("long");
-    const unit = byId("unit").value;
-    const made = await answer("long", "of_drawings", wheel, pinion, unit);
+    const now = ++run;
+    byId("found").classList.add("old");
+    work("Drawings");
+    let made;
+    try {
+      await free("long");
+      await send("long");
+      made = await answer("long", "of_drawings", wheel, pinion, byId("unit").value);
+    } finally {
+      if (now === run) byId("working").hidden = true;
+    }
+    if (now !== run) return false;
     if (!made.text) {
       showProblems(made.problems ?? [{ reason: made.failed }]);
       byId("unit-row").hidden = false;
@@ -174,7 +187,7 @@
     clearTimeout(settling);
     byId("found").classList.add("old");
     work("Reading");
-    for (const [name, { waiting }] of Object.entries(workers)) if (waiting.size > 0) quietly(begin(name));
+    for (const name of Object.keys(workers)) quietly(free(name));
     const since = performance.now();
     try {
       for (const name of ["long", "live", "band"]) await send(name);
@@ -526,8 +539,7 @@
     const now = run;
     work("Report");
     try {
-      // Marks that are still being found can wait no longer.
-      if (workers.long.waiting.size > 0) await begin("long");
+      await free("long");
       await send("long");
       await ask("long", "open", main);
       const report = await answer("long", "report", new Date().toISOString().slice(0, 10));

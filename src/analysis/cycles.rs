@@ -44,8 +44,17 @@ pub(super) struct Planned {
     open_lean: [f64; 2],
     /// [`Study::bearing_ends`].
     bearing_ends: Option<BearingEnds>,
-    /// Whether only the extremes are searched: no distances that follow from them, and no losses along the face.
-    pub alone: bool,
+    /// Searches the extremes alone: no distances that follow from them, and no losses along the face.
+    pub alone: Option<Alone>,
+}
+
+/// A search for extremes alone.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Alone {
+    /// The extremes that are searched.
+    pub ends: &'static [End],
+    /// One part in so many of the effort is spent.
+    pub parts: u64,
 }
 
 /// Extremes of a cycle, and their poses: least, greatest, lost.
@@ -68,7 +77,7 @@ pub(super) struct SearchedEnd {
 }
 
 /// The status that says more of the worst pose.
-fn worse(one: Status, other: Status) -> Status {
+pub(super) fn worse(one: Status, other: Status) -> Status {
     let ranked = [
         Status::Clear,
         Status::Interference,
@@ -285,8 +294,8 @@ impl Planned {
             AssembledPair::Drawn(pair) => {
                 let kernel = OutlineKernel::new(pair);
                 let cycle = self.outlines(pair);
-                let found = kernel.extremes(pair, &cycle, &End::BOTH, PROVEN_WIDTH_DRAWN);
-                let assembles_from = if self.alone {
+                let found = kernel.extremes(pair, &cycle, self.ends(), PROVEN_WIDTH_DRAWN);
+                let assembles_from = if self.alone.is_some() {
                     None
                 } else {
                     AssemblesFrom::of_outlines(&kernel, pair, &cycle, &found)?
@@ -307,10 +316,20 @@ impl Planned {
         };
         if is_open(assembly) {
             let all = self.any_direction(assembly, effort)?;
-            let [(near, nearest), (far, farthest)] = &all.ends;
+            let [near, far] = &all.ends;
+            let assembles_from = match near {
+                Some((near, nearest)) => self.assembles_from(near, nearest, all.off, effort)?,
+                None => None,
+            };
+            let meshes_to = match far {
+                Some((far, farthest)) => {
+                    self.meshes_to(far, farthest, all.off, (&greatest, effort))?
+                }
+                None => None,
+            };
             return Ok(Searched {
-                assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
-                meshes_to: self.meshes_to(far, farthest, all.off, (&greatest, effort))?,
+                assembles_from,
+                meshes_to,
                 face_loss: None,
                 found: all.found,
                 poses: all.poses,
@@ -329,7 +348,7 @@ impl Planned {
 
     /// The loss of the least `found` by deviations along the face; `None` for a pair without any.
     fn face_loss(&self, pair: &GearPair, found: &Extremes) -> Result<Option<FaceLoss>, Error> {
-        if self.alone || !pair.deviates_along_face() {
+        if self.alone.is_some() || !pair.deviates_along_face() {
             return Ok(None);
         }
         let held = |found: &Extremes| {
@@ -460,18 +479,29 @@ impl Planned {
 
     /// Effort of the search of `assembly`.
     fn effort(&self, assembly: &GearPair) -> Effort {
-        Effort::of_extremes(assembly).part(self.phases)
+        let parts = self.alone.map_or(1, |alone| alone.parts);
+        Effort::of_extremes(assembly).part(self.phases * parts)
+    }
+
+    /// The extremes to search.
+    fn ends(&self) -> &'static [End] {
+        self.alone.map_or(&End::BOTH, |alone| alone.ends)
     }
 
     /// The extremes of `pair`, whose runout has a direction, over the cycle.
     fn cycle(&self, pair: &GearPair, effort: &Effort) -> Result<Extremes, Error> {
-        let over = (self.first, self.distinct);
-        ExactKernel::new(pair).extremes_within(pair, over, WIDTH, effort)
+        let (kernel, over) = (ExactKernel::new(pair), (self.first, self.distinct));
+        match self.ends() {
+            [End::Least] => kernel.least(pair, over, WIDTH, effort),
+            [End::Greatest] => kernel.greatest(pair, over, WIDTH, effort),
+            _ => kernel.extremes_within(pair, over, WIDTH, effort),
+        }
     }
 
     /// The extremes of `pair` over the cycle and all directions of its runout.
     fn any_direction(&self, pair: &GearPair, effort: &Effort) -> Result<AnyDirection, Error> {
-        any_direction(pair, (self.first, self.distinct), WIDTH, effort)
+        let over = (self.first, self.distinct);
+        any_direction(pair, over, self.ends(), WIDTH, effort)
     }
 
     /// The distance from which `pair`, with the result `found`, assembles, increased by `farther`, mm.
@@ -484,7 +514,7 @@ impl Planned {
     ) -> Result<Option<AssemblesFrom>, Error> {
         let least = found.least.map(|least| least.low);
         let is_clear = least.is_some_and(|least| least >= 0.0);
-        if self.alone || found.status == Status::NoContact || is_clear {
+        if self.alone.is_some() || found.status == Status::NoContact || is_clear {
             return Ok(None);
         }
         // A pair that needs no search has as much effort once more: with a share of the rest, what can be proven would not be.
@@ -508,7 +538,7 @@ impl Planned {
         nearer: f64,
         (search, effort): (&Search<'_>, &Effort),
     ) -> Result<Option<MeshesTo>, Error> {
-        if self.alone || found.status != Status::NoContact {
+        if self.alone.is_some() || found.status != Status::NoContact {
             return Ok(None);
         }
         let to = MeshesTo::new(pair, found, search, effort)?;
@@ -561,7 +591,7 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
                 phases: count,
                 open_lean: study.open_lean,
                 bearing_ends: study.bearing_ends,
-                alone: false,
+                alone: None,
             });
         }
     }
@@ -579,16 +609,17 @@ pub fn extremes_of_phase(assembly: &GearPair, phase: u32, width: f64) -> Result<
     let effort = &Effort::of_extremes(assembly);
     let over = (first, distinct);
     if is_open(assembly) {
-        Ok(any_direction(assembly, over, width, effort)?.found)
+        Ok(any_direction(assembly, over, &End::BOTH, width, effort)?.found)
     } else {
         ExactKernel::new(assembly).extremes_within(assembly, over, width, effort)
     }
 }
 
-/// The extremes of `pair` over matings and all directions of its runout, in brackets of about `width` mm.
+/// The extremes `ends` of `pair` over matings and all directions of its runout, in brackets of about `width` mm.
 fn any_direction(
     pair: &GearPair,
     over: (Mating, u64),
+    ends: &[End],
     width: f64,
     effort: &Effort,
 ) -> Result<AnyDirection, Error> {
@@ -597,7 +628,13 @@ fn any_direction(
     let least = |pair: &GearPair, kernel: &ExactKernel| kernel.least(pair, over, width, effort);
     let greatest =
         |pair: &GearPair, kernel: &ExactKernel| kernel.greatest(pair, over, width, effort);
-    directions::extremes(pair, &least, &greatest)
+    let least: &Search = &least;
+    let greatest: &Search = &greatest;
+    directions::extremes(
+        pair,
+        ends.contains(&End::Least).then_some(least),
+        ends.contains(&End::Greatest).then_some(greatest),
+    )
 }
 
 /// The mating of wheel tooth 1 that names an assembly phase.

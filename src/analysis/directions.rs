@@ -56,8 +56,8 @@ pub(super) struct AnyDirection {
     /// The least, the greatest and the lost pose.
     pub poses: Vec<Directed>,
     /// The pair at the centre distance less the open eccentricities, without those, and its least; the pair at the greater distance, and
-    /// its greatest.
-    pub ends: [(GearPair, Extremes); 2],
+    /// its greatest. `None` where an end is not searched.
+    pub ends: [Option<(GearPair, Extremes)>; 2],
     /// Difference of these distances from the centre distance, mm.
     pub off: f64,
 }
@@ -77,30 +77,43 @@ fn open_eccentricity(gear: &AsBuilt) -> f64 {
     }
 }
 
-/// Extremes of `assembly`; `least` and `greatest` find those of a pair without a runout of unknown direction.
+/// Extremes of `assembly`; `least` and `greatest`, if they are wanted, find those of a pair without a runout of unknown direction.
 pub(super) fn extremes(
     assembly: &GearPair,
-    least: &Search<'_>,
-    greatest: &Search<'_>,
+    least: Option<&Search<'_>>,
+    greatest: Option<&Search<'_>>,
 ) -> Result<AnyDirection, Error> {
     // Neither a distance nor a direction changes a tooth.
     let kernel = ExactKernel::new(assembly);
-    let near = End::new(assembly, &kernel, true, least)?;
-    let far = End::new(assembly, &kernel, false, greatest)?;
-    let status = match (near.found.status, far.found.status) {
-        (Status::Jammed, _) => Status::Jammed,
-        (_, Status::NoContact) => Status::NoContact,
-        (status, _) => status,
+    let end = |facing: bool, search: Option<_>| {
+        let end = search.map(|search| End::new(assembly, &kernel, facing, search));
+        end.transpose()
+    };
+    let (near, far) = (end(true, least)?, end(false, greatest)?);
+    let status_of = |end: &Option<End>| end.as_ref().map(|end| end.found.status);
+    let status = match (status_of(&near), status_of(&far)) {
+        (Some(Status::Jammed), _) => Status::Jammed,
+        (_, Some(Status::NoContact)) => Status::NoContact,
+        (one, other) => one.or(other).unwrap_or(Status::Unproven),
+    };
+    let bounded = |end: &Option<End>, of: fn(&Extremes) -> Option<Extreme>| match end {
+        Some(end) => end.bounded(of(&end.found)),
+        None => Ok(None),
     };
     let [least, greatest] = [
-        near.bounded(near.found.least)?,
-        far.bounded(far.found.greatest)?,
+        bounded(&near, |found| found.least)?,
+        bounded(&far, |found| found.greatest)?,
     ];
-    let lost = match status {
-        Status::Jammed => near.found.lost.map(|mating| near.directed(mating, None)),
-        _ => far.found.lost.map(|mating| far.directed(mating, None)),
+    let losing = match status {
+        Status::Jammed => &near,
+        _ => &far,
     };
+    let lost = losing.as_ref().and_then(|end| {
+        let mating = end.found.lost?;
+        Some(end.directed(mating, None))
+    });
     let lost = lost.transpose()?;
+    let matings = near.iter().chain(&far).map(|end| end.found.matings).next();
     let poses = [least.as_ref(), greatest.as_ref()].into_iter().flatten();
     let poses = poses.map(|(extreme, assembly)| (assembly, extreme.mating));
     let poses = poses.chain(lost.iter().map(|(assembly, mating)| (assembly, *mating)));
@@ -112,7 +125,7 @@ pub(super) fn extremes(
             })
             .collect(),
         found: Extremes {
-            matings: near.found.matings,
+            matings: matings.unwrap_or(0),
             status,
             least: least.map(|(extreme, _)| extreme),
             greatest: greatest.map(|(extreme, _)| extreme),
@@ -122,7 +135,7 @@ pub(super) fn extremes(
             .map(|member| open_eccentricity(assembly.gear(member)))
             .iter()
             .sum(),
-        ends: [near, far].map(|end| (end.centred, end.found)),
+        ends: [near, far].map(|end| end.map(|end| (end.centred, end.found))),
     })
 }
 

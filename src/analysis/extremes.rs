@@ -8,14 +8,16 @@
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::{ComparedPose, ComparedRun, compare};
-use super::cycles::{Planned, Searched, SearchedEnd, distinct, hunting_pitches, plans};
+use super::cycles::{
+    Alone, Planned, Searched, SearchedEnd, distinct, hunting_pitches, plans, worse,
+};
 use super::directions::{Directed, is_open};
 use super::face_loss::FaceLoss;
 use super::meshes_to::MeshesTo;
 use super::phases::phase_count;
 use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
-use crate::contact::{Doubt, Extreme, Method, Status, is_proven};
+use crate::contact::{Doubt, End, Extreme, Method, Status, is_proven};
 use crate::error::Error;
 use crate::outline::AssembledPair;
 use crate::parallel;
@@ -258,21 +260,43 @@ pub fn extremes(
     of_plans(study, plans(study)?, method, tick)
 }
 
-/// As [`extremes`], without the distances from which a pair assembles and up to which it is in mesh, and without losses along the face.
-/// Each of these takes several searches.
+/// Least and greatest backlash alone, with one run of each centre distance and assembly phase of `study` for all materials: the least of
+/// the thickest gears and the greatest of the thinnest. Thicker teeth contain thinner ones, so no thickness between has less or more.
+///
+/// It takes one part in `parts` of the effort of [`extremes`], and leaves out the distances from which a pair assembles and up to which it
+/// is in mesh, and losses along the face.
 ///
 /// # Errors
 /// As [`super::simulate::simulate`].
-pub fn extremes_alone(
+pub fn band(
     study: &Study,
     method: Method,
+    parts: u64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<CycleExtremes, Error> {
     let mut plans = plans(study)?;
+    let has = |wanted| plans.iter().any(|plan| plan.run.material == wanted);
+    let is_band = has(Material::Most) && has(Material::Least);
     for plan in &mut plans {
-        plan.alone = true;
+        let ends: &[End] = match plan.run.material {
+            Material::Most if is_band => &[End::Least],
+            Material::Least if is_band => &[End::Greatest],
+            _ => &End::BOTH,
+        };
+        plan.alone = Some(Alone { ends, parts });
     }
-    of_plans(study, plans, method, tick)
+    let CycleExtremes { mut each, runs } = of_plans(study, plans, method, tick)?;
+    if is_band {
+        let is_thin = |run: &mut RunExtremes| run.material == Material::Least;
+        // Both materials have the same distances and phases, in one order.
+        let thin: Vec<RunExtremes> = each.extract_if(.., is_thin).collect();
+        for (run, thin) in each.iter_mut().zip(thin) {
+            run.greatest = thin.greatest;
+            run.status = worse(run.status, thin.status);
+            run.lost = run.lost.take().or(thin.lost);
+        }
+    }
+    Ok(CycleExtremes { each, runs })
 }
 
 fn of_plans(

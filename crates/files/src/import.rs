@@ -92,7 +92,7 @@ impl Imported {
 /// # Errors
 /// [`InputError`] with all problems of its tables; keys are those of a pair file.
 pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported, InputError> {
-    let reading = Rc::new(Reading::default());
+    let reading = Rc::new(Reading::of_named());
     let name = path.display().to_string();
     let mut entries = vec![("file".to_owned(), Node::Text(name.clone()))];
     for (key, text) in options.keys {

@@ -19,6 +19,8 @@ pub struct Reading {
     folder: PathBuf,
     /// The files that it names, where they are given by name and bytes.
     files: Option<Rc<Files>>,
+    /// Whether the user names the file itself: its text is shown wherever it is.
+    is_named: bool,
     /// No result may be written over these.
     sources: RefCell<Sources>,
     remarks: RefCell<Vec<String>>,
@@ -52,6 +54,14 @@ impl Reading {
         }
     }
 
+    /// The reading of a file that the user names.
+    pub fn of_named() -> Reading {
+        Reading {
+            is_named: true,
+            ..Reading::default()
+        }
+    }
+
     /// The files that it names, where they are given by name and bytes.
     pub fn files(&self) -> Option<&Files> {
         self.files.as_deref()
@@ -59,7 +69,7 @@ impl Reading {
 
     /// Whether the real place of `path`, links followed, is not below its folder. A file that does not exist is outside.
     pub fn is_outside(&self, path: &Path) -> bool {
-        if self.files.is_some() {
+        if self.is_named || self.files.is_some() {
             return false;
         }
         let folder = if self.folder.as_os_str().is_empty() {

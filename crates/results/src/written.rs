@@ -11,6 +11,7 @@ use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::{Piece, RunTally};
 use gearlash::analysis::verdict::Verdict;
 use gearlash_files::AnyPair;
+#[cfg(feature = "rayon")]
 use rayon::prelude::*;
 use std::io::{Error, Result, Write};
 
@@ -102,8 +103,11 @@ impl<'w> ResultWriter<'w> {
         let layout = self.json.as_ref().map(Json::layout);
         let with_csv = self.csv.is_some();
         let columns = PoseRow::columns();
-        let written: Result<Vec<(Option<String>, Vec<Value>)>> = poses
-            .par_iter()
+        #[cfg(feature = "rayon")]
+        let each = poses.par_iter();
+        #[cfg(not(feature = "rayon"))]
+        let each = poses.iter();
+        let written: Result<Vec<(Option<String>, Vec<Value>)>> = each
             .map(|pose| {
                 let row = PoseRow::of_run(run, pose);
                 let json = layout

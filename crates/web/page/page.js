@@ -49,6 +49,8 @@
     });
   }
 
+  // A worker that is still busy, with marks say, is ended for newer work.
+  const free = async (name) => { if (workers[name].waiting.size > 0) await begin(name); };
   const answer = async (name, call, ...args) => JSON.parse(await ask(name, call, ...args));
 
   // Work that newer work may end.
@@ -94,10 +96,13 @@
 
   async function take(given) {
     const added = [];
+    byId("unit-row").hidden = true;
+    byId("unit").value = "";
     const names = Array.from(given, ({ name }) => name);
     if (names.some(isText) || names.filter(isDrawing).length === 2) {
       for (const name of ofExample) files.delete(name);
       ofExample = [];
+      byId("examples").value = "";
     }
     for (const file of given) {
       const most = isText(file.name) ? MOST_TEXT : MOST_BYTES;
@@ -121,9 +126,18 @@
 
   // Two drawings without a pair file: a text to go on from, at the distance without play.
   async function startFromDrawings([wheel, pinion]) {
-    await send("long");
-    const unit = byId("unit").value;
-    const made = await answer("long", "of_drawings", wheel, pinion, unit);
+    const now = ++run;
+    byId("found").classList.add("old");
+    work("Drawings");
+    let made;
+    try {
+      await free("long");
+      await send("long");
+      made = await answer("long", "of_drawings", wheel, pinion, byId("unit").value);
+    } finally {
+      if (now === run) byId("working").hidden = true;
+    }
+    if (now !== run) return false;
     if (!made.text) {
       showProblems(made.problems ?? [{ reason: made.failed }]);
       byId("unit-row").hidden = false;
@@ -170,9 +184,10 @@
     files.set(main, new TextEncoder().encode(text.value));
     listFiles();
     clearTimeout(typing);
+    clearTimeout(settling);
     byId("found").classList.add("old");
     work("Reading");
-    for (const [name, { waiting }] of Object.entries(workers)) if (waiting.size > 0) quietly(begin(name));
+    for (const name of Object.keys(workers)) quietly(free(name));
     const since = performance.now();
     try {
       for (const name of ["long", "live", "band"]) await send(name);
@@ -324,6 +339,7 @@
   const place = () => [distance(), Number(fields.material.value), counted(fields.wheel), counted(fields.pinion), fields.flank.value === "left", Number(fields.turn.value)];
   let mesh = null;
   let resting = null;
+  let settling = null;
 
   // Of several requests the newest wins; one is on its way.
   function newest(name, into, act) {
@@ -354,16 +370,24 @@
     if (!mesh) await drawMesh(at);
     showPose(await answer("live", "pose", "live", ...at));
   });
-  const liveBand = newest("band", "cycle", async () => {
-    const a = distance();
-    showBand(await answer("band", "live_band", a));
+  // A part of the effort while the slider moves; all of it at rest, where that leaves a band unproven.
+  async function bandAt(a, isWhole) {
+    const band = await answer("band", "live_band", a, isWhole);
+    if (isWhole && a !== distance()) return;
+    showBand(band);
     byId("cycle").dataset.a = a;
     byId("live").classList.toggle("behind", a !== distance());
+    if (!isWhole && band.is_proven === false) settling = setTimeout(wholeBand, 150);
+  }
+  const liveBand = newest("band", "cycle", async () => {
+    clearTimeout(settling);
+    await bandAt(distance(), false);
     clearTimeout(resting);
     resting = setTimeout(() => {
       byId("spoken").textContent = `At ${distance()} mm: this mating ${byId("here").textContent}, whole cycle ${byId("cycle").textContent}`;
     }, 1000);
   });
+  const wholeBand = newest("band", "cycle", () => bandAt(distance(), true));
 
   function live() {
     byId("live").classList.toggle("behind", Number(byId("cycle").dataset.a) !== distance());
@@ -439,7 +463,9 @@
       return;
     }
     const rows = band.verdict.rows.map(({ name, value }) => `${name} ${value}`).join(", ");
-    byId("cycle").textContent = rows ? `${rows}. ${band.verdict.proof}` : band.verdict.status;
+    // Without a least or a greatest the status says why.
+    const status = band.verdict.rows.length < 2 ? `${band.verdict.status} ` : "";
+    byId("cycle").textContent = rows ? `${status}${rows}. ${band.verdict.proof}` : band.verdict.status;
     byId("cycle").title = band.verdict.text;
     scale(band);
   }
@@ -470,9 +496,11 @@
 
   fields.a.addEventListener("input", () => { fields.number.value = fields.a.value; live(); });
   fields.number.addEventListener("input", () => { fields.a.value = fields.number.value; live(); });
-  fields.a.addEventListener("keydown", (event) => {
+  for (const field of [fields.a, fields.number]) field.addEventListener("keydown", (event) => {
     const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
-    if (!steps) return;
+    // In the number field these move the cursor.
+    const isInText = field === fields.number && /Left|Right/.test(event.key);
+    if (!steps || isInText) return;
     event.preventDefault();
     const um = steps * (event.shiftKey ? 10 : 1);
     fields.number.value = fields.a.value = Number((distance() + um / 1000).toFixed(6));
@@ -511,8 +539,7 @@
     const now = run;
     work("Report");
     try {
-      // Marks that are still being found can wait no longer.
-      if (workers.long.waiting.size > 0) await begin("long");
+      await free("long");
       await send("long");
       await ask("long", "open", main);
       const report = await answer("long", "report", new Date().toISOString().slice(0, 10));
@@ -563,13 +590,14 @@
   function open(held) {
     files.clear();
     ofExample = Object.keys(held.texts ?? {});
+    byId("examples").value = examples.includes(held) ? examples.indexOf(held) : "";
     for (const [name, content] of Object.entries(held.texts ?? {})) files.set(name, new TextEncoder().encode(content));
     for (const [name, content] of Object.entries(held.files ?? {})) files.set(name, Uint8Array.from(atob(content), (char) => char.charCodeAt(0)));
     edit(held.main);
     calculate();
   }
 
-  byId("examples").append(...examples.map(({ title }, i) => make("option", title, { value: i })));
+  byId("examples").append(make("option", "choose", { value: "", disabled: true }), ...examples.map(({ title }, i) => make("option", title, { value: i })));
   byId("examples").addEventListener("change", (event) => open(examples[event.target.value]));
   byId("open").addEventListener("change", (event) => quietly(take(event.target.files)));
   byId("unit").addEventListener("change", () => {

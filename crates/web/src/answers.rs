@@ -2,11 +2,12 @@
 
 use crate::archive::archive;
 use gearlash::analysis::curves::courses;
+use gearlash::analysis::extremes::{self, RunExtremes};
 use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
-use gearlash::analysis::{Analysis, Plan, Progress, extremes};
+use gearlash::analysis::{Analysis, Plan, Progress};
 use gearlash::contact::{Doubt, Method, PoseResult};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
@@ -35,6 +36,10 @@ const METHOD: Method = Method::Exact { certify: true };
 
 /// Most poses that a page holds: 500 MB of memory.
 pub const MOST_POSES: u64 = 500_000;
+
+/// A live answer takes one part in so many of the effort of a verdict (tuned: every example that a verdict proves is proven, and one
+/// without a proof takes below 0.1 s).
+const LIVE_PARTS: u64 = 30;
 
 /// Receives steps begun, steps in all and the stage; a break ends the work.
 pub type OnStep = dyn Fn(u64, u64, &str) -> ControlFlow<()> + Sync;
@@ -332,18 +337,21 @@ impl Page {
         }
     }
 
-    /// Least and greatest backlash of the whole mesh cycle at another centre distance, in the lines of the verdict.
-    pub fn live_band(&self, a: f64) -> Value {
+    /// Least and greatest backlash of the whole mesh cycle at another centre distance, in the lines of the verdict. It takes a part of the
+    /// effort of a verdict, or all of it; `is_proven` says whether more effort finds nothing else.
+    pub fn live_band(&self, a: f64, is_whole: bool) -> Value {
+        let parts = if is_whole { 1 } else { LIVE_PARTS };
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
         let found = movable(&pair.study).at(vec![a]).and_then(|study| {
-            let found = extremes::extremes_alone(&study, METHOD, &|| ControlFlow::Continue(()))?;
+            let found = extremes::band(&study, METHOD, parts, &|| ControlFlow::Continue(()))?;
             let verdict = Verdict::of_study(&study, &found.each, Vec::new());
             let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
             let shown = lines(&verdict);
             Ok(json!({
                 "verdict": verdict_json(&shown),
+                "is_proven": found.each.iter().all(RunExtremes::is_proven),
                 "least_um": value(verdict.least().map(|(_, least)| least.low)),
                 "greatest_um": value(verdict.greatest().map(|(_, greatest)| greatest.high)),
             }))

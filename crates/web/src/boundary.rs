@@ -104,9 +104,9 @@ impl Gearlash {
         answer.to_string()
     }
 
-    /// Least and greatest backlash of the whole mesh cycle at the centre distance `a`, mm.
-    pub fn live_band(&self, a: f64) -> String {
-        self.page.live_band(a).to_string()
+    /// Least and greatest backlash of the whole mesh cycle at the centre distance `a`, mm, by a part or all of the effort of a verdict.
+    pub fn live_band(&self, a: f64, is_whole: bool) -> String {
+        self.page.live_band(a, is_whole).to_string()
     }
 
     /// The content of a table among the files, and the lines of a pair file that name it.

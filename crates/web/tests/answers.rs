@@ -121,7 +121,7 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
             .unwrap()
             .contains("<svg")
     );
-    let band = page.live_band(a);
+    let band = page.live_band(a, false);
     let moved = study.at(vec![a]).unwrap();
     let plan = Plan::new(&moved, Method::Exact { certify: true }).with_extremes();
     let analysis = Analysis::silently(&plan).unwrap();
@@ -138,6 +138,60 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
     );
 }
 
+/// A band takes the least from the thickest gears and the greatest from the thinnest. Source: the extremes of both materials. The pair that
+/// jams has no proof: all effort finds what a verdict does.
+#[test]
+fn a_band_has_the_extremes_of_all_materials() {
+    let examples: [&[&str]; 5] = [
+        &["docs/files/drawing.toml"],
+        &["docs/files/sheet.toml", "docs/files/wheel.csv"],
+        &["docs/files/helical.toml"],
+        &["docs/files/jams.toml"],
+        &["fixtures/karba_44x44.toml", "fixtures/karba_tables_5_6.csv"],
+    ];
+    for names in examples {
+        let (page, found) = opened(names);
+        let a = found["distances_mm"][0].as_f64().unwrap();
+        for more in [0.0, 0.02] {
+            let study = read_any(&path(names[0])).unwrap().study;
+            let Ok(study) = study.at(vec![a + more]) else {
+                continue;
+            };
+            let plan = Plan::new(&study, Method::Exact { certify: true }).with_extremes();
+            let analysis = Analysis::silently(&plan).unwrap();
+            let verdict = analysis.verdict();
+            let quick = page.live_band(a + more, false);
+            let is_proven = verdict.runs.iter().all(|run| run.is_proven());
+            assert_eq!(quick["is_proven"], is_proven, "{names:?}: {quick}");
+            let band = page.live_band(a + more, true);
+            let ends = [
+                ("least_um", verdict.least().map(|(_, least)| least.low)),
+                (
+                    "greatest_um",
+                    verdict.greatest().map(|(_, greatest)| greatest.high),
+                ),
+            ];
+            for (name, end) in ends {
+                let (own, shown) = (end.map(|mm| mm * 1e3), band[name].as_f64());
+                let same = own
+                    .zip(shown)
+                    .map(|(own, shown)| (own - shown).abs() < 2e-3);
+                assert_eq!(
+                    same,
+                    own.map(|_| true),
+                    "{names:?}, {name}: {own:?} {shown:?}"
+                );
+                assert_eq!(own.is_some(), shown.is_some());
+            }
+            assert_eq!(
+                band["verdict"]["state"],
+                lines(&verdict).state.name(),
+                "{names:?}"
+            );
+        }
+    }
+}
+
 /// Two drawings without a pair file: the text that is made can be opened, and the gears touch there.
 #[test]
 fn two_drawings_make_a_pair_file() {
@@ -150,7 +204,7 @@ fn two_drawings_make_a_pair_file() {
     page.files.add("pair.toml", text.as_bytes().to_vec());
     let found = page.open("pair.toml");
     let a = found["distances_mm"][0].as_f64().unwrap();
-    let band = page.live_band(a);
+    let band = page.live_band(a, false);
     let least = band["least_um"].as_f64().unwrap();
     // Rounded up to 1 µm, the distance leaves at most 2 µm tan α_w.
     assert!((-1e-3..2.0).contains(&least), "{a}: {least}");
@@ -165,7 +219,9 @@ fn a_table_is_understood() {
         found["toml"].as_str().unwrap().contains("wheel.csv"),
         "{found}"
     );
-    assert!(found["text"].as_str().unwrap().contains("pitch"), "{found}");
+    let text = found["text"].as_str().unwrap();
+    // Lines of the table are shown though no folder holds it.
+    assert!(text.contains("pitch") && text.contains("\"Max\""), "{text}");
     let none = page.understand("pinion.csv");
     assert!(none["failed"].is_string());
 }

@@ -40,9 +40,9 @@ for (const files of cases) {
     const at = JSON.parse(result).start ?? { wheel: 1, pinion: 1, left: false, fraction: 0 };
     const a = opened.distances_mm[0];
     const place = [a, 0, at.wheel, at.pinion, at.left, at.fraction];
-    answers.push(result, one.mark_of_jam(), timed(() => one.live_band(a)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
+    answers.push(result, one.mark_of_jam(), timed(() => one.live_band(a, false)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
     // As the slider moves it, after the first.
-    timed(() => [one.live_band(a + 0.01), one.pose("live", a + 0.01, ...place.slice(1))]);
+    timed(() => [one.live_band(a + 0.01, false), one.pose("live", a + 0.01, ...place.slice(1))]);
   } else {
     answers.push(one.understand(main), one.of_drawings(main, files.at(-1)[0], ""));
   }

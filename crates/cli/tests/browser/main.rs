@@ -104,7 +104,7 @@ const TESTS: [(&str, Test); 23] = [
 ];
 
 /// Tests of the page that `crates/web/build` makes.
-const WEB_TESTS: [(&str, Test); 15] = [
+const WEB_TESTS: [(&str, Test); 16] = [
     ("page_opens_from_a_server", web::page_opens_from_a_server),
     ("page_runs_in_firefox", web::page_runs_in_firefox),
     (
@@ -114,6 +114,10 @@ const WEB_TESTS: [(&str, Test); 15] = [
     (
         "page_mesh_moves_with_the_distance",
         web::page_mesh_moves_with_the_distance,
+    ),
+    (
+        "page_poses_do_not_wait_for_the_band",
+        web::page_poses_do_not_wait_for_the_band,
     ),
     (
         "page_marks_the_ends_of_the_distance",

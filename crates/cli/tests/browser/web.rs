@@ -415,6 +415,11 @@ pub fn page_works_by_keyboard(browser: &Chromium, _: &Site) {
     tab.key("ArrowRight", true);
     let moved = tab.number("Number(document.getElementById('a-number').value)");
     assert!((moved - a - 0.011).abs() < 1e-9, "{a} {moved}");
+    tab.eval("document.getElementById('a-number').focus()");
+    tab.key("ArrowDown", true);
+    tab.key("ArrowUp", false);
+    let back = tab.number("Number(document.getElementById('a-number').value)");
+    assert!((moved - back - 0.009).abs() < 1e-9, "{moved} {back}");
 }
 
 /// axe-core has no finding on any state, light, dark and narrow.
@@ -514,6 +519,33 @@ pub fn page_slider_gives_the_extremes_of_the_program(browser: &Chromium, _: &Sit
             assert!(shown.contains(value), "{a}: {value} in {shown}");
         }
     }
+}
+
+/// A pose comes before a band that takes long, and the band of the newest distance comes in the end.
+pub fn page_poses_do_not_wait_for_the_band(browser: &Chromium, _: &Site) {
+    let mut tab = opened(browser, [1280, 900]);
+    drop_files(
+        &mut tab,
+        &read(&["docs/files/lead_helical.toml", "docs/files/lead.csv"]),
+    );
+    settled(&mut tab);
+    tab.until("document.getElementById('viewer-pinion')?.getAttribute('transform') && document.getElementById('viewer-section') !== null");
+    let a = tab.number("Number(document.getElementById('a-number').value)");
+    let shown = tab.eval(&format!(
+        "(async () => {{ const field = document.getElementById('a-number'); let behind = 0; for (let step = 1; step <= 10; step++) {{ \
+         field.value = ({a} + 0.01 * step).toFixed(3); field.dispatchEvent(new Event('input')); const place = `translate(${{Number(field.value)}} 0)`; \
+         while (!document.getElementById('viewer-pinion').getAttribute('transform').startsWith(place)) await new Promise(requestAnimationFrame); \
+         behind += document.getElementById('live').classList.contains('behind'); }} return behind; }})()"
+    ));
+    assert!(
+        shown.as_u64() >= Some(5),
+        "{shown} of 10 poses came before their band"
+    );
+    tab.until_within(
+        "document.getElementById('cycle').dataset.a === String(Number(document.getElementById('a-number').value)) \
+         && !document.getElementById('live').classList.contains('behind')",
+        CALCULATION,
+    );
 }
 
 /// No width lets the page scroll sideways.
@@ -622,6 +654,7 @@ pub fn page_hostile_files_are_problems(browser: &Chromium, _: &Site) {
     assert_eq!(tab.eval("window.ran === undefined"), json!(true));
     assert_eq!(tab.events("Runtime.exceptionThrown"), Vec::<&Value>::new());
     // The page goes on.
-    tab.eval("document.getElementById('examples').dispatchEvent(new Event('change'))");
+    assert_eq!(tab.text("document.getElementById('examples').value"), "");
+    tab.eval("(() => { const examples = document.getElementById('examples'); examples.value = '0'; examples.dispatchEvent(new Event('change')); })()");
     tab.until("document.getElementById('problems').hidden && document.querySelector('#verdict .status') !== null && document.getElementById('working').hidden");
 }

@@ -462,11 +462,10 @@
       scale(null);
       return;
     }
-    const rows = band.verdict.rows.map(({ name, value }) => `${name} ${value}`).join(", ");
+    const rows = band.rows.map(({ name, value }) => `${name} ${value}`).join(", ");
     // Without a least or a greatest the status says why.
-    const status = band.verdict.rows.length < 2 ? `${band.verdict.status} ` : "";
-    byId("cycle").textContent = rows ? `${status}${rows}. ${band.verdict.proof}` : band.verdict.status;
-    byId("cycle").title = band.verdict.text;
+    const status = band.rows.length < 2 ? `${band.status} ` : "";
+    byId("cycle").textContent = rows ? `${status}${rows}. ${band.proof}` : band.status;
     scale(band);
   }
 

@@ -349,8 +349,13 @@ impl Page {
             let verdict = Verdict::of_study(&study, &found.each, Vec::new());
             let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
             let shown = lines(&verdict);
+            let rows = shown.rows.iter();
+            // Without the sentences on distances that follow from the extremes: those are not searched.
             Ok(json!({
-                "verdict": verdict_json(&shown),
+                "state": shown.state.name(),
+                "status": shown.status,
+                "proof": shown.proof,
+                "rows": rows.map(|row| json!({ "name": row.name, "value": row.value })).collect::<Vec<_>>(),
                 "is_proven": found.each.iter().all(RunExtremes::is_proven),
                 "least_um": value(verdict.least().map(|(_, least)| least.low)),
                 "greatest_um": value(verdict.greatest().map(|(_, greatest)| greatest.high)),

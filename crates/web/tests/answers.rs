@@ -183,12 +183,21 @@ fn a_band_has_the_extremes_of_all_materials() {
                 );
                 assert_eq!(own.is_some(), shown.is_some());
             }
-            assert_eq!(
-                band["verdict"]["state"],
-                lines(&verdict).state.name(),
-                "{names:?}"
-            );
+            assert_eq!(band["state"], lines(&verdict).state.name(), "{names:?}");
         }
+    }
+}
+
+/// A band does not say from where the pair assembles or up to where it is in mesh: these are not searched, and "at no centre distance"
+/// would be wrong.
+#[test]
+fn a_band_says_nothing_of_other_distances() {
+    let (page, found) = opened(&["docs/files/jams.toml"]);
+    for end in [0, 1] {
+        let a = found["range_mm"][end].as_f64().unwrap();
+        let band = page.live_band(a, false);
+        assert!(band["status"].is_string(), "{band}");
+        assert!(!band.to_string().contains("no centre distance"), "{band}");
     }
 }
 

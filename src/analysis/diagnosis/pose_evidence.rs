@@ -8,6 +8,9 @@ use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member};
 use std::collections::HashSet;
 
+/// Contacts on radii that differ by less, mm, are at one radius: platforms round differently, and the first is named on all.
+const EQUAL_RADIUS: f64 = 1e-9;
+
 /// The evidence of poses of one centre distance and material.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PoseEvidence {
@@ -192,7 +195,7 @@ impl Touched {
     fn lower(&mut self, member: Member, contact: &Contact) {
         let lowest = self.lowest.as_ref();
         let radius = |contact: &Contact| contact.touch(member).radius;
-        if lowest.is_none_or(|lowest| radius(contact) < radius(lowest)) {
+        if lowest.is_none_or(|lowest| radius(contact) < radius(lowest) - EQUAL_RADIUS) {
             self.lowest = Some(*contact);
         }
     }
@@ -284,7 +287,7 @@ mod tests {
             (Tip, 46.1, 2),
             (Fillet, 42.3, 3),
             (Involute, 45.0, 4),
-            (Fillet, 42.3, 5),
+            (Fillet, 42.3 - 1e-12, 5),
             (Fillet, 42.4, 6),
         ];
         let whole = tell(&all);
@@ -294,7 +297,7 @@ mod tests {
         late.extend(Member::Wheel, &early);
         for touched in [whole, first, late] {
             assert_eq!(touched.greatest, Some(46.1));
-            assert_eq!(touched.least, Some(42.3));
+            assert_eq!(touched.least, Some(42.3 - 1e-12));
             assert_eq!(touched.below, 4);
             assert_eq!(touched.lowest.unwrap().wheel.tooth, 3);
             let pairs: HashSet<(u32, u32)> = [(1, 2), (3, 4), (5, 6), (6, 7)].into();

@@ -180,7 +180,7 @@ impl SideTable {
     ///
     /// The normal at a far contact passes the free axis on its far side. `ξ` is the point's roll, `λ` the angle of the locked tooth, `d` the
     /// distance of the outlines' centres, and `ψ` the half angle of the far flank at its base. Then `λ + ψ − ξ ≤ −acos(r_bL/d)`. At the tip
-    /// `ξ − ψ = atan ξ_a − ψ_a`, and the far corner is no nearer to the centre line than the near one: `λ ≤ atan ξ_a + ψ_a − acos(r_bL/d)`. The
+    /// `ξ − ψ = atan ξ_a − ψ_a`. So `λ ≤ atan ξ_a + ψ_a + τ − acos(r_bL/d)`, if the far corner of no tooth is nearer to the centre line than `ψ_a − τ`. The
     /// gap on the line of action falls as `λ` grows, and as `d` does. At the far contact, the free tooth's gap is the
     /// angle of a point inside both tip circles and the tooth's half angle there. The point is at least `√(d² − r_bL²) − r_bL ξ_a` away from
     /// the free axis.
@@ -196,7 +196,9 @@ impl SideTable {
         let nearest = problem.distance - off;
         let line = Line::new(C::from(problem.distance + off), problem.sum())?;
         let half_tip = locked.half_base - involute::inv_of_roll(locked.tip_roll);
-        let angle = locked.tip_roll.atan() + half_tip - (locked.base / nearest).acos();
+        let far = (0..problem.locked.count()).map(|place| problem.locked.far(place as usize).arg());
+        let thin = far.fold(0.0, |thin: f64, far| thin.max(half_tip - far));
+        let angle = locked.tip_roll.atan() + half_tip + thin - (locked.base / nearest).acos();
         let on_line =
             (problem.sum() * line.angle - line.length - locked.base * (angle - locked.half_base))
                 * problem.per_free_base

@@ -151,7 +151,8 @@ fn extremes(assembly: &GearPair) -> f64 {
         let kernel = ExactKernel::new(assembly);
         let found = kernel.extremes(assembly, first, matings, 1e-6).unwrap();
         least = least.min(start.elapsed().as_secs_f64());
-        assert!(found.least.is_proven() && found.greatest.is_proven());
+        let ends = [found.least, found.greatest];
+        assert!(ends.iter().flatten().filter(|end| end.is_proven()).count() == 2);
     }
     least
 }

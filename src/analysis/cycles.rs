@@ -53,7 +53,7 @@ pub(super) struct Planned {
 pub(super) struct Alone {
     /// The extremes that are searched.
     pub ends: &'static [End],
-    /// One part in so many of the effort is spent.
+    /// Divisor of the effort.
     pub parts: u64,
 }
 

@@ -263,8 +263,8 @@ pub fn extremes(
 /// Least and greatest backlash alone, with one run of each centre distance and assembly phase of `study` for all materials: the least of
 /// the thickest gears and the greatest of the thinnest. Thicker teeth contain thinner ones, so no thickness between has less or more.
 ///
-/// It takes one part in `parts` of the effort of [`extremes`], and leaves out the distances from which a pair assembles and up to which it
-/// is in mesh, and losses along the face.
+/// The effort is that of [`extremes`] divided by `parts`. The distances from which a pair assembles and up to which it is in mesh are left
+/// out, and so are losses along the face.
 ///
 /// # Errors
 /// As [`super::simulate::simulate`].

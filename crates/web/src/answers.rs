@@ -37,7 +37,7 @@ const METHOD: Method = Method::Exact { certify: true };
 /// Most poses that a page holds: 500 MB of memory.
 pub const MOST_POSES: u64 = 500_000;
 
-/// A live answer takes one part in so many of the effort of a verdict (tuned: every example that a verdict proves is proven, and one
+/// Divisor of a verdict's effort for a live answer (tuned: every example that a verdict proves is proven, and one
 /// without a proof takes below 0.1 s).
 const LIVE_PARTS: u64 = 30;
 

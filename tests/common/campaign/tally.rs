@@ -58,7 +58,7 @@ pub struct Tally {
     pub border: Vec<(u64, &'static str)>,
     /// Poses that the prover leaves to the polygons.
     pub left: Vec<u64>,
-    /// Those of them with seven teeth or more on both gears, and no jam.
+    /// Poses left to the polygons with seven teeth or more on both gears, and no jam.
     pub ordinary_left: Vec<u64>,
     /// For each method: total time, slowest pose, and its index.
     pub times: [(Duration, Duration, u64); 4],

@@ -303,8 +303,19 @@ impl At {
     /// Whether the normal of a stretch's chord keeps `mate` off the whole stretch.
     #[inline]
     pub fn is_off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex, need: f64) -> bool {
+        let off = self.off_chord(owner, stretch, mate);
+        self.stays_off_chord(stretch, off, need)
+    }
+
+    /// Distance of `mate` from the chord of a stretch.
+    #[inline]
+    fn off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex) -> OffTangent {
         let line = (stretch.points[0], stretch.normal);
-        let off = self.off_line(owner, line, stretch.angle, mate);
+        self.off_line(owner, line, stretch.angle, mate)
+    }
+
+    #[inline]
+    fn stays_off_chord(&self, stretch: &Stretch, off: OffTangent, need: f64) -> bool {
         let sag = if stretch.reaches_no_further(stretch.normal) {
             0.0
         } else {
@@ -389,7 +400,8 @@ impl At {
     ) -> Option<OffStretch> {
         *looks += 1;
         let normal = self.out_of_locked(owner, stretch.normal);
-        if self.is_off_chord(owner, stretch, mate, need) {
+        let off = self.off_chord(owner, stretch, mate);
+        if self.stays_off_chord(stretch, off, need) {
             return Some(OffStretch::Apart(Apart::Direction(normal)));
         }
         if self.is_off_tangents((owner, hollow), stretch, mate, need) {
@@ -406,13 +418,12 @@ impl At {
             0 => (&chord, mate),
             _ => (mate, &chord),
         };
-        let room = |n: C| self.room(locked, free, n.arg(), n).room;
-        let start = if room(normal) >= room(facing) {
-            normal
+        let nu = facing.arg();
+        let start = if off.room >= self.room(locked, free, nu, facing).room {
+            normal.arg()
         } else {
-            facing
+            nu
         };
-        let start = start.arg();
         let apart = self.separated(locked, free, start, need, looks)?;
         let back = self.directions[owner].conj();
         let is_of_curve = match apart {

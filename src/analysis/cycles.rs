@@ -490,12 +490,8 @@ impl Planned {
 
     /// The extremes of `pair`, whose runout has a direction, over the cycle.
     fn cycle(&self, pair: &GearPair, effort: &Effort) -> Result<Extremes, Error> {
-        let (kernel, over) = (ExactKernel::new(pair), (self.first, self.distinct));
-        match self.ends() {
-            [End::Least] => kernel.least(pair, over, WIDTH, effort),
-            [End::Greatest] => kernel.greatest(pair, over, WIDTH, effort),
-            _ => kernel.extremes_within(pair, over, WIDTH, effort),
-        }
+        let over = (self.first, self.distinct);
+        ExactKernel::new(pair).extremes_of(pair, over, WIDTH, effort, self.ends())
     }
 
     /// The extremes of `pair` over the cycle and all directions of its runout.

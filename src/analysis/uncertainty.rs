@@ -1,8 +1,8 @@
 //! Uncertainty of the least and the greatest backlash from the uncertainties of the measurements.
 //!
 //! Standard uncertainties of the inputs are multiplied by the derivatives of `j_wt` at the extreme's own pose and summed as independent
-//! ones (JCGM 100, 5.1.2: law of propagation of uncertainty). A contact with the normal `n`, out of the wheel, and the arm `h` about the
-//! free gear's axis lets that gear turn by `d/h` for each gap `d` along `n`. With `k = r_w/h` for each of the two contacts:
+//! ones (JCGM 100, 5.1.2: law of propagation of uncertainty). The normal `n` of a contact points out of the wheel, and its arm about the
+//! free gear's axis is `h`. A gap `d` along `n` lets that gear turn by `d/h`. With `k = r_w/h` for each of the two contacts:
 //!
 //! ```text
 //! base thickness of a gear, s_b:      ∂j_wt/∂s_b = −(k_R + k_L)/2         (half on each flank, along its normal)

@@ -384,8 +384,7 @@ impl<'a> OneSide<'a> {
 
     /// The tightest section, with rolls on the line that are those of the contact `known` in its section.
     ///
-    /// What profiles and leads add is a cubic between their knots, whose maximum is at one of them, at an end of the line or where its slope
-    /// vanishes.
+    /// Profiles and leads add a cubic between their knots. Its maximum is at a knot, at an end of the line or where its slope vanishes.
     fn tightest_near(&self, facing: &Facing, (at, known): &(f64, Touch)) -> Option<(f64, Touch)> {
         let gears = [self.locked, self.free].map(AsBuilt::gear);
         let twists = gears.map(|gear| self.mirror * gear.basic_data().twist());

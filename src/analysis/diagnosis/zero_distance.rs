@@ -63,7 +63,7 @@ pub fn zero_distance(
         return Ok(None);
     };
     let plays = as_assembled.at(bracket[0])?.plays(matings)?;
-    // Of equal plays the first is named, on every platform.
+    // The first of equal plays is named, on every platform.
     let least = plays.iter().copied().fold(f64::INFINITY, f64::min);
     let Some(first) = plays.iter().position(|play| *play <= least + NO_PLAY) else {
         return Ok(None);

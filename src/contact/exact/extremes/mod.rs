@@ -79,7 +79,7 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        self.sought_within(assembly, over, width, effort, &[End::Greatest, End::Least])
+        self.extremes_of(assembly, over, width, effort, &End::BOTH)
     }
 
     /// [`ExactKernel::extremes_within`] without the least; it stops at the first pose that is out of mesh.
@@ -93,10 +93,7 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        Ok(Extremes {
-            least: None,
-            ..self.sought_within(assembly, over, width, effort, &[End::Greatest])?
-        })
+        self.extremes_of(assembly, over, width, effort, &[End::Greatest])
     }
 
     /// [`ExactKernel::extremes_within`] without the greatest; it stops at the first jammed pose.
@@ -110,10 +107,7 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        Ok(Extremes {
-            greatest: None,
-            ..self.sought_within(assembly, over, width, effort, &[End::Least])?
-        })
+        self.extremes_of(assembly, over, width, effort, &[End::Least])
     }
 
     /// Whether a quick test shows that no tip reaches a fillet or a root at any pose of this kernel's `assembly`, or at any greater centre
@@ -137,8 +131,11 @@ impl ExactKernel {
         self.stops_before_far_flanks(&course, &table, f64::INFINITY) && !table.has_dips()
     }
 
-    /// The extremes `of` a cycle, with a part of `effort`.
-    fn sought_within(
+    /// The extremes `of` a cycle, with a part of `effort`; other ends are `None`.
+    ///
+    /// # Errors
+    /// As [`ExactKernel::extremes`].
+    pub(crate) fn extremes_of(
         &self,
         assembly: &GearPair,
         over: (Mating, u64),
@@ -153,7 +150,12 @@ impl ExactKernel {
         let own = effort.part(parts);
         let found = self.sought(&Course::new(self, assembly, over, &own), width, of);
         effort.spend(own.used());
-        found
+        let found = found?;
+        Ok(Extremes {
+            least: found.least.filter(|_| of.contains(&End::Least)),
+            greatest: found.greatest.filter(|_| of.contains(&End::Greatest)),
+            ..found
+        })
     }
 
     fn sought(&self, course: &Course, width: f64, of: &[End]) -> Result<Extremes, Error> {

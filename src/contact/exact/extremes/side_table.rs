@@ -178,10 +178,10 @@ impl SideTable {
     /// How much later the far flank of a locked tooth ([`FarFlanks`]) stops a free half tooth than endless involutes of the same step do: a lower
     /// bound, rad. `None` where the axes are too near for a bound.
     ///
-    /// The normal at a far contact passes the free axis on its far side. `ξ` is the point's roll, `λ` the angle of the locked tooth, `d` the
-    /// distance of the outlines' centres, and `ψ` the half angle of the far flank at its base. Then `λ + ψ − ξ ≤ −acos(r_bL/d)`. At the tip
-    /// `ξ − ψ = atan ξ_a − ψ_a`. So `λ ≤ atan ξ_a + ψ_a + τ − acos(r_bL/d)`, if the far corner of no tooth is nearer to the centre line than `ψ_a − τ`. The
-    /// gap on the line of action falls as `λ` grows, and as `d` does. At the far contact, the free tooth's gap is the
+    /// The normal at a far contact passes the free axis on its far side. `ξ` is the point's roll and `λ` the angle of the locked tooth. `d` is
+    /// the distance of the outlines' centres, and `ψ` the half angle of the far flank at its base. Then `λ + ψ − ξ ≤ −acos(r_bL/d)`. At the
+    /// tip `ξ − ψ = atan ξ_a − ψ_a`. No far corner is nearer to the centre line than `ψ_a − τ`, so `λ ≤ atan ξ_a + ψ_a + τ − acos(r_bL/d)`.
+    /// The gap on the line of action falls as `λ` grows, and as `d` does. At the far contact, the free tooth's gap is the
     /// angle of a point inside both tip circles and the tooth's half angle there. The point is at least `√(d² − r_bL²) − r_bL ξ_a` away from
     /// the free axis.
     ///

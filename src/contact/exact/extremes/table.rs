@@ -300,7 +300,7 @@ mod tests {
     };
     use crate::pair::{GearPair, Mating, Pose};
 
-    /// Gears `more` mm farther apart than without backlash.
+    /// Gears whose centre distance exceeds the one without backlash by `more` mm.
     fn farther(wheel: AsBuilt, pinion: AsBuilt, more: f64) -> Option<GearPair> {
         let formula = crate::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
         let closed = formula.center_distance(0.0)?;

@@ -18,9 +18,9 @@
 //!
 //! `D` is a function of two variables, of `b` and `η`: its value and slopes at the middle of a box and bounds of its second derivatives bound
 //! it over the box ([`Bounds`]). A box that cannot exceed the highest place so far is left out, others are halved. Where both flanks are smooth,
-//! the highest place has a common normal, so that a box in which `D_η` cannot vanish is left out, too. Beside it a corner of either flank, its
-//! tip or the edge of a relief, can be highest: it is one point of its gear, with `η` a function of `b`, so that one variable is left. For a
-//! corner of the free gear both gears change places.
+//! the highest place has a common normal, so that a box in which `D_η` cannot vanish is left out, too. A corner of either flank, its tip or the
+//! edge of a relief, can also be highest. It is one point of its gear, with `η` a function of `b`, so that one variable is left. For a corner
+//! of the free gear both gears change places.
 //!
 //! Contacts in fillets are not found here, nor leaning axes: see [`super::leads`].
 
@@ -300,7 +300,7 @@ struct Bounds {
     by_arm: f64,
     /// Amounts of the second derivatives of `η_F`: twice by `η`, by both, twice by `s`.
     bows: [f64; 3],
-    /// Of `sin ζ`.
+    /// Amount of `sin ζ`.
     sin: f64,
     /// Amount of `m`.
     along: f64,
@@ -479,7 +479,7 @@ impl<'a> Ordered<'a> {
                     continue;
                 }
                 if at.height > best.enough() {
-                    // Beyond the end of a piece: a smaller box is on it or misses it.
+                    // The box is beyond the end of a piece. A smaller one is on it or misses it.
                     adds = [play[0], wide];
                 }
             }

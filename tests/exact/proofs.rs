@@ -135,6 +135,7 @@ fn poses_once_left_to_the_polygons_are_proven() {
         (3, 195_485, "tips that hardly overlap, and undercut teeth"),
         (2, 461_924, "tips that hardly overlap, on one side only"),
         (3, 50100, "a fillet whose tangents cross the mate's tip"),
+        (3, 422_340, "a tip corner at the end of a root land"),
         (2, 550_056, "fillets in reach of each other"),
         (2, 816_227, "contact on a fillet that bulges"),
         (2, 476_491, "a far fillet and a root land"),

@@ -5,7 +5,7 @@
 //! image of the near one, turned so that its tip corner is the far corner.
 
 use super::candidate::CandidateContact;
-use super::corner::{nearest_turn, tip_arm};
+use super::corner::{least_flank_radius, tip_arm};
 use super::curves::SearchExhausted;
 use super::flank_problem::PosedFlanks;
 use super::placed::Placed;
@@ -61,7 +61,8 @@ pub(super) fn with_far_flanks(
     Ok(Some(tightest))
 }
 
-/// Whether a normal of the step's far locked flank passes the free axis on its far side, where the free gear reaches.
+/// Whether a normal of the step's far locked flank passes the free axis on its far side, and the free gear reaches that flank. The flank is
+/// nearest to the axis where it turns back, or at its end.
 pub(super) fn is_sideways(posed: &PosedFlanks, step: i64) -> bool {
     let locked = posed.locked(step);
     let mirrored = Placed {
@@ -71,7 +72,8 @@ pub(super) fn is_sideways(posed: &PosedFlanks, step: i64) -> bool {
     };
     let free = &posed.problem.free;
     let reach = free.shape.tip_radius + posed.problem.free_off.norm();
-    tip_arm(&mirrored) <= 0.0 && nearest_turn(&mirrored) <= reach
+    // Less by a rounding: a flank that is nearly reached is also examined.
+    tip_arm(&mirrored) <= 0.0 && least_flank_radius(&mirrored) * (1.0 - 1e-9) <= reach
 }
 
 /// `e^{iθ}` of the far half of a locked tooth, whose curves are mirrored. Its far corner is the mirror image of the near one, turned.

@@ -6,7 +6,7 @@
 //! q = ξ_e cos δ + sin δ        (q = ξ, q' = 1, q'' = 0 at most at δ = 0; q'' = −ξ_e cos δ − sin δ)
 //! ```
 //!
-//! A tip land contributes nothing in the relevant directions: its normals are a right angle less `α_a` past those of the corner. With the
+//! The normals of a tip land are a right angle less `α_a` past those of the corner; directions so far past the tip are not examined. With the
 //! centres `B` apart ([`super::line`]) the arcs are on different sides of a line of the direction `β` if
 //!
 //! ```text
@@ -25,6 +25,7 @@ use super::flank_problem::PosedFlanks;
 use super::line::Line;
 use super::path::Pair;
 use super::shape::{C, HalfToothShape, turn};
+use std::f64::consts::PI;
 
 /// Limit of Newton steps (3 to 6 are usual).
 const STEPS: usize = 24;
@@ -59,6 +60,11 @@ impl Arc {
             form: f64::NEG_INFINITY,
             tip: f64::INFINITY,
         }
+    }
+
+    /// The roll up to which directions belong to the tip corner: the land's normals follow.
+    fn land(&self) -> f64 {
+        self.tip + 0.5 * PI - self.tip.atan()
     }
 
     /// `q` and its derivatives.
@@ -174,7 +180,7 @@ impl Separation {
         let start = (between.norm_sqr() - sum * sum).max(0.0).sqrt();
         let mut beta = between.im.atan2(between.re) + start.atan2(sum);
         let mut state = State::new(&arcs, &pair, between, rate, beta, gap);
-        let mut touches = false;
+        let (mut touches, mut is_settled) = (false, false);
         let mut last = (0.0f64, 0.0);
         for _ in 0..STEPS {
             // One step for both: where `s` is greatest its derivative by the direction is 0. If it is not concave, the maximum is further
@@ -193,12 +199,29 @@ impl Separation {
             (between, rate) = posed.between(gap);
             state = State::new(&arcs, &pair, between, rate, beta, gap);
             if step.abs() < SETTLED.0 && newton.abs() < SETTLED.1 {
-                touches = state.bend < LEVEL * sum;
+                (touches, is_settled) = (state.bend < LEVEL * sum, true);
                 break;
             }
         }
+        // Without a maximum, the rotation at which the last direction separates them.
+        for _ in 0..STEPS {
+            if is_settled {
+                break;
+            }
+            let step = -state.apart / state.turning;
+            gap += step;
+            (between, rate) = posed.between(gap);
+            state = State::new(&arcs, &pair, between, rate, beta, gap);
+            is_settled = step.abs() < SETTLED.0 && state.turning > 0.0;
+        }
         // The remainder of `s` is rounding, and is put on the safe side for both bounds.
         gap -= state.apart / state.turning;
+        let rolls = [beta - pair.locked_base, beta - gap - pair.free_base];
+        let is_before_lands = [0, 1].iter().all(|&k| rolls[k] <= arcs[k].land());
+        if !(is_settled && is_before_lands) {
+            // Nothing bounds the gap.
+            gap = f64::INFINITY;
+        }
         let slopes = state.slopes;
         let touches = touches && gap.is_finite();
         Separation::at(
@@ -256,12 +279,13 @@ impl Separation {
             .any(|&k| self.rolls[k] <= self.arcs[k].form + play)
     }
 
-    /// Whether both rolls are on their involutes and at least `plays` from the ends.
+    /// Whether it touches with both rolls on their involutes and at least `plays` from the ends.
     pub fn is_on_line(&self, plays: [f64; 2]) -> bool {
-        [0, 1].iter().all(|&k| {
-            let (roll, arc) = (self.rolls[k], &self.arcs[k]);
-            roll - plays[k] >= arc.form && roll + plays[k] <= arc.tip
-        })
+        self.touches
+            && [0, 1].iter().all(|&k| {
+                let (roll, arc) = (self.rolls[k], &self.arcs[k]);
+                roll - plays[k] >= arc.form && roll + plays[k] <= arc.tip
+            })
     }
 
     /// Greatest deficit of room of involutes with ends against endless ones, between this pose and `other`, rad of the free gear. For
@@ -328,7 +352,6 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::PI;
 
     fn separation(bases: [f64; 2], rolls: [f64; 2]) -> Separation {
         Separation {

@@ -79,8 +79,8 @@ struct Held {
     /// `δ`, rad, to the open and to the closed side.
     opening: f64,
     closing: f64,
-    /// Whether a tip touches a tip.
-    on_tips: bool,
+    /// Number of tips that touch.
+    tips: usize,
     point: C,
     /// Points out of the locked metal.
     normal: C,
@@ -407,7 +407,10 @@ impl<'a> Proving<'a> {
             rotation: self.turned(contact.rotation + onward),
             opening,
             closing,
-            on_tips: curves == [ToothPlace::Tip; 2],
+            tips: curves
+                .iter()
+                .filter(|curve| **curve == ToothPlace::Tip)
+                .count(),
             point,
             normal,
             arm,
@@ -787,8 +790,12 @@ impl<'a> Proving<'a> {
         };
         let below = [held.point - deep, held.point * turn(-held.closing) + deep];
         let near = below.map(|point| iter::once(point).chain(deeper(point)));
+        // Straight below a tip corner the mate's outline may be along the way: beside it is metal of both.
+        let aside = [1.0, -1.0].map(|side| C::i() * deep * side);
+        let beside = below.map(|point| aside.map(|aside| point + aside));
+        let beside = beside.into_iter().flatten().filter(|_| held.tips > 0);
         // Tips that hardly overlap share a thin lens between their circles, with the corner of the free or of the locked tip in it.
-        let parts = [2.0, 1.2, 0.5, -1.0].into_iter().filter(|_| held.on_tips);
+        let parts = [2.0, 1.2, 0.5, -1.0].into_iter().filter(|_| held.tips == 2);
         let lens = parts.map(|part| {
             let point = held.point * turn(-part * held.closing);
             let rooms = [0, 1].map(|k| {
@@ -804,7 +811,7 @@ impl<'a> Proving<'a> {
         });
         // A point's own rounding is at most half of that of a room.
         let need = self.prover.need;
-        let near = near.into_iter().flatten().chain(lens);
+        let near = near.into_iter().flatten().chain(lens).chain(beside);
         let mut near = near.map(|point| (named, point));
         near.find(|found| is_common(found, 0.5 * need))
             .or_else(|| tied.find(|found| is_common(found, need)))

@@ -22,7 +22,7 @@ impl Lines {
 
 impl Dip {
     /// Lower bound of the free gear's further turn from the contact of the involutes to the contact of the corner with the fillet, rad;
-    /// negative if the corner may be first.
+    /// negative if the corner may be first. It holds beside the room of the involutes and their ends.
     ///
     /// The locked half tooth is within `play` of the angle `at`. The two values are for the two distances of the outlines' centres in
     /// `lines` ([`Lines::new`]); between them the straight line holds. The stretch is
@@ -79,7 +79,8 @@ impl Dip {
                     }
                 }
             };
-            is_clear_over((at, play), 1.0, mate, self.deepest, 1e-14 * distance, &path)
+            let margins = (1e-14 * distance, room + bend);
+            is_clear_over((at, play), 1.0, mate, self.deepest, margins, &path)
         })
     }
 
@@ -129,13 +130,19 @@ impl Cut<'_> {
     }
 
     fn over(&self, at: f64, play: f64) -> [f64; 2] {
-        let l = -turn(at);
         let Lines([near, far]) = self.lines;
-        let end = |line| self.dip.at_distance(at, l, play, line) - self.bend;
+        let end = |line| self.dip.at_distance(at, play, line) - self.bend;
         if near.0 == far.0 {
-            [end(near); 2]
+            return [end(near); 2];
+        }
+        let ends = [end(near), end(far)];
+        // Between the distances the clearance is above the straight line only while the corner is below the form circle. Where it crosses
+        // that circle, the room of the involutes and their ends holds.
+        let leaves = [near, far].map(|line| self.dip.may_be_above(at, play, line));
+        if leaves[0] || leaves[1] {
+            [least(ends); 2]
         } else {
-            [end(near), end(far)]
+            ends
         }
     }
 }

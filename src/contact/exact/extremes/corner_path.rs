@@ -10,9 +10,13 @@
 //! ```
 //!
 //! So two derivatives and a bound of the third bound the path. The fillet is hollow: its chord is outside the metal. The corner is clear if
-//! its radius is between those of the chord's ends and it is in front of the chord's line. Above the form circle there is no fillet. The
-//! half tooth has one point at each radius about the free axis ([`super::super::search_free_proof`], 1.). So a corner that is clear at one
-//! rotation is clear at all greater gaps.
+//! its radius is between those of the chord's ends and it is in front of the chord's line. The half tooth has one point at each radius about
+//! the free axis ([`super::super::search_free_proof`], 1.). So a corner that is clear at one rotation is clear at all greater gaps.
+//!
+//! Above the form circle there is no fillet, but the corner may be inside the mate's involute there. As the free gear opens until the
+//! involutes are apart, the corner's radius may fall. It is clear if it stays above the form circle until then, or is in front of the
+//! involute's first tangent. Its radius falls no faster than its speed `v` along the radius says: with the distance `p` from the free axis,
+//! `r(μ + x) ≥ r − x (−v)⁺ − p x²/2`.
 
 use super::super::shape::{C, HalfToothShape};
 use crate::gear::ProfilePart;
@@ -44,6 +48,10 @@ pub(super) struct CornerPath {
     acceleration: C,
     /// Bound of the third derivative.
     jerk: f64,
+    /// Derivative by the rotation of the free gear alone. Its length is the distance from the free axis, mm.
+    by_gap: C,
+    /// Bound of that derivative's change with the rotation of the locked gear.
+    swing: f64,
 }
 
 impl CornerPath {
@@ -56,6 +64,8 @@ impl CornerPath {
             speed: C::i() * (corner * one + distance) * other,
             acceleration: (C::from(distance) - corner * (one * one)) * other,
             jerk: one.abs().powi(3) * corner.norm() + distance,
+            by_gap: C::i() * corner * other,
+            swing: one.abs() * corner.norm(),
         }
     }
 
@@ -68,12 +78,20 @@ impl CornerPath {
             speed: C::i() * (corner * one - distance * rate) * other,
             acceleration: -(corner * (one * one) + distance * rate * rate) * other,
             jerk: rate.abs().powi(3) * distance + one.abs().powi(3) * corner.norm(),
+            by_gap: -C::i() * (corner + distance) * other,
+            swing: one.abs() * corner.norm() + rate.abs() * distance,
         }
     }
 
     /// Whether the corner is clear of the fillet of `mate`, from `deepest` up, by more than `need` mm at every turn within `half` of the
-    /// middle.
-    pub fn is_clear(&self, mate: &HalfToothShape, deepest: f64, half: f64, need: f64) -> bool {
+    /// middle. The involutes are apart once the free gear is `opening` rad further open.
+    pub fn is_clear(
+        &self,
+        mate: &HalfToothShape,
+        deepest: f64,
+        half: f64,
+        (need, opening): (f64, f64),
+    ) -> bool {
         let along = |z: C, n: C| z.re * n.re + z.im * n.im;
         let rest = self.jerk * half * half * half / 6.0;
         let radius = self.point.norm();
@@ -85,15 +103,20 @@ impl CornerPath {
             along(self.acceleration, out),
         ];
         let nearest = least(radial, half) - rest;
-        if nearest >= mate.form_radius() {
-            return true;
-        }
         if !(nearest > 0.0) {
             return false;
         }
         let beside = along(self.speed, across).abs() * half
             + 0.5 * along(self.acceleration, across).abs() * half * half
             + rest;
+        let from_axis = self.by_gap.norm();
+        // `out` changes by the chord of an angle whose sine is at most `beside/nearest`.
+        let changed = self.swing * half + 1.5 * from_axis * beside / nearest;
+        let falling = changed - along(self.by_gap, out);
+        let fall = opening * (falling.max(0.0) + 0.5 * from_axis * opening);
+        if nearest - fall >= mate.form_radius() {
+            return true;
+        }
         let farthest = -least(radial.map(|value| -value), half) + rest;
         let farthest = farthest + 0.5 * beside * beside / nearest;
         let clear = |play: f64| {
@@ -119,12 +142,19 @@ impl CornerPath {
             } else {
                 normal
             };
-            let height = [
-                along(self.point - outer.point, normal),
-                along(self.speed, normal),
-                along(self.acceleration, normal),
-            ];
-            least(height, half) - rest > need
+            let is_before = |point: C, normal: C| {
+                let height = [
+                    along(self.point - point, normal),
+                    along(self.speed, normal),
+                    along(self.acceleration, normal),
+                ];
+                least(height, half) - rest > need
+            };
+            let is_outside = || {
+                let start = mate.at(ProfilePart::Involute, mate.form_roll);
+                is_before(start.point, start.normal)
+            };
+            is_before(outer.point, normal) && (farthest < mate.form_radius() || is_outside())
         };
         let band = SHARE * (farthest - nearest);
         if half > 0.0 {
@@ -188,14 +218,14 @@ pub(super) fn around_radius(
     Some((low, high))
 }
 
-/// Whether the corner is clear everywhere within `half` of `at`. `per_place` is the locked gear's turn per place, and `path` the path with
-/// its middle at a place. A stretch is cut if one chord does not suffice.
+/// Whether the corner is clear everywhere within `half` of `at`, as [`CornerPath::is_clear`] says. `per_place` is the locked gear's turn per
+/// place, and `path` the path with its middle at a place. A stretch is cut if one chord does not suffice.
 pub(super) fn is_clear_over(
     (at, half): (f64, f64),
     per_place: f64,
     mate: &HalfToothShape,
     deepest: f64,
-    need: f64,
+    margins: (f64, f64),
     path: &dyn Fn(f64) -> CornerPath,
 ) -> bool {
     let mut open = vec![(at, half, 0)];
@@ -203,11 +233,11 @@ pub(super) fn is_clear_over(
         let Some((at, half, cuts)) = open.pop() else {
             return true;
         };
-        if path(at).is_clear(mate, deepest, half * per_place.abs(), need) {
+        if path(at).is_clear(mate, deepest, half * per_place.abs(), margins) {
             continue;
         }
         // A single place that is not clear ends it: the middle, and at first both ends.
-        let is_clear = |at: f64| path(at).is_clear(mate, deepest, 0.0, need);
+        let is_clear = |at: f64| path(at).is_clear(mate, deepest, 0.0, margins);
         let ends_clear = || cuts > 0 || (is_clear(at - half) && is_clear(at + half));
         if cuts == MOST_CUTS || !is_clear(at) || !ends_clear() {
             return false;
@@ -283,8 +313,10 @@ mod tests {
                         speed: C::ZERO,
                         acceleration: C::ZERO,
                         jerk: 0.0,
+                        by_gap: C::ZERO,
+                        swing: 0.0,
                     };
-                    let clear = path.is_clear(&shape, 0.0, 0.0, 0.0);
+                    let clear = path.is_clear(&shape, 0.0, 0.0, (0.0, 0.0));
                     assert_eq!(clear, height > 0.0, "{teeth} {gamma} {height}");
                 }
             }

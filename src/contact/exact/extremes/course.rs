@@ -49,6 +49,40 @@ impl SideCourse<'_> {
             Tip::Free => &self.problem.locked.shape,
         }
     }
+
+    /// A range of distances of the outlines' centres as far as it is possible: [`Dip::deepest`] holds for no other.
+    pub fn possible(&self, (low, high): (f64, f64)) -> (f64, f64) {
+        let off = self.off[0] + self.off[1];
+        let distance = self.problem.distance;
+        (low.max(distance - off), high.min(distance + off))
+    }
+
+    /// Part by which a difference of rooms may differ from that of a pair with its centres at rest.
+    ///
+    /// The free gear stands at another rotation for either room, so its eccentricity `e` displaces its centre. That changes the room of involutes
+    /// at a rate of up to `e/r_bF`, so the difference changes by a factor between `1/(1 + e/r_bF)` and `1/(1 − e/r_bF)`.
+    pub fn unsure(&self) -> f64 {
+        let part = self.off[1] * self.problem.per_free_base;
+        part / (1.0 - part)
+    }
+
+    /// Lower bound of a clearance beside the involutes, from that of a pair with its centres at rest.
+    pub fn sure(&self, clearance: f64) -> f64 {
+        if clearance > 0.0 {
+            clearance * (1.0 - self.unsure())
+        } else {
+            clearance * (1.0 + self.unsure())
+        }
+    }
+
+    /// A clearance whose lower bound [`SideCourse::sure`] is at least `enough`.
+    pub fn for_sure(&self, enough: f64) -> f64 {
+        if enough > 0.0 {
+            enough * (1.0 + 2.0 * self.unsure())
+        } else {
+            enough
+        }
+    }
 }
 
 impl<'a> Course<'a> {

@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 const CHORDS: usize = 16;
 
 /// Clearances above this are not distinguished, rad (a tenth of a pitch of 30 teeth: more than flanks differ).
-const FARTHEST: f64 = 0.02;
+pub(super) const FARTHEST: f64 = 0.02;
 
 /// The gear whose tip approaches the mate's fillet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -143,18 +143,11 @@ impl Dip {
             + free.half_base
     }
 
-    /// The clearance at one distance and its line, with the locked half tooth within `play` of the angle `at`; `l` has that direction.
-    pub(super) fn at_distance(
-        &self,
-        at: f64,
-        l: C,
-        play: f64,
-        (distance, line): &(f64, Line),
-    ) -> f64 {
+    /// The corner at one distance and its line, with the locked half tooth within `play` of the angle `at`.
+    fn corner(&self, at: f64, play: f64, (distance, line): &(f64, Line)) -> Corner {
         let (distance, ratio) = (*distance, self.locked.base / self.free.base);
         let (locked, free) = (&self.locked, &self.free);
-        let f = turn(self.gap(at, line));
-        // The corner in the mate's frame, its velocity, and its radius about the free axis.
+        let (l, f) = (-turn(at), turn(self.gap(at, line)));
         let (point, velocity, radius, by_gap) = match self.tip {
             Tip::Locked => {
                 let corner = C::from(distance) + l * locked.corner;
@@ -186,7 +179,41 @@ impl Dip {
             }
             Tip::Free => distance + square * (radius + speed * play),
         };
-        let jolt = 0.5 * acceleration * play * play;
+        Corner {
+            point,
+            velocity,
+            radius,
+            by_gap,
+            speed,
+            jolt: 0.5 * acceleration * play * play,
+        }
+    }
+
+    /// Whether the corner may be above the form circle at one distance, with the locked half tooth within `play` of the angle `at`.
+    pub(super) fn may_be_above(&self, at: f64, play: f64, line: &(f64, Line)) -> bool {
+        let corner = self.corner(at, play, line);
+        let way = match self.tip {
+            Tip::Locked => 0.0,
+            Tip::Free => 1.5 * FARTHEST * corner.radius,
+        };
+        let reach = length(corner.point) + corner.speed * play + corner.jolt + way;
+        self.chords
+            .first()
+            .is_none_or(|chord| reach >= chord.radii.1)
+    }
+
+    /// The clearance at one distance and its line, with the locked half tooth within `play` of the angle `at`.
+    pub(super) fn at_distance(&self, at: f64, play: f64, line: &(f64, Line)) -> f64 {
+        let ratio = self.locked.base / self.free.base;
+        let corner = self.corner(at, play, line);
+        let Corner {
+            point,
+            velocity,
+            radius,
+            by_gap,
+            speed,
+            jolt,
+        } = corner;
         let off = length(point);
         let band = (off - speed * play - jolt, off + speed * play + jolt);
         let turned = (speed + (1.0 + ratio) * radius) * play + jolt;
@@ -232,6 +259,20 @@ impl Dip {
             over(f64::MAX)
         }
     }
+}
+
+/// A tip corner in its mate's frame.
+struct Corner {
+    point: C,
+    /// Its velocity, by the turn of the locked gear, and its length.
+    velocity: C,
+    speed: f64,
+    /// Its radius about the free axis, mm.
+    radius: f64,
+    /// Its velocity by the turn of the free gear.
+    by_gap: C,
+    /// Second-order part of its way, mm.
+    jolt: f64,
 }
 
 /// The length of a vector, as large as gears are.

@@ -4,7 +4,7 @@ use super::super::separation::{Separation, lowest_roll};
 use super::clearance::{HALVINGS, Lines};
 use super::corner_path;
 use super::course::{FaceEnd, PARTS, Posed, SideCourse};
-use super::dip::Dip;
+use super::dip::{Dip, FARTHEST};
 use super::fillet::{self, OnFillet, Reached};
 use super::rolls::PIECE;
 use super::room::{self, PairRoom, Piece};
@@ -149,6 +149,9 @@ impl<'a> Over<'a> {
         let problem = self.side.problem;
         let angle = self.ends[0].angle_to(&self.ends[1]);
         let need = self.rounding() * problem.free.shape.base;
+        // The line is that far above the room of the pair's own involutes, which is among `line`.
+        let found = self.endless_separations(step);
+        let opening = self.bend(&found).unwrap_or(f64::INFINITY) / 4.0 + 2.0 * self.rounding();
         let mate = self.side.mate(dip.tip);
         line.iter().all(|piece| {
             let [first, last] = [0, 1].map(|k| self.ends[k].gap(piece.room[k] + self.rounding()));
@@ -161,7 +164,7 @@ impl<'a> Over<'a> {
             };
             let [from, to] = piece.over;
             let over = (0.5 * (from + to), 0.5 * (to - from));
-            corner_path::is_clear_over(over, angle, mate, dip.deepest, need, &path)
+            corner_path::is_clear_over(over, angle, mate, dip.deepest, (need, opening), &path)
         })
     }
 
@@ -306,6 +309,7 @@ impl<'a> Over<'a> {
     fn clearance(&self, places: &Places, dip: &Dip, enough: f64, [from, to]: [f64; 2]) -> f64 {
         let problem = self.side.problem;
         let lines = Lines::new(places.distances, problem.sum());
+        let enough = self.side.for_sure(enough);
         // Over a face: the piece of turn with the least room.
         let pieces = (to - from) / problem.locked.pitch * PARTS as f64 / PIECE;
         let pieces = pieces.ceil().max(1.0);
@@ -322,7 +326,13 @@ impl<'a> Over<'a> {
             }
             None => f64::NEG_INFINITY,
         });
-        clearance.fold(f64::INFINITY, f64::min)
+        let found = clearance.fold(f64::INFINITY, f64::min);
+        // Deeper corners may be at other distances than `places`.
+        if found < -FARTHEST {
+            f64::NEG_INFINITY
+        } else {
+            self.side.sure(found)
+        }
     }
 
     /// Least additional room of all tip corners on fillets at `step` against endless involutes, rad, over sections with the least and the
@@ -339,7 +349,7 @@ impl<'a> Over<'a> {
         let (least, most) = places.distances;
         let places = Places {
             play: places.play + turned + 2.0 * shift / self.side.problem.distance,
-            distances: (least - shift, most + shift),
+            distances: self.side.possible((least - shift, most + shift)),
             ..places
         };
         let clearances = self.side.dips.iter();
@@ -384,16 +394,21 @@ impl<'a> Over<'a> {
             let at = end.flanks.pair(step).locked_base + problem.locked.shape.half_base;
             (at - between.arg(), between.norm())
         });
-        // Between the ends, plus the possible distance of the free gear from the rotation of `between`: a hundredth of a radian.
+        // The free gear's way from the rotation of `between` to the touch of the involutes, and to that of a corner and a fillet.
+        let rooms = ends.map(|end| {
+            let near = end.nominal_gap();
+            end.room(Separation::endless(&end.flanks, step, near).gap)
+        });
+        let away = rooms[0].abs().max(rooms[1].abs()) + 1.5 * FARTHEST;
         let off = side.off[0] * problem.locked.pitch * self.width()
-            + side.off[1] * (problem.free.pitch * self.width() + 0.01);
+            + side.off[1] * (problem.free.pitch * self.width() + away);
         Places {
             at: 0.5 * (places[0].0 + places[1].0),
             play: 0.5 * (places[0].0 - places[1].0).abs() + 2.0 * off / problem.distance,
-            distances: (
+            distances: side.possible((
                 places[0].1.min(places[1].1) - off,
                 places[0].1.max(places[1].1) + off,
-            ),
+            )),
         }
     }
 }

@@ -4,6 +4,7 @@ use super::super::line::Line;
 use super::super::separation::lowest_roll;
 use super::clearance::{HALVINGS, Lines};
 use super::course::{PARTS, SideCourse};
+use std::f64::consts::PI;
 
 /// Part of a turn that is examined together over a face of helical gears (tuned: no tip of 44 standard teeth seems to reach a fillet).
 pub(super) const PIECE: f64 = 0.25;
@@ -94,10 +95,9 @@ impl<'a> Rolls<'a> {
     /// For helical gears it covers the whole common face: all sections, piece by piece of turn.
     pub fn of(&self, step: i64, part: usize, enough: f64) -> Part {
         let (at, half) = self.place(step, part);
-        let own = self.places + self.turning;
         let [from, to] = self.side.turns;
         if from == to {
-            return self.around(at + from, half + own, enough);
+            return self.around(at + from, half, enough);
         }
         // The range over the face and over the part.
         let all = to - from + 2.0 * half;
@@ -105,7 +105,7 @@ impl<'a> Rolls<'a> {
         let first = at + from - half;
         let half = 0.5 * all / pieces;
         let each = (0..pieces as u64)
-            .map(|piece| self.around(first + (2 * piece + 1) as f64 * half, half + own, enough));
+            .map(|piece| self.around(first + (2 * piece + 1) as f64 * half, half, enough));
         let all = each.reduce(|one, other| Part {
             beside: one.beside.min(other.beside),
             dip: match (one.dip, other.dip) {
@@ -138,9 +138,17 @@ impl<'a> Rolls<'a> {
         from.max(high - most) <= to.min(low - least)
     }
 
-    /// The room of a locked half tooth within `play` of the angle `at`, in its own section.
-    fn around(&self, at: f64, play: f64, enough: f64) -> Part {
+    /// The room of a locked half tooth whose place without deviations is within `half` of the angle `at`, in its own section.
+    fn around(&self, at: f64, half: f64, enough: f64) -> Part {
         let problem = self.side.problem;
+        let is_in_reach = |(low, high): (f64, f64)| at + half >= low && at - half <= high;
+        if !problem.window().is_some_and(is_in_reach) {
+            return Part {
+                beside: f64::INFINITY,
+                dip: None,
+            };
+        }
+        let play = half + self.places + self.turning;
         let locked = &problem.locked.shape;
         let roll = self.line.angle - (at - locked.half_base);
         let (low, high) = (roll - play, roll + play);
@@ -156,17 +164,18 @@ impl<'a> Rolls<'a> {
         let dips = dips.map(|dip| match &self.lines {
             Some(lines) => {
                 let mate = self.side.mate(dip.tip);
-                let beyond = self.spread + BEYOND;
-                let clearance = |halvings| dip.clearance((at, play), lines, self.spread, halvings);
+                let beyond = self.side.for_sure(self.spread + BEYOND);
+                let clearance = |halvings| dip.clearance((at, play), lines, beyond, halvings);
                 let is_beyond = |found: [f64; 2]| found[0].min(found[1]) >= beyond;
                 let found = clearance(HALVINGS_BEFORE_PATH);
-                if is_beyond(found) {
+                let found = if is_beyond(found) {
                     found
                 } else if dip.stays_clear(mate, (at, play), lines, beyond) {
                     [beyond; 2]
                 } else {
                     clearance(HALVINGS)
-                }
+                };
+                found.map(|found| self.side.sure(found))
             }
             None => [f64::NEG_INFINITY; 2],
         });
@@ -220,14 +229,20 @@ impl<'a> Rolls<'a> {
 
 /// Lower bound of `ξ − q`, the deficit of an involute with ends against an endless one, in directions of rolls between `low` and `high`.
 ///
-/// Past the tip it grows, `δ − sin δ + ξ_a (1 − cos δ)`. Below the form roll it grows first and may then fall below 0: it is least at an
-/// end.
+/// Past the tip it grows, `δ − sin δ + ξ_a (1 − cos δ)`, and from the normals of the land on `ξ − √(1 + ξ_a²)`. Below the form roll it grows
+/// first and may then fall below 0: it is least at an end.
 fn beside((low, high): (f64, f64), (form, tip): (f64, f64)) -> f64 {
     let at = |end: f64, roll: f64| {
         let beyond = roll - end;
         beyond - beyond.sin() + end * (1.0 - beyond.cos())
     };
-    let tip_side = if low > tip { at(tip, low) } else { 0.0 };
+    let tip_side = if low - tip > 0.5 * PI - tip.atan() {
+        low - (1.0 + tip * tip).sqrt()
+    } else if low > tip {
+        at(tip, low)
+    } else {
+        0.0
+    };
     let form_side = match (low < form, high < form) {
         (false, _) => 0.0,
         (true, false) => at(form, low).min(0.0),

@@ -34,7 +34,10 @@ pub(super) struct SideTable {
     pub nominal: f64,
     /// `κ`: 0 where base pitches are equal.
     pub per_step: f64,
-    /// Greatest difference of `r δ_L + δ_F + κ s` over all flanks and the steps that can be the tightest.
+    /// Part by which the difference of the rooms of two steps on the line of action may differ from that of their `r δ_L + δ_F + κ s`
+    /// ([`SideCourse::unsure`]).
+    pub unsure: f64,
+    /// Greatest difference of the rooms of two steps on the line of action, over all flanks and the steps that can be the tightest.
     pub spread: f64,
     /// Greatest distance of `r δ_L + δ_F + κ (s + sense f)` from the middle of `r δ_L + δ_F`, over those steps throughout a pitch. If the
     /// steps `s` reach further to one side than to the other, it is more than half of their difference.
@@ -69,13 +72,15 @@ impl SideTable {
             covering: std::array::from_fn(|_| Vec::new()),
             nominal: 0.0,
             per_step: problem.per_step,
+            unsure: side.unsure(),
             spread: 0.0,
             level: 0.0,
         };
         let [low, high] = table.ends();
         // One more step, for the change within a pitch.
         let reach = (steps.end - steps.start + 1) as f64;
-        table.spread = high - low + table.per_step.abs() * reach;
+        let spread = high - low + table.per_step.abs() * reach;
+        table.spread = spread * (1.0 + table.unsure);
         let farthest = steps.start.abs().max((steps.end - 1).abs()) + 1;
         table.level = 0.5 * (high - low) + table.per_step.abs() * farthest as f64;
         let Some(line) = Line::new(C::from(problem.distance), problem.sum()) else {

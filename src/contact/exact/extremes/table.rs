@@ -124,7 +124,7 @@ impl Table {
     /// Bounds of every part of every mating of `range`, in their order.
     pub fn each(&self, range: Range<u64>, take: &mut dyn FnMut(Bounds)) {
         let uniform = self.sides.each_ref().map(|side| {
-            let beside = |part| self.beside(side, side.places(0), part, None);
+            let beside = |part| self.beside(side, side.places(0), part, None, (0.0, 0.0));
             side.is_uniform().then(|| std::array::from_fn(beside))
         });
         let uniform: [Option<[[f64; 2]; PARTS]>; 2] = uniform;
@@ -140,7 +140,7 @@ impl Table {
                     let distances = distances.as_ref().map(|distances| &distances[index]);
                     let [least, most] = match &uniform[index] {
                         Some(beside) => beside[part],
-                        None => self.beside(side, places, part, distances),
+                        None => self.beside(side, places, part, distances, (0.0, 0.0)),
                     };
                     let drifts = side.drifts(part);
                     for (end, drift) in drifts.into_iter().enumerate() {
@@ -161,16 +161,22 @@ impl Table {
         }
     }
 
-    /// Least and greatest room of a side at `places`, beyond `nominal` and the shift of the centres.
+    /// Least and greatest room of a side at `places`, beyond `nominal`, the offset `own` and the shift of the centres. The offsets of steps beyond
+    /// `own` are certain up to the part `unsure` of them.
     fn beside(
         &self,
         side: &SideTable,
         places: [i64; 2],
         part: usize,
         distances: Option<&[f64; PARTS + 1]>,
+        (own, unsure): (f64, f64),
     ) -> [f64; 2] {
+        let off = |step: i64, sign: f64| {
+            let off = side.off(places, step) - own;
+            off + sign * unsure * off.abs()
+        };
         let plain = side.plain[part].iter();
-        let plain = plain.map(|(step, more)| side.off(places, *step) + more);
+        let plain = plain.map(|(step, more)| off(*step, -1.0) + more);
         let mut least = plain.fold(f64::INFINITY, f64::min);
         if !side.dipping[part].is_empty() {
             let shares = match (&self.distances, distances) {
@@ -179,29 +185,31 @@ impl Table {
             };
             let dipping = side.dipping[part].iter();
             least = dipping
-                .map(|(step, more)| side.off(places, *step) + more.between(shares))
+                .map(|(step, more)| off(*step, -1.0) + more.between(shares))
                 .fold(least, f64::min);
         }
         let covering = side.covering[part].iter();
-        let most = covering.map(|step| side.off(places, *step));
+        let most = covering.map(|step| off(*step, 1.0));
         [least, most.fold(f64::INFINITY, f64::min)]
     }
 
     /// How much more than a step on the line of action a side has in a part of a mating; `None` where no step is open.
+    ///
+    /// Of the steps on the line all through the part it takes the one with the least room: differences of rooms are bounded in parts of them
+    /// ([`SideTable::unsure`]).
     pub fn beside_line(&self, side: usize, mating: u64, part: usize) -> Option<BesideLine> {
         let table = &self.sides[side];
         let places = table.places(mating);
         let distances = self.distances.as_ref();
         let distances = distances.map(|distances| distances.sides[side].at(mating));
-        let [least, most] = self.beside(table, places, part, distances.as_ref());
-        let covering = table.covering[part].first();
-        let step = *covering.or(table.open[part].first().map(|(step, ..)| step))?;
-        let own = table.off(places, step);
-        Some(BesideLine {
-            step,
-            least: least - own,
-            most: most - own,
-        })
+        let covering = table.covering[part].iter().copied();
+        let by_off = |a: &i64, b: &i64| table.off(places, *a).total_cmp(&table.off(places, *b));
+        let step = covering
+            .min_by(by_off)
+            .or_else(|| table.open[part].first().map(|(step, ..)| *step))?;
+        let beyond = (table.off(places, step), table.unsure);
+        let [least, most] = self.beside(table, places, part, distances.as_ref(), beyond);
+        Some(BesideLine { step, least, most })
     }
 
     /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth over the cycle,

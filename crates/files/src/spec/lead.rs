@@ -3,7 +3,7 @@
 use super::profile::{ReliefShape, trace_rules};
 use super::rules::{columns, deviation, length, list_length, whole, within};
 use super::value::{Either, FlankSpec, FlanksSpec, TableFileSpec};
-use gearlash::gear::Hand;
+use gearlash::gear::{Hand, PitchAxis};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 use serde_with::skip_serializing_none;
@@ -30,7 +30,7 @@ pub struct LeadSpec {
     pub from: TeethEnd,
     /// Axis of the measurement; "datum": traces contain the wobble, which is taken out of them.
     #[serde(default)]
-    pub axis: LeadAxis,
+    pub axis: PitchAxis,
 }
 
 /// Lead deviations of a flank, µm, plus = more material; they add.
@@ -167,18 +167,6 @@ pub enum TeethEnd {
     Reference,
     /// The other end.
     Far,
-}
-
-/// The axis about which leads were measured.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum LeadAxis {
-    /// That of the teeth.
-    #[default]
-    Own,
-    /// That of the bore.
-    Datum,
 }
 
 /// The ends of the teeth with a relief.

@@ -32,8 +32,8 @@ pub(crate) use explained::{as_clause, members};
 pub use flanks::{FaceRunoutSpec, PitchSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
 pub use lead::{
-    EndReliefSpec, FlankLeadSpec, LeadAxis, LeadSpec, LeadTraceSpec, ReliefEnd, SlopeLength,
-    SpurSlopeSpec, TeethEnd, TraceDirection,
+    EndReliefSpec, FlankLeadSpec, LeadSpec, LeadTraceSpec, ReliefEnd, SlopeLength, SpurSlopeSpec,
+    TeethEnd, TraceDirection,
 };
 pub use outline::{
     CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,

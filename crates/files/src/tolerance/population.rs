@@ -5,13 +5,11 @@ use super::gears::{MeasuredGear, gears};
 use super::mm::{scatter, spread};
 use crate::error::InputError;
 use crate::read::PairFile;
-use crate::spec::{
-    GearSpec, GearToleranceSpec, LeadAxis, PhaseName, ScatterSpec, SpreadSpec, ToleranceSpec,
-};
+use crate::spec::{GearSpec, GearToleranceSpec, PhaseName, ScatterSpec, SpreadSpec, ToleranceSpec};
 use crate::table::Table;
 use crate::{common_face, lead, pair_by_data, with_tree};
 use gearlash::analysis::phases::phase;
-use gearlash::gear::{AsBuilt, GradedQuantity, Lead, Side};
+use gearlash::gear::{AsBuilt, GradedQuantity, Lead, PitchAxis, Side};
 use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
 use gearlash::population::{
     GearScatter, LeadScatter, Population, PopulationError, Requirement, Scatter, Scatters,
@@ -217,7 +215,7 @@ fn gear(
     let of_datum = own
         .lead
         .as_ref()
-        .is_some_and(|lead| lead.axis == LeadAxis::Datum);
+        .is_some_and(|lead| lead.axis == PitchAxis::Datum);
     if spec.runout.is_some() && of_datum && own.is_helical() {
         return file.refuse(
             &key("runout"),

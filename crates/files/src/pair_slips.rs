@@ -68,9 +68,9 @@ pub fn in_distances(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> V
 /// A warning that tooth numbers may run in opposite directions: both gears have data of single teeth, and neither states its
 /// reference face.
 pub fn in_faces(gears: [&GearPart; 2]) -> Option<String> {
-    let is_open = gears
-        .iter()
-        .all(|gear| !gear.states_face && gear.spec.as_ref().is_some_and(has_tooth_data));
+    let is_open = gears.iter().all(|gear| {
+        !gear.states_face && gear.by_data().is_some_and(|(_, spec)| has_tooth_data(spec))
+    });
     is_open.then(|| {
         "wheel.reference_face, pinion.reference_face: both gears have data of single teeth, and neither says from which face its teeth are \
          counted; both count from the front. If one was measured from the face that is at the back in the pair, write \

@@ -4,7 +4,6 @@ use super::bands::middle;
 use super::gear_names::{duplicates, named};
 use crate::grouped_warnings::GroupedWarnings;
 use crate::numbers::shortest;
-use crate::read::GearsFile;
 use crate::reading::Reading;
 use crate::spec::GearSpec;
 use crate::table::Table;
@@ -104,7 +103,7 @@ fn read_one(
     reading: &Reading,
 ) -> Result<(MeasuredGear, bool, Vec<String>), String> {
     // The file's content is not quoted, because it can be outside the pair file's folder.
-    let file: GearsFile = crate::read_gears(path).map_err(|error| match error.problems.len() {
+    let file = crate::read_gears_by_data(path).map_err(|error| match error.problems.len() {
         1 => "this is no gear file that can be read".to_owned(),
         several => format!("this is no gear file that can be read: {several} problems"),
     })?;
@@ -119,7 +118,7 @@ fn read_one(
     let middle = middle(gear.materials.iter().map(|(_, gear)| gear));
     let measured = MeasuredGear {
         gear: middle.map_err(|error| error.to_string())?,
-        spec: gear.spec.clone(),
+        spec: gear.spec.data().ok_or("has no such gear")?.clone(),
     };
     Ok((measured, gear.materials.len() > 1, file.warnings))
 }

@@ -12,7 +12,7 @@ use gearlash::analysis::tally::whole;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::AnyPair;
+use gearlash_files::PairFile;
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::snapshot;
 use gearlash_render::{Report, Snapshot, report};
@@ -70,9 +70,8 @@ fn compared(case: &Case, runs: &[ComparedRun]) -> Outcome {
 /// The result of `runs` as JSON and as CSV.
 fn written(case: &Case, runs: &[ComparedRun]) -> [String; 2] {
     let (mut json, mut csv) = (Vec::new(), Vec::new());
-    let file = AnyPair::from(case.pair.clone());
     let (to_json, to_csv) = (Box::new(&mut json), Box::new(&mut csv));
-    let mut writer = ResultWriter::begin(&file, Some(to_json), Some(to_csv)).unwrap();
+    let mut writer = ResultWriter::begin(&case.pair, Some(to_json), Some(to_csv)).unwrap();
     whole(runs, &mut |piece| writer.take(piece)).unwrap();
     let verdict = Verdict::new(&[], &Vec::new(), None, Vec::new());
     writer.finish(&verdict).unwrap();

@@ -2,7 +2,7 @@
 
 use super::check::Checked;
 use super::data_file::DataFile;
-use super::sheet::{Choice, Column, Content, Coverage, Found, Request, Wanted};
+use super::sheet::{Choice, Column, Content, Coverage, Found, Quantity, Request, Wanted};
 use super::spec::MeasuredSpec;
 use super::table::Table;
 use gearlash::analysis::study::MeasuredRow;
@@ -12,14 +12,14 @@ use std::collections::{HashMap, HashSet};
 const MOST_CELLS: usize = 2_000_000;
 
 /// The columns, in any order; a column of sources is allowed, too.
-const COLUMNS: [Column; 7] = [
-    Column::CenterDistance,
-    Column::WheelTooth,
-    Column::PinionTooth,
-    Column::MeasuredRight,
-    Column::MeasuredLeft,
-    Column::PredictedMin,
-    Column::PredictedMax,
+const QUANTITIES: [Quantity; 7] = [
+    Quantity::CenterDistance,
+    Quantity::WheelTooth,
+    Quantity::PinionTooth,
+    Quantity::MeasuredRight,
+    Quantity::MeasuredLeft,
+    Quantity::PredictedMin,
+    Quantity::PredictedMax,
 ];
 
 /// The file and its rows, each with its line.
@@ -43,7 +43,7 @@ impl Measured {
                 file: &file,
                 choice: &choice,
                 wanted: Wanted {
-                    columns: &COLUMNS,
+                    columns: &QUANTITIES.map(Column::of),
                     teeth: None,
                     coverage: Coverage::Results {
                         teeth: [teeth.0, teeth.1],

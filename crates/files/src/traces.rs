@@ -3,7 +3,7 @@
 use crate::data_file::DataFile;
 use crate::node::Node;
 use crate::numbers::ascii;
-use crate::sheet::{Column, Coverage, Header, Sheet, Wanted};
+use crate::sheet::{Column, Coverage, Header, Quantity, Sheet, Wanted};
 use crate::spec::{Either, LeadTraceSpec, TraceDirection, TraceSpec};
 use crate::table::Table;
 use gearlash::gear::{BasicGearData, Flank};
@@ -29,7 +29,7 @@ pub trait StatedTrace: Clone {
 pub struct Stated {
     tooth: Option<u32>,
     /// Kind of its places, their key, and the places.
-    by: (Column, &'static str),
+    by: (Quantity, &'static str),
     at: Vec<f64>,
     deviation_um: Vec<f64>,
     is_normal: bool,
@@ -39,9 +39,9 @@ pub struct Stated {
 impl StatedTrace for TraceSpec {
     fn stated(self) -> Stated {
         let (by, at) = match (self.roll_length_mm, self.diameter_mm) {
-            (None, Some(diameters)) => ((Column::Diameter, "diameter_mm"), diameters),
+            (None, Some(diameters)) => ((Quantity::Diameter, "diameter_mm"), diameters),
             (rolls, _) => {
-                let by = (Column::RollLength, "roll_length_mm");
+                let by = (Quantity::RollLength, "roll_length_mm");
                 (by, rolls.unwrap_or_default())
             }
         };
@@ -73,7 +73,7 @@ impl StatedTrace for LeadTraceSpec {
     fn stated(self) -> Stated {
         Stated {
             tooth: self.tooth,
-            by: (Column::Height, "from_reference_face_mm"),
+            by: (Quantity::Height, "from_reference_face_mm"),
             at: self.from_reference_face_mm.unwrap_or_default(),
             deviation_um: self.deviation_um.unwrap_or_default(),
             is_normal: self.direction == Some(TraceDirection::Normal),
@@ -130,9 +130,9 @@ impl<'a> Measured<'a> {
     }
 
     /// Roll length or height of a stated place; `Err(None)` where the gear is unknown, which is reported elsewhere.
-    fn place(&self, by: Column, at_mm: f64) -> Result<f64, Option<Fault>> {
+    fn place(&self, by: Quantity, at_mm: f64) -> Result<f64, Option<Fault>> {
         match self.along {
-            Along::Profile(_) if by == Column::RollLength => Ok(at_mm),
+            Along::Profile(_) if by == Quantity::RollLength => Ok(at_mm),
             Along::Profile(basic_data) => {
                 let base = basic_data.ok_or(None)?.base_radius();
                 let radius = 0.5 * at_mm;
@@ -165,14 +165,14 @@ impl<'a> Measured<'a> {
     }
 
     /// The fault of a point that does not ascend from `last`.
-    fn ascending(&self, last: Option<&Point>, point: Point, by: Column) -> Option<Fault> {
+    fn ascending(&self, last: Option<&Point>, point: Point, by: Quantity) -> Option<Fault> {
         let last = last.filter(|last| point.0 <= last.0)?;
         let how = if point.0 < last.0 {
             "descends"
         } else {
             "is the same as before"
         };
-        let name = by.name();
+        let name = Column::of(by).name();
         let order = match self.along {
             Along::Profile(_) => "from root to tip",
             Along::Face { .. } => "from one end of the teeth to the other",
@@ -317,16 +317,16 @@ fn of_file<T: StatedTrace>(
     gear: &Measured,
 ) -> Option<FlankTraces<T>> {
     let (place, base_radius) = match gear.along {
-        Along::Profile(data) => (Column::RollLength, data.map(BasicGearData::base_radius)),
-        Along::Face { .. } => (Column::Height, None),
+        Along::Profile(data) => (Quantity::RollLength, data.map(BasicGearData::base_radius)),
+        Along::Face { .. } => (Quantity::Height, None),
     };
     let wanted = Wanted {
-        columns: &[place, Column::Deviation],
+        columns: &[place, Quantity::Deviation].map(Column::of),
         teeth: gear.teeth,
         coverage: Coverage::Points { base_radius },
     };
     let (file, read) = Sheet::read(table, &wanted)?;
-    let by = *read.columns.first()?;
+    let by = read.columns.first()?.quantity;
     gear.headers.borrow_mut().push(read.header.clone());
     file.list(|| of_rows(&file, &read, by, (stated, own), gear))
 }
@@ -335,7 +335,7 @@ fn of_file<T: StatedTrace>(
 fn of_rows<T: StatedTrace>(
     file: &DataFile,
     read: &Sheet,
-    by: Column,
+    by: Quantity,
     (stated, own): (&Stated, Option<Flank>),
     gear: &Measured,
 ) -> Option<FlankTraces<T>> {

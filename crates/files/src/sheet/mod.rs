@@ -22,13 +22,12 @@ mod xlsx;
 
 use super::data_file::DataFile;
 use super::table::Table;
-pub use column::Column;
+pub use column::{Column, Quantity};
 use gearlash::metrology::PitchKind;
 pub use grid::MOST_CELLS;
 use grid::{Cell, Grid, Line, letter};
 pub use head::Choice;
 pub use header::{Header, StatedGear};
-use heading::Quantity;
 use number::Decimal;
 pub use request::{Coverage, Request, Wanted};
 pub use rows::{Found, Row, Unread};
@@ -93,6 +92,11 @@ impl Sheet {
             .and_then(|origin| origin.remark(&file));
         table.reading().add_remark(sheet.header.remark().or(origin));
         Some((file, sheet))
+    }
+
+    /// Reads the `quantity` of every tooth from the file that `table` names.
+    pub fn of_one_quantity(table: &Table, quantity: Quantity, teeth: Option<u32>) -> Option<Sheet> {
+        Sheet::of_every_tooth(table, &[Column::of(quantity)], teeth)
     }
 
     /// Reads the `columns` of every tooth from the file that `table` names.
@@ -271,7 +275,7 @@ impl Content {
         match self {
             Content::Cells(grids) => request.is_there(grids),
             Content::P40(text) if request.wanted.is_points() => {
-                if request.wanted.columns.contains(&Column::Height) {
+                if request.wanted.has(Quantity::Height) {
                     p40::has_leads(text)
                 } else {
                     p40::has_profiles(text)

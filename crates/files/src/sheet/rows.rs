@@ -1,6 +1,6 @@
 //! Rows of a table: from its lines to numbers, in the order of the teeth; and the parts of the file that are left out.
 
-use super::column::Column;
+use super::column::Quantity;
 use super::grid::{Cell, Grid, Line, letter};
 use super::head::Head;
 use super::heading;
@@ -196,9 +196,9 @@ impl<'a> Found<'a> {
         let mut values = Vec::new();
         for (column, place) in &self.places.values {
             let (cell, limits) = (line.cell(*place), column.limits());
-            let teeth = match (request.wanted.coverage, column) {
-                (Coverage::Results { teeth }, Column::WheelTooth) => Some(teeth[0]),
-                (Coverage::Results { teeth }, Column::PinionTooth) => Some(teeth[1]),
+            let teeth = match (request.wanted.coverage, column.quantity) {
+                (Coverage::Results { teeth }, Quantity::WheelTooth) => Some(teeth[0]),
+                (Coverage::Results { teeth }, Quantity::PinionTooth) => Some(teeth[1]),
                 _ => None,
             };
             if let Some(teeth) = teeth {
@@ -217,7 +217,8 @@ impl<'a> Found<'a> {
                 }
                 None => wrong(column.name(), cell, limits.allowed),
             }
-            if let (Column::PredictedMax, [_, _, _, _, _, min, max]) = (column, &values[..])
+            if let (Quantity::PredictedMax, [_, _, _, _, _, min, max]) =
+                (column.quantity, &values[..])
                 && min > max
             {
                 wrong(column.name(), cell, "predicted_min_um or above");

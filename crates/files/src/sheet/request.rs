@@ -1,7 +1,7 @@
 //! A request for a table: its file and columns; and the header that it finds in one of the file's grids.
 
 use super::column::{self, Column, Quantity};
-use super::grid::{Grid, MOST_NAMED};
+use super::grid::{Grid, MOST_CELLS, MOST_NAMED};
 use super::head::{Choice, Head};
 use crate::data_file::DataFile;
 use crate::error::Problem;
@@ -55,6 +55,15 @@ impl Wanted<'_> {
     /// Whether the rows are results of a rig.
     pub fn is_results(&self) -> bool {
         matches!(self.coverage, Coverage::Results { .. })
+    }
+
+    /// Most cells of a CSV file; those of results have up to 250 000 rows.
+    pub fn most_cells(&self) -> usize {
+        if self.is_results() {
+            10 * MOST_CELLS
+        } else {
+            MOST_CELLS
+        }
     }
 
     pub fn is_by_tooth(&self) -> bool {

@@ -23,6 +23,19 @@ pub enum Kind {
     Lead,
 }
 
+impl Kind {
+    /// All, each by its name on a command line.
+    pub const NAMED: [(&'static str, Kind); 7] = [
+        ("pitch", Kind::Pitch),
+        ("runout", Kind::Runout),
+        ("thickness", Kind::Thickness),
+        ("span", Kind::Span),
+        ("over-pins", Kind::OverPins),
+        ("trace", Kind::Trace),
+        ("lead", Kind::Lead),
+    ];
+}
+
 /// One table.
 #[derive(Debug, Clone, Serialize)]
 pub struct ImportedTable {

@@ -32,14 +32,15 @@ pub(crate) use explained::{as_clause, members};
 pub use flanks::{FaceRunoutSpec, PitchSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
 pub use lead::{
-    EndReliefSpec, FlankLeadSpec, LeadSpec, LeadTraceSpec, ReliefEnd, SlopeLength, SpurSlopeSpec,
-    TeethEnd, TraceDirection,
+    EndReliefSpec, FlankLeadSpec, LeadSpec, ReliefEnd, SlopeLength, SpurSlopeSpec, TeethEnd,
 };
 pub use outline::{
     CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,
 };
 pub use pair::{EitherGearSpec, GearFileSpec, PairSpec};
-pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
+pub use profile::{
+    FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceDirection, TraceSpec,
+};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub(crate) use schema::{DRAWINGS, GEAR, PAIR, TABLE};
 pub use schema::{gear_schema, pair_schema};

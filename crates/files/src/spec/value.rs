@@ -1,5 +1,6 @@
 //! Values that can be written in more than one way.
 
+use super::profile::TraceSpec;
 use super::rules::{beside, exactly_one};
 use crate::sheet::number::Decimal;
 use schemars::{JsonSchema, Schema};
@@ -46,8 +47,6 @@ pub struct FlanksSpec<F> {
 
 /// Values of one flank.
 pub trait FlankSpec: Clone + Default + PartialEq {
-    /// Its measured traces.
-    type Trace: Clone;
     /// Its keys.
     const KEYS: &'static [&'static str];
 
@@ -55,7 +54,7 @@ pub trait FlankSpec: Clone + Default + PartialEq {
     fn or(self, both: Self) -> Self;
 
     /// Its traces, one or a list.
-    fn trace(&mut self) -> &mut Option<Either<Self::Trace, Vec<Self::Trace>>>;
+    fn trace(&mut self) -> &mut Option<Either<TraceSpec, Vec<TraceSpec>>>;
 }
 
 impl<F: FlankSpec> FlanksSpec<F> {

@@ -70,7 +70,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 /// Most points of an outline: some 100 MB as text.
-const MOST_POINTS: usize = 2_000_000;
+const MAX_POINTS: usize = 2_000_000;
 
 /// Checks that the outline fits into memory several times over.
 fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
@@ -80,9 +80,9 @@ fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
         tolerance_um * 1e-3,
     );
     let points = 2 * half.segments().len() * gear.gear().basic_data().teeth() as usize;
-    if points > MOST_POINTS {
+    if points > MAX_POINTS {
         Err(Error::Usage(format!(
-            "--tolerance-um {tolerance_um}: the outline would have {points} points, allowed are {MOST_POINTS}; give a greater tolerance"
+            "--tolerance-um {tolerance_um}: the outline would have {points} points, allowed are {MAX_POINTS}; give a greater tolerance"
         )))
     } else {
         Ok(())

@@ -42,13 +42,13 @@ fn joined<F: FlankSpec>(own: (F, Vec<TraceSpec>), both: (F, Vec<TraceSpec>)) -> 
 }
 
 /// Reports keys that are given for both flanks and again for one, in the table `name` of a gear.
-pub fn check<F: FlankSpec>(gear: &Table, name: &str) -> Option<()> {
+pub fn check(gear: &Table, name: &str) -> Option<()> {
     let both = gear.below(name);
     let mut good = Some(());
     for side in Flank::BOTH {
         let own = both.below(side.name());
-        let is_in_both = |key: &&str| both.has(key) && own.has(key);
-        for key in F::KEYS.iter().copied().filter(is_in_both) {
+        let keys = own.entries().iter().map(|(key, _)| key);
+        for key in keys.filter(|key| both.has(key)) {
             let [of_both, of_own] = [&both, &own].map(|table| table.path_of(""));
             let reason = format!("given together with {of_both}{key}, allowed is one of them");
             let help = format!(

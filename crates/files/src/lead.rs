@@ -230,7 +230,7 @@ pub fn key_of(gear: &Table, flank: Flank, key: LeadKey) -> String {
 
 /// Reports keys that are given for both flanks and again for one.
 pub fn check(gear: &Table) -> Option<()> {
-    flanks::check::<FlankLeadSpec>(gear, NAME)
+    flanks::check(gear, NAME)
 }
 
 /// The hand of the teeth, or that of the helix slopes of a spur gear. A number on a spur gear gets the right hand where it is positive.

@@ -92,7 +92,7 @@ pub use files::Files;
 pub use gauged_file::{NoGearFile, gauged_file};
 pub use helix::short_for_span;
 pub use outline_file::{OutlineFile, OutlineFormat};
-pub use pair_file::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
+pub use pair_file::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
 pub use sources::Sources;

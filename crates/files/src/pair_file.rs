@@ -9,7 +9,7 @@ use super::numbers;
 use super::outlines;
 use super::read::PairFile;
 use super::spec::{
-    AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, EitherGearSpec, MOST_DISTANCES,
+    AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, EitherGearSpec, MAX_DISTANCES,
     MisalignmentSpec, PAIR, PairSpec, RequireSpec, ToleranceSpec, UncertaintySpec,
 };
 use super::sweep::Sweep;
@@ -24,7 +24,7 @@ use gearlash::metrology::Toleranced;
 use gearlash::outline::OutlineGear;
 
 /// Poses of a study, over all centre distances and materials: their result fills 27 GB.
-pub const MOST_POSES: u64 = 10_000_000;
+pub const MAX_POSES: u64 = 10_000_000;
 
 /// Bytes that a pose takes in a result as JSON, about: 900 where a pair is jammed to 2250 with tip corners.
 pub const POSE_BYTES_JSON: u64 = 2250;
@@ -457,7 +457,7 @@ impl PosesRead {
             (None, Some(measured)) => (2 * measured.rows.len() as u64 * materials, "measured.file"),
             (None, None) => return None,
         };
-        if poses <= MOST_POSES {
+        if poses <= MAX_POSES {
             return Some(());
         }
         table.refuse(
@@ -465,7 +465,7 @@ impl PosesRead {
             format!(
                 "{poses} poses over all centre distances and materials, about {} of result, allowed are up to 10 million, {}",
                 numbers::bytes(poses.saturating_mul(POSE_BYTES_JSON + POSE_BYTES_CSV)),
-                numbers::bytes(MOST_POSES * (POSE_BYTES_JSON + POSE_BYTES_CSV)),
+                numbers::bytes(MAX_POSES * (POSE_BYTES_JSON + POSE_BYTES_CSV)),
             ),
             "take fewer steps_per_pitch or fractions, or split the centre distances over several files",
         )
@@ -484,7 +484,7 @@ fn measured_distances(measured: &Measured, base_radii: Option<f64>) -> Vec<f64> 
         }
         Some(())
     });
-    if let Some((line, _)) = list.get(MOST_DISTANCES) {
+    if let Some((line, _)) = list.get(MAX_DISTANCES) {
         measured.file.add_at(
             *line,
             "one centre distance too many, allowed are up to 10 000",

@@ -12,7 +12,7 @@ use nalgebra::Point2;
 use std::collections::HashMap;
 
 /// Most ends in one square of the grid: of nine, three are in one of its quarters, whose diagonal is below the tolerance.
-const MOST_IN_A_SQUARE: usize = 8;
+const MAX_IN_A_SQUARE: usize = 8;
 
 /// A closed path.
 #[derive(Debug, Clone, PartialEq)]
@@ -175,7 +175,7 @@ fn mate(
     for &end in &free {
         let there = grid.entry(square(&ends[end])).or_default();
         there.push(end);
-        if there.len() > MOST_IN_A_SQUARE {
+        if there.len() > MAX_IN_A_SQUARE {
             return Err(branch(end));
         }
     }

@@ -2,7 +2,7 @@
 
 use super::chain::Piece;
 use super::error::LONGEST_NAME;
-use super::limits::MOST_SEGMENTS;
+use super::limits::MAX_SEGMENTS;
 use super::pieces::Pieces;
 use super::text::decode;
 use super::{DrawingError, Options, Unit};
@@ -134,8 +134,8 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
                 ));
             }
         }
-        if rows.len() == MOST_SEGMENTS {
-            return Err(DrawingError::too_large("points", MOST_SEGMENTS));
+        if rows.len() == MAX_SEGMENTS {
+            return Err(DrawingError::too_large("points", MAX_SEGMENTS));
         }
         match (written(x), written(y)) {
             (Some(x), Some(y)) => rows.push(Row {

@@ -3,7 +3,7 @@
 use super::chain::Piece;
 use super::chain::{Chains, Loop, Open, chain};
 use super::error::{LONGEST_NAME, at};
-use super::limits::{FARTHEST_MM, MOST_NAMED, MOST_SEGMENTS};
+use super::limits::{FARTHEST_MM, MAX_NAMED, MAX_SEGMENTS};
 use super::{DrawingError, Options};
 use crate::characters::cut;
 use gearlash::outline::PathSegment;
@@ -13,7 +13,7 @@ use std::collections::{HashMap, HashSet};
 /// Ends nearer than this part of a path's length are the ends of a gap (tuned: a dashed line has gaps of half a dash and is a helper line).
 const GAP: f64 = 0.25;
 /// Open paths beside an outline that are compared with each other.
-const MOST_HELPERS: usize = 2000;
+const MAX_HELPERS: usize = 2000;
 
 /// The content of a drawing.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,8 +54,8 @@ impl Pieces {
         }
         piece.segments.retain(|segment| segment.length() > 0.0);
         self.segments += piece.segments.len();
-        if self.segments > MOST_SEGMENTS {
-            return Err(DrawingError::too_large("segments", MOST_SEGMENTS));
+        if self.segments > MAX_SEGMENTS {
+            return Err(DrawingError::too_large("segments", MAX_SEGMENTS));
         }
         if piece.segments.is_empty() {
             self.leave_out("zero length", &piece.place);
@@ -144,7 +144,7 @@ impl Pieces {
             )
         });
         let layers = all_open.iter().map(|(layer, open)| open_layer(layer, open));
-        remarks.extend(left_out.chain(layers.take(MOST_NAMED)));
+        remarks.extend(left_out.chain(layers.take(MAX_NAMED)));
         Ok(Drawing {
             unit_mm: self.unit_mm,
             loops,
@@ -157,7 +157,7 @@ impl Pieces {
 ///
 /// A helper line ends far from every other open end. The ends at a gap of an outline are near each other.
 fn helpers(open: Vec<Open>) -> (Vec<Open>, Vec<Open>) {
-    if open.len() > MOST_HELPERS {
+    if open.len() > MAX_HELPERS {
         return (Vec::new(), open);
     }
     let ends: Vec<[Point2<f64>; 2]> = open.iter().map(|path| path.ends).collect();

@@ -3,7 +3,7 @@
 use super::DrawingError;
 use super::affine::Affine;
 use super::chain::{Loop, Open};
-use super::limits::{MOST_SEGMENTS, SAME_MM};
+use super::limits::{MAX_SEGMENTS, SAME_MM};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Rotation2};
 use std::f64::consts::TAU;
@@ -47,8 +47,8 @@ impl Repeat {
                 ),
             ));
         }
-        if tooth.segments.len().saturating_mul(self.teeth as usize) > MOST_SEGMENTS {
-            return Err(DrawingError::too_large("segments", MOST_SEGMENTS));
+        if tooth.segments.len().saturating_mul(self.teeth as usize) > MAX_SEGMENTS {
+            return Err(DrawingError::too_large("segments", MAX_SEGMENTS));
         }
         let (mut segments, mut bound): (Vec<PathSegment>, f64) = (Vec::new(), 0.0);
         for index in 0..self.teeth {

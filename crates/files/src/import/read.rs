@@ -25,7 +25,7 @@ pub(super) fn tables(
     checked.is_good("").then_some(())?;
     let table = checked.table();
     let (file, choice) = (DataFile::of(table)?, Choice::of(table));
-    let content = Content::read(&file, (bytes, sheet::MOST_CELLS), table, &choice)?;
+    let content = Content::read(&file, (bytes, sheet::MAX_CELLS), table, &choice)?;
     let from = TableSource {
         file: &file,
         content: &content,

@@ -16,7 +16,7 @@ use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, PathSegment, 
 use nalgebra::Point2;
 
 /// Most teeth of a gear.
-const MOST_TEETH: u32 = 10_000;
+const MAX_TEETH: u32 = 10_000;
 
 /// The content of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,10 +78,10 @@ pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
     let gear = OutlineGear::new(segments, &reading);
     let gear = gear.map_err(|error| data.problem(data.found(place(&path, &error)), help(&error)));
     let gear = data.reading().keep(gear)?;
-    if gear.teeth() > MOST_TEETH {
+    if gear.teeth() > MAX_TEETH {
         return data.refuse(
             format!(
-                "{} teeth are found, allowed are up to {MOST_TEETH}",
+                "{} teeth are found, allowed are up to {MAX_TEETH}",
                 gear.teeth()
             ),
             "choose the gear's outline with `at_mm`, `number`, `layer` or `id`",

@@ -36,7 +36,7 @@ pub(super) enum Choice {
 }
 
 /// Most outlines of a drawing: each path is compared with all of them.
-const MOST_OUTLINES: usize = 10_000;
+const MAX_OUTLINES: usize = 10_000;
 
 /// A closed path that lies inside no other.
 pub(super) struct Outline {
@@ -87,8 +87,8 @@ pub(super) fn outlines(loops: &[Loop]) -> Result<Vec<Outline>, String> {
         };
         match outlines.iter().position(holds) {
             Some(outer) => outlines[outer].inside.push(place),
-            None if outlines.len() == MOST_OUTLINES => {
-                return Err(format!("holds more than {MOST_OUTLINES} outlines"));
+            None if outlines.len() == MAX_OUTLINES => {
+                return Err(format!("holds more than {MAX_OUTLINES} outlines"));
             }
             None => outlines.push(Outline::new(place, area, path)),
         }

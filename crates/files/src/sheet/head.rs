@@ -13,7 +13,7 @@ use serde::Deserialize;
 use std::fmt::Display;
 
 /// Lines in which a header is searched, and most cells of such a line. Each cell takes some µs.
-const MOST_SEARCHED: usize = 1_000;
+const MAX_SEARCHED: usize = 1_000;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heading {
@@ -106,10 +106,10 @@ impl Head {
         if let Some(row) = choice.header_row {
             return good(lines.iter().position(|line| line.number == row)?);
         }
-        let searched = lines.len().min(MOST_SEARCHED);
+        let searched = lines.len().min(MAX_SEARCHED);
         let mut places = (0..searched).filter(|at| {
             let line = &lines[*at];
-            !line.is_comment() && line.cells.len() <= MOST_SEARCHED
+            !line.is_comment() && line.cells.len() <= MAX_SEARCHED
         });
         let first = places.find_map(good)?;
         let next = lines.get(first.at + 1);

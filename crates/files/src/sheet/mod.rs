@@ -24,7 +24,7 @@ use super::data_file::DataFile;
 use super::table::Table;
 pub use column::{Column, Quantity};
 use gearlash::metrology::PitchKind;
-pub use grid::MOST_CELLS;
+pub use grid::MAX_CELLS;
 use grid::{Cell, Grid, Line, letter};
 pub use head::Choice;
 pub use header::{Header, StatedGear};

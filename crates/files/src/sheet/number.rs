@@ -14,7 +14,7 @@ use crate::data_file::DataFile;
 /// Word processors turn a hyphen before a number into this sign.
 const MINUS: char = '\u{2212}';
 /// No span, dimension over pins or centre distance reaches this length, mm.
-const MOST_MM: f64 = 10_000.0;
+const MAX_MM: f64 = 10_000.0;
 
 /// A sign between whole part and fraction.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -215,5 +215,5 @@ fn may_be_thousands(column: Column, number: &Written) -> bool {
         column.quantity,
         Quantity::Span | Quantity::OverPins | Quantity::CenterDistance
     );
-    number.may_be_thousands && !(is_length && 1000.0 * number.value >= MOST_MM)
+    number.may_be_thousands && !(is_length && 1000.0 * number.value >= MAX_MM)
 }

@@ -1,7 +1,7 @@
 //! Places of the columns in a header: one each, or an error that lists the candidates.
 
 use super::column::{Column, Quantity};
-use super::grid::{Line, MOST_ROWS, letter};
+use super::grid::{Line, MAX_ROWS, letter};
 use super::head::{Head, Heading, TOOTH};
 use super::request::Request;
 use crate::error::Problem;
@@ -348,6 +348,6 @@ fn repeated_header(head: &Head, lines: &[Line]) -> Option<u64> {
         let below = Head::of(lines, *at);
         !lines[*at].is_comment() && below.places(|heading| heading.meaning.is_some()).len() > 1
     };
-    let mut below = (head.at + 2..lines.len()).take(MOST_ROWS);
+    let mut below = (head.at + 2..lines.len()).take(MAX_ROWS);
     below.find(is_again).map(|at| lines[at].number)
 }

@@ -5,7 +5,7 @@
 //! Within a block everything must be a row until a blank line and other text. Curve files have the same blocks.
 
 use super::column::{Column, Quantity};
-use super::grid::MOST_ROWS;
+use super::grid::MAX_ROWS;
 use super::header::Header;
 use super::number::{self, Written, without_zero};
 use super::request::{Request, Wanted};
@@ -165,7 +165,7 @@ impl<'a> Blocks<'a> {
 
     /// Whether no further row is read.
     fn is_full(&self) -> bool {
-        self.rows >= MOST_ROWS
+        self.rows >= MAX_ROWS
     }
 
     pub fn begin(&mut self, side: Side, line: u64) -> Result<(), Wrong> {
@@ -211,7 +211,7 @@ impl<'a> Blocks<'a> {
             block.columns =
                 columns.map_err(wrong("name the columns there: Zahn-Nr. fp Fp Fr", true))?;
         } else if is_full {
-            let reason = format!("more rows than the {MOST_ROWS} of both flanks of 10 000 teeth");
+            let reason = format!("more rows than the {MAX_ROWS} of both flanks of 10 000 teeth");
             return Err(wrong("give a protocol of one gear", true)(reason));
         } else {
             self.rows += 1;

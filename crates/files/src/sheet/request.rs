@@ -1,7 +1,7 @@
 //! A request for a table: its file and columns; and the header that it finds in one of the file's grids.
 
 use super::column::{self, Column, Quantity};
-use super::grid::{Grid, MOST_CELLS, MOST_NAMED};
+use super::grid::{Grid, MAX_CELLS, MAX_NAMED};
 use super::head::{Choice, Head};
 use crate::data_file::DataFile;
 use crate::error::Problem;
@@ -60,9 +60,9 @@ impl Wanted<'_> {
     /// Most cells of a CSV file; those of results have up to 250 000 rows.
     pub fn most_cells(&self) -> usize {
         if self.is_results() {
-            10 * MOST_CELLS
+            10 * MAX_CELLS
         } else {
-            MOST_CELLS
+            MAX_CELLS
         }
     }
 
@@ -185,9 +185,7 @@ impl Request<'_> {
             wanted,
         } = self;
         let names = |grids: &mut dyn Iterator<Item = &Grid>| {
-            let names = grids
-                .filter_map(|grid| grid.sheet.as_ref())
-                .take(MOST_NAMED);
+            let names = grids.filter_map(|grid| grid.sheet.as_ref()).take(MAX_NAMED);
             names
                 .map(|name| file.quote(name))
                 .collect::<Vec<_>>()

@@ -13,8 +13,8 @@ use gearlash::gear::{Flank, Side};
 use std::ops::{RangeBounds, RangeInclusive};
 
 /// Most lines, columns or teeth that a message lists. Tuned: a message of a few lines.
-const MOST_LISTED: usize = 8;
-const MOST_TEETH_LISTED: usize = 10;
+const MAX_LISTED: usize = 8;
+const MAX_TEETH_LISTED: usize = 10;
 
 /// A row: one tooth, or one point of a trace.
 #[derive(Debug, Clone, PartialEq)]
@@ -256,11 +256,11 @@ fn lines_in_words(file: &DataFile, mut lines: Vec<(u64, &str)>) -> Option<String
         }
     };
     let labels = lines.iter().filter(|(_, label)| !label.is_empty());
-    let mut labels = first_of(labels.map(|(_, label)| file.quote(label)), MOST_LISTED);
+    let mut labels = first_of(labels.map(|(_, label)| file.quote(label)), MAX_LISTED);
     if !labels.is_empty() {
         labels = format!(" ({labels})");
     }
-    let shown = first_of(runs.into_iter().map(run), MOST_LISTED);
+    let shown = first_of(runs.into_iter().map(run), MAX_LISTED);
     (!lines.is_empty()).then(|| format!("line{} {shown}{labels}", plural(lines.len())))
 }
 
@@ -293,7 +293,7 @@ impl Unread {
         let names = self.columns.iter().filter(|(letter, _)| is_named(letter));
         let names: Vec<String> = names.map(|(_, name)| name.clone()).collect();
         let column = format!("column{}", plural(names.len()));
-        (!names.is_empty()).then(|| format!("{column} {}", first_of(names, MOST_LISTED)))
+        (!names.is_empty()).then(|| format!("{column} {}", first_of(names, MAX_LISTED)))
     }
 }
 
@@ -393,13 +393,13 @@ pub fn ordered(file: &DataFile, mut rows: Vec<Row>, wanted: Wanted) -> Option<Ve
 fn teeth_named(teeth: &[u32]) -> String {
     let named: Vec<String> = teeth
         .iter()
-        .take(MOST_TEETH_LISTED)
+        .take(MAX_TEETH_LISTED)
         .map(u32::to_string)
         .collect();
     let named = named.join(", ");
     match teeth.len() {
         1 => format!("tooth {named}"),
-        count if count <= MOST_TEETH_LISTED => format!("teeth {named}"),
+        count if count <= MAX_TEETH_LISTED => format!("teeth {named}"),
         count => format!("teeth {named}, … ({count} in all)"),
     }
 }

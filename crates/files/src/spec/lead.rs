@@ -156,14 +156,6 @@ pub enum ReliefEnd {
 }
 
 impl FlankSpec for FlankLeadSpec {
-    const KEYS: &'static [&'static str] = &[
-        "slope_um",
-        "helix_slope_um",
-        "crowning_um",
-        "end_relief",
-        "trace",
-    ];
-
     fn or(self, both: FlankLeadSpec) -> FlankLeadSpec {
         FlankLeadSpec {
             slope_um: self.slope_um.or(both.slope_um),

@@ -26,7 +26,7 @@ pub use assembly::{
     DesignatedDistanceSpec, DistanceBandSpec, DistanceEndsSpec, GreatestSpec, MeasuredSpec,
     MisalignmentSpec, Phases, Revolutions, SweepSpec,
 };
-pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MOST_DISTANCES};
+pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MAX_DISTANCES};
 pub use explained::explained;
 pub(crate) use explained::{as_clause, members};
 pub use flanks::{FaceRunoutSpec, PitchSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec};

@@ -108,15 +108,6 @@ impl FlankProfileSpec {
 }
 
 impl FlankSpec for FlankProfileSpec {
-    const KEYS: &'static [&'static str] = &[
-        "slope_um",
-        "crowning_um",
-        "tip_relief",
-        "root_relief",
-        "range_mm",
-        "trace",
-    ];
-
     fn or(self, both: FlankProfileSpec) -> FlankProfileSpec {
         FlankProfileSpec {
             slope_um: self.slope_um.or(both.slope_um),

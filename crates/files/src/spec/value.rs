@@ -47,9 +47,6 @@ pub struct FlanksSpec<F> {
 
 /// Values of one flank.
 pub trait FlankSpec: Clone + Default + PartialEq {
-    /// Its keys.
-    const KEYS: &'static [&'static str];
-
     /// These values, and those of `both` flanks in place of absent ones.
     fn or(self, both: Self) -> Self;
 

@@ -13,10 +13,10 @@ use gearlash::pair::Member;
 use std::path::Path;
 
 /// Most gear files of one list: a folder of measurements has fewer.
-const MOST_GEARS: usize = 100_000;
+const MAX_GEARS: usize = 100_000;
 
 /// Warnings of one list, at most (tuned: they fit a screen beside others).
-const MOST_WARNINGS: usize = 12;
+const MAX_WARNINGS: usize = 12;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredGear {
@@ -36,7 +36,7 @@ pub fn gears(
     for name in names {
         let found = named(file.reading().folder(), name);
         if found.files.is_empty() && found.faults.is_empty() {
-            let beside = found.left_out.iter().take(MOST_WARNINGS);
+            let beside = found.left_out.iter().take(MAX_WARNINGS);
             let beside: String = beside.map(|left_out| format!("; {left_out}")).collect();
             wrong(
                 format!("{name:?}: there is no such file{beside}"),
@@ -53,10 +53,10 @@ pub fn gears(
     for duplicate in duplicates(&files) {
         wrong(duplicate, "take one away, or name the other alone");
     }
-    if files.len() > MOST_GEARS {
-        let reason = format!("more than {MOST_GEARS} gears");
+    if files.len() > MAX_GEARS {
+        let reason = format!("more than {MAX_GEARS} gears");
         wrong(reason, "name fewer of them");
-        files.truncate(MOST_GEARS);
+        files.truncate(MAX_GEARS);
     }
     let (mut gears, mut banded) = (Vec::new(), Vec::new());
     let mut grouped = GroupedWarnings::default();
@@ -87,8 +87,8 @@ pub fn gears(
     }
     let grouped = grouped.lines().into_iter();
     warnings.extend(grouped.map(|line| format!("{key}: {line}")));
-    let more = warnings.len().saturating_sub(MOST_WARNINGS);
-    warnings.truncate(MOST_WARNINGS);
+    let more = warnings.len().saturating_sub(MAX_WARNINGS);
+    warnings.truncate(MAX_WARNINGS);
     if more > 0 {
         warnings.push(format!("{key}: {more} more warnings like these"));
     }

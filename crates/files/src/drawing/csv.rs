@@ -1,6 +1,6 @@
 //! A list of points: x and y per line, in order along a closed outline. A third column z must have one value.
 
-use super::chain::Piece;
+use super::chain::DrawnPath;
 use super::error::LONGEST_NAME;
 use super::limits::MAX_SEGMENTS;
 use super::pieces::Pieces;
@@ -76,10 +76,10 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     };
     pieces.add(
         "",
-        Piece {
+        DrawnPath {
             segments,
             name: String::new(),
-            bound: 0.0,
+            bound_mm: 0.0,
             place: format!("line {}", rows[0].line),
         },
     )

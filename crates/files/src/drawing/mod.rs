@@ -18,7 +18,7 @@ mod repeat;
 mod svg;
 mod text;
 
-pub use chain::Loop;
+pub use chain::DrawnPath;
 pub use error::DrawingError;
 pub use limits::JOIN_MM;
 use limits::MAX_BYTES;

@@ -1,7 +1,6 @@
 //! All pieces of a file, and the loops that they form.
 
-use super::chain::Piece;
-use super::chain::{Chains, Loop, Open, chain};
+use super::chain::{Chains, DrawnPath, Open, chain};
 use super::error::{LONGEST_NAME, at};
 use super::limits::{FARTHEST_MM, MAX_NAMED, MAX_SEGMENTS};
 use super::{DrawingError, Options};
@@ -21,7 +20,7 @@ pub struct Drawing {
     /// Length of one of its units, mm.
     pub unit_mm: f64,
     /// At least one, in the order of the file.
-    pub loops: Vec<Loop>,
+    pub loops: Vec<DrawnPath>,
     /// Ignored elements, and why.
     pub remarks: Vec<String>,
 }
@@ -31,7 +30,7 @@ pub struct Drawing {
 pub struct Pieces {
     /// Length of a unit of the drawing, mm.
     pub unit_mm: f64,
-    layers: Vec<(String, Vec<Piece>)>,
+    layers: Vec<(String, Vec<DrawnPath>)>,
     /// The place of each layer in that list.
     by_name: HashMap<String, usize>,
     segments: usize,
@@ -48,7 +47,7 @@ struct LeftOut {
 
 impl Pieces {
     /// Adds a piece to the layer `layer`, without its segments of length 0. A piece with no other segments is ignored.
-    pub fn add(&mut self, layer: &str, mut piece: Piece) -> Result<(), DrawingError> {
+    pub fn add(&mut self, layer: &str, mut piece: DrawnPath) -> Result<(), DrawingError> {
         for segment in &piece.segments {
             check(segment, &piece.place)?;
         }
@@ -104,7 +103,7 @@ impl Pieces {
             if !found.is_empty() {
                 let (helper, broken) = helpers(open);
                 for path in helper {
-                    self.leave_out("open line beside the outline", &path.place);
+                    self.leave_out("open line beside the outline", &path.path.place);
                 }
                 if let Some(path) = broken.first() {
                     return Err(path.error(&broken));
@@ -174,7 +173,7 @@ fn helpers(open: Vec<Open>) -> (Vec<Open>, Vec<Open>) {
                 .map(|other| (other - path.ends[end]).norm());
             gaps.fold(f64::INFINITY, f64::min)
         };
-        gap(0).min(gap(1)) > GAP * path.length()
+        gap(0).min(gap(1)) > GAP * path.path.length()
     })
 }
 

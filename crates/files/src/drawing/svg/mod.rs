@@ -8,7 +8,7 @@ mod shape;
 mod view;
 
 use super::affine::Affine;
-use super::chain::Piece;
+use super::chain::DrawnPath;
 use super::error::LONGEST_NAME;
 use super::limits::MAX_SEGMENTS;
 use super::pieces::Pieces;
@@ -268,10 +268,10 @@ impl Page<'_> {
             }
         };
         for path in paths.map_err(|reason| self.syntax(node, reason))? {
-            let piece = Piece {
+            let piece = DrawnPath {
                 segments: path.segments,
                 name: id.unwrap_or_default().to_owned(),
-                bound: path.bound,
+                bound_mm: path.bound,
                 place: place.clone(),
             };
             self.pieces.add("", piece)?;

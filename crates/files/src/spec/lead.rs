@@ -1,8 +1,9 @@
 //! Deviations of the flanks along the face width.
 
-use super::profile::{LEAD_TRACE, ReliefShape, TraceSpec, trace_of};
+use super::profile::ReliefShape;
 use super::rules::{deviation, length, within};
-use super::value::{Either, FlankSpec, FlanksSpec};
+use super::trace::{FlankSpec, FlanksSpec, LEAD_TRACE, TraceSpec, trace_of};
+use super::value::Either;
 use gearlash::gear::{Hand, PitchAxis};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

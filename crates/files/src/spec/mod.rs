@@ -17,6 +17,7 @@ mod rules;
 mod schema;
 mod thickness;
 mod tolerance;
+mod trace;
 mod uncertainty;
 mod value;
 
@@ -38,9 +39,7 @@ pub use outline::{
     CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,
 };
 pub use pair::{EitherGearSpec, GearFileSpec, PairSpec};
-pub use profile::{
-    FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceDirection, TraceSpec,
-};
+pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub(crate) use schema::{DRAWINGS, GEAR, PAIR, TABLE};
 pub use schema::{gear_schema, pair_schema};
@@ -52,9 +51,10 @@ pub use tolerance::{
     AxesScatterSpec, GearToleranceSpec, LeadScatterSpec, PhaseName, PitchScatterSpec, ScatterName,
     ScatterSpec, SpreadSpec, ToleranceSpec,
 };
+pub use trace::{FlankSpec, FlanksSpec, TraceDirection, TraceSpec};
 pub use uncertainty::UncertaintySpec;
 pub(crate) use value::each_value;
-pub use value::{AllowanceBandSpec, BandSpec, Either, FlankSpec, FlanksSpec, TableFileSpec};
+pub use value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
 
 use gearlash::error::GearError;
 use gearlash::gear::ThicknessField;

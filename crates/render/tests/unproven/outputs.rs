@@ -12,7 +12,6 @@ use gearlash::analysis::tally::whole;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::PairFile;
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::snapshot;
 use gearlash_render::{Report, Snapshot, report};
@@ -327,7 +326,7 @@ fn a_report_vouches_for_nothing() {
         diagnosis,
     };
     let page = report(&Report {
-        pair: &case.pair.clone().into(),
+        pair: &case.pair,
         file: "pair.toml",
         date: "2026-01-01",
         analysis: &analysis,

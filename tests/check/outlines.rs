@@ -58,7 +58,7 @@ fn a_hunting_pair_has_the_extremes_that_are_proven() {
 /// outlines.
 #[test]
 fn the_peak_between_sampled_poses_is_found() {
-    let file = input::read_any(Path::new("tests/corpus/pairs/chords_32_12.toml")).unwrap();
+    let file = input::read(Path::new("tests/corpus/pairs/chords_32_12.toml")).unwrap();
     let plan = Plan::new(&file.study, Method::Exact { certify: true });
     let analysis = Analysis::silently(&plan.with_revolution().with_extremes()).unwrap();
     let checked = extremes_of_outlines(&file.study).greatest.unwrap().found();

@@ -65,7 +65,7 @@ enum Kind {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     check_options(args)?;
-    let file = studies::any(&args.pair)?;
+    let file = studies::pair(&args.pair)?;
     let (study, sources) = (&file.study, &file.sources);
     if study.is_drawn() && !matches!(args.kind, Kind::Revolution | Kind::Map) {
         return Err(Error::Usage(

@@ -12,7 +12,7 @@ use crate::output::OutputFolder;
 use gearlash::analysis::Plan;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
 use gearlash_files::outlines::Drawings;
-use gearlash_files::{AnyPair, Sources};
+use gearlash_files::{PairFile, Sources};
 use gearlash_results::judged::Judged;
 use gearlash_results::{RemedyRecords, checked};
 use std::path::{Path, PathBuf};
@@ -63,9 +63,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if args.inputs {
         return match given(args)? {
             Some(drawings) => studies::print_inputs([gearlash_files::read_drawings(&drawings)]),
-            None => {
-                studies::print_inputs(args.pairs.iter().map(|path| gearlash_files::read_any(path)))
-            }
+            None => studies::print_inputs(args.pairs.iter().map(|path| gearlash_files::read(path))),
         };
     }
     let drawn = drawings(args)?;
@@ -79,10 +77,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             let path = PathBuf::from(&pair.stem);
             vec![(path, Ok(pair))]
         }
-        None => judged::read(&args.pairs, studies::any)?,
+        None => judged::read(&args.pairs, studies::pair)?,
     };
     let mut map = None;
-    let judge = |path: &Path, file: &AnyPair| pair(args, path, file, &mut map);
+    let judge = |path: &Path, file: &PairFile| pair(args, path, file, &mut map);
     let (outcome, summary) = judged::outcome("check", files, args.format, judge)?;
     let code = print_outcome(&outcome, args.format, &args.screen, &summary)?;
     if let Some(written) = map.filter(|_| args.format == JudgedFormat::Text) {
@@ -95,7 +93,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 fn pair(
     args: &Args,
     path: &Path,
-    file: &AnyPair,
+    file: &PairFile,
     map: &mut Option<String>,
 ) -> Result<Judged, Error> {
     let study = &file.study;
@@ -119,7 +117,7 @@ fn pair(
 }
 
 /// The pair of two drawings on the command line; `None` for pair files.
-fn drawings(args: &Args) -> Result<Option<AnyPair>, Error> {
+fn drawings(args: &Args) -> Result<Option<PairFile>, Error> {
     let Some(mut drawings) = given(args)? else {
         return Ok(None);
     };

@@ -114,7 +114,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if args.drawn.given() || args.svg.is_some() {
         return Err(of_drawings());
     }
-    let files = judged::read(&args.pairs, studies::pair)?;
+    let files = judged::read(&args.pairs, studies::pair_by_data)?;
     let mut steps = 0;
     for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
         steps += file.study.pose_count() + run_count(&file.study)?;

@@ -5,7 +5,7 @@
 pub(super) struct Distances(pub Vec<f64>);
 
 /// The limit of a pair file.
-const MOST: f64 = 10_000.0;
+const MAX: f64 = 10_000.0;
 
 /// `132.1`, or `132.0..132.4:0.01`: from, to (included), step.
 ///
@@ -32,9 +32,9 @@ pub(super) fn parse(text: &str) -> Result<Distances, String> {
     }
     // A step that ends within a thousandth of TO includes it.
     let steps = ((last - first) / width + 1e-3).floor();
-    if steps >= MOST {
+    if steps >= MAX {
         return Err(format!(
-            "{} centre distances, allowed are up to {MOST}: take a wider step",
+            "{} centre distances, allowed are up to {MAX}: take a wider step",
             steps + 1.0
         ));
     }

@@ -11,8 +11,8 @@ use crate::output::OutputFolder;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::{Settings, gauge, gauge_outline, pin_sizes, pose_count};
 use gearlash::gear::AsBuilt;
-use gearlash_files::spec::{EitherGearSpec, GearSpec};
-use gearlash_files::{AnyGears, GearEntry};
+use gearlash_files::spec::GearSpec;
+use gearlash_files::{GearEntry, GearsFile};
 use gearlash_render::gauge::{charts, page, text};
 use gearlash_results::gauge::{
     GaugedGear, GearSource, json, possible_files, stem, table_name, teeth_csv,
@@ -137,7 +137,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 }
 
 /// The gears of the file or drawing.
-fn read(args: &Args) -> Result<AnyGears, Error> {
+fn read(args: &Args) -> Result<GearsFile, Error> {
     if is_drawing(&args.file) {
         let [options] = args.drawn.options()?;
         studies::drawing(&args.file, &options)
@@ -147,12 +147,12 @@ fn read(args: &Args) -> Result<AnyGears, Error> {
             DrawnArgs::NAMES
         )))
     } else {
-        studies::any_gears(&args.file)
+        studies::gears(&args.file)
     }
 }
 
 /// A gear in each of its materials.
-fn materials(gear: &GearEntry<EitherGearSpec>) -> Vec<(Material, GearSource<'_>)> {
+fn materials(gear: &GearEntry) -> Vec<(Material, GearSource<'_>)> {
     let data = gear.materials.iter().filter_map(|(material, as_built)| {
         Some((*material, GearSource::Data(as_built, gear.spec.data()?)))
     });

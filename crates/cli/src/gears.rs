@@ -46,19 +46,19 @@ impl MaterialName {
 }
 
 /// A gear of a file, one of its materials, and the gear in that material.
-pub(super) type Chosen<'a, G, T> = (&'a GearEntry<G>, Material, T);
+pub(super) type Chosen<'a, T> = (&'a GearEntry, Material, T);
 
 /// The requested gears and materials, in the order of the file; `materials` are those of a gear.
 ///
 /// # Errors
 /// [`Error::Usage`] where the file has one gear only and one of a pair is requested.
-pub(super) fn choose<'a, G, T>(
+pub(super) fn choose<'a, T>(
     path: &Path,
     gear: Option<GearName>,
     material: Option<MaterialName>,
-    file: &'a GearsFile<G>,
-    materials: impl Fn(&'a GearEntry<G>) -> Vec<(Material, T)>,
-) -> Result<Vec<Chosen<'a, G, T>>, Error> {
+    file: &'a GearsFile,
+    materials: impl Fn(&'a GearEntry) -> Vec<(Material, T)>,
+) -> Result<Vec<Chosen<'a, T>>, Error> {
     let name = gear.map(|gear| gear.member().name());
     let material = material.map(MaterialName::material);
     let mut chosen = Vec::new();

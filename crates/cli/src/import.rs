@@ -27,8 +27,8 @@ pub(super) struct Args {
     /// CSV, workbook (.xlsx), text protocol, curve file (.mka), drawing (.dxf, .svg) or gearbox model (.rexs, .rexsj, .rexsz; - for standard input)
     file: PathBuf,
     /// Data to read [default: all]
-    #[arg(long, value_enum)]
-    only: Option<Only>,
+    #[arg(long, value_name = "ONLY", value_parser = Kind::NAMED.map(|(name, _)| name))]
+    only: Option<String>,
     /// Sheet of a workbook
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
@@ -63,17 +63,6 @@ pub(super) struct Args {
     rexs: RexsArgs,
     #[command(flatten)]
     screen: ScreenArgs,
-}
-
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Only {
-    Pitch,
-    Runout,
-    Thickness,
-    Span,
-    OverPins,
-    Trace,
-    Lead,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -180,11 +169,13 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
         .into_iter()
         .filter_map(|(key, stated)| Some((key, stated.clone()?)));
     let keys: Vec<(&str, String)> = keys.collect();
+    let kind = |only: &String| Kind::NAMED.into_iter().find(|(name, _)| name == only);
+    let only = args.only.as_ref().and_then(kind);
     Ok(import::tables(
         &args.file,
         bytes,
         &Options {
-            only: args.only.map(Only::kind),
+            only: only.map(|(_, kind)| kind),
             keys: &keys,
             gear: args.gear.name(),
         },
@@ -198,20 +189,6 @@ fn show(args: &Args, found: &Imported) -> Result<ExitCode, Error> {
         Format::Json => found.to_json(),
     })?;
     Ok(ExitCode::SUCCESS)
-}
-
-impl Only {
-    fn kind(self) -> Kind {
-        match self {
-            Only::Pitch => Kind::Pitch,
-            Only::Runout => Kind::Runout,
-            Only::Thickness => Kind::Thickness,
-            Only::Span => Kind::Span,
-            Only::OverPins => Kind::OverPins,
-            Only::Trace => Kind::Trace,
-            Only::Lead => Kind::Lead,
-        }
-    }
 }
 
 impl GearTable {

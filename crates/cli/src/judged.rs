@@ -49,11 +49,11 @@ pub(super) fn read<T>(
 ///
 /// # Errors
 /// [`Error::OverInput`]; an error that ends the whole run, or any of a single file as text.
-pub(super) fn outcome<G>(
+pub(super) fn outcome(
     command: &'static str,
-    files: Vec<ReadFile<PairFile<G>>>,
+    files: Vec<ReadFile<PairFile>>,
     format: JudgedFormat,
-    mut judge: impl FnMut(&Path, &PairFile<G>) -> Result<Judged, Error>,
+    mut judge: impl FnMut(&Path, &PairFile) -> Result<Judged, Error>,
 ) -> Result<(Outcome, StepSummary), Error> {
     let mut sources = Sources::new();
     for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {

@@ -155,14 +155,14 @@ fn command(command: Command) -> Result<ExitCode, Error> {
 
 /// Threads that are allowed beyond the cores of the machine. Each takes 2 MiB of address space and time to start. Threads beyond
 /// the cores are only useful to test that results stay equal.
-const MOST_THREADS: usize = 64;
+const MAX_THREADS: usize = 64;
 
 /// Limits `RAYON_NUM_THREADS` to what a machine can start.
 fn cap_threads() {
     let variable = std::env::var("RAYON_NUM_THREADS").ok();
     let wanted: Option<usize> = variable.and_then(|threads| threads.parse().ok());
     let cores = std::thread::available_parallelism().map_or(1, |cores| cores.get());
-    let most = MOST_THREADS.max(cores);
+    let most = MAX_THREADS.max(cores);
     if let Some(wanted) = wanted.filter(|wanted| *wanted > most) {
         // Fails where a pool exists already; that one is not too large.
         let _ = rayon::ThreadPoolBuilder::new()

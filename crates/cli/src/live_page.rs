@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use data_encoding::BASE64;
-use gearlash_files::{AnyPair, import};
+use gearlash_files::{PairFile, import};
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,11 @@ const NAME: &str = "gearlash.html";
 ///
 /// # Errors
 /// [`Error::Usage`] where there is no page; [`Error::Input`] where a file cannot be read again.
-pub(super) fn with_pair(page: Option<&Path>, path: &Path, pair: &AnyPair) -> Result<String, Error> {
+pub(super) fn with_pair(
+    page: Option<&Path>,
+    path: &Path,
+    pair: &PairFile,
+) -> Result<String, Error> {
     if path == Path::new("-") {
         return Err(Error::Usage(
             "--live holds the files of the pair: name the pair file".to_owned(),

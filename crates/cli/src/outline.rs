@@ -7,6 +7,7 @@ use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::study::Material;
 use gearlash::gear::{AsBuilt, HalfTooth, Side};
+use gearlash_files::spec::GearSpec;
 use gearlash_files::{GearEntry, OutlineFile, OutlineFormat};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -69,7 +70,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 /// Most points of an outline: some 100 MB as text.
-const MOST_POINTS: usize = 2_000_000;
+const MAX_POINTS: usize = 2_000_000;
 
 /// Checks that the outline fits into memory several times over.
 fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
@@ -79,9 +80,9 @@ fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
         tolerance_um * 1e-3,
     );
     let points = 2 * half.segments().len() * gear.gear().basic_data().teeth() as usize;
-    if points > MOST_POINTS {
+    if points > MAX_POINTS {
         Err(Error::Usage(format!(
-            "--tolerance-um {tolerance_um}: the outline would have {points} points, allowed are {MOST_POINTS}; give a greater tolerance"
+            "--tolerance-um {tolerance_um}: the outline would have {points} points, allowed are {MAX_POINTS}; give a greater tolerance"
         )))
     } else {
         Ok(())
@@ -90,7 +91,8 @@ fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
 
 /// The requested section, mm; the gear must have it.
 fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
-    let face = entry.spec.face().filter(|_| entry.spec.is_helical());
+    let spec = entry.spec.data().filter(|spec| spec.is_helical());
+    let face = spec.and_then(GearSpec::face);
     let Some(mm) = requested else {
         return Ok(face.map_or(0.0, |[from, to]| 0f64.clamp(from, to)));
     };
@@ -107,7 +109,7 @@ fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let study = studies::gears(&args.file)?;
+    let study = studies::gears_by_data(&args.file)?;
     let chosen = choose(&args.file, args.gear, Some(args.material), &study, |gear| {
         gear.materials
             .iter()

@@ -2,7 +2,7 @@
 
 use super::console::print_error_line;
 use crate::error::Error;
-use gearlash_files::{InputError, MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, Problem, numbers};
+use gearlash_files::{InputError, MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, Problem, numbers};
 use std::path::Path;
 
 /// Limit of the poses of a command.
@@ -17,7 +17,7 @@ pub(super) struct Bound {
 
 /// Poses are written and dropped: they take disk space.
 pub(super) const STREAMED: Bound = Bound {
-    most: MOST_POSES,
+    most: MAX_POSES,
     bytes: POSE_BYTES_JSON + POSE_BYTES_CSV,
     of: "result",
     help: "take fewer steps_per_pitch or fractions, or fewer centre distances at a time",

@@ -39,7 +39,7 @@ pub(super) struct Args {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let date = today()?;
-    let pair = &studies::any(&args.pair)?;
+    let pair = &studies::pair(&args.pair)?;
     let study = &pair.study;
     let target = target(args, &pair.stem, &pair.sources)?;
     if args.live {

@@ -50,7 +50,7 @@ pub(super) struct Args {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let mut pair = studies::any(&args.pair)?;
+    let mut pair = studies::pair(&args.pair)?;
     if let Some(Distances(distances)) = &args.center_distance {
         let moved = pair.at(distances.clone());
         pair = moved.map_err(|reason| {

@@ -84,7 +84,7 @@ impl Flank {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let file = studies::any(&args.pair)?;
+    let file = studies::pair(&args.pair)?;
     let (study, sources) = (&file.study, &file.sources);
     check(args, study)?;
     let given = Target::prepare_given(args.output.as_ref(), sources)?;

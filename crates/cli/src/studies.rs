@@ -4,7 +4,7 @@ use super::console::{check_not_input, print, warn};
 use crate::error::Error;
 use gearlash_files::characters::plain;
 use gearlash_files::outlines::{Drawings, OutlineOptions};
-use gearlash_files::{AnyGears, AnyPair, GearsFile, InputError, PairFile, Sources};
+use gearlash_files::{GearsFile, InputError, PairFile};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -13,31 +13,26 @@ use std::process::ExitCode;
 /// # Errors
 /// As [`gearlash_files::read`]; [`Error::OverInput`] where standard output or error is a file that was read.
 pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
-    let file = gearlash_files::read(path)?;
-    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
-    Ok(file)
+    reported(path, gearlash_files::read(path)?)
 }
 
-/// The pair file at `path`, with gears by data or by outlines; its warnings are reported.
+/// The pair file at `path`, whose gears must be given by their data; its warnings are reported.
 ///
 /// # Errors
 /// As [`pair`].
-pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
-    let file = gearlash_files::read_any(path)?;
-    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
-    Ok(file)
+pub(super) fn pair_by_data(path: &Path) -> Result<PairFile, Error> {
+    reported(path, gearlash_files::read_by_data(path)?)
 }
 
 /// The pair of two drawings at a centre distance; its warnings, `warning` first, and notes are reported.
 ///
 /// # Errors
 /// As [`pair`].
-pub(super) fn drawings(drawings: &Drawings, warning: Option<String>) -> Result<AnyPair, Error> {
+pub(super) fn drawings(drawings: &Drawings, warning: Option<String>) -> Result<PairFile, Error> {
     let mut file = gearlash_files::read_drawings(drawings)?;
     file.warnings.splice(..0, warning);
-    let name = Path::new(&file.stem);
-    print_error_line(name, &file.sources, &file.warnings, &file.remarks)?;
-    Ok(file)
+    let name = PathBuf::from(&file.stem);
+    reported(&name, file)
 }
 
 /// Checks that standard input is not read twice.
@@ -59,7 +54,7 @@ pub(super) fn check_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
 /// # Errors
 /// As [`pair`]; [`Error::Usage`] for a name that cannot be printed unchanged.
 pub(super) fn print_inputs(
-    pairs: impl IntoIterator<Item = Result<AnyPair, InputError>>,
+    pairs: impl IntoIterator<Item = Result<PairFile, InputError>>,
 ) -> Result<ExitCode, Error> {
     let mut lines = String::new();
     for pair in pairs {
@@ -82,39 +77,35 @@ pub(super) fn print_inputs(
 /// # Errors
 /// As [`pair`].
 pub(super) fn gears(path: &Path) -> Result<GearsFile, Error> {
-    let file = gearlash_files::read_gears(path)?;
-    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
-    Ok(file)
+    reported_gears(path, gearlash_files::read_gears(path)?)
 }
 
-/// The gears of the file at `path`, by data or by outlines; its warnings are reported.
+/// The gears of the file at `path`, which must be given by their data; its warnings are reported.
 ///
 /// # Errors
 /// As [`pair`].
-pub(super) fn any_gears(path: &Path) -> Result<AnyGears, Error> {
-    let file = gearlash_files::read_any_gears(path)?;
-    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
-    Ok(file)
+pub(super) fn gears_by_data(path: &Path) -> Result<GearsFile, Error> {
+    reported_gears(path, gearlash_files::read_gears_by_data(path)?)
 }
 
 /// The gear of a drawing; warnings and notes are reported.
 ///
 /// # Errors
 /// As [`pair`].
-pub(super) fn drawing(path: &Path, options: &OutlineOptions) -> Result<AnyGears, Error> {
-    let file = gearlash_files::read_drawing(path, options)?;
-    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
+pub(super) fn drawing(path: &Path, options: &OutlineOptions) -> Result<GearsFile, Error> {
+    reported_gears(path, gearlash_files::read_drawing(path, options)?)
+}
+
+/// Reports warnings and notes on the pair `file` at `path`.
+fn reported(path: &Path, file: PairFile) -> Result<PairFile, Error> {
+    check_not_input(&file.sources)?;
+    warn(path, &file.warnings, &file.remarks);
     Ok(file)
 }
 
-/// Reports warnings and notes on the file at `path`; `sources` are the files read.
-fn print_error_line(
-    path: &Path,
-    sources: &Sources,
-    warnings: &[String],
-    remarks: &[String],
-) -> Result<(), Error> {
-    check_not_input(sources)?;
-    warn(path, warnings, remarks);
-    Ok(())
+/// Reports warnings and notes on the gears of the `file` at `path`.
+fn reported_gears(path: &Path, file: GearsFile) -> Result<GearsFile, Error> {
+    check_not_input(&file.sources)?;
+    warn(path, &file.warnings, &file.remarks);
+    Ok(file)
 }

@@ -9,7 +9,7 @@ use super::results::ResultsArgs;
 use crate::error::Error;
 use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Tally};
 use gearlash_files::tolerance::{
-    BLOCK, MOST_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
+    BLOCK, MAX_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
 };
 use results::{check_worst_files, is_own, print_result};
 use rows::RowsFile;
@@ -29,7 +29,7 @@ pub(super) struct Args {
     /// Pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// Another number of assemblies
-    #[arg(long, value_name = "M", value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
+    #[arg(long, value_name = "M", value_parser = clap::value_parser!(u64).range(1..=MAX_ASSEMBLIES))]
     assemblies: Option<u64>,
     /// Another seed
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u64).range(0..=u64::from(u32::MAX)))]
@@ -38,7 +38,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE.csv")]
     rows: Option<PathBuf>,
     /// Compute only rows, from assembly N on
-    #[arg(long, value_name = "N", requires = "rows", conflicts_with_all = ["output", "format", "no_files"], value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
+    #[arg(long, value_name = "N", requires = "rows", conflicts_with_all = ["output", "format", "no_files"], value_parser = clap::value_parser!(u64).range(1..=MAX_ASSEMBLIES))]
     first: Option<u64>,
     /// Give the statistics of the rows in these files, which have every assembly once; * and ? stand for letters
     #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with_all = ["rows", "first"])]
@@ -108,9 +108,9 @@ fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<ExitCode, Erro
         ))
     })?;
     let end = first + count;
-    if end > MOST_ASSEMBLIES + 1 {
+    if end > MAX_ASSEMBLIES + 1 {
         return Err(Error::Usage(format!(
-            "--first {first} --assemblies {count}: ends at assembly {}; the last one is {MOST_ASSEMBLIES}",
+            "--first {first} --assemblies {count}: ends at assembly {}; the last one is {MAX_ASSEMBLIES}",
             end - 1
         )));
     }

@@ -3,8 +3,10 @@
 use super::error::Problem;
 use super::gear::GearPart;
 use super::read::PairFile;
+use super::spec::GearSpec;
 use super::table::Table;
 use gearlash::gear::AsBuilt;
+use gearlash::pair::Member;
 
 /// The common face of both gears, mm from the wheel's measuring plane. Its length is 0 for spur gears that do not change along it. `offset` is the
 /// place of the pinion's measuring plane. `leans`: axes are not known to be parallel.
@@ -96,13 +98,14 @@ pub fn complete(pair: &mut PairFile, why: Option<&str>) -> Result<(), Problem> {
     let Some(why) = why.filter(|_| pair.study.face == [0.0; 2]) else {
         return Ok(());
     };
-    let spec = &pair.spec;
-    let face = |name: &str, face: Option<[f64; 2]>| {
-        face.ok_or_else(|| Problem::at(format!("{name}.face_width_mm"), missing(why), LENGTH))
+    let face = |member: Member| {
+        let face = pair.spec.data(member).and_then(GearSpec::face);
+        let key = || format!("{}.face_width_mm", member.name());
+        face.ok_or_else(|| Problem::at(key(), missing(why), LENGTH))
     };
-    let wheel = face("wheel", spec.wheel.face())?;
-    let offset = spec.assembly.face_offset_mm.unwrap_or(0.0);
-    let pinion = face("pinion", spec.pinion.face())?.map(|end| end + offset);
+    let wheel = face(Member::Wheel)?;
+    let offset = pair.spec.assembly.face_offset_mm.unwrap_or(0.0);
+    let pinion = face(Member::Pinion)?.map(|end| end + offset);
     pair.study.face =
         common(wheel, pinion).map_err(|reason| Problem::at("pinion.face_mm", reason, PLACE))?;
     // Teeth are counted in the wheel's measuring plane.

@@ -1,16 +1,12 @@
 //! Values of the flanks, for both or for each: `[profile]` and `[lead]`.
 
-use super::spec::{Either, FlankSpec, FlanksSpec};
+use super::spec::{Either, FlankSpec, FlanksSpec, TraceSpec};
 use super::table::Table;
-use super::traces::{self, Measured, StatedTrace};
+use super::traces::{self, Measured};
 use gearlash::gear::Flank;
 
 /// The values of the right flanks, and of the left ones, of `table`. Traces of files become lists.
-pub fn read<F>(table: &Table, spec: FlanksSpec<F>, gear: &Measured) -> Option<[F; 2]>
-where
-    F: FlankSpec,
-    F::Trace: StatedTrace,
-{
+pub fn read<F: FlankSpec>(table: &Table, spec: FlanksSpec<F>, gear: &Measured) -> Option<[F; 2]> {
     let one = |table: &Table, mut spec: F, own| {
         let traces = traces::read(table, spec.trace().take(), own, gear);
         Some((spec, traces?))
@@ -33,7 +29,7 @@ where
 }
 
 /// The own values of a flank, with those of both flanks in place of absent ones.
-fn joined<F: FlankSpec>(own: (F, Vec<F::Trace>), both: (F, Vec<F::Trace>)) -> F {
+fn joined<F: FlankSpec>(own: (F, Vec<TraceSpec>), both: (F, Vec<TraceSpec>)) -> F {
     let [own, both] = [own, both].map(|(mut flank, mut traces)| {
         *flank.trace() = match traces.len() {
             0 => None,
@@ -46,13 +42,13 @@ fn joined<F: FlankSpec>(own: (F, Vec<F::Trace>), both: (F, Vec<F::Trace>)) -> F 
 }
 
 /// Reports keys that are given for both flanks and again for one, in the table `name` of a gear.
-pub fn check<F: FlankSpec>(gear: &Table, name: &str) -> Option<()> {
+pub fn check(gear: &Table, name: &str) -> Option<()> {
     let both = gear.below(name);
     let mut good = Some(());
     for side in Flank::BOTH {
         let own = both.below(side.name());
-        let is_in_both = |key: &&str| both.has(key) && own.has(key);
-        for key in F::KEYS.iter().copied().filter(is_in_both) {
+        let keys = own.entries().iter().map(|(key, _)| key);
+        for key in keys.filter(|key| both.has(key)) {
             let [of_both, of_own] = [&both, &own].map(|table| table.path_of(""));
             let reason = format!("given together with {of_both}{key}, allowed is one of them");
             let help = format!(

@@ -1,14 +1,15 @@
-//! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built.
+//! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built, or as drawn.
 
 use super::check::Checked;
 use super::helix::Helix;
 use super::inches::MM_PER_INCH;
 use super::lead::{self, LeadGear, Leads};
+use super::outlines::{self, DrawingRead};
 use super::pitch::PitchSheet;
 use super::profile::{self, Profiles};
 use super::runout::{Runout, StatedTeeth};
 use super::sheet::StatedGear;
-use super::spec::{Either, GearSpec, RackSpec, System};
+use super::spec::{Either, EitherGearSpec, GearSpec, RackSpec, System};
 use super::statements::Statements;
 use super::table::Table;
 use super::{faults, findings, helix, thickness, unit_slips};
@@ -16,6 +17,8 @@ use gearlash::analysis::study::Material;
 use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
+use gearlash::outline::OutlineGear;
+use std::convert::Infallible;
 
 /// The parts of one gear that have no problem.
 #[derive(Debug, Default)]
@@ -30,10 +33,14 @@ pub struct GearPart {
     /// Ratio of lengths along the pitch line in the normal section to those in the section of the file.
     in_section: f64,
     pub basic_data: Option<BasicGearData>,
-    /// The gear, in one or both materials.
+    /// The gear by its data, in one or both materials.
     pub as_built: Option<Toleranced<AsBuilt>>,
+    /// The gear by its outline, in one or both materials.
+    pub drawn: Option<Toleranced<OutlineGear>>,
+    /// The content of its drawing.
+    pub drawing: Option<DrawingRead>,
     /// As in the pair file, defaults filled in.
-    pub spec: Option<GearSpec>,
+    pub spec: Option<EitherGearSpec>,
     pub scale: f64,
     /// Coefficient of thermal expansion, 1/K; `Some(None)` where none is given.
     pub expansion_per_k: Option<Option<f64>>,
@@ -50,6 +57,9 @@ impl GearPart {
     /// Reads the table `name` of one gear.
     pub fn read(file: &Checked, name: &str) -> GearPart {
         let table = file.table().below(name);
+        if table.has("outline") {
+            return GearPart::drawn(file, name).unwrap_or_default();
+        }
         let number = |key: &str| file.read::<f64>(&table.path_of(key)).flatten();
         let helix = Helix::read(file, name);
         let system = file.read::<System>(&table.path_of("system")).flatten();
@@ -82,6 +92,19 @@ impl GearPart {
         part.complete((file, name), &table);
         part.remarks.extend(table.reading().take_remarks());
         part
+    }
+
+    fn drawn(file: &Checked, name: &str) -> Option<GearPart> {
+        let part = outlines::gear(file, name)?;
+        Some(GearPart {
+            teeth: Some(part.gears.most().teeth()),
+            drawn: Some(part.gears),
+            drawing: Some(part.read),
+            spec: Some(EitherGearSpec::Outline(Box::new(part.spec))),
+            expansion_per_k: Some(None),
+            remarks: part.remarks,
+            ..GearPart::default()
+        })
     }
 
     fn complete(&mut self, (file, name): (&Checked, &str), table: &Table) -> Option<()> {
@@ -219,14 +242,35 @@ impl GearPart {
         }
         self.helix?.echo(&mut spec);
         self.warnings.extend(unit_slips::warnings(name, &spec));
-        self.spec = Some(spec);
+        self.spec = Some(EitherGearSpec::Data(Box::new(spec)));
         Some(())
     }
 
+    /// The gear by its data, in one or both materials, with its table as understood.
+    pub fn by_data(&self) -> Option<(&Toleranced<AsBuilt>, &GearSpec)> {
+        self.as_built.as_ref().zip(self.spec.as_ref()?.data())
+    }
+
+    /// The outline of the gear, in one or both materials.
+    pub fn outline(&self) -> Option<Toleranced<OutlineGear>> {
+        let of_data = |gear: &Toleranced<AsBuilt>| {
+            let outline = |gear: &AsBuilt| Ok::<_, Infallible>(OutlineGear::from(gear));
+            gear.try_map(outline).ok()
+        };
+        self.drawn
+            .clone()
+            .or_else(|| of_data(self.as_built.as_ref()?))
+    }
+
+    /// Whether it has a least and a greatest material.
+    pub fn is_band(&self) -> bool {
+        self.as_built.as_ref().is_some_and(Toleranced::is_band)
+            || self.drawn.as_ref().is_some_and(Toleranced::is_band)
+    }
+
     pub fn has_leads(&self) -> bool {
-        self.as_built
-            .as_ref()
-            .is_some_and(|gear| gear.most().has_leads())
+        let gear = self.as_built.as_ref();
+        gear.is_some_and(|gear| gear.most().has_leads())
     }
 
     /// Base radius, mm.

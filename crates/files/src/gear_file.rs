@@ -2,31 +2,28 @@
 
 use super::check::Checked;
 use super::gear::{GearPart, materials};
-use super::pair_file::names;
 use super::read::{GearEntry, GearsFile};
 use super::spec::GEAR;
 use crate::Tree;
 use gearlash::gear::AsBuilt;
-
-/// Whether `file` is a gear file: it has `[gear]`.
-pub fn is_one(file: &Tree) -> bool {
-    file.entries.iter().any(|(key, _)| key == "gear")
-}
+use gearlash::outline::OutlineGear;
 
 /// Reads the gear file `file`.
 pub fn read(file: &Tree) -> Option<GearsFile> {
     let checked = Checked::new(&GEAR, file.table());
-    let (stem, title) = names(&checked, file.path);
+    let (stem, title) = file.names(&checked);
     let part = GearPart::read(&checked, "gear");
-    let gear = part.as_built?;
+    let (title, spec) = (title?, part.spec?);
+    let built = part.as_built.as_ref();
+    let drawn = part.drawn.as_ref();
     Some(GearsFile {
-        title: title?,
+        title,
         stem,
         gears: vec![GearEntry {
             name: "gear",
-            materials: materials(&gear, AsBuilt::clone),
-            drawn: Vec::new(),
-            spec: part.spec?,
+            materials: built.map_or_else(Vec::new, |gear| materials(gear, AsBuilt::clone)),
+            drawn: drawn.map_or_else(Vec::new, |gear| materials(gear, OutlineGear::clone)),
+            spec,
         }],
         temperature_c: None,
         warnings: part.warnings,

@@ -10,7 +10,7 @@ use std::collections::{HashMap, HashSet};
 pub const MM_PER_INCH: f64 = 25.4;
 
 /// Keys in inches that are remembered: a pair file has some dozens. Problems of others name the key in mm.
-const MOST_REMEMBERED: usize = 1000;
+const MAX_REMEMBERED: usize = 1000;
 
 /// The keys in inches of a file by their dotted paths in mm, each with path and value as written.
 #[derive(Debug, Default)]
@@ -60,7 +60,7 @@ impl Inches {
             let in_mm = name_in_mm(entry).filter(|name| in_both_units.contains(name));
             let reported = in_mm
                 .as_ref()
-                .filter(|_| self.in_both_units.len() < MOST_REMEMBERED);
+                .filter(|_| self.in_both_units.len() < MAX_REMEMBERED);
             self.in_both_units.extend(reported.map(|in_mm| Problem {
                 key: below(paths[1], &entry.0),
                 value: Some(entry.1.shown()),
@@ -77,7 +77,7 @@ impl Inches {
                 .any(|unit| entry.0.ends_with(unit));
             let in_inches = in_mm.is_some() || in_inches && !has_unit;
             if let Some(in_mm) = in_mm {
-                if self.stated.len() < MOST_REMEMBERED {
+                if self.stated.len() < MAX_REMEMBERED {
                     let written = (stated.clone(), entry.1.shown());
                     self.stated.insert(below(paths[0], &in_mm), written);
                 }

@@ -8,8 +8,8 @@ use super::helix::Helix;
 use super::numbers::shortest;
 use super::sheet::Header;
 use super::spec::{
-    Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, GearSpec, LeadSpec, LeadTraceSpec, ReliefEnd,
-    ReliefShape, SlopeLength, SpurSlopeSpec, TeethEnd,
+    Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, GearSpec, LeadSpec, ReliefEnd, ReliefShape,
+    SlopeLength, SpurSlopeSpec, TeethEnd, TraceSpec,
 };
 use super::table::Table;
 use super::traces::{Along, Measured};
@@ -197,7 +197,7 @@ impl Leads {
             });
             let reliefs = flank.end_relief.iter().flat_map(Either::as_list);
             let traces = flank.trace.iter().flat_map(Either::as_list);
-            let trace = |trace: &LeadTraceSpec| {
+            let trace = |trace: &TraceSpec| {
                 let heights = trace.from_reference_face_mm.iter().flatten();
                 let points = heights.zip(trace.deviation_um.iter().flatten());
                 Trace {
@@ -230,7 +230,7 @@ pub fn key_of(gear: &Table, flank: Flank, key: LeadKey) -> String {
 
 /// Reports keys that are given for both flanks and again for one.
 pub fn check(gear: &Table) -> Option<()> {
-    flanks::check::<FlankLeadSpec>(gear, NAME)
+    flanks::check(gear, NAME)
 }
 
 /// The hand of the teeth, or that of the helix slopes of a spur gear. A number on a spur gear gets the right hand where it is positive.
@@ -363,7 +363,7 @@ fn end_reliefs(spec: &EndReliefSpec) -> Vec<EndRelief> {
 }
 
 /// A trace whose heights count from the other end of teeth of this `width`.
-fn turned(mut trace: LeadTraceSpec, width: f64) -> LeadTraceSpec {
+fn turned(mut trace: TraceSpec, width: f64) -> TraceSpec {
     if let Some(heights) = &mut trace.from_reference_face_mm {
         for height in heights.iter_mut() {
             *height = width - *height;

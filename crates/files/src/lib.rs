@@ -67,6 +67,7 @@ mod traces;
 mod unit_slips;
 mod unknown_key;
 
+use check::Checked;
 use node::Node;
 use pair_file::PairTables;
 use reading::Reading;
@@ -91,9 +92,9 @@ pub use files::Files;
 pub use gauged_file::{NoGearFile, gauged_file};
 pub use helix::short_for_span;
 pub use outline_file::{OutlineFile, OutlineFormat};
-pub use pair_file::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
+pub use pair_file::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use pair_slips::in_tolerance as tolerance_slip;
-pub use read::{AnyGears, AnyPair, GearEntry, GearsFile, PairFile, distance_refused};
+pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
 pub use sources::Sources;
 pub use spec::{explained, gear_schema, pair_schema};
 
@@ -109,6 +110,20 @@ impl<'a> Tree<'a> {
     fn table(&self) -> Table<'a> {
         Table::new("", self.reading, self.entries)
     }
+
+    /// Whether it is a gear file: it has `[gear]`.
+    fn is_gear_file(&self) -> bool {
+        self.entries.iter().any(|(key, _)| key == "gear")
+    }
+
+    /// The stem of the file, and its title without a problem; by default the stem.
+    fn names(&self, file: &Checked) -> (String, Option<String>) {
+        let stem = self.path.file_stem().unwrap_or_default();
+        let stem = stem.to_string_lossy().into_owned();
+        let title = file.read::<String>("title");
+        let title = title.map(|title| title.unwrap_or_else(|| stem.clone()));
+        (stem, title)
+    }
 }
 
 /// Reads the pair file at `path`: TOML, or JSON with the same keys. `-` is standard input, relative to the working folder.
@@ -116,25 +131,15 @@ impl<'a> Tree<'a> {
 /// # Errors
 /// [`InputError`] with all problems of the file, each with key, value, what is allowed and what to do.
 pub fn read(path: &Path) -> Result<PairFile, InputError> {
+    with_tree(path, pair)
+}
+
+/// Reads the pair file at `path`, whose gears must be given by their data.
+///
+/// # Errors
+/// As [`read`]; a gear given by an outline.
+pub fn read_by_data(path: &Path) -> Result<PairFile, InputError> {
     with_tree(path, pair_by_data)
-}
-
-/// Reads the pair file `text` with gears by data or by outlines, as [`read_text`] does.
-///
-/// # Errors
-/// As [`read`].
-pub fn read_any_text(name: &Path, text: &str) -> Result<AnyPair, InputError> {
-    of_text(name, text, any_pair)
-}
-
-/// Reads the pair file `main` of `files` with gears by data or by outlines; the files that it names are among them.
-///
-/// # Errors
-/// As [`read`].
-pub fn read_files(files: Rc<Files>, main: &str) -> Result<AnyPair, InputError> {
-    let name = Path::new(main);
-    let text = files.bytes(name).and_then(source::text);
-    with_text(name, Reading::of_files(files), text, any_pair)
 }
 
 /// Reads the pair file `text`, TOML or JSON, called `name` in messages; the files that it names are looked for in the working folder.
@@ -142,39 +147,29 @@ pub fn read_files(files: Rc<Files>, main: &str) -> Result<AnyPair, InputError> {
 /// # Errors
 /// As [`read`].
 pub fn read_text(name: &Path, text: &str) -> Result<PairFile, InputError> {
-    of_text(name, text, pair_by_data)
+    of_text(name, text, pair)
 }
 
-/// Reads the gears of the gear file or pair file `text`, as [`read_text`] does.
+/// Reads the pair file `main` of `files`; the files that it names are among them.
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError> {
-    of_text(name, text, gears_by_data)
-}
-
-/// Reads the pair file at `path` with gears by data or by outlines. `-` is standard input.
-///
-/// # Errors
-/// As [`read`].
-pub fn read_any(path: &Path) -> Result<AnyPair, InputError> {
-    with_tree(path, any_pair)
+pub fn read_files(files: Rc<Files>, main: &str) -> Result<PairFile, InputError> {
+    let name = Path::new(main);
+    let text = files.bytes(name).and_then(source::text);
+    with_text(name, Reading::of_files(files), text, pair)
 }
 
 /// Reads a pair from two drawings.
 ///
 /// # Errors
 /// As [`read`]; keys are those that a pair file would have.
-pub fn read_drawings(drawings: &outlines::Drawings) -> Result<AnyPair, InputError> {
+pub fn read_drawings(drawings: &outlines::Drawings) -> Result<PairFile, InputError> {
     let stem = |path: &Path| path.file_stem().unwrap_or_default().to_os_string();
     let mut name = stem(drawings.wheel);
     name.push("_");
     name.push(stem(drawings.pinion));
-    without_text(of_text(
-        Path::new(&name),
-        &drawings.pair_file(),
-        outlines::read,
-    ))
+    without_text(of_text(Path::new(&name), &drawings.pair_file(), pair))
 }
 
 /// Reads two drawings of one gear and compares them.
@@ -194,24 +189,23 @@ pub fn compare_drawings(
 /// # Errors
 /// As [`read`].
 pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
+    with_tree(path, gears)
+}
+
+/// Reads the gears of the file at `path`, which must be given by their data.
+///
+/// # Errors
+/// As [`read_by_data`].
+pub fn read_gears_by_data(path: &Path) -> Result<GearsFile, InputError> {
     with_tree(path, gears_by_data)
 }
 
-/// Reads the gears of the file at `path`, a gear file or a pair file, given by data or by outlines.
+/// Reads the gears of the gear file or pair file `text`, which must be given by their data.
 ///
 /// # Errors
-/// As [`read`].
-pub fn read_any_gears(path: &Path) -> Result<AnyGears, InputError> {
-    with_tree(path, |file| {
-        if !outlines::has_outline(file) {
-            return gears_by_data(file).map(AnyGears::from);
-        }
-        if gear_file::is_one(file) {
-            outlines::read_gear(file)
-        } else {
-            outlines::read(file).map(AnyGears::from)
-        }
-    })
+/// As [`read_by_data`].
+pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError> {
+    of_text(name, text, gears_by_data)
 }
 
 /// Reads the gear of the drawing at `path`.
@@ -221,9 +215,9 @@ pub fn read_any_gears(path: &Path) -> Result<AnyGears, InputError> {
 pub fn read_drawing(
     path: &Path,
     options: &outlines::OutlineOptions,
-) -> Result<AnyGears, InputError> {
+) -> Result<GearsFile, InputError> {
     let text = outlines::of_drawing(path, options);
-    without_text(of_text(path, &text, outlines::read_gear))
+    without_text(of_text(path, &text, gears))
 }
 
 /// A result whose error has no text. The text was generated: a place in it would point to nothing.
@@ -234,27 +228,28 @@ fn without_text<T>(result: Result<T, InputError>) -> Result<T, InputError> {
     })
 }
 
-fn any_pair(file: &Tree) -> Option<AnyPair> {
-    if outlines::has_outline(file) {
-        outlines::read(file)
-    } else {
-        pair_by_data(file).map(AnyPair::from)
-    }
+fn pair(file: &Tree) -> Option<PairFile> {
+    PairTables::read(file).study()
 }
 
 /// The pair, which must be given by its data.
 fn pair_by_data(file: &Tree) -> Option<PairFile> {
     outlines::refuse(file)?;
-    PairTables::read(file).study()
+    pair(file)
+}
+
+fn gears(file: &Tree) -> Option<GearsFile> {
+    if file.is_gear_file() {
+        gear_file::read(file)
+    } else {
+        pair(file).map(GearsFile::from)
+    }
 }
 
 /// The gears, which must all be given by their data.
 fn gears_by_data(file: &Tree) -> Option<GearsFile> {
-    if gear_file::is_one(file) {
-        outlines::refuse(file)?;
-        return gear_file::read(file);
-    }
-    pair_by_data(file).map(GearsFile::from)
+    outlines::refuse(file)?;
+    gears(file)
 }
 
 /// The result of `understand` for the file at `path`.

@@ -6,14 +6,14 @@ use toml::de::{DeTable, DeValue, Error};
 
 /// Longest text in which places are searched, bytes. The search parses it a second time, and a parser takes a hundred times its
 /// size (tuned: two gears of 10 000 teeth with every list written out have half as many).
-const MOST_LOCATED: usize = 1 << 20;
+const MAX_LOCATED: usize = 1 << 20;
 
 /// The byte range in `text` of each of the dotted `keys`; `None`: not found.
 ///
 /// A value has the range of key and value, a table that of its name. An absent key has that of the innermost table it belongs to.
 /// Where `text` is no TOML, the empty keys have the ranges of its [`syntax_errors`], in order.
 pub fn of_keys<'k>(text: &str, keys: impl Iterator<Item = &'k str>) -> Vec<Option<Range<usize>>> {
-    if text.len() > MOST_LOCATED {
+    if text.len() > MAX_LOCATED {
         return keys.map(|_| None).collect();
     }
     match DeTable::parse(text) {
@@ -30,7 +30,7 @@ pub fn of_keys<'k>(text: &str, keys: impl Iterator<Item = &'k str>) -> Vec<Optio
 /// The syntax errors of `text` in its order. Each line has one, as further errors mostly follow from the first. A text over the
 /// limit has one in all.
 pub fn syntax_errors(text: &str) -> Vec<Error> {
-    if text.len() > MOST_LOCATED {
+    if text.len() > MAX_LOCATED {
         return DeTable::parse(text).err().into_iter().collect();
     }
     let (_, mut errors) = DeTable::parse_recoverable(text);

@@ -2,24 +2,20 @@
 
 use super::check::Checked;
 use super::data_file::DataFile;
-use super::sheet::{Choice, Column, Content, Coverage, Found, Request, Wanted};
+use super::sheet::{Column, Coverage, Quantity, Row, Sheet, Wanted};
 use super::spec::MeasuredSpec;
-use super::table::Table;
 use gearlash::analysis::study::MeasuredRow;
 use std::collections::{HashMap, HashSet};
 
-/// Most cells of a CSV file: those of 250 000 rows.
-const MOST_CELLS: usize = 2_000_000;
-
 /// The columns, in any order; a column of sources is allowed, too.
-const COLUMNS: [Column; 7] = [
-    Column::CenterDistance,
-    Column::WheelTooth,
-    Column::PinionTooth,
-    Column::MeasuredRight,
-    Column::MeasuredLeft,
-    Column::PredictedMin,
-    Column::PredictedMax,
+const QUANTITIES: [Quantity; 7] = [
+    Quantity::CenterDistance,
+    Quantity::WheelTooth,
+    Quantity::PinionTooth,
+    Quantity::MeasuredRight,
+    Quantity::MeasuredLeft,
+    Quantity::PredictedMin,
+    Quantity::PredictedMax,
 ];
 
 /// The file and its rows, each with its line.
@@ -33,25 +29,17 @@ impl Measured {
     /// Reads the file named in `[measured]`.
     pub fn read(checked: &Checked, teeth: (Option<u32>, Option<u32>)) -> Option<Measured> {
         checked.is_good("measured").then_some(())?;
-        let table = &checked.table().below("measured");
-        let file = DataFile::of(table)?;
-        let rows = file.list(|| {
-            let bytes = file.bytes()?;
-            let choice = Choice::default();
-            let content = Content::read(&file, (bytes, MOST_CELLS), table, &choice)?;
-            let request = Request {
-                file: &file,
-                choice: &choice,
-                wanted: Wanted {
-                    columns: &COLUMNS,
-                    teeth: None,
-                    coverage: Coverage::Results {
-                        teeth: [teeth.0, teeth.1],
-                    },
-                },
-            };
-            rows(table, &content, &request)
-        })?;
+        let columns = QUANTITIES.map(Column::of);
+        let wanted = Wanted {
+            columns: &columns,
+            teeth: None,
+            coverage: Coverage::Results {
+                teeth: [teeth.0, teeth.1],
+            },
+        };
+        let (file, sheet) = Sheet::read(&checked.table().below("measured"), &wanted)?;
+        let rows = sheet.rows.into_iter().zip(sheet.sources).map(row);
+        let rows = rows.collect::<Option<_>>()?;
         Some(Measured { file, rows })
     }
 
@@ -97,42 +85,29 @@ impl Measured {
     }
 }
 
-/// The rows of the file, with their lines.
-fn rows(table: &Table, content: &Content, request: &Request) -> Option<Vec<(u64, MeasuredRow)>> {
-    let file = request.file;
-    let Content::Cells(grids) = content else {
-        return file.refuse("is a protocol", "name a table of the rig's results");
+/// A row of the file with its source, and its line.
+fn row((row, source): (Row, String)) -> Option<(u64, MeasuredRow)> {
+    let [
+        center_distance,
+        wheel_tooth,
+        pinion_tooth,
+        right_um,
+        left_um,
+        predicted_min_um,
+        predicted_max_um,
+    ] = row.values[..]
+    else {
+        return None;
     };
-    let found = Found::find(request, grids)?;
-    let rows = found.rows(request)?;
-    let remark = |words| format!("{}: {}: left out: {words}", file.key(), file.name());
-    let left_out = found.left_out.words(&[]);
-    table.reading().add_remark(left_out.map(remark));
-    let sources = found.sources(file).into_iter();
-    let measured = rows.into_iter().zip(sources).map(|(row, source)| {
-        let [
-            center_distance,
-            wheel_tooth,
-            pinion_tooth,
-            right_um,
-            left_um,
-            predicted_min_um,
-            predicted_max_um,
-        ] = row.values[..]
-        else {
-            return None;
-        };
-        let measured = MeasuredRow {
-            center_distance,
-            wheel_tooth: wheel_tooth as u32,
-            pinion_tooth: pinion_tooth as u32,
-            right_um,
-            left_um,
-            predicted_min_um,
-            predicted_max_um,
-            source,
-        };
-        Some((row.line, measured))
-    });
-    measured.collect()
+    let measured = MeasuredRow {
+        center_distance,
+        wheel_tooth: wheel_tooth as u32,
+        pinion_tooth: pinion_tooth as u32,
+        right_um,
+        left_um,
+        predicted_min_um,
+        predicted_max_um,
+        source,
+    };
+    Some((row.line, measured))
 }

@@ -12,7 +12,7 @@ use std::fmt;
 pub const LONGEST: usize = 60;
 
 /// Most keys of one table: a hundred times the known ones. Further keys cannot be meaningful.
-const MOST_KEYS: usize = 1000;
+const MAX_KEYS: usize = 1000;
 
 /// A value as written in the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -217,9 +217,9 @@ impl<'de> Visitor<'de> for NodeVisitor {
                 return Err(A::Error::custom(format!("key `{key}` is given twice")));
             }
             entries.push((key, value));
-            if entries.len() > MOST_KEYS {
+            if entries.len() > MAX_KEYS {
                 return Err(A::Error::custom(format!(
-                    "more than {MOST_KEYS} keys in one table, at most a dozen are known"
+                    "more than {MAX_KEYS} keys in one table, at most a dozen are known"
                 )));
             }
         }

@@ -6,10 +6,11 @@ use super::common_face;
 use super::gear::GearPart;
 use super::measured::Measured;
 use super::numbers;
+use super::outlines;
 use super::read::PairFile;
 use super::spec::{
-    AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, MOST_DISTANCES, MisalignmentSpec,
-    PAIR, PairSpec, RequireSpec, ToleranceSpec, UncertaintySpec,
+    AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, EitherGearSpec, MAX_DISTANCES,
+    MisalignmentSpec, PAIR, PairSpec, RequireSpec, ToleranceSpec, UncertaintySpec,
 };
 use super::sweep::Sweep;
 use super::table::Table;
@@ -19,10 +20,11 @@ use super::{pair_slips, shafts, temperature, unit_slips};
 use crate::Tree;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
-use std::path::Path;
+use gearlash::metrology::Toleranced;
+use gearlash::outline::OutlineGear;
 
 /// Poses of a study, over all centre distances and materials: their result fills 27 GB.
-pub const MOST_POSES: u64 = 10_000_000;
+pub const MAX_POSES: u64 = 10_000_000;
 
 /// Bytes that a pose takes in a result as JSON, about: 900 where a pair is jammed to 2250 with tip corners.
 pub const POSE_BYTES_JSON: u64 = 2250;
@@ -33,7 +35,10 @@ pub const POSE_BYTES_CSV: u64 = 450;
 /// The tables of a pair file: `None` for a table with a problem, `Some(None)` for an absent one.
 pub struct PairTables<'a> {
     file: Checked<'a>,
-    path: &'a Path,
+    stem: String,
+    title: Option<String>,
+    /// Whether a gear is given by its outline.
+    is_drawn: bool,
     wheel: GearPart,
     pinion: GearPart,
     assembly: Option<AssemblySpec>,
@@ -42,25 +47,46 @@ pub struct PairTables<'a> {
 }
 
 /// `[sweep]` and `[measured]`: `None` for a table with a problem, `Some(None)` for an absent one.
-pub(crate) struct PosesRead {
+struct PosesRead {
     measured: Option<Option<Measured>>,
     /// `Some(None)`: exactly the measured rows are run.
     sweep: Option<Option<Sweep>>,
+}
+
+/// The gears in each material at their centre distances, in the wheel's measuring plane and at the temperature of the pair.
+struct Placed {
+    materials: Vec<(Material, AsBuilt, AsBuilt)>,
+    drawn: Vec<(Material, OutlineGear, OutlineGear)>,
+    stated: CenterDistanceSpec,
+    center_distances: Vec<f64>,
+    band: Option<[f64; 2]>,
+    face: [f64; 2],
 }
 
 impl<'a> PairTables<'a> {
     /// Reads every table of `file`.
     pub fn read(tree: &Tree<'a>) -> PairTables<'a> {
         let file = Checked::new(&PAIR, tree.table());
+        let (stem, title) = tree.names(&file);
+        let is_drawn = outlines::has_outline(tree);
+        if is_drawn {
+            outlines::refuse_tables(file.table());
+        }
         let wheel = GearPart::read(&file, "wheel");
         let pinion = GearPart::read(&file, "pinion");
         let poses = PosesRead::new(&file, (wheel.teeth, pinion.teeth));
         PairTables {
             assembly: assembly::read(&file, !rows_only(&file)),
             poses,
-            tolerance: tolerance_table::tolerance(&file),
+            tolerance: if is_drawn {
+                Some(None)
+            } else {
+                tolerance_table::tolerance(&file)
+            },
             file,
-            path: tree.path,
+            stem,
+            title,
+            is_drawn,
             wheel,
             pinion,
         }
@@ -68,24 +94,152 @@ impl<'a> PairTables<'a> {
 
     /// The study, after the checks that concern several tables.
     pub fn study(self) -> Option<PairFile> {
-        let table = self.table().clone();
-        let mut warnings = [&self.wheel.warnings[..], &self.pinion.warnings].concat();
-        let mut remarks = [&self.wheel.remarks[..], &self.pinion.remarks].concat();
+        let gears = [&self.wheel, &self.pinion];
+        let mut warnings = gears.map(|gear| &gear.warnings[..]).concat();
+        let mut remarks = gears.map(|gear| &gear.remarks[..]).concat();
+        let Placed {
+            materials,
+            drawn,
+            stated,
+            center_distances,
+            band,
+            face,
+        } = if self.is_drawn {
+            self.drawn(&mut warnings, &mut remarks)?
+        } else {
+            self.by_data(&mut warnings, &mut remarks)?
+        };
+        let assembly = self.assembly?;
+        let (measured, sweep, tolerance) =
+            (self.poses.measured?, self.poses.sweep?, self.tolerance?);
+        let accuracy: AccuracySpec = self.file.read("accuracy")?.unwrap_or_default();
+        let compare: CompareSpec = self.file.read("compare")?.unwrap_or_default();
+        let require: Option<RequireSpec> = self.file.read("require")?;
+        let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty")?;
+        let title = self.title?;
+        let bearings = assembly.bearing_clearance_mm;
+        warnings.extend(unit_slips::warnings("assembly", &assembly));
+        warnings.extend(unit_slips::warnings("tolerance", &tolerance));
+        warnings.extend(pair_slips::in_bearings(&bearings));
+        warnings.extend(pair_slips::in_faces(gears));
+        warnings.extend(pair_slips::in_distances(
+            &self.wheel,
+            &self.pinion,
+            &center_distances,
+        ));
+        let compared = pair_slips::in_tolerance("compare.tolerance_um", compare.tolerance_um);
+        warnings.extend(compared);
+        warnings.extend(measured.as_ref().and_then(Measured::equal_rows));
+
+        let built = match materials.first() {
+            Some((_, wheel, pinion)) => [Some(wheel), Some(pinion)],
+            None => [&self.wheel.as_built, &self.pinion.as_built]
+                .map(|gear| gear.as_ref().map(Toleranced::most)),
+        };
+        let lean = [assembly.lean(), assembly.open_lean()];
+        let spec = PairSpec {
+            title: title.clone(),
+            wheel: self.wheel.spec?,
+            pinion: self.pinion.spec?,
+            assembly: AssemblySpec {
+                center_distance_mm: stated,
+                misalignment: assembly.misalignment.map(|stated| MisalignmentSpec {
+                    at_mm: Some(assembly.holds_at()),
+                    ..stated
+                }),
+                ..assembly
+            },
+            measured: measured.as_ref().map(Measured::spec),
+            sweep: sweep.as_ref().map(|sweep| sweep.spec.clone()),
+            accuracy: (!self.is_drawn).then_some(accuracy),
+            compare: (!self.is_drawn).then_some(compare),
+            require,
+            uncertainty,
+            tolerance,
+        };
+        let uncertainty = uncertainty.map(|stated| {
+            let specs = [&spec.wheel, &spec.pinion].map(EitherGearSpec::data);
+            stated.of_pair(&spec.assembly, [0, 1].map(|k| specs[k].zip(built[k])))
+        });
+        let study = Study {
+            title,
+            materials,
+            drawn,
+            locked: spec.assembly.locked,
+            face,
+            lean: lean[0],
+            open_lean: lean[1],
+            bearing_ends: bearings.ends(),
+            center_distances,
+            band,
+            bearing_clearance: bearings.sum_mm(),
+            all_phases: sweep
+                .as_ref()
+                .is_some_and(|sweep| sweep.spec.extremes.is_some()),
+            sweep: sweep.map(|sweep| sweep.plan),
+            measured: measured.map_or_else(Vec::new, Measured::into_rows),
+            chord: accuracy.chord_um / 1000.0,
+            tolerance_um: compare.tolerance_um,
+            allow_off_line_contact: compare.allow_off_line_contact,
+            uncertainty,
+            requirements: require.map_or_else(Vec::new, |require| require.requirements()),
+            notes: [self.wheel.notes, self.pinion.notes],
+        };
+        Some(PairFile {
+            study,
+            stem: self.stem,
+            spec,
+            drawings: [self.wheel.drawing, self.pinion.drawing],
+            warnings,
+            remarks,
+            sources: self.file.table().reading().sources(),
+        })
+    }
+
+    /// The gears of a pair with an outline.
+    fn drawn(&self, warnings: &mut Vec<String>, remarks: &mut Vec<String>) -> Option<Placed> {
+        let (table, gears) = (self.table(), [&self.wheel, &self.pinion]);
+        outlines::refuse_limits(table);
+        outlines::refuse_uncertainties(&self.file, gears);
+        let assembly = self.assembly.as_ref()?;
+        outlines::refuse_axes(table, assembly);
+        table.reading().is_good().then_some(())?;
+        let (wheel, pinion) = (self.wheel.outline()?, self.pinion.outline()?);
+        let stated = self.poses.distances(table, assembly, None, warnings)?;
+        let center_distances = stated.distances_mm();
+        let is_band = wheel.is_band() || pinion.is_band();
+        self.poses
+            .check_count(table, Some(&center_distances), is_band)?;
+        let thickest = [wheel.most(), pinion.most()];
+        outlines::check_distances(table, thickest, &center_distances, assembly)?;
+        Temperature::read(table, assembly, gears)?;
+        remarks.extend(table.reading().take_remarks());
+        remarks.extend(meaning(&stated));
+        Some(Placed {
+            materials: Vec::new(),
+            drawn: in_materials(&wheel, &pinion),
+            stated,
+            center_distances,
+            band: None,
+            face: [0.0; 2],
+        })
+    }
+
+    /// The gears of a pair by data.
+    fn by_data(&self, warnings: &mut Vec<String>, remarks: &mut Vec<String>) -> Option<Placed> {
+        let table = self.table();
         let base_radii = self.base_radii();
         let assembly = self.assembly.as_ref();
-        let stated = assembly.and_then(|assembly| {
-            self.poses
-                .distances(&table, assembly, base_radii, &mut warnings)
-        });
+        let stated = assembly
+            .and_then(|assembly| self.poses.distances(table, assembly, base_radii, warnings));
         let center_distances = stated.as_ref().map(CenterDistanceSpec::distances_mm);
-        let is_band = [&self.wheel.as_built, &self.pinion.as_built]
-            .iter()
-            .any(|gear| gear.as_ref().is_some_and(|gear| gear.is_band()));
+        let gears = [&self.wheel, &self.pinion];
+        let is_band = gears.iter().any(|gear| gear.is_band());
         self.poses
-            .check_count(&table, center_distances.as_deref(), is_band)?;
+            .check_count(table, center_distances.as_deref(), is_band)?;
         let (stated, mut center_distances) = (stated?, center_distances?);
         let mut band = stated.band_mm();
-        let assembly = self.assembly.clone()?;
+        let assembly = assembly?;
         let (lean, open_lean) = (assembly.lean(), assembly.open_lean());
         let bearing_ends = assembly.bearing_clearance_mm.ends();
         if open_lean != [0.0; 2] {
@@ -100,7 +254,7 @@ impl<'a> PairTables<'a> {
         }
         if assembly.holds_at() != 0.0 && lean != [0.0; 2] {
             self.poses
-                .check_rows(&table, "assembly.misalignment.at_mm")?;
+                .check_rows(table, "assembly.misalignment.at_mm")?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
                 *mm = assembly.in_measuring_plane(*mm);
             }
@@ -113,15 +267,15 @@ impl<'a> PairTables<'a> {
                 listed.join(", ")
             ));
         }
-        let mut materials = materials(&self.wheel, &self.pinion)?;
-        let gears = [&self.wheel, &self.pinion];
-        let temperature = Temperature::read(&table, &assembly, gears)?;
+        let built = gears.map(|gear| gear.as_built.as_ref());
+        let mut materials = in_materials(built[0]?, built[1]?);
+        let temperature = Temperature::read(table, assembly, gears)?;
         if temperature.is_some() {
-            self.poses.check_rows(&table, "assembly.temperature_c")?;
+            self.poses.check_rows(table, "assembly.temperature_c")?;
         }
         remarks.extend(table.reading().take_remarks());
         if let Some(temperature) = temperature {
-            materials = temperature.gears(&table, materials)?;
+            materials = temperature.gears(table, materials)?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
                 *mm = temperature.distance(*mm);
             }
@@ -148,15 +302,12 @@ impl<'a> PairTables<'a> {
             };
             return table.refuse(&format!("assembly.{key}"), reason, help);
         }
-        warnings.extend(shafts::check(&table, &assembly, materials.first())?);
-        if let CenterDistanceSpec::Designated(designated) = &stated {
-            let meaning = designated.meaning();
-            remarks.extend(meaning.map(|words| format!("assembly.center_distance_mm: {words}")));
-        }
+        warnings.extend(shafts::check(table, assembly, materials.first())?);
+        remarks.extend(meaning(&stated));
         let face_offset_mm = assembly.face_offset_mm;
         let warm = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
         let factors = [self.wheel.scale * warm[0], self.pinion.scale * warm[1]];
-        temperature::check_unequal(&table, factors)?;
+        temperature::check_unequal(table, factors)?;
         // The distance of the measuring planes expands as the wheel does.
         let offset = face_offset_mm.unwrap_or(0.0) * warm[0];
         let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty")?;
@@ -188,93 +339,20 @@ impl<'a> PairTables<'a> {
                 "leave it out, or the misalignment, the wobble and the bearing clearances at two ends",
             );
         }
-        let face = common_face::common_face(&table, gears, (offset, leans), factors)?;
+        let face = common_face::common_face(table, gears, (offset, leans), factors)?;
         // Teeth are counted in the wheel's measuring plane.
         if face[0] < face[1] && face_offset_mm.is_some() {
             for (_, _, pinion) in &mut materials {
                 *pinion = pinion.section_at(-offset);
             }
         }
-        let (locked, bearings) = (assembly.locked, assembly.bearing_clearance_mm);
-        let (measured, sweep, tolerance) =
-            (self.poses.measured?, self.poses.sweep?, self.tolerance?);
-        let accuracy: AccuracySpec = self.file.read("accuracy")?.unwrap_or_default();
-        let compare: CompareSpec = self.file.read("compare")?.unwrap_or_default();
-        let require: Option<RequireSpec> = self.file.read("require")?;
-        let (stem, title) = names(&self.file, self.path);
-        let title = title?;
-        warnings.extend(unit_slips::warnings("assembly", &assembly));
-        warnings.extend(unit_slips::warnings("tolerance", &tolerance));
-        warnings.extend(pair_slips::in_bearings(&bearings));
-        warnings.extend(pair_slips::in_faces([&self.wheel, &self.pinion]));
-        warnings.extend(pair_slips::in_distances(
-            &self.wheel,
-            &self.pinion,
-            &center_distances,
-        ));
-        let compared = pair_slips::in_tolerance("compare.tolerance_um", compare.tolerance_um);
-        warnings.extend(compared);
-        warnings.extend(measured.as_ref().and_then(Measured::equal_rows));
-
-        let spec = PairSpec {
-            title: title.clone(),
-            wheel: self.wheel.spec?,
-            pinion: self.pinion.spec?,
-            assembly: AssemblySpec {
-                center_distance_mm: stated,
-                misalignment: assembly.misalignment.map(|stated| MisalignmentSpec {
-                    at_mm: Some(assembly.holds_at()),
-                    ..stated
-                }),
-                ..assembly
-            },
-            measured: measured.as_ref().map(Measured::spec),
-            sweep: sweep.as_ref().map(|sweep| sweep.spec.clone()),
-            accuracy: Some(accuracy),
-            compare: Some(compare),
-            require,
-            uncertainty,
-            tolerance,
-        };
-        let gears = materials.first();
-        let uncertainty = uncertainty.zip(gears).map(|(stated, (_, wheel, pinion))| {
-            stated.of_pair(
-                &spec.assembly,
-                [Some((&spec.wheel, wheel)), Some((&spec.pinion, pinion))],
-            )
-        });
-        let study = Study {
-            title,
+        Some(Placed {
             materials,
             drawn: Vec::new(),
-            locked,
-            face,
-            lean,
-            open_lean,
-            bearing_ends,
+            stated,
             center_distances,
             band,
-            bearing_clearance: bearings.sum_mm(),
-            all_phases: sweep
-                .as_ref()
-                .is_some_and(|sweep| sweep.spec.extremes.is_some()),
-            sweep: sweep.map(|sweep| sweep.plan),
-            measured: measured.map_or_else(Vec::new, Measured::into_rows),
-            chord: accuracy.chord_um / 1000.0,
-            tolerance_um: compare.tolerance_um,
-            allow_off_line_contact: compare.allow_off_line_contact,
-            uncertainty,
-            requirements: require.map_or_else(Vec::new, |require| require.requirements()),
-            notes: [self.wheel.notes, self.pinion.notes],
-        };
-        Some(PairFile {
-            study,
-            stem,
-            spec,
-            drawings: [None; 2],
-            warnings,
-            remarks,
-            sources: table.reading().sources(),
+            face,
         })
     }
 
@@ -291,13 +369,13 @@ impl<'a> PairTables<'a> {
 }
 
 /// Whether exactly the measured rows are run.
-pub(crate) fn rows_only(file: &Checked) -> bool {
+fn rows_only(file: &Checked) -> bool {
     file.means("measured") && !file.means("sweep")
 }
 
 impl PosesRead {
     /// Reads both tables of `file`, a pair of gears with `teeth` teeth.
-    pub(crate) fn new(file: &Checked, teeth: (Option<u32>, Option<u32>)) -> PosesRead {
+    fn new(file: &Checked, teeth: (Option<u32>, Option<u32>)) -> PosesRead {
         PosesRead {
             measured: if file.means("measured") {
                 Measured::read(file, teeth).map(Some)
@@ -310,11 +388,6 @@ impl PosesRead {
                 Sweep::read(file, teeth).map(Some)
             },
         }
-    }
-
-    /// The tables without problems: the measured rows, and the poses besides.
-    pub(crate) fn tables(self) -> Option<(Option<Measured>, Option<Sweep>)> {
-        Some((self.measured?, self.sweep?))
     }
 
     /// Reports the `key` that changes centre distances beside measured rows, which state their own.
@@ -330,7 +403,7 @@ impl PosesRead {
     }
 
     /// The centre distances to run, a list in ascending order. They are checked against the sum of `base_radii`, mm, if it is known.
-    pub(crate) fn distances(
+    fn distances(
         &self,
         file: &Table,
         assembly: &AssemblySpec,
@@ -374,12 +447,7 @@ impl PosesRead {
     }
 
     /// Reports a study of too many poses; `is_band`: it has least and most material.
-    pub(crate) fn check_count(
-        &self,
-        table: &Table,
-        distances: Option<&[f64]>,
-        is_band: bool,
-    ) -> Option<()> {
+    fn check_count(&self, table: &Table, distances: Option<&[f64]>, is_band: bool) -> Option<()> {
         let materials = 1 + u64::from(is_band);
         let (poses, key) = match (self.sweep.as_ref()?, self.measured.as_ref()?) {
             (Some(sweep), _) => {
@@ -389,7 +457,7 @@ impl PosesRead {
             (None, Some(measured)) => (2 * measured.rows.len() as u64 * materials, "measured.file"),
             (None, None) => return None,
         };
-        if poses <= MOST_POSES {
+        if poses <= MAX_POSES {
             return Some(());
         }
         table.refuse(
@@ -397,7 +465,7 @@ impl PosesRead {
             format!(
                 "{poses} poses over all centre distances and materials, about {} of result, allowed are up to 10 million, {}",
                 numbers::bytes(poses.saturating_mul(POSE_BYTES_JSON + POSE_BYTES_CSV)),
-                numbers::bytes(MOST_POSES * (POSE_BYTES_JSON + POSE_BYTES_CSV)),
+                numbers::bytes(MAX_POSES * (POSE_BYTES_JSON + POSE_BYTES_CSV)),
             ),
             "take fewer steps_per_pitch or fractions, or split the centre distances over several files",
         )
@@ -416,7 +484,7 @@ fn measured_distances(measured: &Measured, base_radii: Option<f64>) -> Vec<f64> 
         }
         Some(())
     });
-    if let Some((line, _)) = list.get(MOST_DISTANCES) {
+    if let Some((line, _)) = list.get(MAX_DISTANCES) {
         measured.file.add_at(
             *line,
             "one centre distance too many, allowed are up to 10 000",
@@ -426,27 +494,24 @@ fn measured_distances(measured: &Measured, base_radii: Option<f64>) -> Vec<f64> 
     list.into_iter().map(|(_, a)| a).collect()
 }
 
-/// The stem of the file at `path`, and its title if it has one.
-pub fn names(file: &Checked, path: &Path) -> (String, Option<String>) {
-    let stem = path
-        .file_stem()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned();
-    let title = file.read::<String>("title");
-    let title = title.map(|title| title.unwrap_or_else(|| stem.clone()));
-    (stem, title)
+/// The meaning of a designated centre distance, for a remark.
+fn meaning(stated: &CenterDistanceSpec) -> Option<String> {
+    let CenterDistanceSpec::Designated(designated) = stated else {
+        return None;
+    };
+    let words = designated.meaning()?;
+    Some(format!("assembly.center_distance_mm: {words}"))
 }
 
-fn materials(wheel: &GearPart, pinion: &GearPart) -> Option<Vec<(Material, AsBuilt, AsBuilt)>> {
-    let (wheel, pinion) = (wheel.as_built.as_ref()?, pinion.as_built.as_ref()?);
+/// Both gears in each material. A gear with one material has it in both.
+fn in_materials<T: Clone>(wheel: &Toleranced<T>, pinion: &Toleranced<T>) -> Vec<(Material, T, T)> {
     let most = (wheel.most().clone(), pinion.most().clone());
     if !wheel.is_band() && !pinion.is_band() {
-        return Some(vec![(Material::AsMeasured, most.0, most.1)]);
+        return vec![(Material::AsMeasured, most.0, most.1)];
     }
     let least = (wheel.least().clone(), pinion.least().clone());
-    Some(vec![
+    vec![
         (Material::Most, most.0, most.1),
         (Material::Least, least.0, least.1),
-    ])
+    ]
 }

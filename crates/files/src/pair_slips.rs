@@ -7,12 +7,12 @@ use gearlash::gear::Gear;
 use gearlash::gear::involute::{inv, inv_of_roll, roll_at, roll_of_inv};
 
 /// Radial play above which a bearing is no bearing, mm: plain bearings of 100 mm bore have 0.1 mm in diameter.
-const MOST_PLAY_MM: f64 = 0.1;
+const MAX_PLAY_MM: f64 = 0.1;
 /// The share of the radial clearance that a runout may take. An eccentricity of half the runout moves the tips that much nearer
 /// to the roots.
-const MOST_OF_CLEARANCE: f64 = 0.5;
+const MAX_OF_CLEARANCE: f64 = 0.5;
 /// Tolerance of `compare` above which it is meaningless, µm: more than the backlash of many gears.
-pub const MOST_TOLERANCE_UM: f64 = 100.0;
+pub const MAX_TOLERANCE_UM: f64 = 100.0;
 /// Pressure angles of usual basic racks, degrees: 20 (ISO 53, DIN 867), 14.5, 20 and 25 (AGMA), 17.5 and 22.5 between them.
 const USUAL_ANGLES: [f64; 5] = [14.5, 17.5, 20.0, 22.5, 25.0];
 /// Distance of a centre distance from the computed one up to which they match, in modules: the rounding of a drawing and a
@@ -20,12 +20,12 @@ const USUAL_ANGLES: [f64; 5] = [14.5, 17.5, 20.0, 22.5, 25.0];
 const MATCH_WITHIN: f64 = 0.002;
 /// Least difference from the distance of the stated pair for a warning, in modules. Distances that are opened for backlash differ
 /// less: 0.05 modules give 2 tan 20° · 0.05 = 0.04 modules of backlash.
-const LEAST_DIFFERENCE: f64 = 0.05;
+const MIN_DIFFERENCE: f64 = 0.05;
 /// Both limits where only the pressure angle differs: such distances are close together.
 const ANGLE_MATCH_WITHIN: f64 = 0.0005;
 const ANGLE_LEAST_DIFFERENCE: f64 = 0.01;
 /// Backlash of nominal teeth, in modules, above which a distance is questioned: more than gears are run with.
-const MOST_BACKLASH: f64 = 0.25;
+const MAX_BACKLASH: f64 = 0.25;
 /// Difference of thicknesses that is rounding, mm.
 const ROUNDING_MM: f64 = 1e-9;
 /// Sums of profile shifts that are tried where none is stated, in tenths: from more than is used for backlash to more than racks
@@ -36,7 +36,7 @@ const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
 pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
     let [wheel, pinion] = bearings.each().map(|[one, other]| one.max(other));
     let members = [("wheel", wheel), ("pinion", pinion)];
-    let large = members.into_iter().filter(|(_, mm)| *mm > MOST_PLAY_MM);
+    let large = members.into_iter().filter(|(_, mm)| *mm > MAX_PLAY_MM);
     let warnings = large.map(|(name, mm)| {
         format!(
             "assembly.bearing_clearance_mm: {mm} mm of radial play at the {name} is more than a bearing has: if µm were meant, write {}; diametral play is twice the radial play",
@@ -48,7 +48,7 @@ pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
 
 /// A warning of a tolerance of `compare` that lets everything pass; `key` is its place.
 pub fn in_tolerance(key: &str, um: f64) -> Option<String> {
-    (um > MOST_TOLERANCE_UM).then(|| {
+    (um > MAX_TOLERANCE_UM).then(|| {
         format!(
             "{key}: {um} µm is as large as backlash itself, so that hardly a difference would fail: the default is 0.1; if nm were meant, write {}",
             um / 1000.0
@@ -68,9 +68,9 @@ pub fn in_distances(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> V
 /// A warning that tooth numbers may run in opposite directions: both gears have data of single teeth, and neither states its
 /// reference face.
 pub fn in_faces(gears: [&GearPart; 2]) -> Option<String> {
-    let is_open = gears
-        .iter()
-        .all(|gear| !gear.states_face && gear.spec.as_ref().is_some_and(has_tooth_data));
+    let is_open = gears.iter().all(|gear| {
+        !gear.states_face && gear.by_data().is_some_and(|(_, spec)| has_tooth_data(spec))
+    });
     is_open.then(|| {
         "wheel.reference_face, pinion.reference_face: both gears have data of single teeth, and neither says from which face its teeth are \
          counted; both count from the front. If one was measured from the face that is at the back in the pair, write \
@@ -99,7 +99,7 @@ fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<Str
         .reduce(f64::min)?;
     // Without clearance, the check of radial clearance reports the fault.
     let large = |gear: &(&str, &gearlash::gear::AsBuilt)| {
-        clearance > 0.0 && 2.0 * gear.1.eccentricity() > MOST_OF_CLEARANCE * clearance
+        clearance > 0.0 && 2.0 * gear.1.eccentricity() > MAX_OF_CLEARANCE * clearance
     };
     let (name, gear) = [wheel, pinion].into_iter().find(large)?;
     let um = 2000.0 * gear.eccentricity();
@@ -130,7 +130,7 @@ fn excessive_backlash(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) ->
     let at = inv_of_roll(roll_at(least, base));
     let backlash = 2.0 * base * (at - inv_0) / data.transverse_pressure_angle().cos();
     let modules = backlash / data.module();
-    (modules > MOST_BACKLASH).then(|| {
+    (modules > MAX_BACKLASH).then(|| {
         format!(
             "assembly.center_distance_mm: {} mm leaves {} teeth {} µm of backlash, {} of the module: check the distance, the teeth and the module",
             ascii(least, 4),
@@ -172,7 +172,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
         ascii(stated, 4)
     );
     let spur = nominal(angle, 0.0, x_1 + x_2);
-    if helix_deg != 0.0 && !suits(stated, LEAST_DIFFERENCE) && suits(spur, MATCH_WITHIN) {
+    if helix_deg != 0.0 && !suits(stated, MIN_DIFFERENCE) && suits(spur, MATCH_WITHIN) {
         return Some(format!(
             "{off}; it would fit β = 0 ({} mm): was the helix angle forgotten in the distance?",
             ascii(spur, 4)
@@ -188,7 +188,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
         let mut otherwise = otherwise
             .into_iter()
             .map(|(words, x)| (words, without_backlash(angle, x)));
-        if !suits(stated, LEAST_DIFFERENCE)
+        if !suits(stated, MIN_DIFFERENCE)
             && let Some((words, mm)) = otherwise.find(|(_, mm)| suits(*mm, MATCH_WITHIN))
         {
             return Some(format!(

@@ -4,7 +4,7 @@ use super::sheet::{Column, Header, Sheet};
 use super::spec::PitchSpec;
 use super::table::Table;
 use super::thickness::one_a_tooth;
-use gearlash::gear::Flank;
+use gearlash::gear::{Flank, Side};
 use gearlash::metrology::{PitchSense, PitchStatement};
 
 /// The values of the table, with both flanks.
@@ -22,7 +22,7 @@ impl PitchSheet {
         let table = gear.below("pitch");
         if spec.table.is_some() {
             let kind = spec.kind;
-            let columns = [Column::Right(kind), Column::Left(kind)];
+            let columns = Side::BOTH.map(|side| Column::pitch(side, kind));
             let sheet = Sheet::of_every_tooth(&table, &columns, teeth)?;
             return Some(Some(PitchSheet {
                 spec: PitchSpec {

@@ -75,7 +75,7 @@ pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
 
 /// Reports keys that are given for both flanks and again for one, and ranges that descend.
 pub fn check(gear: &Table) -> Option<()> {
-    let mut good = flanks::check::<FlankProfileSpec>(gear, NAME);
+    let mut good = flanks::check(gear, NAME);
     for name in ["profile.right", "profile.left", NAME] {
         let table = gear.below(name);
         let range = table.get("range_mm").map(Node::to::<[f64; 2]>);

@@ -2,7 +2,7 @@
 
 use crate::outlines::DrawingRead;
 use crate::sources::Sources;
-use crate::spec::{EitherGearSpec, GearSpec, PairSpec};
+use crate::spec::{EitherGearSpec, PairSpec};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
@@ -10,17 +10,15 @@ use gearlash::outline::OutlineGear;
 use gearlash::pair::Member;
 
 /// A pair file, understood.
-///
-/// `G` is [`GearSpec`] where both gears are given by their data, else [`EitherGearSpec`].
 #[derive(Debug, Clone, PartialEq)]
-pub struct PairFile<G = GearSpec> {
+pub struct PairFile {
     /// The study of the file.
     pub study: Study,
     /// File stem, the name of the folder for results.
     pub stem: String,
     /// The input as understood: keys as in a pair file, defaults filled in. Read as a pair file
     /// (beside the same measured file) it gives the same study.
-    pub spec: PairSpec<G>,
+    pub spec: PairSpec,
     /// The content of the drawings of wheel and pinion; `None` for a gear given by data.
     pub drawings: [Option<DrawingRead>; 2],
     /// Warnings, for standard error.
@@ -31,29 +29,12 @@ pub struct PairFile<G = GearSpec> {
     pub sources: Sources,
 }
 
-/// A pair file whose gears are given by their data or by outlines.
-pub type AnyPair = PairFile<EitherGearSpec>;
-
-impl From<PairFile> for AnyPair {
-    fn from(file: PairFile) -> AnyPair {
-        PairFile {
-            study: file.study,
-            stem: file.stem,
-            spec: file.spec.into(),
-            drawings: file.drawings,
-            warnings: file.warnings,
-            remarks: file.remarks,
-            sources: file.sources,
-        }
-    }
-}
-
-impl<G> PairFile<G> {
+impl PairFile {
     /// The pair at other centre distances, mm.
     ///
     /// # Errors
     /// As [`Study::at`].
-    pub fn at(mut self, center_distances: Vec<f64>) -> Result<PairFile<G>, Error> {
+    pub fn at(mut self, center_distances: Vec<f64>) -> Result<PairFile, Error> {
         self.spec.assembly = self.spec.assembly.at(center_distances.clone());
         self.study = self.study.at(center_distances)?;
         Ok(self)
@@ -72,7 +53,7 @@ pub fn distance_refused(reason: &Error) -> String {
 
 /// One gear of a file, for commands that need no mate.
 #[derive(Debug, Clone, PartialEq)]
-pub struct GearEntry<G = GearSpec> {
+pub struct GearEntry {
     /// `wheel` or `pinion` of a pair file, `gear` of a gear file.
     pub name: &'static str,
     /// Its materials: `AsMeasured` alone, or `Most` and `Least`. Empty in a file with an outline.
@@ -80,20 +61,18 @@ pub struct GearEntry<G = GearSpec> {
     /// Its materials in a file with an outline.
     pub drawn: Vec<(Material, OutlineGear)>,
     /// Its table as understood, defaults filled in.
-    pub spec: G,
+    pub spec: EitherGearSpec,
 }
 
-/// The gears of a gear file or a pair file. `G` is as in [`PairFile`].
-///
-/// Made by [`crate::read_gears`].
+/// The gears of a gear file or a pair file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct GearsFile<G = GearSpec> {
+pub struct GearsFile {
     /// Title; the file stem when the file has none.
     pub title: String,
     /// File stem, the name of the folder for results.
     pub stem: String,
     /// One gear, or wheel and pinion.
-    pub gears: Vec<GearEntry<G>>,
+    pub gears: Vec<GearEntry>,
     /// The temperature of the gears, °C, where a pair file states one; else lengths are those at 20 °C.
     pub temperature_c: Option<f64>,
     /// Warnings, for standard error.
@@ -104,29 +83,6 @@ pub struct GearsFile<G = GearSpec> {
     pub sources: Sources,
 }
 
-/// The gears of a file, given by their data or by outlines.
-pub type AnyGears = GearsFile<EitherGearSpec>;
-
-impl From<GearsFile> for AnyGears {
-    fn from(file: GearsFile) -> AnyGears {
-        let gears = file.gears.into_iter().map(|gear| GearEntry {
-            name: gear.name,
-            materials: gear.materials,
-            drawn: gear.drawn,
-            spec: EitherGearSpec::Data(Box::new(gear.spec)),
-        });
-        GearsFile {
-            title: file.title,
-            stem: file.stem,
-            gears: gears.collect(),
-            temperature_c: file.temperature_c,
-            warnings: file.warnings,
-            remarks: file.remarks,
-            sources: file.sources,
-        }
-    }
-}
-
 impl GearsFile {
     /// The gear of a gear file, or the `member` of a pair file.
     pub(crate) fn of(&self, member: Member) -> Option<&GearEntry> {
@@ -135,8 +91,8 @@ impl GearsFile {
     }
 }
 
-impl<G> From<PairFile<G>> for GearsFile<G> {
-    fn from(file: PairFile<G>) -> GearsFile<G> {
+impl From<PairFile> for GearsFile {
+    fn from(file: PairFile) -> GearsFile {
         let Study {
             title,
             mut materials,

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 /// Problems of one list that are reported one by one; the others are counted. Tuned: they fit a screen beside others.
-const MOST_OF_A_LIST: usize = 12;
+const MAX_OF_A_LIST: usize = 12;
 
 /// The reading of a file and of the files that it names.
 #[derive(Debug, Default)]
@@ -214,7 +214,7 @@ impl Problems {
     }
 
     fn is_full(&self) -> bool {
-        self.is_list && self.listed.len() >= MOST_OF_A_LIST
+        self.is_list && self.listed.len() >= MAX_OF_A_LIST
     }
 
     /// Whether no problem was added.

@@ -1,6 +1,6 @@
 //! `[runout]`: the distance of the teeth from the rotation axis.
 
-use super::sheet::{Column, Header, Sheet};
+use super::sheet::{Header, Quantity, Sheet};
 use super::spec::{FaceRunoutSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec, TeethEnd};
 use super::table::Table;
 use gearlash::gear::BasicGearData;
@@ -73,7 +73,7 @@ impl Runout {
                 "remove it, or write at = \"space\"",
             );
         }
-        let sheet = Sheet::of_every_tooth(&table, &[Column::Runout], teeth)?;
+        let sheet = Sheet::of_one_quantity(&table, Quantity::Runout, teeth)?;
         if at == ReadingPlace::Tooth && sheet.origin.as_ref().is_some_and(|origin| origin.by_space)
         {
             return table.refuse(

@@ -13,9 +13,9 @@ use std::sync::mpsc::sync_channel;
 use std::time::Duration;
 
 /// Largest input of any kind, bytes.
-const MOST_BYTES: u64 = 64 << 20;
+const MAX_BYTES: u64 = 64 << 20;
 /// Largest text of a pair file, gear file or gearbox model: pitch and thickness of two gears of 10 000 teeth need 1 MiB.
-const MOST_TEXT: usize = 16 << 20;
+const MAX_TEXT: usize = 16 << 20;
 /// Longest wait for data of a pipe.
 const WAIT: Duration = Duration::from_secs(5);
 /// Bytes read at a time (tuned).
@@ -23,7 +23,7 @@ const PIECE: usize = 1 << 16;
 
 /// Most marks that begin a key or a value of a TOML file: its parser takes some 150 bytes for each. A list with one value per
 /// tooth of the largest gear has 10 000.
-const MOST_MARKS: usize = 500_000;
+const MAX_MARKS: usize = 500_000;
 /// Most characters quoted from a parser's message; its own words are shorter.
 const LONGEST_MESSAGE: usize = 300;
 
@@ -35,12 +35,12 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
         return Err(Problem::of_file("is a folder", "name the file in it"));
     }
     if metadata.is_file() {
-        if metadata.len() > MOST_BYTES {
-            return Err(too_large(metadata.len(), MOST_BYTES));
+        if metadata.len() > MAX_BYTES {
+            return Err(too_large(metadata.len(), MAX_BYTES));
         }
         let mut bytes = Vec::new();
         let file = File::open(path).map_err(unreadable)?;
-        let mut file = file.take(MOST_BYTES + 1);
+        let mut file = file.take(MAX_BYTES + 1);
         file.read_to_end(&mut bytes).map_err(unreadable)?;
         return limited(bytes);
     }
@@ -54,7 +54,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
 pub fn standard_input() -> Result<Vec<u8>, Problem> {
     if std::io::stdin().is_terminal() {
         let mut bytes = Vec::new();
-        let mut input = std::io::stdin().lock().take(MOST_BYTES + 1);
+        let mut input = std::io::stdin().lock().take(MAX_BYTES + 1);
         input.read_to_end(&mut bytes).map_err(unreadable)?;
         return limited(bytes);
     }
@@ -95,7 +95,7 @@ fn by_pieces<R: Read>(
         });
         let piece = piece.map_err(unreadable)?;
         bytes.extend_from_slice(&piece);
-        if piece.is_empty() || bytes.len() as u64 > MOST_BYTES {
+        if piece.is_empty() || bytes.len() as u64 > MAX_BYTES {
             return limited(bytes);
         }
     }
@@ -103,7 +103,7 @@ fn by_pieces<R: Read>(
 
 /// `bytes`, if they are within the limit.
 fn limited(bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
-    if bytes.len() as u64 > MOST_BYTES {
+    if bytes.len() as u64 > MAX_BYTES {
         return Err(Problem::of_file(
             "has more than 64 MiB",
             "check that this is the file you mean",
@@ -141,8 +141,8 @@ fn too_large(size: u64, most: u64) -> Problem {
 /// The text of a file of these `bytes`, without byte order mark.
 /// Errors: one problem with an empty key: not UTF-8, or over 16 MiB.
 pub fn text(bytes: Vec<u8>) -> Result<String, Problem> {
-    if bytes.len() > MOST_TEXT {
-        return Err(too_large(bytes.len() as u64, MOST_TEXT as u64));
+    if bytes.len() > MAX_TEXT {
+        return Err(too_large(bytes.len() as u64, MAX_TEXT as u64));
     }
     let text = String::from_utf8(bytes).map_err(|error| {
         let good = error.utf8_error().valid_up_to();
@@ -197,9 +197,9 @@ fn of_json(text: &str) -> Result<Node, Problem> {
 
 fn of_toml(text: &str, reading: &Reading) -> Option<Node> {
     let marks = text.bytes().filter(|b| b"=,[{.".contains(b)).count();
-    if marks > MOST_MARKS {
+    if marks > MAX_MARKS {
         return reading.refuse(Problem::of_file(
-            format!("has some {marks} keys and values, allowed are up to {MOST_MARKS} in TOML"),
+            format!("has some {marks} keys and values, allowed are up to {MAX_MARKS} in TOML"),
             "check that this is the file you mean, or put long lists into files of their own",
         ));
     }

@@ -4,10 +4,10 @@ use super::lead::Leads;
 use super::pitch::PitchSheet;
 use super::profile::Profiles;
 use super::runout::Runout;
-use super::spec::{CrossCheckSpec, LeadAxis, StatementSpec, ThicknessSpec};
+use super::spec::{CrossCheckSpec, StatementSpec, ThicknessSpec};
 use super::table::Table;
 use super::thickness;
-use gearlash::gear::{Face, Flank, GearDesign};
+use gearlash::gear::{Face, Flank, GearDesign, PitchAxis};
 use gearlash::metrology::{Measurements, StatementRole};
 
 /// The tables of one gear, as understood.
@@ -42,7 +42,7 @@ impl Statements<'_> {
             leads_about_datum: self
                 .leads
                 .as_ref()
-                .is_some_and(|leads| leads.spec.axis == LeadAxis::Datum),
+                .is_some_and(|leads| leads.spec.axis == PitchAxis::Datum),
             leads: self.leads.as_ref().map(Leads::measured).unwrap_or_default(),
         }
     }

@@ -1,7 +1,7 @@
 //! `[thickness]`: lists and tables of its statements beside the number of teeth, and their measurements for metrology.
 
 use super::numbers::ascii;
-use super::sheet::{Column, Coverage, Sheet, Wanted};
+use super::sheet::{Column, Coverage, Quantity, Sheet, Wanted};
 use super::spec::{
     BandSpec, CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, OverPinsSpec, StatementSpec,
     TableFileSpec, ThicknessSpec,
@@ -66,7 +66,7 @@ fn complete_statement(table: &Table, spec: &mut StatementSpec, teeth: Option<u32
         }
         let table = table.below("span");
         let stated = (&mut span.length, &mut span.first_tooth, &mut span.table);
-        complete_readings(&table, (Column::Span, "first_tooth"), stated, teeth)?;
+        complete_readings(&table, (Quantity::Span, "first_tooth"), stated, teeth)?;
         if span.first_tooth.is_some() {
             span.per_tooth.get_or_insert(true);
         }
@@ -74,7 +74,7 @@ fn complete_statement(table: &Table, spec: &mut StatementSpec, teeth: Option<u32
     if let Some(pins) = &mut spec.over_pins {
         let table = table.below("over_pins");
         let stated = (&mut pins.length, &mut pins.space, &mut pins.table);
-        complete_readings(&table, (Column::OverPins, "space"), stated, teeth)?;
+        complete_readings(&table, (Quantity::OverPins, "space"), stated, teeth)?;
     }
     Some(())
 }
@@ -122,11 +122,11 @@ pub fn check_body(gear: &Table, spec: &ThicknessSpec, design: &GearDesign) -> Op
     named
 }
 
-/// Fills in readings of a `column` and their places, which `key` states: from the table's file, or tooth by tooth where every tooth has
+/// Fills in readings of a `quantity` and their places, which `key` states: from the table's file, or tooth by tooth where every tooth has
 /// a reading.
 fn complete_readings(
     table: &Table,
-    (column, key): (Column, &str),
+    (quantity, key): (Quantity, &str),
     (length, places, file): (
         &mut LengthSpec,
         &mut Option<Vec<u32>>,
@@ -136,7 +136,7 @@ fn complete_readings(
 ) -> Option<()> {
     if file.take().is_some() {
         let wanted = Wanted {
-            columns: &[column],
+            columns: &[Column::of(quantity)],
             teeth,
             coverage: Coverage::SomeTeeth,
         };
@@ -198,7 +198,7 @@ fn per_tooth(table: &Table, listed: Option<Vec<f64>>, teeth: Option<u32>) -> Opt
         return Some(Vec::new());
     }
     let table = table.below("per_tooth_um");
-    let sheet = Sheet::of_every_tooth(&table, &[Column::Thickness], teeth)?;
+    let sheet = Sheet::of_one_quantity(&table, Quantity::Thickness, teeth)?;
     Some(sheet.values(0))
 }
 

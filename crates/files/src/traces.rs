@@ -3,98 +3,18 @@
 use crate::data_file::DataFile;
 use crate::node::Node;
 use crate::numbers::ascii;
-use crate::sheet::{Column, Coverage, Header, Sheet, Wanted};
-use crate::spec::{Either, LeadTraceSpec, TraceDirection, TraceSpec};
+use crate::sheet::{Column, Coverage, Header, Quantity, Sheet, Wanted};
+use crate::spec::{Either, TraceDirection, TraceSpec};
 use crate::table::Table;
 use gearlash::gear::{BasicGearData, Flank};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 /// Traces of the right flanks, and of the left ones.
-pub type FlankTraces<T> = [Vec<T>; 2];
+pub type FlankTraces = [Vec<TraceSpec>; 2];
 
 /// A point of a trace: roll length or height, mm, and deviation, µm.
 type Point = (f64, f64);
-
-/// A trace as a file states it.
-pub trait StatedTrace: Clone {
-    fn stated(self) -> Stated;
-
-    fn of_points(tooth: Option<u32>, points: &[Point]) -> Self;
-
-    /// Tooth it was measured on; none: all.
-    fn tooth(&self) -> Option<u32>;
-}
-
-pub struct Stated {
-    tooth: Option<u32>,
-    /// Kind of its places, their key, and the places.
-    by: (Column, &'static str),
-    at: Vec<f64>,
-    deviation_um: Vec<f64>,
-    is_normal: bool,
-    is_file: bool,
-}
-
-impl StatedTrace for TraceSpec {
-    fn stated(self) -> Stated {
-        let (by, at) = match (self.roll_length_mm, self.diameter_mm) {
-            (None, Some(diameters)) => ((Column::Diameter, "diameter_mm"), diameters),
-            (rolls, _) => {
-                let by = (Column::RollLength, "roll_length_mm");
-                (by, rolls.unwrap_or_default())
-            }
-        };
-        Stated {
-            tooth: self.tooth,
-            by,
-            at,
-            deviation_um: self.deviation_um.unwrap_or_default(),
-            is_normal: false,
-            is_file: self.table.is_some(),
-        }
-    }
-
-    fn of_points(tooth: Option<u32>, points: &[Point]) -> TraceSpec {
-        TraceSpec {
-            tooth,
-            roll_length_mm: Some(points.iter().map(|point| point.0).collect()),
-            deviation_um: Some(points.iter().map(|point| point.1).collect()),
-            ..TraceSpec::default()
-        }
-    }
-
-    fn tooth(&self) -> Option<u32> {
-        self.tooth
-    }
-}
-
-impl StatedTrace for LeadTraceSpec {
-    fn stated(self) -> Stated {
-        Stated {
-            tooth: self.tooth,
-            by: (Column::Height, "from_reference_face_mm"),
-            at: self.from_reference_face_mm.unwrap_or_default(),
-            deviation_um: self.deviation_um.unwrap_or_default(),
-            is_normal: self.direction == Some(TraceDirection::Normal),
-            is_file: self.table.is_some(),
-        }
-    }
-
-    fn of_points(tooth: Option<u32>, points: &[Point]) -> LeadTraceSpec {
-        LeadTraceSpec {
-            tooth,
-            from_reference_face_mm: Some(points.iter().map(|point| point.0).collect()),
-            deviation_um: Some(points.iter().map(|point| point.1).collect()),
-            direction: Some(TraceDirection::Transverse),
-            table: None,
-        }
-    }
-
-    fn tooth(&self) -> Option<u32> {
-        self.tooth
-    }
-}
 
 /// The gear that traces were measured on, as far as known.
 pub struct Measured<'a> {
@@ -130,9 +50,9 @@ impl<'a> Measured<'a> {
     }
 
     /// Roll length or height of a stated place; `Err(None)` where the gear is unknown, which is reported elsewhere.
-    fn place(&self, by: Column, at_mm: f64) -> Result<f64, Option<Fault>> {
+    fn place(&self, by: Quantity, at_mm: f64) -> Result<f64, Option<Fault>> {
         match self.along {
-            Along::Profile(_) if by == Column::RollLength => Ok(at_mm),
+            Along::Profile(_) if by == Quantity::RollLength => Ok(at_mm),
             Along::Profile(basic_data) => {
                 let base = basic_data.ok_or(None)?.base_radius();
                 let radius = 0.5 * at_mm;
@@ -157,22 +77,39 @@ impl<'a> Measured<'a> {
     }
 
     /// Factor of the deviations of a trace.
-    fn factor(&self, is_normal: bool) -> f64 {
-        match self.along {
-            Along::Face { helix_cos, .. } if is_normal => 1.0 / helix_cos,
+    fn factor(&self, direction: Option<TraceDirection>) -> f64 {
+        match (self.along, direction) {
+            (Along::Face { helix_cos, .. }, Some(TraceDirection::Normal)) => 1.0 / helix_cos,
             _ => 1.0,
         }
     }
 
+    /// The trace of a tooth through `points`; a lead has deviations in the transverse section.
+    fn trace(&self, tooth: Option<u32>, points: &[Point]) -> TraceSpec {
+        let places = Some(points.iter().map(|point| point.0).collect());
+        let (rolls, heights) = match self.along {
+            Along::Profile(_) => (places, None),
+            Along::Face { .. } => (None, places),
+        };
+        TraceSpec {
+            tooth,
+            direction: heights.as_ref().map(|_| TraceDirection::Transverse),
+            roll_length_mm: rolls,
+            from_reference_face_mm: heights,
+            deviation_um: Some(points.iter().map(|point| point.1).collect()),
+            ..TraceSpec::default()
+        }
+    }
+
     /// The fault of a point that does not ascend from `last`.
-    fn ascending(&self, last: Option<&Point>, point: Point, by: Column) -> Option<Fault> {
+    fn ascending(&self, last: Option<&Point>, point: Point, by: Quantity) -> Option<Fault> {
         let last = last.filter(|last| point.0 <= last.0)?;
         let how = if point.0 < last.0 {
             "descends"
         } else {
             "is the same as before"
         };
-        let name = by.name();
+        let name = Column::of(by).name();
         let order = match self.along {
             Along::Profile(_) => "from root to tip",
             Along::Face { .. } => "from one end of the teeth to the other",
@@ -185,18 +122,18 @@ impl<'a> Measured<'a> {
 }
 
 /// Reads the traces that are `stated` in a table of the `own` flank, or of both flanks.
-pub fn read<T: StatedTrace>(
+pub fn read(
     table: &Table,
-    stated: Option<Either<T, Vec<T>>>,
+    stated: Option<Either<TraceSpec, Vec<TraceSpec>>>,
     own: Option<Flank>,
     gear: &Measured,
-) -> Option<FlankTraces<T>> {
+) -> Option<FlankTraces> {
     let mut traces = [Vec::new(), Vec::new()];
     let (Some(entry), Some(stated)) = (table.get("trace"), stated) else {
         return Some(traces);
     };
     let path = table.path_of("trace");
-    let each: Vec<(String, &Node, T)> = match (entry, stated) {
+    let each: Vec<(String, &Node, TraceSpec)> = match (entry, stated) {
         (Node::List(list), Either::Other(specs)) => {
             let nodes = (1..).zip(list).zip(specs);
             let named = |((place, node), spec)| (format!("{path}[{place}]"), node, spec);
@@ -219,8 +156,8 @@ pub fn read<T: StatedTrace>(
     }
     good?;
     for (flank, traces) in Flank::BOTH.into_iter().zip(&mut traces) {
-        traces.sort_by_key(T::tooth);
-        let teeth: Vec<Option<u32>> = traces.iter().map(T::tooth).collect();
+        traces.sort_by_key(|trace| trace.tooth);
+        let teeth: Vec<Option<u32>> = traces.iter().map(|trace| trace.tooth).collect();
         let duplicate = teeth.windows(2).find(|pair| pair[0] == pair[1]);
         let reason = match (duplicate, &teeth[..]) {
             (Some([Some(tooth), _]), _) => {
@@ -246,13 +183,12 @@ pub fn read<T: StatedTrace>(
     good.map(|()| traces)
 }
 
-fn read_one<T: StatedTrace>(
+fn read_one(
     table: &Table,
-    stated: T,
+    stated: TraceSpec,
     own: Option<Flank>,
     gear: &Measured,
-) -> Option<FlankTraces<T>> {
-    let stated = stated.stated();
+) -> Option<FlankTraces> {
     let tooth = stated.tooth;
     let beyond = gear
         .teeth
@@ -264,10 +200,10 @@ fn read_one<T: StatedTrace>(
             "give the number of the tooth that was measured",
         );
     }
-    if stated.is_file {
+    if stated.table.is_some() {
         return of_file(table, &stated, own, gear);
     }
-    let trace = T::of_points(tooth, &of_lists(table, stated, gear)?);
+    let trace = gear.trace(tooth, &of_lists(table, stated, gear)?);
     Some(match own {
         None => [vec![trace.clone()], vec![trace]],
         Some(Flank::Right) => [vec![trace], Vec::new()],
@@ -275,9 +211,23 @@ fn read_one<T: StatedTrace>(
     })
 }
 
-fn of_lists(table: &Table, stated: Stated, gear: &Measured) -> Option<Vec<Point>> {
-    let (by, name) = stated.by;
-    let (at, deviations) = (stated.at, stated.deviation_um);
+fn of_lists(table: &Table, stated: TraceSpec, gear: &Measured) -> Option<Vec<Point>> {
+    let places = [
+        (
+            Quantity::RollLength,
+            "roll_length_mm",
+            stated.roll_length_mm,
+        ),
+        (Quantity::Diameter, "diameter_mm", stated.diameter_mm),
+        (
+            Quantity::Height,
+            "from_reference_face_mm",
+            stated.from_reference_face_mm,
+        ),
+    ];
+    let mut places = places.into_iter();
+    let (by, name, at) = places.find_map(|(by, name, at)| Some((by, name, at?)))?;
+    let deviations = stated.deviation_um.unwrap_or_default();
     if at.len() != deviations.len() {
         return table.refuse(
             "deviation_um",
@@ -289,7 +239,7 @@ fn of_lists(table: &Table, stated: Stated, gear: &Measured) -> Option<Vec<Point>
             "give the deviation at each point",
         );
     }
-    let factor = gear.factor(stated.is_normal);
+    let factor = gear.factor(stated.direction);
     let mut points = Vec::new();
     for (place, (at, um)) in (1..).zip(at.into_iter().zip(deviations)) {
         let fault = match gear.place(by, at) {
@@ -310,36 +260,36 @@ fn of_lists(table: &Table, stated: Stated, gear: &Measured) -> Option<Vec<Point>
     Some(points)
 }
 
-fn of_file<T: StatedTrace>(
+fn of_file(
     table: &Table,
-    stated: &Stated,
+    stated: &TraceSpec,
     own: Option<Flank>,
     gear: &Measured,
-) -> Option<FlankTraces<T>> {
+) -> Option<FlankTraces> {
     let (place, base_radius) = match gear.along {
-        Along::Profile(data) => (Column::RollLength, data.map(BasicGearData::base_radius)),
-        Along::Face { .. } => (Column::Height, None),
+        Along::Profile(data) => (Quantity::RollLength, data.map(BasicGearData::base_radius)),
+        Along::Face { .. } => (Quantity::Height, None),
     };
     let wanted = Wanted {
-        columns: &[place, Column::Deviation],
+        columns: &[place, Quantity::Deviation].map(Column::of),
         teeth: gear.teeth,
         coverage: Coverage::Points { base_radius },
     };
     let (file, read) = Sheet::read(table, &wanted)?;
-    let by = *read.columns.first()?;
+    let by = read.columns.first()?.quantity;
     gear.headers.borrow_mut().push(read.header.clone());
     file.list(|| of_rows(&file, &read, by, (stated, own), gear))
 }
 
 /// The traces in the rows of a table `by` a kind of place, in a table that `stated` describes or that is of its `own` flank.
-fn of_rows<T: StatedTrace>(
+fn of_rows(
     file: &DataFile,
     read: &Sheet,
-    by: Column,
-    (stated, own): (&Stated, Option<Flank>),
+    by: Quantity,
+    (stated, own): (&TraceSpec, Option<Flank>),
     gear: &Measured,
-) -> Option<FlankTraces<T>> {
-    let (tooth, factor) = (stated.tooth, gear.factor(stated.is_normal));
+) -> Option<FlankTraces> {
+    let (tooth, factor) = (stated.tooth, gear.factor(stated.direction));
     let first = read.rows.first()?;
     if let (Some(_), Some(_)) = (tooth, first.tooth) {
         let reason = "has a column tooth, and the key `tooth` stands beside the file: allowed is one of them";
@@ -396,7 +346,7 @@ fn of_rows<T: StatedTrace>(
     }
     let mut found = [Vec::new(), Vec::new()];
     for ((flank, tooth), (_, points)) in traces {
-        found[flank].push(T::of_points(tooth, &points));
+        found[flank].push(gear.trace(tooth, &points));
     }
     Some(found)
 }

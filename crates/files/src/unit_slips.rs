@@ -6,15 +6,15 @@ use serde::Serialize;
 
 /// Below this a value in µm looks like one in mm: no shop measures teeth so finely, and 0.5 mm is more than any deviation of a
 /// gear that is worth measuring.
-const LEAST_UM: f64 = 0.5;
+const MIN_UM: f64 = 0.5;
 /// Below this a value is 0 but for rounding: as mm it would be 0.1 µm, less than the last digit that machines print.
 const ROUNDING_UM: f64 = 1e-4;
 /// Above this temperature gears of steel lose their hardness, °C.
-const MOST_C: f64 = 120.0;
+const MAX_C: f64 = 120.0;
 /// Below this helix angle helical teeth are hardly distinct from spur ones, degrees: 1° in radians is 57 times less.
-const LEAST_HELIX_DEG: f64 = 1.0;
+const MIN_HELIX_DEG: f64 = 1.0;
 /// Lengths that look like metres below these, mm: no face ends so near to its measuring plane, and no flank is placed so finely.
-const LEAST_MM: [(&str, f64); 2] = [("face_mm", 0.1), ("flank_offset_mm", 0.001)];
+const MIN_MM: [(&str, f64); 2] = [("face_mm", 0.1), ("flank_offset_mm", 0.001)];
 
 /// Warnings of numbers in the table at `path` that look like another unit.
 pub fn warnings(path: &str, table: &impl Serialize) -> Vec<String> {
@@ -42,18 +42,18 @@ pub fn warnings(path: &str, table: &impl Serialize) -> Vec<String> {
 /// The warning of a key whose greatest number is `value`.
 fn in_unit(path: &str, unit: &str, value: f64) -> Option<String> {
     let size = value.abs();
-    let least_mm = LEAST_MM.iter().find(|(key, _)| path.ends_with(key));
+    let least_mm = MIN_MM.iter().find(|(key, _)| path.ends_with(key));
     let words = match unit {
-        "um" if (ROUNDING_UM..LEAST_UM).contains(&size) => format!(
+        "um" if (ROUNDING_UM..MIN_UM).contains(&size) => format!(
             "the greatest value is {value} µm, less than is measured on teeth: if mm were meant, multiply by 1000 ({value} mm are {} µm)",
             ascii(1000.0 * value, 4)
         ),
-        "c" if value > MOST_C => format!(
+        "c" if value > MAX_C => format!(
             "{value} °C is hotter than gears run: if K were meant, write {}; if °F, {}",
             ascii(value - 273.15, 2),
             ascii((value - 32.0) / 1.8, 1)
         ),
-        "deg" if path.ends_with("helix_angle_deg") && 0.0 < size && size < LEAST_HELIX_DEG => {
+        "deg" if path.ends_with("helix_angle_deg") && 0.0 < size && size < MIN_HELIX_DEG => {
             format!(
                 "{value}° is hardly a helix: if rad were meant, write {}",
                 ascii(value.to_degrees(), 4)

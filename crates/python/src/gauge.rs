@@ -41,7 +41,7 @@ pub fn gauge(
             ));
         }
     }
-    let spec = &gear.entry.spec;
+    let spec = &gear.spec;
     let settings = Settings {
         span_teeth: span_teeth.or(spec.thickness.span_teeth()),
         pin: pin_mm.or(spec.thickness.pin_mm()),

@@ -3,6 +3,7 @@
 use crate::error::{error, input};
 use gearlash::analysis::study::Material;
 use gearlash::gear::AsBuilt;
+use gearlash_files::spec::GearSpec;
 use gearlash_files::{GearEntry, GearsFile, InputError};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
@@ -12,6 +13,7 @@ use std::path::{Path, PathBuf};
 pub struct Gear {
     pub title: String,
     pub entry: GearEntry,
+    pub spec: GearSpec,
     #[pyo3(get)]
     warnings: Vec<String>,
     #[pyo3(get)]
@@ -36,9 +38,12 @@ impl Gear {
             let which = names.join(", ");
             return Err(error(py, format!("which gear? the file has: {which}")));
         };
+        let entry = gears.swap_remove(place);
+        let spec = entry.spec.data().cloned();
         Ok(Gear {
             title: file.title,
-            entry: gears.swap_remove(place),
+            entry,
+            spec: spec.ok_or_else(|| error(py, "the gear is given by an outline"))?,
             warnings: file.warnings,
             remarks: file.remarks,
         })
@@ -91,13 +96,13 @@ impl Gear {
     #[staticmethod]
     #[pyo3(signature = (path, name=None))]
     fn read(py: Python<'_>, path: PathBuf, name: Option<&str>) -> PyResult<Gear> {
-        let read = py.detach(|| gearlash_files::read_gears(&path));
+        let read = py.detach(|| gearlash_files::read_gears_by_data(&path));
         Gear::of(py, read, name)
     }
 
     /// Its table as JSON: keys of a gear file, defaults filled in.
     fn spec(&self, py: Python<'_>) -> PyResult<String> {
-        serde_json::to_string(&self.entry.spec).map_err(|reason| error(py, reason))
+        serde_json::to_string(&self.spec).map_err(|reason| error(py, reason))
     }
 
     #[getter]
@@ -123,7 +128,7 @@ impl Gear {
     /// β at the reference circle, degrees; 0 for a spur gear.
     #[getter]
     fn helix_angle_deg(&self) -> f64 {
-        self.entry.spec.helix_angle_deg.unwrap_or(0.0)
+        self.spec.helix_angle_deg.unwrap_or(0.0)
     }
 
     /// Names of its materials.

@@ -6,18 +6,18 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Mating, Member};
-use gearlash_files::{AnyPair, InputError, distance_refused};
+use gearlash_files::{InputError, PairFile, distance_refused};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
 /// A pair as stated by a pair file.
 #[pyclass(frozen, module = "gearlash._core")]
 pub struct Pair {
-    pub file: AnyPair,
+    pub file: PairFile,
 }
 
 impl Pair {
-    fn of(py: Python<'_>, read: Result<AnyPair, InputError>) -> PyResult<Pair> {
+    fn of(py: Python<'_>, read: Result<PairFile, InputError>) -> PyResult<Pair> {
         let file = read.map_err(|error| input(py, &error))?;
         Ok(Pair { file })
     }
@@ -86,14 +86,14 @@ impl Pair {
     /// The pair of `text` with the keys of a pair file.
     #[staticmethod]
     fn from_text(py: Python<'_>, name: &str, text: &str) -> PyResult<Pair> {
-        let read = py.detach(|| gearlash_files::read_any_text(Path::new(name), text));
+        let read = py.detach(|| gearlash_files::read_text(Path::new(name), text));
         Pair::of(py, read)
     }
 
     /// The pair of the pair file at `path`.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Pair> {
-        let read = py.detach(|| gearlash_files::read_any(&path));
+        let read = py.detach(|| gearlash_files::read(&path));
         Pair::of(py, read)
     }
 

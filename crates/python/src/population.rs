@@ -8,7 +8,7 @@ use gearlash::population::{ContributionsError, Outcome, OutcomeKind, Row};
 use gearlash_files::InputError;
 use gearlash_files::matching::{MatchFile, MatchResult, read_match};
 use gearlash_files::tolerance::{
-    BLOCK, MOST_ASSEMBLIES, RowsHead, RowsReader, RowsTally, ToleranceFile, ToleranceRun,
+    BLOCK, MAX_ASSEMBLIES, RowsHead, RowsReader, RowsTally, ToleranceFile, ToleranceRun,
     read_tolerance, row_line, tenths_to_um,
 };
 use gearlash_results::{matching, population};
@@ -32,8 +32,8 @@ fn run<'a>(
     assemblies: Option<u64>,
     seed: Option<u64>,
 ) -> PyResult<ToleranceRun<'a>> {
-    if let Some(count) = assemblies.filter(|count| !(1..=MOST_ASSEMBLIES).contains(count)) {
-        let allowed = format!("{count} assemblies: allowed are 1 … {MOST_ASSEMBLIES}");
+    if let Some(count) = assemblies.filter(|count| !(1..=MAX_ASSEMBLIES).contains(count)) {
+        let allowed = format!("{count} assemblies: allowed are 1 … {MAX_ASSEMBLIES}");
         return Err(error(py, allowed));
     }
     let run = py.detach(|| ToleranceRun::new(file, path, assemblies, seed));
@@ -66,10 +66,10 @@ pub fn tolerance_rows(
     let all = u64::from(file.tolerance.assemblies);
     let count = count.unwrap_or((all + 1).saturating_sub(first));
     let end = first.checked_add(count);
-    let end = end.filter(|end| first > 0 && count > 0 && *end <= MOST_ASSEMBLIES + 1);
+    let end = end.filter(|end| first > 0 && count > 0 && *end <= MAX_ASSEMBLIES + 1);
     let Some(end) = end else {
         let reason = format!(
-            "{count} assemblies from {first} on: allowed are one at least, from 1 up to {MOST_ASSEMBLIES}"
+            "{count} assemblies from {first} on: allowed are one at least, from 1 up to {MAX_ASSEMBLIES}"
         );
         return Err(error(py, reason));
     };

@@ -13,7 +13,7 @@ use crate::verdict::lines;
 use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Map as ContactMap};
 use gearlash::analysis::verdict::Verdict;
-use gearlash_files::AnyPair;
+use gearlash_files::PairFile;
 use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::fixed;
 use serde_json::json;
@@ -21,7 +21,7 @@ use serde_json::json;
 /// The outcome of `check` for the pair of `file`, called `name`; `is_proven`: all its poses are proven. Its text is for `screen`.
 pub fn checked(
     name: &str,
-    file: &AnyPair,
+    file: &PairFile,
     diagnosis: &Diagnosis,
     verdict: &Verdict,
     remedies: &RemedyRecords,

@@ -1,13 +1,13 @@
 //! Drawn gears in words, and the fitted involute of a drawing as a record.
 
 use gearlash::outline::{FittedInvolute, OutlineGear, StandardGear};
-use gearlash_files::AnyPair;
+use gearlash_files::PairFile;
 use gearlash_files::numbers::{fixed, trimmed, um, within};
 use gearlash_files::spec::EitherGearSpec;
 use serde_json::{Value, json};
 
 /// The drawn gears of a pair that resemble an involute, by name.
-fn fitted(file: &AnyPair) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> {
+fn fitted(file: &PairFile) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> {
     let Some((_, wheel, pinion)) = file.study.drawn.first() else {
         return Vec::new();
     };
@@ -25,14 +25,14 @@ fn fitted(file: &AnyPair) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> {
 }
 
 /// A sentence for each drawn gear that resembles an involute.
-pub fn fitted_sentences(file: &AnyPair) -> Vec<String> {
+pub fn fitted_sentences(file: &PairFile) -> Vec<String> {
     let each = fitted(file).into_iter();
     each.map(|(name, gear, found)| sentence(name, gear.teeth(), &found))
         .collect()
 }
 
 /// Notes on a pair with a drawn gear, one per line; empty for other pairs.
-pub fn drawn_notes(file: &AnyPair) -> String {
+pub fn drawn_notes(file: &PairFile) -> String {
     if !file.study.is_drawn() {
         return String::new();
     }
@@ -72,7 +72,7 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
 }
 
 /// The fitted involutes of drawn gears as JSON, one object each.
-pub(super) fn records(file: &AnyPair) -> Vec<Value> {
+pub(super) fn records(file: &PairFile) -> Vec<Value> {
     let standard = |standard: &StandardGear| {
         json!({
             "module_mm": standard.module,

@@ -3,7 +3,7 @@
 use gearlash::gauge::{GradedReading, LeadReadings, PitchReadings, ProfileReadings, Unmeasured};
 use gearlash::gauge::{graded, leads, pitches, profiles};
 use gearlash::gear::Inspection;
-use gearlash_files::AnyPair;
+use gearlash_files::PairFile;
 
 /// Pitch and runout of one gear as measured by the gauge, and the required grade.
 #[derive(Debug, Clone)]
@@ -23,7 +23,7 @@ pub struct GearGrades {
 }
 
 /// The grades of each gear that has deviations or a required grade. The gauge grades the one of most material.
-pub fn grades(pair: &AnyPair) -> Vec<GearGrades> {
+pub fn grades(pair: &PairFile) -> Vec<GearGrades> {
     let gears = pair.study.materials.first().zip(pair.spec.by_data());
     let Some(((_, wheel, pinion), specs)) = gears else {
         return Vec::new();

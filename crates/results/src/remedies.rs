@@ -2,7 +2,7 @@
 
 use gearlash::analysis::remedies::{Change, Gears, NoRemedy, Remedies, Remedy};
 use gearlash::pair::Member;
-use gearlash_files::AnyPair;
+use gearlash_files::PairFile;
 use gearlash_files::numbers::{ascii, rounded};
 use serde::Serialize;
 
@@ -18,7 +18,7 @@ pub struct RemedyRecord {
 }
 
 impl RemedyRecord {
-    fn new(file: &AnyPair, remedy: &Remedy) -> RemedyRecord {
+    fn new(file: &PairFile, remedy: &Remedy) -> RemedyRecord {
         let (what, name, unit, scale, decimals) = match remedy.what {
             Change::CenterDistance => ("center_distance_mm", "centre distance", "mm", 1.0, 3),
             Change::FlankOffset => ("flank_offset_mm", "flank offset", "mm", 1.0, 3),
@@ -84,7 +84,7 @@ pub struct RemedyRecords {
 impl RemedyRecords {
     /// The records of `remedies`, found for the study of `file`; none for a file with a temperature, which states its lengths at
     /// 20 °C.
-    pub fn new(file: &AnyPair, remedies: &Remedies) -> RemedyRecords {
+    pub fn new(file: &PairFile, remedies: &Remedies) -> RemedyRecords {
         let Remedies { changes, missing } = remedies;
         let is_any = !(changes.is_empty() && missing.is_empty());
         if is_any && file.spec.assembly.temperature_c.is_some() {

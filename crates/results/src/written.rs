@@ -10,7 +10,7 @@ use crate::run::RunRow;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::{Piece, RunTally};
 use gearlash::analysis::verdict::Verdict;
-use gearlash_files::AnyPair;
+use gearlash_files::PairFile;
 #[cfg(feature = "rayon")]
 use rayon::prelude::*;
 use std::io::{Error, Result, Write};
@@ -35,7 +35,7 @@ impl<'w> ResultWriter<'w> {
     /// # Errors
     /// A writer failed, as in all methods of this type.
     pub fn begin(
-        file: &AnyPair,
+        file: &PairFile,
         json: Option<Out<'w>>,
         csv: Option<Out<'w>>,
     ) -> Result<ResultWriter<'w>> {

@@ -14,7 +14,7 @@ use gearlash::outline::AssembledPair;
 use gearlash::pair::{Mating, Member, SweepPlan};
 use gearlash_files::numbers::{trimmed, um};
 use gearlash_files::outlines::{Drawings, OutlineOptions};
-use gearlash_files::{AnyPair, Files, InputError, import, read_files};
+use gearlash_files::{Files, InputError, PairFile, import, read_files};
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::viewer::LivePose;
 use gearlash_render::{Report, dark_style, pose_picture};
@@ -67,7 +67,7 @@ pub struct LivePlace {
 pub struct Page {
     /// The files given.
     pub files: Files,
-    pair: Option<AnyPair>,
+    pair: Option<PairFile>,
     main: String,
 }
 

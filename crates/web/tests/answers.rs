@@ -4,7 +4,7 @@ use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::Method;
 use gearlash::gear::Side;
 use gearlash::pair::Mating;
-use gearlash_files::read_any;
+use gearlash_files::read;
 use gearlash_results::verdict::lines;
 use gearlash_web::answers::{LivePlace, Page};
 use serde_json::Value;
@@ -51,7 +51,7 @@ fn a_verdict_is_that_of_the_files_on_disk() {
         let (page, found) = opened(names);
         assert!(found["title"].is_string(), "{names:?}: {found}");
         let result = page.result(&silent);
-        let pair = read_any(&path(names[0])).expect("an example can be read");
+        let pair = read(&path(names[0])).expect("an example can be read");
         let plan = Plan::new(&pair.study, Method::Exact { certify: true });
         let analysis = Analysis::silently(&plan.with_remedies().with_checks()).unwrap();
         let text = lines(&analysis.verdict()).to_string();
@@ -86,7 +86,7 @@ fn problems_have_their_lines_and_a_missing_table_its_name() {
 fn a_moved_pair_has_the_backlash_of_its_distance() {
     let name = "docs/files/jams.toml";
     let (page, _) = opened(&[name]);
-    let study = read_any(&path(name)).unwrap().study;
+    let study = read(&path(name)).unwrap().study;
     let a = study.center_distances[0] + 0.3;
     let place = LivePlace {
         distance: a,
@@ -153,7 +153,7 @@ fn a_band_has_the_extremes_of_all_materials() {
         let (page, found) = opened(names);
         let a = found["distances_mm"][0].as_f64().unwrap();
         for more in [0.0, 0.02] {
-            let study = read_any(&path(names[0])).unwrap().study;
+            let study = read(&path(names[0])).unwrap().study;
             let Ok(study) = study.at(vec![a + more]) else {
                 continue;
             };

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// The file that is renamed last.
 const LAST: &str = "result.json";
 /// Most files that are listed by name (tuned: a line of a terminal).
-const MOST_NAMED: usize = 3;
+const MAX_NAMED: usize = 3;
 
 /// A folder that can be written to.
 pub struct OutputFolder {
@@ -147,13 +147,13 @@ impl OutputFolder {
 
     /// The written files, on one line.
     fn described(&self) -> String {
-        let shown = self.new.iter().take(MOST_NAMED).map(|(name, _)| &name[..]);
+        let shown = self.new.iter().take(MAX_NAMED).map(|(name, _)| &name[..]);
         let mut list = shown.collect::<Vec<_>>().join(", ");
         if self.new.is_empty() {
             list += "nothing";
         }
-        if self.new.len() > MOST_NAMED {
-            list += &format!(" and {} more", self.new.len() - MOST_NAMED);
+        if self.new.len() > MAX_NAMED {
+            list += &format!(" and {} more", self.new.len() - MAX_NAMED);
         }
         plain(&format!("Written to {}: {list}", self.path.display()))
     }

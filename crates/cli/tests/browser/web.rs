@@ -289,7 +289,7 @@ pub fn page_mesh_moves_with_the_distance(browser: &Chromium, _: &Site) {
         },
         fraction: field(&mut tab, "turn").parse().expect("a number"),
     };
-    let study = gearlash_files::read_any(&path(EXAMPLES[0][0]))
+    let study = gearlash_files::read(&path(EXAMPLES[0][0]))
         .expect("an example")
         .study;
     for step in found {

@@ -7,7 +7,7 @@ use std::process::Child;
 use std::time::{Duration, Instant};
 
 /// Seconds that an end may take.
-const MOST: f64 = 0.2;
+const MAX: f64 = 0.2;
 
 fn send(child: &Child, signal: &str) {
     let mut command = Command::new("kill");
@@ -71,7 +71,7 @@ fn quickest(mut attempt: impl FnMut() -> f64) -> f64 {
     let mut least = f64::INFINITY;
     for _ in 0..3 {
         least = attempt().min(least);
-        if least <= MOST {
+        if least <= MAX {
             break;
         }
     }
@@ -101,7 +101,7 @@ fn one_signal_ends_any_long_command_at_once() {
             assert!(contents(folder.path()) == before, "{words}");
             took
         });
-        assert!(took <= MOST, "{words}: {took} s");
+        assert!(took <= MAX, "{words}: {took} s");
         slowest = slowest.max(took);
     }
     println!(
@@ -139,7 +139,7 @@ fn one_signal_ends_the_writing_of_large_results_at_once() {
             assert!(contents(folder.path()) == before);
             took
         });
-        assert!(took <= MOST, "{wait} ms into the writing: {took} s");
+        assert!(took <= MAX, "{wait} ms into the writing: {took} s");
         println!("{wait} ms into the writing: ended after {took:.3} s");
     }
 }
@@ -170,7 +170,7 @@ fn one_signal_ends_a_write_that_waits() {
     send(&child, "INT");
     let (ended, took, _) = end(child);
     assert_eq!(ended, Some(130));
-    assert!(took <= MOST, "{took} s");
+    assert!(took <= MAX, "{took} s");
 }
 
 /// Whether the process has not ended, waited for or not.
@@ -243,5 +243,5 @@ fn a_hang_up_that_is_ignored_stays_ignored() {
     send(&child, "TERM");
     let (ended, took, _) = end(child);
     assert_eq!(ended, Some(143));
-    assert!(took <= MOST, "{took} s");
+    assert!(took <= MAX, "{took} s");
 }

@@ -1,13 +1,13 @@
 //! B-splines as cubic Bézier curves: exact up to degree 3 without weights, else with a proven bound.
 
-use super::limits::{FIT_MM, MOST_SEGMENTS};
+use super::limits::{FIT_MM, MAX_SEGMENTS};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Vector2, Vector3};
 
 /// The highest degree: CAD programs use 11 at most, and the cost grows with its square.
 const HIGHEST_DEGREE: usize = 15;
 /// Halvings of a piece: one that needs more than 4096 cubic curves is refused. A circle of a metre takes some 300.
-const MOST_HALVINGS: u32 = 12;
+const MAX_HALVINGS: u32 = 12;
 
 /// A B-spline, rational by its weights.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,7 +78,7 @@ impl BSpline {
             let piece = self.piece(span, equal);
             match exact(&piece).filter(|_| equal) {
                 Some(segment) => segments.push(segment),
-                None => bound = bound.max(fit_cubics(&piece, MOST_HALVINGS, &mut segments)?),
+                None => bound = bound.max(fit_cubics(&piece, MAX_HALVINGS, &mut segments)?),
             }
         }
         Some((segments, bound))
@@ -146,7 +146,7 @@ fn fit_cubics(
     }
     let halvings = halvings
         .checked_sub(1)
-        .filter(|_| segments.len() <= MOST_SEGMENTS)?;
+        .filter(|_| segments.len() <= MAX_SEGMENTS)?;
     let [left, right] = halves(piece);
     let left = fit_cubics(&left, halvings, segments)?;
     Some(left.max(fit_cubics(&right, halvings, segments)?))

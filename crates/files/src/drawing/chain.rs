@@ -12,12 +12,13 @@ use nalgebra::Point2;
 use std::collections::HashMap;
 
 /// Most ends in one square of the grid: of nine, three are in one of its quarters, whose diagonal is below the tolerance.
-const MOST_IN_A_SQUARE: usize = 8;
+const MAX_IN_A_SQUARE: usize = 8;
 
-/// A closed path.
+/// A drawn path without gaps: a line, a curve, or several of them; closed or not.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Loop {
-    /// Each segment starts where the one before ends, the first where the last ends, to 1e-9 mm. Either direction is possible.
+pub struct DrawnPath {
+    /// At least one. Each starts where the one before ends, to 1e-9 mm; the first of a closed path where the last ends. Either
+    /// direction is possible.
     pub segments: Vec<PathSegment>,
     /// Layer or id; empty without one.
     pub name: String,
@@ -29,7 +30,8 @@ pub struct Loop {
 
 #[derive(Debug)]
 pub struct Chains {
-    pub found: Vec<Loop>,
+    /// Closed paths.
+    pub found: Vec<DrawnPath>,
     pub open: Vec<Open>,
     /// Places of loops that are too small and were left out.
     pub specks: Vec<String>,
@@ -39,22 +41,11 @@ pub struct Chains {
 pub struct Open {
     pub ends: [Point2<f64>; 2],
     /// From the first end to the second, gaps left open.
-    pub segments: Vec<PathSegment>,
-    /// Bound on the distance of the segments from the drawing, mm.
-    pub bound: f64,
-    /// Layer or id; empty without one.
-    pub name: String,
-    /// Place in the file of its first piece.
-    pub place: String,
+    pub path: DrawnPath,
     pieces: usize,
 }
 
 impl Open {
-    /// An upper bound on its length, mm.
-    pub fn length(&self) -> f64 {
-        self.segments.iter().map(PathSegment::length).sum()
-    }
-
     /// The fault of this open path, among the `open` paths of its layer.
     pub fn error(&self, open: &[Open]) -> DrawingError {
         let others = open.iter().filter(|other| !std::ptr::eq(*other, self));
@@ -71,7 +62,7 @@ impl Open {
         ));
         let reason = format!(
             "{}: the path from {} to {}, of {} drawn elements, is open: from its {end} the nearest other end is {} mm away, at {}",
-            self.place,
+            self.path.place,
             at(&self.ends[0]),
             at(&self.ends[1]),
             self.pieces,
@@ -83,8 +74,8 @@ impl Open {
 }
 
 /// Joins `pieces`. Ends nearer than `join` mm are one point; a gap larger than rounding is closed by a straight line.
-pub fn chain(pieces: Vec<Piece>, join: f64) -> Result<Chains, DrawingError> {
-    let ends: Vec<Point2<f64>> = pieces.iter().flat_map(Piece::ends).collect();
+pub fn chain(pieces: Vec<DrawnPath>, join: f64) -> Result<Chains, DrawingError> {
+    let ends: Vec<Point2<f64>> = pieces.iter().flat_map(DrawnPath::ends).collect();
     let mut mates = vec![None; ends.len()];
     for (index, pair) in ends.chunks(2).enumerate() {
         if (pair[1] - pair[0]).norm() <= SAME_MM {
@@ -126,16 +117,17 @@ pub fn chain(pieces: Vec<Piece>, join: f64) -> Result<Chains, DrawingError> {
         let way: Vec<usize> = before.chain(forward).collect();
         chains.open.push(Open {
             ends,
-            segments: way
-                .iter()
-                .flat_map(|&entry| pieces[entry / 2].along(entry))
-                .collect(),
-            bound: way
-                .iter()
-                .map(|entry| pieces[entry / 2].bound)
-                .fold(0.0, f64::max),
-            name: pieces[first].name.clone(),
-            place: pieces[first].place.clone(),
+            path: DrawnPath {
+                segments: way
+                    .iter()
+                    .flat_map(|&entry| pieces[entry / 2].along(entry))
+                    .collect(),
+                bound_mm: way
+                    .iter()
+                    .map(|entry| pieces[entry / 2].bound_mm)
+                    .fold(0.0, f64::max),
+                ..pieces[first].empty()
+            },
             pieces: way.len(),
         });
     }
@@ -161,7 +153,7 @@ fn mate(
     ends: &[Point2<f64>],
     mates: &mut [Option<usize>],
     tolerance: f64,
-    pieces: &[Piece],
+    pieces: &[DrawnPath],
 ) -> Result<(), DrawingError> {
     let branch = |end: usize| DrawingError::branch(&pieces[end / 2].place, &ends[end]);
     let square = |point: &Point2<f64>| {
@@ -175,7 +167,7 @@ fn mate(
     for &end in &free {
         let there = grid.entry(square(&ends[end])).or_default();
         there.push(end);
-        if there.len() > MOST_IN_A_SQUARE {
+        if there.len() > MAX_IN_A_SQUARE {
             return Err(branch(end));
         }
     }
@@ -198,21 +190,16 @@ fn mate(
 
 impl Chains {
     /// Adds the loop through the pieces entered at `way`.
-    fn close(&mut self, way: &[usize], pieces: &[Piece], join: f64) {
+    fn close(&mut self, way: &[usize], pieces: &[DrawnPath], join: f64) {
         let first = &pieces[way[0] / 2];
-        let mut made = Loop {
-            segments: Vec::new(),
-            name: first.name.clone(),
-            bound_mm: 0.0,
-            place: first.place.clone(),
-        };
+        let mut made = first.empty();
         for &entry in way {
             let piece = &pieces[entry / 2];
             piece
                 .along(entry)
                 .into_iter()
                 .for_each(|segment| made.push(segment));
-            made.bound_mm = made.bound_mm.max(piece.bound);
+            made.bound_mm = made.bound_mm.max(piece.bound_mm);
         }
         if let Some(start) = made.segments.first().map(PathSegment::start) {
             made.reach(start);
@@ -227,7 +214,7 @@ impl Chains {
     }
 }
 
-impl Loop {
+impl DrawnPath {
     /// Adds a segment, joined to the one before.
     fn push(&mut self, segment: PathSegment) {
         self.reach(segment.start());
@@ -246,28 +233,24 @@ impl Loop {
             self.bound_mm = self.bound_mm.max(0.5 * gap);
         }
     }
-}
 
-/// One drawn line, curve or path, without gaps.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Piece {
-    /// At least one.
-    pub segments: Vec<PathSegment>,
-    /// Layer or id; empty without one.
-    pub name: String,
-    /// Bound on the distance of the segments from the drawing, mm.
-    pub bound: f64,
-    pub place: String,
-}
+    /// A path of its name and place, without segments.
+    fn empty(&self) -> DrawnPath {
+        DrawnPath {
+            segments: Vec::new(),
+            name: self.name.clone(),
+            bound_mm: 0.0,
+            place: self.place.clone(),
+        }
+    }
 
-impl Piece {
-    pub fn ends(&self) -> [Point2<f64>; 2] {
+    fn ends(&self) -> [Point2<f64>; 2] {
         let last = self.segments.len() - 1;
         [self.segments[0].start(), self.segments[last].end()]
     }
 
     /// Points on it, in steps of 1e-6 mm, from the lesser end on. They are equal for pieces that are drawn twice.
-    pub fn trace(&self) -> Vec<[i64; 2]> {
+    pub(super) fn trace(&self) -> Vec<[i64; 2]> {
         const STEP: f64 = 1e-6;
         let at = |segment: &PathSegment| {
             let segment = *segment;
@@ -283,7 +266,7 @@ impl Piece {
     }
 
     /// Its segments from the end `entry`: the first if that is even, else the last.
-    pub fn along(&self, entry: usize) -> Vec<PathSegment> {
+    fn along(&self, entry: usize) -> Vec<PathSegment> {
         if entry.is_multiple_of(2) {
             return self.segments.clone();
         }
@@ -295,7 +278,7 @@ impl Piece {
     }
 
     /// An upper bound on its length, mm.
-    pub fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         self.segments.iter().map(PathSegment::length).sum()
     }
 }

@@ -1,8 +1,8 @@
 //! A list of points: x and y per line, in order along a closed outline. A third column z must have one value.
 
-use super::chain::Piece;
+use super::chain::DrawnPath;
 use super::error::LONGEST_NAME;
-use super::limits::MOST_SEGMENTS;
+use super::limits::MAX_SEGMENTS;
 use super::pieces::Pieces;
 use super::text::decode;
 use super::{DrawingError, Options, Unit};
@@ -76,10 +76,10 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     };
     pieces.add(
         "",
-        Piece {
+        DrawnPath {
             segments,
             name: String::new(),
-            bound: 0.0,
+            bound_mm: 0.0,
             place: format!("line {}", rows[0].line),
         },
     )
@@ -134,8 +134,8 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
                 ));
             }
         }
-        if rows.len() == MOST_SEGMENTS {
-            return Err(DrawingError::too_large("points", MOST_SEGMENTS));
+        if rows.len() == MAX_SEGMENTS {
+            return Err(DrawingError::too_large("points", MAX_SEGMENTS));
         }
         match (written(x), written(y)) {
             (Some(x), Some(y)) => rows.push(Row {

@@ -1,6 +1,6 @@
 //! Why a drawing cannot be read: what, where, and what helps.
 
-use super::limits::{MOST_NAMED, SAME_MM};
+use super::limits::{MAX_NAMED, SAME_MM};
 use crate::characters::{cut, first_of};
 use crate::numbers::{ascii, rounded};
 use nalgebra::Point2;
@@ -98,7 +98,7 @@ fn available_names(known: &[String]) -> String {
     let named = known
         .iter()
         .map(|name| format!("\"{}\"", cut(name, LONGEST_NAME)));
-    format!("those there are: {}", first_of(named, MOST_NAMED))
+    format!("those there are: {}", first_of(named, MAX_NAMED))
 }
 
 /// A number of two digits above `gap`.

@@ -11,7 +11,7 @@ pub(super) const FARTHEST_MM: f64 = 1e6;
 /// a tenth of it takes twice the curves.
 pub(super) const FIT_MM: f64 = 1e-5;
 /// Bytes of a drawing: a text file of a million segments.
-pub(super) const MOST_BYTES: usize = 64 << 20;
+pub(super) const MAX_BYTES: usize = 64 << 20;
 /// Segments of a drawing: some thousand for each tooth of the largest gears.
-pub(super) const MOST_SEGMENTS: usize = 1_000_000;
-pub(super) const MOST_NAMED: usize = 10;
+pub(super) const MAX_SEGMENTS: usize = 1_000_000;
+pub(super) const MAX_NAMED: usize = 10;

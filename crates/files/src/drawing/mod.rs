@@ -18,10 +18,10 @@ mod repeat;
 mod svg;
 mod text;
 
-pub use chain::Loop;
+pub use chain::DrawnPath;
 pub use error::DrawingError;
 pub use limits::JOIN_MM;
-use limits::MOST_BYTES;
+use limits::MAX_BYTES;
 pub use options::{Options, Unit};
 pub use pieces::Drawing;
 use pieces::Pieces;
@@ -60,8 +60,8 @@ impl Format {
 /// # Errors
 /// [`DrawingError`], each with its place and a remedy.
 pub fn read(name: &Path, bytes: &[u8], options: &Options) -> Result<Drawing, DrawingError> {
-    if bytes.len() > MOST_BYTES {
-        return Err(DrawingError::too_large("bytes", MOST_BYTES));
+    if bytes.len() > MAX_BYTES {
+        return Err(DrawingError::too_large("bytes", MAX_BYTES));
     }
     let mut pieces = Pieces::default();
     match Format::of(name) {

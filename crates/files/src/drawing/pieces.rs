@@ -1,9 +1,8 @@
 //! All pieces of a file, and the loops that they form.
 
-use super::chain::Piece;
-use super::chain::{Chains, Loop, Open, chain};
+use super::chain::{Chains, DrawnPath, Open, chain};
 use super::error::{LONGEST_NAME, at};
-use super::limits::{FARTHEST_MM, MOST_NAMED, MOST_SEGMENTS};
+use super::limits::{FARTHEST_MM, MAX_NAMED, MAX_SEGMENTS};
 use super::{DrawingError, Options};
 use crate::characters::cut;
 use gearlash::outline::PathSegment;
@@ -13,7 +12,7 @@ use std::collections::{HashMap, HashSet};
 /// Ends nearer than this part of a path's length are the ends of a gap (tuned: a dashed line has gaps of half a dash and is a helper line).
 const GAP: f64 = 0.25;
 /// Open paths beside an outline that are compared with each other.
-const MOST_HELPERS: usize = 2000;
+const MAX_HELPERS: usize = 2000;
 
 /// The content of a drawing.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +20,7 @@ pub struct Drawing {
     /// Length of one of its units, mm.
     pub unit_mm: f64,
     /// At least one, in the order of the file.
-    pub loops: Vec<Loop>,
+    pub loops: Vec<DrawnPath>,
     /// Ignored elements, and why.
     pub remarks: Vec<String>,
 }
@@ -31,7 +30,7 @@ pub struct Drawing {
 pub struct Pieces {
     /// Length of a unit of the drawing, mm.
     pub unit_mm: f64,
-    layers: Vec<(String, Vec<Piece>)>,
+    layers: Vec<(String, Vec<DrawnPath>)>,
     /// The place of each layer in that list.
     by_name: HashMap<String, usize>,
     segments: usize,
@@ -48,14 +47,14 @@ struct LeftOut {
 
 impl Pieces {
     /// Adds a piece to the layer `layer`, without its segments of length 0. A piece with no other segments is ignored.
-    pub fn add(&mut self, layer: &str, mut piece: Piece) -> Result<(), DrawingError> {
+    pub fn add(&mut self, layer: &str, mut piece: DrawnPath) -> Result<(), DrawingError> {
         for segment in &piece.segments {
             check(segment, &piece.place)?;
         }
         piece.segments.retain(|segment| segment.length() > 0.0);
         self.segments += piece.segments.len();
-        if self.segments > MOST_SEGMENTS {
-            return Err(DrawingError::too_large("segments", MOST_SEGMENTS));
+        if self.segments > MAX_SEGMENTS {
+            return Err(DrawingError::too_large("segments", MAX_SEGMENTS));
         }
         if piece.segments.is_empty() {
             self.leave_out("zero length", &piece.place);
@@ -104,7 +103,7 @@ impl Pieces {
             if !found.is_empty() {
                 let (helper, broken) = helpers(open);
                 for path in helper {
-                    self.leave_out("open line beside the outline", &path.place);
+                    self.leave_out("open line beside the outline", &path.path.place);
                 }
                 if let Some(path) = broken.first() {
                     return Err(path.error(&broken));
@@ -144,7 +143,7 @@ impl Pieces {
             )
         });
         let layers = all_open.iter().map(|(layer, open)| open_layer(layer, open));
-        remarks.extend(left_out.chain(layers.take(MOST_NAMED)));
+        remarks.extend(left_out.chain(layers.take(MAX_NAMED)));
         Ok(Drawing {
             unit_mm: self.unit_mm,
             loops,
@@ -157,7 +156,7 @@ impl Pieces {
 ///
 /// A helper line ends far from every other open end. The ends at a gap of an outline are near each other.
 fn helpers(open: Vec<Open>) -> (Vec<Open>, Vec<Open>) {
-    if open.len() > MOST_HELPERS {
+    if open.len() > MAX_HELPERS {
         return (Vec::new(), open);
     }
     let ends: Vec<[Point2<f64>; 2]> = open.iter().map(|path| path.ends).collect();
@@ -174,7 +173,7 @@ fn helpers(open: Vec<Open>) -> (Vec<Open>, Vec<Open>) {
                 .map(|other| (other - path.ends[end]).norm());
             gaps.fold(f64::INFINITY, f64::min)
         };
-        gap(0).min(gap(1)) > GAP * path.length()
+        gap(0).min(gap(1)) > GAP * path.path.length()
     })
 }
 

@@ -2,8 +2,8 @@
 
 use super::DrawingError;
 use super::affine::Affine;
-use super::chain::{Loop, Open};
-use super::limits::{MOST_SEGMENTS, SAME_MM};
+use super::chain::{DrawnPath, Open};
+use super::limits::{MAX_SEGMENTS, SAME_MM};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Rotation2};
 use std::f64::consts::TAU;
@@ -30,7 +30,7 @@ impl Repeat {
 
     /// The outline with `tooth`, an open path, as every tooth. Straight lines join each to the next.
     /// Errors: the path takes more than its share of a turn, or the outline has too many segments.
-    pub fn outline(&self, tooth: &Open) -> Result<Loop, DrawingError> {
+    pub fn outline(&self, tooth: &Open) -> Result<DrawnPath, DrawingError> {
         let [start, end] = tooth.ends.map(|end| end - self.centre);
         let angle = start.perp(&end).atan2(start.dot(&end));
         let pitch = TAU / f64::from(self.teeth);
@@ -38,7 +38,7 @@ impl Repeat {
         let rounding = SAME_MM / start.norm().min(end.norm());
         if !(angle.abs() <= pitch + rounding) {
             return Err(DrawingError::number(
-                &tooth.place,
+                &tooth.path.place,
                 format!(
                     "the path takes {:.3}° about the centre, one of {} teeth has {:.3}°",
                     angle.abs().to_degrees(),
@@ -47,15 +47,21 @@ impl Repeat {
                 ),
             ));
         }
-        if tooth.segments.len().saturating_mul(self.teeth as usize) > MOST_SEGMENTS {
-            return Err(DrawingError::too_large("segments", MOST_SEGMENTS));
+        if tooth
+            .path
+            .segments
+            .len()
+            .saturating_mul(self.teeth as usize)
+            > MAX_SEGMENTS
+        {
+            return Err(DrawingError::too_large("segments", MAX_SEGMENTS));
         }
         let (mut segments, mut bound): (Vec<PathSegment>, f64) = (Vec::new(), 0.0);
         for index in 0..self.teeth {
             let turn = Rotation2::new(angle.signum() * pitch * f64::from(index));
             let shift = self.centre - turn * self.centre;
             let map = Affine::new(*turn.matrix(), shift);
-            for segment in &tooth.segments {
+            for segment in &tooth.path.segments {
                 let (made, off) = map.segment(segment);
                 if let (Some(last), Some(first)) = (segments.last(), made.first()) {
                     let ends = [last.end(), first.start()];
@@ -71,11 +77,11 @@ impl Repeat {
         if (ends[1] - ends[0]).norm() > SAME_MM {
             segments.push(PathSegment::Line(ends));
         }
-        Ok(Loop {
+        Ok(DrawnPath {
             segments,
-            name: tooth.name.clone(),
-            bound_mm: tooth.bound.max(bound),
-            place: tooth.place.clone(),
+            name: tooth.path.name.clone(),
+            bound_mm: tooth.path.bound_mm.max(bound),
+            place: tooth.path.place.clone(),
         })
     }
 }

@@ -5,9 +5,12 @@ use crate::check::Checked;
 use crate::data_file::DataFile;
 use crate::error::Problem;
 use crate::reading::Problems;
-use crate::sheet::{self, Choice, Column, Content, Coverage, Origin, Request, Sheet, Wanted};
+use crate::sheet::{
+    self, Choice, Column, Content, Coverage, Origin, Quantity, Request, Sheet, Wanted,
+};
 use crate::spec::TABLE;
 use crate::table::Table;
+use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
 
 /// The tables of the file that `table` names, all or of one kind. Ambiguous tables are added to `not_read`.
@@ -22,7 +25,7 @@ pub(super) fn tables(
     checked.is_good("").then_some(())?;
     let table = checked.table();
     let (file, choice) = (DataFile::of(table)?, Choice::of(table));
-    let content = Content::read(&file, (bytes, sheet::MOST_CELLS), table, &choice)?;
+    let content = Content::read(&file, (bytes, sheet::MAX_CELLS), table, &choice)?;
     let from = TableSource {
         file: &file,
         content: &content,
@@ -34,29 +37,34 @@ pub(super) fn tables(
         from.pitch(only.is_some(), &mut tables, not_read);
     }
     let singles = [
-        (Kind::Runout, Column::Runout, "runout_um", "Runout F_r, µm"),
+        (
+            Kind::Runout,
+            Quantity::Runout,
+            "runout_um",
+            "Runout F_r, µm",
+        ),
         (
             Kind::Thickness,
-            Column::Thickness,
+            Quantity::Thickness,
             "thickness_um",
             "Thickness beyond the mean, µm",
         ),
-        (Kind::Span, Column::Span, "span_mm", "Span W_k, mm"),
+        (Kind::Span, Quantity::Span, "span_mm", "Span W_k, mm"),
         (
             Kind::OverPins,
-            Column::OverPins,
+            Quantity::OverPins,
             "over_pins_mm",
             "Dimension over pins M_dK, mm",
         ),
     ];
-    for (kind, column, name, title) in singles {
+    for (kind, quantity, name, title) in singles {
         // A key that names the column does not tell its quantity.
         let named = choice.column("column").is_none() || only.is_some();
         let coverage = match kind {
             Kind::Runout | Kind::Thickness => Coverage::EveryTooth,
             _ => Coverage::SomeTeeth,
         };
-        let columns = [column];
+        let columns = [Column::of(quantity)];
         let request = from.request(&columns, coverage);
         if is_asked(kind) && named && (only.is_some() || content.has(&request)) {
             let (sheet, faults) = reading.capture_problems(|| from.sheet(&request));
@@ -68,10 +76,10 @@ pub(super) fn tables(
         }
     }
     for (kind, place) in [
-        (Kind::Trace, Column::RollLength),
-        (Kind::Lead, Column::Height),
+        (Kind::Trace, Quantity::RollLength),
+        (Kind::Lead, Quantity::Height),
     ] {
-        let columns = [place, Column::Deviation];
+        let columns = [place, Quantity::Deviation].map(Column::of);
         let request = from.request(&columns, Coverage::Points { base_radius: None });
         if is_asked(kind) && (only.is_some() || content.has(&request)) {
             let traces = Sheet::of(&content, &request);
@@ -125,7 +133,7 @@ impl TableSource<'_> {
         let mut first: Option<Option<Origin>> = None;
         let mut faults = Vec::new();
         for kind in [PitchKind::Cumulative, PitchKind::Single] {
-            let columns = [Column::Right(kind), Column::Left(kind)];
+            let columns = Side::BOTH.map(|side| Column::pitch(side, kind));
             let others = columns.map(Column::of_other_kind);
             let request = self.request(&columns, Coverage::EveryTooth);
             let other = self.request(&others, Coverage::EveryTooth);

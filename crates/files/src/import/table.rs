@@ -1,6 +1,6 @@
 //! One table of a file: its content, place and columns.
 
-use crate::sheet::{Column, Row, Sheet, Unread};
+use crate::sheet::{Quantity, Row, Sheet, Unread};
 use serde::Serialize;
 
 /// The content of a table.
@@ -21,6 +21,19 @@ pub enum Kind {
     Trace,
     /// Lead traces.
     Lead,
+}
+
+impl Kind {
+    /// All, each by its name on a command line.
+    pub const NAMED: [(&'static str, Kind); 7] = [
+        ("pitch", Kind::Pitch),
+        ("runout", Kind::Runout),
+        ("thickness", Kind::Thickness),
+        ("span", Kind::Span),
+        ("over-pins", Kind::OverPins),
+        ("trace", Kind::Trace),
+        ("lead", Kind::Lead),
+    ];
 }
 
 /// One table.
@@ -125,9 +138,9 @@ impl ImportedTable {
                 .map_or(Value::None, |flank| Value::Word(flank.name()))
         };
         let numbers = |place| sheet.values(place).into_iter().map(Value::Number).collect();
-        let at = match sheet.columns.first() {
-            Some(Column::Diameter) => "diameter_mm",
-            Some(Column::Height) => "from_reference_face_mm",
+        let at = match sheet.columns.first().map(|column| column.quantity) {
+            Some(Quantity::Diameter) => "diameter_mm",
+            Some(Quantity::Height) => "from_reference_face_mm",
             _ => "roll_length_mm",
         };
         let columns: [(&str, Vec<Value>); 4] = [

@@ -35,20 +35,22 @@ pub struct ReadGear {
 
 /// The gear of a gear file, or the `member` of a pair file. It must match a gear of `pair`, and faces as that does.
 pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, InputError> {
-    let file = crate::read_gears(path)?;
+    let file = crate::read_gears_by_data(path)?;
     let wrong = |problem| InputError::of(path, vec![problem]);
-    let Some(entry) = file.of(member) else {
+    let entry = file.of(member);
+    let Some((entry, spec)) = entry.and_then(|entry| Some((entry, entry.spec.data()?))) else {
         let problem = Problem::of_file("has no such gear", "name a gear file");
         return Err(wrong(problem));
     };
     if let Some(problem) = warm(file.temperature_c) {
         return Err(wrong(problem));
     }
-    let Some((_, wheel, pinion)) = pair.study.materials.first() else {
+    let mates = pair.study.materials.first();
+    let Some(((_, wheel, pinion), own)) = mates.zip(pair.spec.data(member)) else {
         return Err(wrong(Problem::of_file("has no mate", "name a pair file")));
     };
     let face = [wheel, pinion][member as usize].face();
-    let stated = [&entry.spec, pair.spec.gear(member)].map(|gear| {
+    let stated = [spec, own].map(|gear| {
         [
             ("teeth", f64::from(gear.teeth)),
             ("module_mm", gear.module_mm * gear.scale()),
@@ -80,11 +82,11 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, Inp
         gear: NamedGear {
             name: name.unwrap_or_default(),
             gear: placed(gear.facing(face), pair, member),
-            spec: entry.spec.clone(),
+            spec: spec.clone(),
         },
         table: entry.name,
         band: is_band.then(|| {
-            let key = thickness_key(entry.name, &entry.spec);
+            let key = thickness_key(entry.name, spec);
             format!("{}: {key}", path.display())
         }),
         sources: file.sources,

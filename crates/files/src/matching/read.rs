@@ -45,7 +45,7 @@ pub fn read_match(
     [wheels, pinions]: [&Path; 2],
     target: Option<f64>,
 ) -> Result<MatchFile, Vec<InputError>> {
-    let mut pair = crate::read(path).map_err(|error| vec![error])?;
+    let mut pair = crate::read_by_data(path).map_err(|error| vec![error])?;
     if let Some(problem) = warm(pair.spec.assembly.temperature_c) {
         return Err(vec![InputError::of(path, vec![problem])]);
     }
@@ -199,11 +199,14 @@ impl MatchFile {
 fn unused(pair: &PairFile) -> Option<String> {
     let (_, most_wheel, most_pinion) = pair.study.materials.first()?;
     let (_, least_wheel, least_pinion) = pair.study.materials.last()?;
-    let spec = &pair.spec;
+    let [wheel, pinion] = pair.spec.by_data()?;
     let keys = [
-        (most_wheel != least_wheel).then(|| thickness_key("wheel", &spec.wheel)),
-        (most_pinion != least_pinion).then(|| thickness_key("pinion", &spec.pinion)),
-        spec.tolerance.is_some().then(|| "tolerance".to_owned()),
+        (most_wheel != least_wheel).then(|| thickness_key("wheel", wheel)),
+        (most_pinion != least_pinion).then(|| thickness_key("pinion", pinion)),
+        pair.spec
+            .tolerance
+            .is_some()
+            .then(|| "tolerance".to_owned()),
     ];
     let keys: Vec<String> = keys.into_iter().flatten().collect();
     (!keys.is_empty()).then(|| {

@@ -1,6 +1,6 @@
 //! Two drawings of one gear, read and compared.
 
-use super::gear::{self, OutlinePart};
+use super::gear::{OutlinePart, gear, help};
 use super::pair::{OutlineOptions, outline_table};
 use crate::Tree;
 use crate::check::Checked;
@@ -52,12 +52,12 @@ impl TwoDrawings<'_> {
     /// Reads and compares them, from their tables.
     pub(crate) fn compared(&self, tree: &Tree) -> Option<ComparedOutlines> {
         let file = Checked::new(&DRAWINGS, tree.table());
-        let [a, b] = NAMES.map(|name| gear::read(&file, name));
+        let [a, b] = NAMES.map(|name| gear(&file, name));
         let (a, b): (OutlinePart, OutlinePart) = (a?, b?);
         let gears = [&a, &b].map(|part| part.gears.most().clone());
         let difference = OutlineDifference::new(&gears[0], &gears[1], CHORD_MM);
         let difference = difference.map_err(|error| {
-            let help = gear::help(&error);
+            let help = help(&error);
             file.table().problem("b.outline.file", error, help)
         });
         Some(ComparedOutlines {

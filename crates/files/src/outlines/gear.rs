@@ -16,7 +16,7 @@ use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, PathSegment, 
 use nalgebra::Point2;
 
 /// Most teeth of a gear.
-const MOST_TEETH: u32 = 10_000;
+const MAX_TEETH: u32 = 10_000;
 
 /// The content of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ pub struct DrawingRead {
     pub inside: usize,
 }
 
-pub(super) struct OutlinePart {
+pub(crate) struct OutlinePart {
     /// One, or those with least and most material.
     pub gears: Toleranced<OutlineGear>,
     pub read: DrawingRead,
@@ -42,7 +42,7 @@ pub(super) struct OutlinePart {
 }
 
 /// Reads the table `name` of a gear given by an outline.
-pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
+pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
     let table = file.table().below(name);
     let face = file.read::<Face>(&table.path_of("reference_face"));
     let spec = file.read(&table.path_of("outline")).flatten();
@@ -78,10 +78,10 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     let gear = OutlineGear::new(segments, &reading);
     let gear = gear.map_err(|error| data.problem(data.found(place(&path, &error)), help(&error)));
     let gear = data.reading().keep(gear)?;
-    if gear.teeth() > MOST_TEETH {
+    if gear.teeth() > MAX_TEETH {
         return data.refuse(
             format!(
-                "{} teeth are found, allowed are up to {MOST_TEETH}",
+                "{} teeth are found, allowed are up to {MAX_TEETH}",
                 gear.teeth()
             ),
             "choose the gear's outline with `at_mm`, `number`, `layer` or `id`",
@@ -292,7 +292,7 @@ fn place(path: &Path, error: &OutlineError) -> String {
     format!("the path from {}: {error}", path.outline.place)
 }
 
-pub(super) fn help(error: &OutlineError) -> &'static str {
+pub(crate) fn help(error: &OutlineError) -> &'static str {
     match error {
         OutlineError::NotFinite { .. } | OutlineError::SelfCrossing { .. } => {
             "mend the drawing there"

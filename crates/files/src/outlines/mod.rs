@@ -1,5 +1,4 @@
-//! Pair files with at least one gear given by an outline: from the keys and the drawing to the study. Also gears given by an
-//! outline alone.
+//! Gears given by an outline: from the keys and the drawing to the gear.
 
 mod compared;
 mod gear;
@@ -9,6 +8,10 @@ mod paths;
 
 pub use compared::{ComparedOutlines, TwoDrawings};
 pub use gear::DrawingRead;
+pub(crate) use gear::gear;
 pub use listed::{ListedOutline, ListedOutlines, listed_outlines, lists_outlines};
 pub use pair::{Drawings, OutlineOptions};
-pub(crate) use pair::{has_outline, of_drawing, read, read_gear, refuse};
+pub(crate) use pair::{
+    check_distances, has_outline, of_drawing, refuse, refuse_axes, refuse_limits, refuse_tables,
+    refuse_uncertainties,
+};

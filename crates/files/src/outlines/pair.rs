@@ -1,20 +1,11 @@
-//! A pair file with an outline: two gears, their positions, and the study.
+//! Pair files with an outline: what does not apply to them, and the file that two drawings stand for.
 
-use super::gear::{self, DrawingRead, OutlinePart};
+use super::gear::help;
 use crate::Tree;
-use crate::assembly;
 use crate::check::Checked;
-use crate::gear::{GearPart, materials as of_materials};
-use crate::gear_file;
-use crate::measured::Measured;
-use crate::pair_file::{PosesRead, names, rows_only};
-use crate::read::{AnyGears, AnyPair, GearEntry, PairFile};
-use crate::spec::{
-    AssemblySpec, CenterDistanceSpec, EitherGearSpec, GEAR, PAIR, PairSpec, RequireSpec,
-    UncertaintySpec,
-};
-use gearlash::analysis::study::{Material, Study};
-use gearlash::gear::AsBuilt;
+use crate::gear::GearPart;
+use crate::spec::{AssemblySpec, CenterDistanceSpec, GEAR, PAIR, UncertaintySpec};
+use crate::table::Table;
 use gearlash::outline::{OutlineGear, OutlinePair};
 use std::path::Path;
 
@@ -44,39 +35,16 @@ const NOT_REQUIRED: [(&str, &str); 3] = [
     ),
 ];
 
-/// One gear, in one or both materials.
-struct Part {
-    gears: Vec<(Material, OutlineGear)>,
-    /// A gear given by its data, the thickest.
-    data: Option<AsBuilt>,
-    read: Option<DrawingRead>,
-    spec: EitherGearSpec,
-    warnings: Vec<String>,
-    remarks: Vec<String>,
+/// Reports tables that do not apply to an outline.
+pub(crate) fn refuse_tables(file: &Table) {
+    for (name, why) in LEFT_OUT.into_iter().filter(|(name, _)| file.has(name)) {
+        let reason = format!("a pair with an outline {why}");
+        file.add(name, reason, "remove the table");
+    }
 }
 
-/// Reads the pair file of `tree`, which has at least one outline.
-pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
-    let file = Checked::new(&PAIR, tree.table());
-    let table = file.table();
-    let (stem, title) = names(&file, tree.path);
-    for (name, why) in LEFT_OUT {
-        if table.has(name) {
-            table.add(
-                name,
-                format!("a pair with an outline {why}"),
-                "remove the table",
-            );
-        }
-    }
-    let [wheel, pinion] = ["wheel", "pinion"].map(|name| part(&file, name));
-    let teeth = [&wheel, &pinion].map(|part| part.as_ref().map(|part| part.gears[0].1.teeth()));
-    let assembly = assembly::read(&file, !rows_only(&file));
-    let poses = PosesRead::new(&file, (teeth[0], teeth[1]));
-    let require = required(&file);
-    let uncertainty = uncertain(&file, [&wheel, &pinion]);
-    let (assembly, require) = (assembly?, require?);
-    let locked = assembly.locked;
+/// Reports keys of `[assembly]` that do not apply to an outline.
+pub(crate) fn refuse_axes(file: &Table, assembly: &AssemblySpec) {
     let refused = [
         (
             "face_offset_mm",
@@ -110,155 +78,50 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
         ),
     ];
     for (key, _, reason, help) in refused.iter().filter(|(_, stated, ..)| *stated) {
-        table.add(&format!("assembly.{key}"), *reason, *help);
+        file.add(&format!("assembly.{key}"), *reason, *help);
     }
-    let (wheel, pinion) = (wheel?, pinion?);
-    tree.reading.is_good().then_some(())?;
-    let mut warnings = [&wheel.warnings[..], &pinion.warnings].concat();
-    let stated = poses.distances(table, &assembly, None, &mut warnings)?;
-    let distances = stated.distances_mm();
-    let is_band = wheel.gears.len().max(pinion.gears.len()) > 1;
-    poses.check_count(table, Some(&distances), is_band)?;
-    let (measured, sweep) = poses.tables()?;
-    warnings.extend(measured.as_ref().and_then(Measured::equal_rows));
-    for &distance in &distances {
-        let pair = OutlinePair::new(
-            wheel.gears[0].1.clone(),
-            pinion.gears[0].1.clone(),
-            distance - assembly.bearing_clearance_mm.sum_mm(),
-            locked,
-        );
-        if let Err(error) = pair {
-            return table.refuse(
-                "assembly.center_distance_mm",
-                error.to_string(),
-                gear::help(&error),
-            );
-        }
-    }
-    let gears = materials(&wheel, &pinion);
-    let uncertainty = uncertainty?;
-    let data = [&wheel, &pinion].map(|part| match &part.spec {
-        EitherGearSpec::Data(spec) => part.data.as_ref().map(|gear| (&**spec, gear)),
-        EitherGearSpec::Outline(_) => None,
-    });
-    let measured_spec = measured.as_ref().map(Measured::spec);
-    let (sweep_spec, plan) = sweep.map(|sweep| (sweep.spec, sweep.plan)).unzip();
-    let study = Study {
-        bearing_clearance: assembly.bearing_clearance_mm.sum_mm(),
-        requirements: require.map_or_else(Vec::new, |require| require.requirements()),
-        all_phases: sweep_spec
-            .as_ref()
-            .is_some_and(|sweep| sweep.extremes.is_some()),
-        measured: measured.map_or_else(Vec::new, Measured::into_rows),
-        uncertainty: uncertainty.map(|stated| stated.of_pair(&assembly, data)),
-        ..Study::of_drawn(&title?, gears, locked, distances, plan)
-    };
-    Some(PairFile {
-        stem,
-        drawings: [wheel.read, pinion.read],
-        spec: PairSpec {
-            title: study.title.clone(),
-            wheel: wheel.spec,
-            pinion: pinion.spec,
-            assembly: AssemblySpec {
-                housing_expansion_per_k: None,
-                center_distance_mm: stated,
-                ..assembly
-            },
-            measured: measured_spec,
-            sweep: sweep_spec,
-            accuracy: None,
-            compare: None,
-            require,
-            uncertainty,
-            tolerance: None,
-        },
-        study,
-        warnings,
-        remarks: [wheel.remarks, pinion.remarks].concat(),
-        sources: tree.reading.sources(),
-    })
 }
 
-/// `[require]`, limited to quantities that an outline has.
-fn required(file: &Checked) -> Option<Option<RequireSpec>> {
-    let require = file.read("require")?;
-    let file = file.table();
+/// Checks that gears by these outlines do not overlap at the least of `distances`, mm.
+pub(crate) fn check_distances(
+    file: &Table,
+    [wheel, pinion]: [&OutlineGear; 2],
+    distances: &[f64],
+    assembly: &AssemblySpec,
+) -> Option<()> {
+    let clearance = assembly.bearing_clearance_mm.sum_mm();
+    let mut pairs = distances.iter().map(|distance| {
+        let (wheel, pinion) = (wheel.clone(), pinion.clone());
+        OutlinePair::new(wheel, pinion, distance - clearance, assembly.locked)
+    });
+    match pairs.find_map(Result::err) {
+        Some(error) => file.refuse("assembly.center_distance_mm", &error, help(&error)),
+        None => Some(()),
+    }
+}
+
+/// Reports limits of quantities that an outline has not.
+pub(crate) fn refuse_limits(file: &Table) {
     let given = NOT_REQUIRED.map(|(key, why)| (format!("require.{key}"), why));
-    let given = given.iter().filter(|(key, _)| file.has(key));
-    let refused = given.map(|(key, why)| {
+    for (key, why) in given.iter().filter(|(key, _)| file.has(key)) {
         let help = "limit j_wt_um, lost_motion_arcmin or radial_clearance_mm";
         file.add(key, *why, help);
-    });
-    match refused.count() {
-        0 => Some(require),
-        _ => None,
     }
 }
 
-/// `[uncertainty]`, limited to quantities that the gears have.
-fn uncertain(file: &Checked, gears: [&Option<Part>; 2]) -> Option<Option<UncertaintySpec>> {
-    let stated: Option<UncertaintySpec> = file.read("uncertainty")?;
-    let has_data = |part: &&Option<Part>| part.as_ref().is_none_or(|part| part.data.is_some());
-    if gears.iter().any(has_data) {
-        return Some(stated);
+/// Reports uncertainties of quantities that neither of two drawn gears has.
+pub(crate) fn refuse_uncertainties(file: &Checked, gears: [&GearPart; 2]) {
+    let stated: Option<UncertaintySpec> = file.read("uncertainty").flatten();
+    if gears.iter().any(|gear| gear.drawn.is_none()) {
+        return;
     }
-    let keys: Vec<&str> = stated.iter().flat_map(UncertaintySpec::of_data).collect();
-    for key in &keys {
+    for key in stated.iter().flat_map(UncertaintySpec::of_data) {
         file.table().add(
             &format!("uncertainty.{key}"),
             "an outline has no such reading",
             "leave it out: runout_um and center_distance_um apply",
         );
     }
-    keys.is_empty().then_some(stated)
-}
-
-fn part(file: &Checked, name: &str) -> Option<Part> {
-    if file.table().has(&format!("{name}.outline")) {
-        let OutlinePart {
-            gears,
-            read,
-            spec,
-            remarks,
-        } = gear::read(file, name)?;
-        return Some(Part {
-            gears: of_materials(&gears, OutlineGear::clone),
-            data: None,
-            read: Some(read),
-            spec: EitherGearSpec::Outline(Box::new(spec)),
-            warnings: Vec::new(),
-            remarks,
-        });
-    }
-    let data = GearPart::read(file, name);
-    let built = data.as_built?;
-    Some(Part {
-        gears: of_materials(&built, |gear| gear.into()),
-        data: Some(built.most().clone()),
-        read: None,
-        spec: EitherGearSpec::Data(Box::new(data.spec?)),
-        warnings: data.warnings,
-        remarks: data.remarks,
-    })
-}
-
-/// The pairs of each material. A gear with one material appears in both.
-fn materials(wheel: &Part, pinion: &Part) -> Vec<(Material, OutlineGear, OutlineGear)> {
-    let several = [wheel, pinion]
-        .into_iter()
-        .max_by_key(|part| part.gears.len());
-    let names = several.map_or(&[][..], |part| &part.gears);
-    let of = |part: &Part, index: usize| {
-        let gears = part.gears.get(index).or(part.gears.first());
-        gears.map(|(_, gear)| gear.clone())
-    };
-    let each = names.iter().enumerate();
-    each.filter_map(|(index, (material, _))| {
-        Some((*material, of(wheel, index)?, of(pinion, index)?))
-    })
-    .collect()
 }
 
 /// Two drawings and their assembly, in place of a pair file.
@@ -339,32 +202,6 @@ pub(super) fn outline_table(name: &str, path: &Path, options: &OutlineOptions) -
     table + "\n"
 }
 
-/// Reads a gear file with an outline.
-pub(crate) fn read_gear(tree: &Tree) -> Option<AnyGears> {
-    let file = Checked::new(&GEAR, tree.table());
-    let (stem, title) = names(&file, tree.path);
-    let OutlinePart {
-        gears,
-        spec,
-        remarks,
-        ..
-    } = gear::read(&file, "gear")?;
-    Some(AnyGears {
-        title: title?,
-        stem,
-        gears: vec![GearEntry {
-            name: "gear",
-            materials: Vec::new(),
-            drawn: of_materials(&gears, OutlineGear::clone),
-            spec: EitherGearSpec::Outline(Box::new(spec)),
-        }],
-        temperature_c: None,
-        warnings: Vec::new(),
-        remarks,
-        sources: tree.reading.sources(),
-    })
-}
-
 /// The text of the gear file for a drawing alone.
 pub(crate) fn of_drawing(path: &Path, options: &OutlineOptions) -> String {
     outline_table("gear", path, options)
@@ -387,7 +224,7 @@ pub(crate) fn refuse(file: &Tree) -> Option<()> {
     if !has_outline(file) {
         return Some(());
     }
-    let is_gear = gear_file::is_one(file);
+    let is_gear = file.is_gear_file();
     let schema = if is_gear { &GEAR } else { &PAIR };
     let checked = Checked::new(schema, file.table());
     for key in outlines(file) {

@@ -1,22 +1,22 @@
 //! Selects the gear among the closed paths of a drawing.
 
 use crate::characters::first_of;
-use crate::drawing::{Drawing, Loop};
+use crate::drawing::{Drawing, DrawnPath};
 use crate::numbers::ascii;
 use gearlash::outline::{PathSegment, polygon};
 use nalgebra::Point2;
 
 /// The outline of a drawing among its loops.
 pub(super) struct Path {
-    pub outline: Loop,
-    pub inside: Vec<Loop>,
+    pub outline: DrawnPath,
+    pub inside: Vec<DrawnPath>,
     /// Length of a unit of the drawing, mm.
     pub unit_mm: f64,
     pub remarks: Vec<String>,
 }
 
 /// Points of a path, `each` per segment.
-fn corners(path: &Loop, each: u32) -> Vec<Point2<f64>> {
+fn corners(path: &DrawnPath, each: u32) -> Vec<Point2<f64>> {
     let points = |segment: &PathSegment| {
         let segment = *segment;
         (0..each).map(move |k| segment.at(f64::from(k) / f64::from(each)))
@@ -36,7 +36,7 @@ pub(super) enum Choice {
 }
 
 /// Most outlines of a drawing: each path is compared with all of them.
-const MOST_OUTLINES: usize = 10_000;
+const MAX_OUTLINES: usize = 10_000;
 
 /// A closed path that lies inside no other.
 pub(super) struct Outline {
@@ -50,7 +50,7 @@ pub(super) struct Outline {
 }
 
 impl Outline {
-    fn new(place: usize, area: f64, path: &Loop) -> Outline {
+    fn new(place: usize, area: f64, path: &DrawnPath) -> Outline {
         let corners = corners(path, 8);
         let far = Point2::new(f64::INFINITY, f64::INFINITY);
         let ends = corners.iter().fold([far, -far], |[low, high], corner| {
@@ -72,7 +72,7 @@ impl Outline {
 }
 
 /// The outlines of a drawing, in the order of the file.
-pub(super) fn outlines(loops: &[Loop]) -> Result<Vec<Outline>, String> {
+pub(super) fn outlines(loops: &[DrawnPath]) -> Result<Vec<Outline>, String> {
     let areas = loops
         .iter()
         .map(|path| polygon::area(&corners(path, 2)).abs());
@@ -87,8 +87,8 @@ pub(super) fn outlines(loops: &[Loop]) -> Result<Vec<Outline>, String> {
         };
         match outlines.iter().position(holds) {
             Some(outer) => outlines[outer].inside.push(place),
-            None if outlines.len() == MOST_OUTLINES => {
-                return Err(format!("holds more than {MOST_OUTLINES} outlines"));
+            None if outlines.len() == MAX_OUTLINES => {
+                return Err(format!("holds more than {MAX_OUTLINES} outlines"));
             }
             None => outlines.push(Outline::new(place, area, path)),
         }
@@ -143,7 +143,7 @@ pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
 }
 
 /// Outlines by number and place, at most a few.
-fn list(loops: &[Loop], outlines: &[Outline]) -> String {
+fn list(loops: &[DrawnPath], outlines: &[Outline]) -> String {
     const FEW: usize = 6;
     let named = outlines.iter().enumerate().map(|(index, one)| {
         let path = &loops[one.place];
@@ -153,13 +153,13 @@ fn list(loops: &[Loop], outlines: &[Outline]) -> String {
 }
 
 /// The start of a path, in words.
-pub(super) fn start(path: &Loop) -> String {
+pub(super) fn start(path: &DrawnPath) -> String {
     let first = path.segments.first();
     coordinates(&first.map_or(Point2::origin(), PathSegment::start))
 }
 
 /// The centre of a path that is one circle.
-pub(super) fn whole_circle(path: &Loop) -> Option<Point2<f64>> {
+pub(super) fn whole_circle(path: &DrawnPath) -> Option<Point2<f64>> {
     let mut centres = path.segments.iter().map(|segment| match segment {
         PathSegment::Arc { centre, radius, .. } => Some((*centre, *radius)),
         _ => None,

@@ -6,7 +6,7 @@ use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
 /// Largest unpacked size: 16 MiB, as for a file that is not zipped.
-const MOST_BYTES: u64 = 16 << 20;
+const MAX_BYTES: u64 = 16 << 20;
 const PLACE: &str = "the archive";
 
 /// The one REXS file in the archive.
@@ -42,10 +42,10 @@ pub fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
     };
     let part = archive.by_index(index).map_err(|error| damaged(&error))?;
     let mut content = Vec::new();
-    part.take(MOST_BYTES + 1)
+    part.take(MAX_BYTES + 1)
         .read_to_end(&mut content)
         .map_err(|error| damaged(&error))?;
-    if content.len() as u64 > MOST_BYTES {
+    if content.len() as u64 > MAX_BYTES {
         Err(Problem::at(
             PLACE,
             "its file has more than 16 MiB",

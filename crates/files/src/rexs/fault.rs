@@ -3,12 +3,23 @@
 use super::document::{Component, shown};
 use crate::error::Problem;
 use std::cell::RefCell;
+use std::fmt::Display;
 
 /// The reason why a stage becomes no pair.
 pub enum Fault {
     Wrong(Problem),
     /// The stage is ignored, with the reason.
     LeftOut(String),
+}
+
+/// Allowances and half a grade of a table are printed in whole µm. For an allowance of a span that is 0.5 µm, as thickness at pressure
+/// angles up to 60° 1 µm.
+pub const ROUNDING_UM: f64 = 1.0;
+
+/// Whether two pairs of allowances differ by more than their rounding, µm.
+pub fn differ(ones: [f64; 2], others: [f64; 2]) -> bool {
+    let mut pairs = ones.into_iter().zip(others);
+    pairs.any(|(one, other)| (one - other).abs() > ROUNDING_UM)
 }
 
 impl From<Problem> for Fault {
@@ -79,7 +90,12 @@ impl<'a> Attributes<'a> {
     /// Errors: as [`Attributes::number`]; the attribute is absent.
     pub fn need(&self, id: &str, unit: Unit) -> Result<f64, Fault> {
         let found = self.number(id, unit)?;
-        found.ok_or_else(|| Fault::LeftOut(format!("{} has no {id}", self.component.place())))
+        found.ok_or_else(|| self.left_out(format!("has no {id}")))
+    }
+
+    /// The fault of a stage that is ignored because of the component.
+    pub fn left_out(&self, why: impl Display) -> Fault {
+        Fault::LeftOut(format!("{} {why}", self.component.place()))
     }
 
     /// A whole number from 1 on; `None` where it is absent.

@@ -1,6 +1,6 @@
 //! One external gear of a REXS stage: its data, tool and thickness.
 
-use super::document::{Document, Relation};
+use super::document::{Component, Document, Relation};
 use super::fault::{Attributes, DEGREE, Fault, MILLIMETRE, NUMBER, Unit};
 use super::thickness::{self, Generated, Thickness};
 use crate::error::Problem;
@@ -44,12 +44,10 @@ pub struct Helix {
 }
 
 fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), Fault> {
-    let place = gear.component().place();
-    let left_out = |why: String| Err(Fault::LeftOut(format!("{place} {why}")));
     match gear.component().kind.as_str() {
         "cylindrical_gear" => {}
-        "ring_gear" => return left_out("is internal".to_owned()),
-        _ => return left_out("is no cylindrical gear".to_owned()),
+        "ring_gear" => return Err(gear.left_out("is internal")),
+        _ => return Err(gear.left_out("is no cylindrical gear")),
     }
     let helix = match gear.number(HELIX, DEGREE)? {
         Some(0.0) => None,
@@ -58,18 +56,16 @@ fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), Fault> {
             hand: if angle > 0.0 { Hand::Right } else { Hand::Left },
             face_width: gear.need("face_width", MILLIMETRE)?,
         }),
-        None => return left_out(format!("has no {HELIX}: only 0 makes it spur")),
+        None => {
+            return Err(gear.left_out(format!("has no {HELIX}: only 0 makes it spur")));
+        }
     };
-    if gear
-        .number("number_of_teeth", NUMBER)?
-        .is_some_and(|z| z < 0.0)
-    {
-        return left_out("is internal: number_of_teeth is negative".to_owned());
+    let teeth = gear.number("number_of_teeth", NUMBER)?;
+    if teeth.is_some_and(|z| z < 0.0) {
+        return Err(gear.left_out("is internal: number_of_teeth is negative"));
     }
     let teeth = gear.count("number_of_teeth")?;
-    let Some(teeth) = teeth else {
-        return left_out("has no number_of_teeth".to_owned());
-    };
+    let teeth = teeth.ok_or_else(|| gear.left_out("has no number_of_teeth"))?;
     Ok((teeth, gear.need("normal_module", MILLIMETRE)?, helix))
 }
 
@@ -247,13 +243,10 @@ fn flanks(document: &Document, gear: i32) -> Result<Vec<Attributes<'_>>, Problem
     let mut flanks = Vec::new();
     if let Some(relation) = document.relations("flank", "gear", gear).next() {
         for side in ["left", "right"] {
-            let flank = document.component(relation.one(side)?, relation)?;
-            if flanks
-                .iter()
-                .all(|other: &Attributes| other.component().id != flank.id)
-            {
-                flanks.push(Attributes::of(flank));
-            }
+            add_once(
+                document.component(relation.one(side)?, relation)?,
+                &mut flanks,
+            );
         }
     }
     Ok(flanks)
@@ -270,14 +263,18 @@ fn settings<'a>(
     for id in [gear].into_iter().chain(flanks) {
         for relation in document.relations("manufacturing_step", "workpiece", id) {
             for (_, id) in relation.refs.iter().filter(|(r, _)| r == SETTINGS) {
-                let component = document.component(*id, relation)?;
-                if settings.iter().all(|other| other.component().id != *id) {
-                    settings.push(Attributes::of(component));
-                }
+                add_once(document.component(*id, relation)?, &mut settings);
             }
         }
     }
     Ok(settings)
+}
+
+/// Adds `component` to `all` where it is not among them.
+fn add_once<'a>(component: &'a Component, all: &mut Vec<Attributes<'a>>) {
+    if all.iter().all(|other| other.component().id != component.id) {
+        all.push(Attributes::of(component));
+    }
 }
 
 /// The common value of all flanks that state it.
@@ -286,9 +283,8 @@ fn common_value(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f6
     for flank in flanks {
         match (all, flank.number(id, unit)?) {
             (Some(one), Some(other)) if one != other => {
-                return Err(Fault::LeftOut(format!(
-                    "{} differs from the other flank in {id}: {other}, not {one}",
-                    flank.component().place()
+                return Err(flank.left_out(format!(
+                    "differs from the other flank in {id}: {other}, not {one}"
                 )));
             }
             (_, Some(number)) => all = Some(number),

@@ -26,7 +26,7 @@ use stage::Stage;
 use std::path::Path;
 
 /// Stages of a file. The largest gearboxes have a dozen.
-const MOST_STAGES: usize = 200;
+const MAX_STAGES: usize = 200;
 
 /// A REXS file and the results of its stages.
 #[derive(Debug)]
@@ -106,10 +106,10 @@ fn of_bytes(path: &Path, sources: Sources, bytes: Vec<u8>) -> Result<RexsFile, P
         .iter()
         .filter(|component| component.kind.ends_with("_stage"))
         .collect();
-    if stages.len() > MOST_STAGES {
+    if stages.len() > MAX_STAGES {
         return Err(Problem::at(
-            stages[MOST_STAGES].place(),
-            format!("stands behind {MOST_STAGES} stages, the most that are read"),
+            stages[MAX_STAGES].place(),
+            format!("stands behind {MAX_STAGES} stages, the most that are read"),
             "check that this is the file you mean",
         ));
     }

@@ -1,7 +1,7 @@
 //! One stage of a REXS file: its pair, or the reason why it has none.
 
 use super::document::{Component, Document};
-use super::fault::{Attributes, Fault, MICROMETRE, MILLIMETRE};
+use super::fault::{Attributes, Fault, MICROMETRE, MILLIMETRE, differ};
 use super::gear::Gear;
 use super::thickness::Thickness;
 use crate::characters::cut;
@@ -88,7 +88,7 @@ impl<'a> Stage<'a> {
             (Some(upper), Some(lower), field) => {
                 if let Some(grade) = field {
                     let remark = agree(distance, grade, [upper, lower])
-                        .map_err(|why| Fault::LeftOut(format!("{} {why}", component.place())))?;
+                        .map_err(|why| stage.left_out(why))?;
                     let place = component.place();
                     remarks.extend(remark.map(|remark| format!("{place}: {remark}")));
                 }
@@ -97,10 +97,7 @@ impl<'a> Stage<'a> {
             (None, None, Some(grade)) => Band::Js(grade),
             (None, None, None) => Band::None,
             _ => {
-                return Err(Fault::LeftOut(format!(
-                    "{} has one centre distance allowance without the other",
-                    component.place()
-                )));
+                return Err(stage.left_out("has one centre distance allowance without the other"));
             }
         };
         Ok(Stage {
@@ -207,9 +204,6 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// Allowances are printed in whole µm, and so is half a grade of the table.
-const ROUNDING_UM: f64 = 1.0;
-
 /// Checks the allowances of a centre distance (upper and lower, µm) against its tolerance field. Returns a remark where they are
 /// not comparable.
 fn agree(distance: f64, grade: u32, allowances: [f64; 2]) -> Result<Option<String>, String> {
@@ -218,8 +212,7 @@ fn agree(distance: f64, grade: u32, allowances: [f64; 2]) -> Result<Option<Strin
         Ok([_, half]) => half,
         Err(error) => return Ok(Some(format!("js{grade} is not compared: {error}"))),
     };
-    let differs = |(one, other): (f64, f64)| (one - other).abs() > ROUNDING_UM;
-    if allowances.into_iter().zip([half, -half]).any(differs) {
+    if differ(allowances, [half, -half]) {
         Err(format!(
             "contradicts itself: js{grade} is ±{} µm, its centre distance allowances are {} / {} µm",
             trimmed(half, 0, 1),

@@ -1,7 +1,7 @@
 //! The thickness of a tooth in a REXS file.
 
 use super::document::shown;
-use super::fault::{Attributes, Fault, MICROMETRE, MILLIMETRE, NUMBER};
+use super::fault::{Attributes, Fault, MICROMETRE, MILLIMETRE, NUMBER, ROUNDING_UM, differ};
 use crate::numbers::{fixed, rounded, shortest};
 use gearlash::gear::{BasicGearData, MeasuringBody, ThicknessField};
 use std::fmt;
@@ -48,9 +48,6 @@ pub enum Thickness {
     },
 }
 
-/// Allowances of a span are printed in whole µm: 0.5 µm, as thickness at pressure angles up to 60° 1 µm.
-const ROUNDING_UM: f64 = 1.0;
-
 /// Generated profile shifts are printed in three decimals.
 const ROUNDING_SHIFT: f64 = 0.0005;
 
@@ -82,8 +79,7 @@ fn agree(field: ThicknessField, span: [f64; 2], basic_data: &BasicGearData) -> R
     let series = field
         .allowances_um(basic_data)
         .map_err(|error| error.to_string())?;
-    let differs = |(one, other): (&f64, &f64)| (one - other).abs() > ROUNDING_UM;
-    if series.iter().zip(&span).any(differs) {
+    if differ(series, span) {
         Err(format!(
             "contradicts itself: {field} is {} / {} µm, the allowances of its span make {} / {} µm",
             fixed(series[0], 1),
@@ -113,11 +109,10 @@ pub fn stated(
     if stated.is_empty() {
         stated = lengths(gear, basic_data)?;
     }
-    let left_out = |why: String| Fault::LeftOut(format!("{place} {why}"));
     match generated {
         Generated::None => {}
         Generated::Several(values) if stated.is_empty() => {
-            return Err(left_out(format!(
+            return Err(gear.left_out(format!(
                 "states its thickness by {values} alone, which differ: add its DIN 3967 series or the allowances of its span"
             )));
         }
@@ -142,7 +137,10 @@ pub fn stated(
                 Some(first) if one.is(shift) => {
                     remarks.push(format!("{place}: {words}, {} counts", first.words()));
                 }
-                Some(first) => match first.allowances_um(basic_data).map_err(left_out)? {
+                Some(first) => match first
+                    .allowances_um(basic_data)
+                    .map_err(|why| gear.left_out(why))?
+                {
                     None => remarks.push(format!(
                         "{place}: {words}, which is not compared: {} counts",
                         first.words()
@@ -150,7 +148,7 @@ pub fn stated(
                     Some(band) => {
                         let slack = ROUNDING_UM + um_of_shift(basic_data) * ROUNDING_SHIFT;
                         if made[0] > band[0] + slack || made[1] < band[1] - slack {
-                            return Err(left_out(format!(
+                            return Err(gear.left_out(format!(
                                 "contradicts itself: {} is {} / {} µm, {words}",
                                 first.words(),
                                 fixed(band[0], 1),
@@ -166,12 +164,12 @@ pub fn stated(
 }
 
 fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, Fault> {
-    let place = gear.component().place();
     let mut stated = Vec::new();
     if let Some(series) = SERIES.iter().find_map(|id| gear.text(id)) {
-        let field = series
-            .parse()
-            .map_err(|error| Fault::LeftOut(format!("{place}: {}: {error}", shown(series))))?;
+        let field = series.parse().map_err(|error| {
+            let place = gear.component().place();
+            Fault::LeftOut(format!("{place}: {}: {error}", shown(series)))
+        })?;
         stated.push(Thickness::Series(field));
     }
     let span = ["upper", "lower"].map(|end| format!("{end}_backlash_allowance_referenced_to_span"));
@@ -184,16 +182,15 @@ fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness
                 [upper, lower].map(|um| rounded(um / basic_data.pressure_angle().cos(), 6));
             match stated[..] {
                 [Thickness::Series(field)] => {
-                    agree(field, [upper, lower], basic_data)
-                        .map_err(|why| Fault::LeftOut(format!("{place} {why}")))?;
+                    agree(field, [upper, lower], basic_data).map_err(|why| gear.left_out(why))?;
                 }
                 _ => stated.push(Thickness::Allowance { upper, lower }),
             }
         }
         (None, None) => {}
         _ => {
-            return Err(Fault::LeftOut(format!(
-                "{place} has one of {} and {} without the other",
+            return Err(gear.left_out(format!(
+                "has one of {} and {} without the other",
                 span[0], span[1]
             )));
         }
@@ -202,14 +199,13 @@ fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness
 }
 
 fn lengths(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, Fault> {
-    let place = gear.component().place();
     let mut stated = Vec::new();
     if let Some(other) = OTHER_LIMITS
         .into_iter()
         .find(|id| gear.component().attribute(id).is_some())
     {
-        return Err(Fault::LeftOut(format!(
-            "{place} limits its thickness by {other} alone, which is not read: add its DIN 3967 series or the allowances of its span"
+        return Err(gear.left_out(format!(
+            "limits its thickness by {other} alone, which is not read: add its DIN 3967 series or the allowances of its span"
         )));
     }
     if let Some(mm) = gear.number(SPAN, MILLIMETRE)?
@@ -230,16 +226,14 @@ fn lengths(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thicknes
     }
     let unsaid = basic_data.hand().is_some() && gear.component().attribute(DIAMETRAL).is_some();
     if unsaid && stated.is_empty() {
-        return Err(Fault::LeftOut(format!(
-            "{place} has {DIAMETRAL} alone, which on a helical gear is over balls or over pins: add size_over_balls or size_over_pins"
+        return Err(gear.left_out(format!(
+            "has {DIAMETRAL} alone, which on a helical gear is over balls or over pins: add size_over_balls or size_over_pins"
         )));
     }
     let mut lengths = [SPAN].into_iter().chain(SIZES.map(|(size, _)| size));
     let length = lengths.find(|id| gear.component().attribute(id).is_some());
     match length.filter(|_| stated.is_empty()) {
-        Some(length) => Err(Fault::LeftOut(format!(
-            "{place} has {length} without {SPANNED} or {PIN}"
-        ))),
+        Some(length) => Err(gear.left_out(format!("has {length} without {SPANNED} or {PIN}"))),
         None => Ok(stated),
     }
 }
@@ -274,16 +268,16 @@ impl Generated {
                 continue;
             };
             let end = |end: &str| source.number(&format!("{SHIFT}_{end}_deviation"), NUMBER);
-            let place = source.component().place();
             let deviations = match (end("upper")?, end("lower")?) {
                 (Some(upper), Some(lower)) => [upper, lower],
                 (None, None) => [0.0; 2],
                 _ => {
-                    return Err(Fault::LeftOut(format!(
-                        "{place} has one deviation of {SHIFT} without the other"
-                    )));
+                    return Err(
+                        source.left_out(format!("has one deviation of {SHIFT} without the other"))
+                    );
                 }
             };
+            let place = source.component().place();
             let same =
                 |other: &GeneratedShift| other.shift == shift && other.deviations == deviations;
             if !all.iter().any(same) {

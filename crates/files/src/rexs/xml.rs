@@ -8,14 +8,14 @@ use roxmltree::Node;
 use std::str::FromStr;
 
 /// Most elements and texts of a file of 16 MiB. A gearbox with its results has a hundred thousand.
-const MOST_NODES: u32 = 4_000_000;
+const MAX_NODES: u32 = 4_000_000;
 const AGAIN: &str = "export the file again";
 
 /// Parses `text`.
 /// Errors: the fault and its line.
 pub fn read(text: &str) -> Result<Document, Problem> {
     let settings = roxmltree::ParsingOptions {
-        nodes_limit: MOST_NODES,
+        nodes_limit: MAX_NODES,
         ..roxmltree::ParsingOptions::default()
     };
     let parsed = roxmltree::Document::parse_with_options(text, settings).map_err(|error| {

@@ -1,26 +1,39 @@
 //! The columns that a table may have: names, units, limits, and the headings that fit.
 
-use super::heading::{Meaning, Quantity};
 use crate::characters::listed;
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
+use serde::Deserialize;
 use std::ops::Bound::{self, Excluded, Included};
 
-/// A column of values beside the tooth.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Column {
-    /// Pitch deviation of the right flank, µm.
-    Right(PitchKind),
-    /// Pitch deviation of the left flank, µm.
-    Left(PitchKind),
-    /// Thickness of the tooth less the mean, µm.
-    Thickness,
+/// A quantity in a column of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// Not stated: the heading names only a flank.
+    Unstated,
+    Tooth,
+    Number,
+    /// The first tooth of a span.
+    FirstTooth,
+    Space,
+    /// Pitch deviation of either kind, µm.
+    Pitch,
+    /// Single pitch deviation, µm.
+    SinglePitch,
+    /// Cumulative pitch deviation, µm.
+    CumulativePitch,
+    /// Difference of neighbouring single pitch deviations, which follows from them.
+    PitchDifference,
     /// Radial runout reading, µm.
     Runout,
+    /// Thickness of the tooth less the mean, µm.
+    Thickness,
     /// Span `W_k`, mm.
     Span,
     /// Dimension over pins `M_dK`, mm.
     OverPins,
+    OverThreePins,
     /// Roll length `r_b ξ` of a point of a trace, mm.
     RollLength,
     /// Diameter of a point of a trace, mm.
@@ -29,6 +42,8 @@ pub enum Column {
     Height,
     /// Deviation of the flank at a point of a trace, µm.
     Deviation,
+    /// The name of a flank in each row.
+    Flank,
     /// Centre distance of a rig's result, mm.
     CenterDistance,
     WheelTooth,
@@ -41,6 +56,39 @@ pub enum Column {
     PredictedMin,
     /// Upper limit that was predicted, µm.
     PredictedMax,
+    /// Words about the origin of a row.
+    Source,
+}
+
+impl Quantity {
+    /// Whether it is a pitch deviation of any kind.
+    pub fn is_pitch(self) -> bool {
+        self == Quantity::Pitch || self.pitch_kind().is_some()
+    }
+
+    /// Kind of a pitch deviation, where it is stated.
+    pub fn pitch_kind(self) -> Option<PitchKind> {
+        match self {
+            Quantity::SinglePitch => Some(PitchKind::Single),
+            Quantity::CumulativePitch => Some(PitchKind::Cumulative),
+            _ => None,
+        }
+    }
+
+    fn of_pitch(kind: PitchKind) -> Quantity {
+        match kind {
+            PitchKind::Single => Quantity::SinglePitch,
+            PitchKind::Cumulative => Quantity::CumulativePitch,
+        }
+    }
+}
+
+/// A column that is wanted, or the meaning of a heading.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Column {
+    /// The flank that a heading names. A wanted column has one where it is of pitch.
+    pub side: Option<Side>,
+    pub quantity: Quantity,
 }
 
 pub struct Limits {
@@ -62,36 +110,46 @@ const FROM_ZERO: Limits = Limits {
     range: (Included(0.0), Included(1e9)),
 };
 
-type Description = (
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static Limits,
-    Quantity,
-);
-
 impl Column {
-    /// Name, the key that names the column in a pair file, unit, limits and heading.
-    fn description(self) -> Description {
-        use Quantity as Q;
-        match self {
-            Column::Right(_) => ("right", "right", "µm", &DEVIATION, Q::Pitch),
-            Column::Left(_) => ("left", "left", "µm", &DEVIATION, Q::Pitch),
-            Column::Thickness => ("thickness", "column", "µm", &DEVIATION, Q::Thickness),
-            Column::Runout => ("runout", "column", "µm", &DEVIATION, Q::Runout),
-            Column::Span => ("span", "column", "mm", &LENGTH, Q::Span),
-            Column::OverPins => ("over pins", "column", "mm", &LENGTH, Q::OverPins),
-            Column::RollLength => ("roll length", "", "mm", &FROM_ZERO, Q::RollLength),
-            Column::Diameter => ("diameter", "", "mm", &LENGTH, Q::Diameter),
-            Column::Height => ("height", "", "mm", &FROM_ZERO, Q::Height),
-            Column::Deviation => ("deviation", "column", "µm", &DEVIATION, Q::Deviation),
-            Column::CenterDistance => ("center_distance_mm", "", "mm", &LENGTH, Q::CenterDistance),
-            Column::WheelTooth => ("wheel_tooth", "", "", &LENGTH, Q::WheelTooth),
-            Column::PinionTooth => ("pinion_tooth", "", "", &LENGTH, Q::PinionTooth),
-            Column::MeasuredRight => ("measured_right_um", "", "µm", &DEVIATION, Q::MeasuredRight),
-            Column::MeasuredLeft => ("measured_left_um", "", "µm", &DEVIATION, Q::MeasuredLeft),
-            Column::PredictedMin => ("predicted_min_um", "", "µm", &DEVIATION, Q::PredictedMin),
-            Column::PredictedMax => ("predicted_max_um", "", "µm", &DEVIATION, Q::PredictedMax),
+    /// The column of a `quantity` of no flank.
+    pub fn of(quantity: Quantity) -> Column {
+        Column {
+            side: None,
+            quantity,
+        }
+    }
+
+    /// The column of the pitch deviations of one flank.
+    pub fn pitch(side: Side, kind: PitchKind) -> Column {
+        Column {
+            side: Some(side),
+            quantity: Quantity::of_pitch(kind),
+        }
+    }
+
+    /// Name, the key that names the column in a pair file, unit and limits of a wanted column.
+    fn description(self) -> (&'static str, &'static str, &'static str, &'static Limits) {
+        match self.quantity {
+            Quantity::SinglePitch | Quantity::CumulativePitch => {
+                let side = self.side.map_or("", Side::name);
+                (side, side, "µm", &DEVIATION)
+            }
+            Quantity::Thickness => ("thickness", "column", "µm", &DEVIATION),
+            Quantity::Runout => ("runout", "column", "µm", &DEVIATION),
+            Quantity::Span => ("span", "column", "mm", &LENGTH),
+            Quantity::OverPins => ("over pins", "column", "mm", &LENGTH),
+            Quantity::RollLength => ("roll length", "", "mm", &FROM_ZERO),
+            Quantity::Diameter => ("diameter", "", "mm", &LENGTH),
+            Quantity::Height => ("height", "", "mm", &FROM_ZERO),
+            Quantity::Deviation => ("deviation", "column", "µm", &DEVIATION),
+            Quantity::CenterDistance => ("center_distance_mm", "", "mm", &LENGTH),
+            Quantity::WheelTooth => ("wheel_tooth", "", "", &LENGTH),
+            Quantity::PinionTooth => ("pinion_tooth", "", "", &LENGTH),
+            Quantity::MeasuredRight => ("measured_right_um", "", "µm", &DEVIATION),
+            Quantity::MeasuredLeft => ("measured_left_um", "", "µm", &DEVIATION),
+            Quantity::PredictedMin => ("predicted_min_um", "", "µm", &DEVIATION),
+            Quantity::PredictedMax => ("predicted_max_um", "", "µm", &DEVIATION),
+            _ => ("", "", "", &LENGTH),
         }
     }
 
@@ -112,56 +170,45 @@ impl Column {
         self.description().3
     }
 
-    /// Flank and kind of a pitch deviation.
-    fn pitch(self) -> Option<(Side, PitchKind)> {
-        match self {
-            Column::Right(kind) => Some((Side::Right, kind)),
-            Column::Left(kind) => Some((Side::Left, kind)),
-            _ => None,
-        }
-    }
-
     pub fn kind(self) -> Option<PitchKind> {
-        self.pitch().map(|(_, kind)| kind)
+        self.quantity.pitch_kind()
     }
 
     /// The pitch deviation of the other kind; other columns unchanged.
     pub fn of_other_kind(self) -> Column {
-        let other = |kind| match kind {
-            PitchKind::Single => PitchKind::Cumulative,
-            PitchKind::Cumulative => PitchKind::Single,
+        let quantity = match self.quantity {
+            Quantity::SinglePitch => Quantity::CumulativePitch,
+            Quantity::CumulativePitch => Quantity::SinglePitch,
+            quantity => quantity,
         };
-        match self {
-            Column::Right(kind) => Column::Right(other(kind)),
-            Column::Left(kind) => Column::Left(other(kind)),
-            column => column,
-        }
+        Column { quantity, ..self }
     }
 
     /// Whether a column with a heading of this meaning may be this column.
-    pub fn may_be(self, Meaning { side, quantity }: Meaning) -> bool {
-        if let Some((wanted, kind)) = self.pitch() {
-            let is_unsaid = matches!(quantity, Quantity::Unstated | Quantity::Pitch);
-            return side == Some(wanted) && (is_unsaid || quantity.pitch_kind() == Some(kind));
+    pub fn may_be(self, heading: Column) -> bool {
+        let is_quantity = heading.quantity == self.quantity;
+        if self.kind().is_some() {
+            let is_unsaid = matches!(heading.quantity, Quantity::Unstated | Quantity::Pitch);
+            return heading.side == self.side && (is_unsaid || is_quantity);
         }
-        quantity == self.description().4 && (self != Column::Deviation || side.is_none())
+        is_quantity && (self.quantity != Quantity::Deviation || heading.side.is_none())
     }
 
     /// Whether a column that the user names may be this column. Its heading may state less, but nothing else.
-    pub fn may_be_named(self, meaning: Meaning) -> bool {
-        let Meaning { side, quantity } = meaning;
+    pub fn may_be_named(self, heading: Column) -> bool {
+        let Column { side, quantity } = heading;
         let is_deviation = quantity == Quantity::Deviation;
         let is_unsaid = matches!(
             quantity,
             Quantity::Unstated | Quantity::MeasuredRight | Quantity::MeasuredLeft
         );
-        if let Some((wanted, _)) = self.pitch() {
+        if self.kind().is_some() {
             let fits = is_unsaid || quantity.is_pitch() || is_deviation;
-            return fits && side.is_none_or(|side| side == wanted);
+            return fits && (side.is_none() || side == self.side);
         }
         is_unsaid
-            || (is_deviation && matches!(self, Column::Thickness | Column::Runout))
-            || self.may_be(meaning)
+            || (is_deviation && matches!(self.quantity, Quantity::Thickness | Quantity::Runout))
+            || self.may_be(heading)
     }
 }
 
@@ -171,7 +218,8 @@ pub fn headings(wanted: &[Column]) -> String {
         "" => column.name().to_owned(),
         unit => format!("{} ({unit})", column.name()),
     });
-    let place = if wanted.contains(&Column::Deviation) {
+    let mut wanted = wanted.iter();
+    let place = if wanted.any(|column| column.quantity == Quantity::Deviation) {
         "tooth, flank"
     } else {
         "tooth"

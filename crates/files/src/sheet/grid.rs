@@ -8,11 +8,11 @@ use super::number::{self, Decimal, Written};
 use crate::data_file::DataFile;
 
 /// Most cells of a table: those of 10 000 teeth in 20 columns.
-pub const MOST_CELLS: usize = 200_000;
+pub const MAX_CELLS: usize = 200_000;
 /// Most rows of a protocol: those of both flanks of 10 000 teeth.
-pub const MOST_ROWS: usize = 20_000;
+pub const MAX_ROWS: usize = 20_000;
 /// Sheets that a message lists by name.
-pub const MOST_NAMED: usize = 10;
+pub const MAX_NAMED: usize = 10;
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {

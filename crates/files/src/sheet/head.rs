@@ -1,8 +1,8 @@
 //! The header of a table: the line that names its columns, with the group headings above and the units below.
 
-use super::column::Column;
+use super::column::{Column, Quantity};
 use super::grid::{Cell, Line, letter};
-use super::heading::{self, Meaning, Quantity};
+use super::heading;
 use super::number::Decimal;
 use crate::characters::listed;
 use crate::data_file::DataFile;
@@ -13,7 +13,7 @@ use serde::Deserialize;
 use std::fmt::Display;
 
 /// Lines in which a header is searched, and most cells of such a line. Each cell takes some µs.
-const MOST_SEARCHED: usize = 1_000;
+const MAX_SEARCHED: usize = 1_000;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heading {
@@ -22,7 +22,7 @@ pub struct Heading {
     /// Its own cell, preceded by that of its group.
     pub shown: String,
     /// `None` where the words are not known.
-    pub meaning: Option<Meaning>,
+    pub meaning: Option<Column>,
     pub unit: Option<&'static str>,
 }
 
@@ -106,10 +106,10 @@ impl Head {
         if let Some(row) = choice.header_row {
             return good(lines.iter().position(|line| line.number == row)?);
         }
-        let searched = lines.len().min(MOST_SEARCHED);
+        let searched = lines.len().min(MAX_SEARCHED);
         let mut places = (0..searched).filter(|at| {
             let line = &lines[*at];
-            !line.is_comment() && line.cells.len() <= MOST_SEARCHED
+            !line.is_comment() && line.cells.len() <= MAX_SEARCHED
         });
         let first = places.find_map(good)?;
         let next = lines.get(first.at + 1);
@@ -173,11 +173,11 @@ impl Head {
         if let Some(name) = choice.column(TOOTH) {
             return self.named(name);
         }
-        let of_space = |column: &Column| matches!(column, Column::OverPins | Column::Runout);
+        let wants = |quantity| wanted.iter().any(|column| column.quantity == quantity);
         let teeth = self.places(|heading| match heading.quantity() {
             Some(Quantity::Tooth) => true,
-            Some(Quantity::FirstTooth) => wanted.contains(&Column::Span),
-            Some(Quantity::Space) => wanted.iter().any(of_space),
+            Some(Quantity::FirstTooth) => wants(Quantity::Span),
+            Some(Quantity::Space) => wants(Quantity::OverPins) || wants(Quantity::Runout),
             _ => false,
         });
         if !teeth.is_empty() {
@@ -212,7 +212,7 @@ impl Head {
 /// Whether `text` heads a group of columns: a pitch or a flank. Directly above its column any known heading does.
 fn is_group(text: &str, is_above: bool) -> bool {
     let meaning = heading::meaning(heading::name_and_unit(text).0, None);
-    meaning.is_some_and(|Meaning { quantity, .. }| {
+    meaning.is_some_and(|Column { quantity, .. }| {
         is_above || quantity == Quantity::Unstated || quantity.is_pitch()
     })
 }

@@ -2,69 +2,11 @@
 //!
 //! `headings.toml` holds the words. Every word must be known: "left limit" is not a left flank.
 
+use super::column::{Column, Quantity};
 use gearlash::gear::Side;
-use gearlash::metrology::PitchKind;
 use serde::{Deserialize, Deserializer};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::LazyLock;
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Quantity {
-    /// Not stated: the heading names only a flank.
-    Unstated,
-    Tooth,
-    Number,
-    /// The first tooth of a span.
-    FirstTooth,
-    Space,
-    Pitch,
-    SinglePitch,
-    CumulativePitch,
-    Runout,
-    Thickness,
-    Span,
-    OverPins,
-    OverThreePins,
-    RollLength,
-    Diameter,
-    /// Height from an end of the teeth.
-    Height,
-    Deviation,
-    /// The name of a flank in each row.
-    Flank,
-    CenterDistance,
-    WheelTooth,
-    PinionTooth,
-    MeasuredRight,
-    MeasuredLeft,
-    PredictedMin,
-    PredictedMax,
-    /// Words about the origin of a row.
-    Source,
-}
-
-impl Quantity {
-    /// Whether it is a pitch deviation of any kind.
-    pub fn is_pitch(self) -> bool {
-        self == Quantity::Pitch || self.pitch_kind().is_some()
-    }
-
-    /// Kind of a pitch deviation, where it is stated.
-    pub fn pitch_kind(self) -> Option<PitchKind> {
-        match self {
-            Quantity::SinglePitch => Some(PitchKind::Single),
-            Quantity::CumulativePitch => Some(PitchKind::Cumulative),
-            _ => None,
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Meaning {
-    pub side: Option<Side>,
-    pub quantity: Quantity,
-}
 
 type Set = HashSet<String>;
 
@@ -152,7 +94,7 @@ pub fn name_and_unit(text: &str) -> (&str, Option<&'static str>) {
 }
 
 /// Meaning of `name`, without its unit, below the `group` heading; `None` where a word is unknown or two words contradict.
-pub fn meaning(name: &str, group: Option<&str>) -> Option<Meaning> {
+pub fn meaning(name: &str, group: Option<&str>) -> Option<Column> {
     let own = of_words(name);
     let Some(group) = group else { return own };
     match own.map(|own| own.quantity) {
@@ -165,7 +107,7 @@ pub fn meaning(name: &str, group: Option<&str>) -> Option<Meaning> {
 /// The flank that a word or letter in a cell names.
 pub fn side(text: &str) -> Option<Side> {
     match of_words(text) {
-        Some(Meaning {
+        Some(Column {
             side,
             quantity: Quantity::Unstated,
         }) => side,
@@ -182,12 +124,9 @@ fn letter(word: &str) -> Option<Side> {
     }
 }
 
-fn of_words(name: &str) -> Option<Meaning> {
+fn of_words(name: &str) -> Option<Column> {
     if let Some(quantity) = VOCABULARY.quantities.get(&plain(name)) {
-        return Some(Meaning {
-            side: None,
-            quantity: *quantity,
-        });
+        return Some(Column::of(*quantity));
     }
     let (mut side, mut rest, mut has_flank) = (None, Vec::new(), false);
     let (mut is_letter, mut is_both) = (false, false);
@@ -212,7 +151,7 @@ fn of_words(name: &str) -> Option<Meaning> {
             None => rest.push(part),
         }
     }
-    let meaning_of = |side, quantity| Some(Meaning { side, quantity });
+    let meaning_of = |side, quantity| Some(Column { side, quantity });
     if is_both {
         // "Flanke L/R": each row names its flank.
         return meaning_of(None, Quantity::Flank).filter(|_| has_flank && rest.is_empty());

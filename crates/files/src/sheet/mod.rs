@@ -22,16 +22,16 @@ mod xlsx;
 
 use super::data_file::DataFile;
 use super::table::Table;
-pub use column::Column;
+pub use column::{Column, Quantity};
 use gearlash::metrology::PitchKind;
-pub use grid::MOST_CELLS;
+pub use grid::MAX_CELLS;
 use grid::{Cell, Grid, Line, letter};
 pub use head::Choice;
 pub use header::{Header, StatedGear};
-use heading::Quantity;
 use number::Decimal;
 pub use request::{Coverage, Request, Wanted};
-pub use rows::{Found, Row, Unread};
+use rows::Found;
+pub use rows::{Row, Unread};
 
 /// Formats that are not read: their first bytes and names.
 const NOT_READ: [(&[u8], &str); 2] = [
@@ -51,6 +51,8 @@ pub struct Sheet {
     /// At least one: by ascending tooth, or points in the order of their lines.
     pub rows: Vec<Row>,
     pub columns: Vec<Column>,
+    /// Where each row comes from, in words; empty where the table does not say.
+    pub sources: Vec<String>,
     /// Place of the table in its file; `None` in a protocol.
     pub origin: Option<Origin>,
 }
@@ -79,7 +81,8 @@ impl Sheet {
         let file = DataFile::of(table)?;
         let choice = Choice::of(table);
         let sheet = file.list(|| {
-            let content = Content::read(&file, (file.bytes()?, MOST_CELLS), table, &choice)?;
+            let content =
+                Content::read(&file, (file.bytes()?, wanted.most_cells()), table, &choice)?;
             let request = Request {
                 file: &file,
                 choice: &choice,
@@ -93,6 +96,11 @@ impl Sheet {
             .and_then(|origin| origin.remark(&file));
         table.reading().add_remark(sheet.header.remark().or(origin));
         Some((file, sheet))
+    }
+
+    /// Reads the `quantity` of every tooth from the file that `table` names.
+    pub fn of_one_quantity(table: &Table, quantity: Quantity, teeth: Option<u32>) -> Option<Sheet> {
+        Sheet::of_every_tooth(table, &[Column::of(quantity)], teeth)
     }
 
     /// Reads the `columns` of every tooth from the file that `table` names.
@@ -114,8 +122,13 @@ impl Sheet {
                     header: Header::default(),
                     rows: found.rows(request)?,
                     columns: columns.map(|(column, _)| *column).collect(),
+                    sources: found.sources(request.file),
                     origin: Some(Origin::of(found, grids)),
                 });
+            }
+            Content::Protocol(_) | Content::P40(_) if request.wanted.is_results() => {
+                let help = "name a table of the rig's results";
+                return request.file.refuse("is a protocol", help);
             }
             Content::Protocol(_) if request.wanted.is_points() => {
                 return request.file.refuse(
@@ -130,6 +143,7 @@ impl Sheet {
             header,
             rows,
             columns: request.wanted.columns.to_vec(),
+            sources: Vec::new(),
             origin: None,
         })
     }
@@ -271,7 +285,7 @@ impl Content {
         match self {
             Content::Cells(grids) => request.is_there(grids),
             Content::P40(text) if request.wanted.is_points() => {
-                if request.wanted.columns.contains(&Column::Height) {
+                if request.wanted.has(Quantity::Height) {
                     p40::has_leads(text)
                 } else {
                     p40::has_profiles(text)

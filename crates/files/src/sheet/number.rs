@@ -8,13 +8,13 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::column::Column;
+use super::column::{Column, Quantity};
 use crate::data_file::DataFile;
 
 /// Word processors turn a hyphen before a number into this sign.
 const MINUS: char = '\u{2212}';
 /// No span, dimension over pins or centre distance reaches this length, mm.
-const MOST_MM: f64 = 10_000.0;
+const MAX_MM: f64 = 10_000.0;
 
 /// A sign between whole part and fraction.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -212,8 +212,8 @@ pub fn check_decimal_sign(
 /// Whether the sign of `number` can separate thousands. In a length it can only where a thousand times its value is possible.
 fn may_be_thousands(column: Column, number: &Written) -> bool {
     let is_length = matches!(
-        column,
-        Column::Span | Column::OverPins | Column::CenterDistance
+        column.quantity,
+        Quantity::Span | Quantity::OverPins | Quantity::CenterDistance
     );
-    number.may_be_thousands && !(is_length && 1000.0 * number.value >= MOST_MM)
+    number.may_be_thousands && !(is_length && 1000.0 * number.value >= MAX_MM)
 }

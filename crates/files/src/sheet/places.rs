@@ -1,9 +1,8 @@
 //! Places of the columns in a header: one each, or an error that lists the candidates.
 
-use super::column::Column;
-use super::grid::{Line, MOST_ROWS, letter};
+use super::column::{Column, Quantity};
+use super::grid::{Line, MAX_ROWS, letter};
 use super::head::{Head, Heading, TOOTH};
-use super::heading::Quantity;
 use super::request::Request;
 use crate::error::Problem;
 use crate::node::Node;
@@ -116,8 +115,13 @@ impl Request<'_> {
         let tooth = optional("tooth", head.teeth(&[], self.choice));
         let is_flank = |heading: &Heading| heading.quantity() == Some(Quantity::Flank);
         let flank = optional("flank", head.places(is_flank));
-        let columns = self.wanted.places_of_points().iter();
-        let places = columns.map(|column| (*column, head.places_of(*column, self.choice)));
+        let columns = self
+            .wanted
+            .places_of_points()
+            .iter()
+            .copied()
+            .map(Column::of);
+        let places = columns.map(|column| (column, head.places_of(column, self.choice)));
         let places: Vec<(Column, Vec<usize>)> = places.collect();
         let there = || places.iter().filter(|(_, at)| !at.is_empty());
         if there().count() > 1 {
@@ -125,10 +129,11 @@ impl Request<'_> {
             return self.refuse(head, reason, "remove one: they say the same");
         }
         let (by, at) = there().next().or(places.first())?;
-        let deviation = head.places_of(Column::Deviation, self.choice);
+        let column = Column::of(Quantity::Deviation);
+        let deviation = head.places_of(column, self.choice);
         let at = self.keep(self.one(head, *by, at));
-        let deviation = self.keep(self.one(head, Column::Deviation, &deviation));
-        let values = vec![(*by, at?), (Column::Deviation, deviation?)];
+        let deviation = self.keep(self.one(head, column, &deviation));
+        let values = vec![(*by, at?), (column, deviation?)];
         Some(Places {
             tooth: tooth?,
             flank: flank?,
@@ -253,7 +258,7 @@ impl Request<'_> {
     fn missing(&self, head: &Head, name: &str, key: &str) -> Problem {
         let of_three = |heading: &Heading| heading.quantity() == Some(Quantity::OverThreePins);
         if let Some(place) = head.places(of_three).first()
-            && name == Column::OverPins.name()
+            && name == Column::of(Quantity::OverPins).name()
         {
             let shown = head.shown_one(self.file, *place);
             return head.problem(
@@ -343,6 +348,6 @@ fn repeated_header(head: &Head, lines: &[Line]) -> Option<u64> {
         let below = Head::of(lines, *at);
         !lines[*at].is_comment() && below.places(|heading| heading.meaning.is_some()).len() > 1
     };
-    let mut below = (head.at + 2..lines.len()).take(MOST_ROWS);
+    let mut below = (head.at + 2..lines.len()).take(MAX_ROWS);
     below.find(is_again).map(|at| lines[at].number)
 }

@@ -4,8 +4,8 @@
 //! `rechte Zahnflanke`, a line `Zahn-Nr. fp Fp Fr`, and a row per tooth, in µm. Only these and the known header lines are read.
 //! Within a block everything must be a row until a blank line and other text. Curve files have the same blocks.
 
-use super::column::Column;
-use super::grid::MOST_ROWS;
+use super::column::{Column, Quantity};
+use super::grid::MAX_ROWS;
 use super::header::Header;
 use super::number::{self, Written, without_zero};
 use super::request::{Request, Wanted};
@@ -13,29 +13,14 @@ use super::rows::{Row, ordered};
 use crate::data_file::DataFile;
 use crate::numbers::ascii;
 use gearlash::gear::Side;
-use gearlash::metrology::PitchKind;
 use std::collections::HashMap;
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Name {
-    /// `Zahn-Nr.`
-    Tooth,
-    /// `fp`: single pitch deviation.
-    Single,
-    /// `Fp`: cumulative pitch deviation.
-    Cumulative,
-    /// `Fr`: runout reading.
-    Runout,
-    /// `fu`: difference of neighbouring single pitches, which follows from the others.
-    Jump,
-}
-
-const NAMES: [(&str, Name); 5] = [
-    ("Zahn-Nr.", Name::Tooth),
-    ("fp", Name::Single),
-    ("Fp", Name::Cumulative),
-    ("Fr", Name::Runout),
-    ("fu", Name::Jump),
+const NAMES: [(&str, Quantity); 5] = [
+    ("Zahn-Nr.", Quantity::Tooth),
+    ("fp", Quantity::SinglePitch),
+    ("Fp", Quantity::CumulativePitch),
+    ("Fr", Quantity::Runout),
+    ("fu", Quantity::PitchDifference),
 ];
 
 /// Numbers that machines print for a missing value, whatever the preamble states.
@@ -55,7 +40,7 @@ struct Block<'a> {
     side: Side,
     line: u64,
     /// Its columns, `Zahn-Nr.` first; none before their line is read.
-    columns: Vec<Name>,
+    columns: Vec<Quantity>,
     /// Line, tooth, and the values of the other columns.
     rows: Vec<Numbers<'a>>,
 }
@@ -91,19 +76,12 @@ pub fn side(line: &str) -> Option<Side> {
 }
 
 /// The column that `word` names, perhaps with its unit.
-fn named(word: &str) -> Option<Name> {
+fn named(word: &str) -> Option<Quantity> {
     let word = word.strip_suffix("[µm]").unwrap_or(word);
     let mut names = NAMES.iter();
     names
         .find(|(known, _)| *known == word)
         .map(|(_, name)| *name)
-}
-
-fn name_of(kind: PitchKind) -> Name {
-    match kind {
-        PitchKind::Single => Name::Single,
-        PitchKind::Cumulative => Name::Cumulative,
-    }
 }
 
 /// Whether `text` has the head of a block.
@@ -113,15 +91,13 @@ pub fn is_one(text: &str) -> bool {
 
 /// Whether a line of `text` below the head of a block names `column`.
 pub fn has(text: &str, column: Column) -> bool {
-    let name = match column {
-        Column::Right(kind) | Column::Left(kind) => name_of(kind),
-        Column::Runout => Name::Runout,
-        _ => return false,
-    };
+    if column.kind().is_none() && column.quantity != Quantity::Runout {
+        return false;
+    }
     let mut lines = text.lines().filter(|line| !line.trim().is_empty());
     while lines.any(|line| side(line).is_some()) {
         let mut symbols = lines.next().unwrap_or_default().split_whitespace();
-        if symbols.any(|word| named(word) == Some(name)) {
+        if symbols.any(|word| named(word) == Some(column.quantity)) {
             return true;
         }
     }
@@ -189,7 +165,7 @@ impl<'a> Blocks<'a> {
 
     /// Whether no further row is read.
     fn is_full(&self) -> bool {
-        self.rows >= MOST_ROWS
+        self.rows >= MAX_ROWS
     }
 
     pub fn begin(&mut self, side: Side, line: u64) -> Result<(), Wrong> {
@@ -235,7 +211,7 @@ impl<'a> Blocks<'a> {
             block.columns =
                 columns.map_err(wrong("name the columns there: Zahn-Nr. fp Fp Fr", true))?;
         } else if is_full {
-            let reason = format!("more rows than the {MOST_ROWS} of both flanks of 10 000 teeth");
+            let reason = format!("more rows than the {MAX_ROWS} of both flanks of 10 000 teeth");
             return Err(wrong("give a protocol of one gear", true)(reason));
         } else {
             self.rows += 1;
@@ -250,12 +226,11 @@ impl<'a> Blocks<'a> {
     pub fn rows(&self, request: &Request) -> Option<Vec<Row>> {
         let Request { file, wanted, .. } = request;
         let columns = wanted.columns.iter().map(|column| {
-            let values = match *column {
-                Column::Right(kind) => self.pitch(file, Side::Right, kind),
-                Column::Left(kind) => self.pitch(file, Side::Left, kind),
-                Column::Runout => self.runout(file),
-                other => {
-                    let reason = format!("is a pitch protocol, which has no {}", other.name());
+            let values = match (column.side, column.quantity) {
+                (Some(side), pitch) => self.pitch(file, side, pitch),
+                (None, Quantity::Runout) => self.runout(file),
+                (None, _) => {
+                    let reason = format!("is a pitch protocol, which has no {}", column.name());
                     file.refuse(reason, "name a table that has it")
                 }
             };
@@ -271,11 +246,7 @@ impl<'a> Blocks<'a> {
         let columns: Vec<Option<Vec<Row>>> = columns.collect();
         let mut columns = columns.into_iter().collect::<Option<Vec<_>>>()?.into_iter();
         // Every tooth is now known to be there once.
-        if wanted
-            .columns
-            .iter()
-            .any(|column| *column != Column::Runout)
-        {
+        if wanted.columns.iter().any(|column| column.kind().is_some()) {
             for block in &self.blocks {
                 block.check_kinds_agree(file);
             }
@@ -292,7 +263,7 @@ impl<'a> Blocks<'a> {
         Some(rows)
     }
 
-    fn pitch(&self, file: &DataFile, side: Side, kind: PitchKind) -> Option<Values<'a>> {
+    fn pitch(&self, file: &DataFile, side: Side, pitch: Quantity) -> Option<Values<'a>> {
         let Some(block) = self.blocks.iter().find(|block| block.side == side) else {
             let reason = match side {
                 Side::Left => "has no block linke Zahnflanke",
@@ -300,11 +271,11 @@ impl<'a> Blocks<'a> {
             };
             return file.refuse(reason, "give a protocol of both flanks");
         };
-        let values = block.column(name_of(kind));
+        let values = block.column(pitch);
         if values.is_none() {
-            let reason = match kind {
-                PitchKind::Single => "the block has no column fp",
-                PitchKind::Cumulative => "the block has no column Fp",
+            let reason = match pitch {
+                Quantity::SinglePitch => "the block has no column fp",
+                _ => "the block has no column Fp",
             };
             let help = "give the other kind, or a protocol that has it";
             file.add_at(block.line, reason, help);
@@ -317,7 +288,7 @@ impl<'a> Blocks<'a> {
         let mut columns = self
             .blocks
             .iter()
-            .filter_map(|block| block.column(Name::Runout));
+            .filter_map(|block| block.column(Quantity::Runout));
         let Some(first) = columns.next() else {
             return file.refuse("has no column Fr", "give a protocol that has it");
         };
@@ -345,7 +316,7 @@ impl<'a> Blocks<'a> {
 
 impl<'a> Block<'a> {
     /// The values of a column, with their lines and teeth; `None` where the block does not have it.
-    fn column(&self, name: Name) -> Option<Values<'a>> {
+    fn column(&self, name: Quantity) -> Option<Values<'a>> {
         let place = self.columns.iter().position(|column| *column == name)?;
         let value = |(line, tooth, values): &Numbers<'a>| {
             Some((*line, *tooth, *values.get(place.checked_sub(1)?)?))
@@ -357,7 +328,7 @@ impl<'a> Block<'a> {
     /// of the three. The block has every tooth once.
     fn check_kinds_agree(&self, file: &DataFile) {
         let [Some(mut single), Some(mut cumulative)] =
-            [Name::Single, Name::Cumulative].map(|name| self.column(name))
+            [Quantity::SinglePitch, Quantity::CumulativePitch].map(|name| self.column(name))
         else {
             return;
         };
@@ -387,7 +358,7 @@ impl<'a> Block<'a> {
     }
 }
 
-fn columns(file: &DataFile, text: &str) -> Result<Vec<Name>, String> {
+fn columns(file: &DataFile, text: &str) -> Result<Vec<Quantity>, String> {
     let mut names = Vec::new();
     for word in text.split_whitespace() {
         match named(word) {
@@ -399,7 +370,7 @@ fn columns(file: &DataFile, text: &str) -> Result<Vec<Name>, String> {
         }
     }
     match names.first() {
-        Some(Name::Tooth) => Ok(names),
+        Some(Quantity::Tooth) => Ok(names),
         _ => Err("column Zahn-Nr. is missing".to_owned()),
     }
 }
@@ -408,7 +379,7 @@ fn columns(file: &DataFile, text: &str) -> Result<Vec<Name>, String> {
 fn row<'a>(
     file: &DataFile,
     text: &'a str,
-    columns: &[Name],
+    columns: &[Quantity],
     unmeasured: Option<f64>,
 ) -> Result<(u32, Vec<Written<'a>>), String> {
     let mut words = text.split_whitespace();

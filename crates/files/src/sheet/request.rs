@@ -1,7 +1,7 @@
 //! A request for a table: its file and columns; and the header that it finds in one of the file's grids.
 
-use super::column::{self, Column};
-use super::grid::{Grid, MOST_NAMED};
+use super::column::{self, Column, Quantity};
+use super::grid::{Grid, MAX_CELLS, MAX_NAMED};
 use super::head::{Choice, Head};
 use crate::data_file::DataFile;
 use crate::error::Problem;
@@ -23,7 +23,7 @@ pub enum Coverage {
     EveryTooth,
     /// Some teeth, each at most once.
     SomeTeeth,
-    /// Points of traces. Tooth and flank are optional; [`Column::RollLength`] also accepts a diameter. A curve file of profiles needs
+    /// Points of traces. Tooth and flank are optional; [`Quantity::RollLength`] also accepts a diameter. A curve file of profiles needs
     /// the radius of the base circle, mm, where its header does not state the gear.
     Points { base_radius: Option<f64> },
     /// Results of a rig, in the order of their lines. `teeth` are the teeth of wheel and pinion, where known.
@@ -37,17 +37,33 @@ impl Wanted<'_> {
     }
 
     /// The columns that can state the place of a point.
-    pub fn places_of_points(&self) -> &'static [Column] {
-        if self.columns.contains(&Column::Height) {
-            &[Column::Height]
+    pub fn places_of_points(&self) -> &'static [Quantity] {
+        if self.has(Quantity::Height) {
+            &[Quantity::Height]
         } else {
-            &[Column::RollLength, Column::Diameter]
+            &[Quantity::RollLength, Quantity::Diameter]
         }
+    }
+
+    /// Whether a column of the `quantity` is wanted.
+    pub fn has(&self, quantity: Quantity) -> bool {
+        self.columns
+            .iter()
+            .any(|column| column.quantity == quantity)
     }
 
     /// Whether the rows are results of a rig.
     pub fn is_results(&self) -> bool {
         matches!(self.coverage, Coverage::Results { .. })
+    }
+
+    /// Most cells of a CSV file; those of results have up to 250 000 rows.
+    pub fn most_cells(&self) -> usize {
+        if self.is_results() {
+            10 * MAX_CELLS
+        } else {
+            MAX_CELLS
+        }
     }
 
     pub fn is_by_tooth(&self) -> bool {
@@ -87,7 +103,8 @@ impl Request<'_> {
         let has = |column: Column| !head.places_of(column, self.choice).is_empty();
         if self.wanted.is_points() {
             let mut places = self.wanted.places_of_points().iter();
-            return has(Column::Deviation) && places.any(|column| has(*column));
+            let has = |quantity| has(Column::of(quantity));
+            return has(Quantity::Deviation) && places.any(|quantity| has(*quantity));
         }
         if self.wanted.is_results() {
             return wanted.iter().filter(|column| has(**column)).count() > 1;
@@ -168,9 +185,7 @@ impl Request<'_> {
             wanted,
         } = self;
         let names = |grids: &mut dyn Iterator<Item = &Grid>| {
-            let names = grids
-                .filter_map(|grid| grid.sheet.as_ref())
-                .take(MOST_NAMED);
+            let names = grids.filter_map(|grid| grid.sheet.as_ref()).take(MAX_NAMED);
             names
                 .map(|name| file.quote(name))
                 .collect::<Vec<_>>()

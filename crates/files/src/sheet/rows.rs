@@ -1,6 +1,6 @@
 //! Rows of a table: from its lines to numbers, in the order of the teeth; and the parts of the file that are left out.
 
-use super::column::Column;
+use super::column::Quantity;
 use super::grid::{Cell, Grid, Line, letter};
 use super::head::Head;
 use super::heading;
@@ -13,8 +13,8 @@ use gearlash::gear::{Flank, Side};
 use std::ops::{RangeBounds, RangeInclusive};
 
 /// Most lines, columns or teeth that a message lists. Tuned: a message of a few lines.
-const MOST_LISTED: usize = 8;
-const MOST_TEETH_LISTED: usize = 10;
+const MAX_LISTED: usize = 8;
+const MAX_TEETH_LISTED: usize = 10;
 
 /// A row: one tooth, or one point of a trace.
 #[derive(Debug, Clone, PartialEq)]
@@ -196,9 +196,9 @@ impl<'a> Found<'a> {
         let mut values = Vec::new();
         for (column, place) in &self.places.values {
             let (cell, limits) = (line.cell(*place), column.limits());
-            let teeth = match (request.wanted.coverage, column) {
-                (Coverage::Results { teeth }, Column::WheelTooth) => Some(teeth[0]),
-                (Coverage::Results { teeth }, Column::PinionTooth) => Some(teeth[1]),
+            let teeth = match (request.wanted.coverage, column.quantity) {
+                (Coverage::Results { teeth }, Quantity::WheelTooth) => Some(teeth[0]),
+                (Coverage::Results { teeth }, Quantity::PinionTooth) => Some(teeth[1]),
                 _ => None,
             };
             if let Some(teeth) = teeth {
@@ -217,7 +217,8 @@ impl<'a> Found<'a> {
                 }
                 None => wrong(column.name(), cell, limits.allowed),
             }
-            if let (Column::PredictedMax, [_, _, _, _, _, min, max]) = (column, &values[..])
+            if let (Quantity::PredictedMax, [_, _, _, _, _, min, max]) =
+                (column.quantity, &values[..])
                 && min > max
             {
                 wrong(column.name(), cell, "predicted_min_um or above");
@@ -255,11 +256,11 @@ fn lines_in_words(file: &DataFile, mut lines: Vec<(u64, &str)>) -> Option<String
         }
     };
     let labels = lines.iter().filter(|(_, label)| !label.is_empty());
-    let mut labels = first_of(labels.map(|(_, label)| file.quote(label)), MOST_LISTED);
+    let mut labels = first_of(labels.map(|(_, label)| file.quote(label)), MAX_LISTED);
     if !labels.is_empty() {
         labels = format!(" ({labels})");
     }
-    let shown = first_of(runs.into_iter().map(run), MOST_LISTED);
+    let shown = first_of(runs.into_iter().map(run), MAX_LISTED);
     (!lines.is_empty()).then(|| format!("line{} {shown}{labels}", plural(lines.len())))
 }
 
@@ -292,7 +293,7 @@ impl Unread {
         let names = self.columns.iter().filter(|(letter, _)| is_named(letter));
         let names: Vec<String> = names.map(|(_, name)| name.clone()).collect();
         let column = format!("column{}", plural(names.len()));
-        (!names.is_empty()).then(|| format!("{column} {}", first_of(names, MOST_LISTED)))
+        (!names.is_empty()).then(|| format!("{column} {}", first_of(names, MAX_LISTED)))
     }
 }
 
@@ -392,13 +393,13 @@ pub fn ordered(file: &DataFile, mut rows: Vec<Row>, wanted: Wanted) -> Option<Ve
 fn teeth_named(teeth: &[u32]) -> String {
     let named: Vec<String> = teeth
         .iter()
-        .take(MOST_TEETH_LISTED)
+        .take(MAX_TEETH_LISTED)
         .map(u32::to_string)
         .collect();
     let named = named.join(", ");
     match teeth.len() {
         1 => format!("tooth {named}"),
-        count if count <= MOST_TEETH_LISTED => format!("teeth {named}"),
+        count if count <= MAX_TEETH_LISTED => format!("teeth {named}"),
         count => format!("teeth {named}, … ({count} in all)"),
     }
 }

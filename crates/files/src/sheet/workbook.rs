@@ -5,7 +5,7 @@
 //! Text that is a number is read as in a text file. A date can be a mistyped number (`1.2` in a German Excel): it is a problem
 //! with help.
 
-use super::grid::{Cell, Grid, Line, MOST_CELLS, MOST_NAMED};
+use super::grid::{Cell, Grid, Line, MAX_CELLS, MAX_NAMED};
 use super::xlsx::{Content, Parts, Workbook};
 use crate::data_file::DataFile;
 use crate::node::Node;
@@ -14,15 +14,15 @@ use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
 /// Most columns of a table: far more than the few it has.
-const MOST_COLUMNS: usize = 100;
+const MAX_COLUMNS: usize = 100;
 /// Most bytes of text in all cells: the limit of a text file.
-const MOST_TEXT: usize = 16 << 20;
+const MAX_TEXT: usize = 16 << 20;
 /// Most characters of one cell: the limit of spreadsheets.
-const MOST_CHARACTERS: usize = 32_767;
+const MAX_CHARACTERS: usize = 32_767;
 /// Most unpacked bytes of one part with cells: some hundred for each cell, and a few other sheets.
-const MOST_PART: u64 = 32 << 20;
+const MAX_PART: u64 = 32 << 20;
 /// Most unpacked bytes of all parts, pictures included; they are only skipped.
-const MOST_UNPACKED: u64 = 64 << 20;
+const MAX_UNPACKED: u64 = 64 << 20;
 /// By row and column, from 0.
 type Cells = BTreeMap<u32, BTreeMap<u32, Cell>>;
 
@@ -48,13 +48,9 @@ pub fn read(file: &DataFile, bytes: Vec<u8>, name: Option<&str>) -> Option<Vec<G
     let names: Vec<String> = workbook.sheets().map(str::to_owned).collect();
     if let Some(name) = name.filter(|name| !names.iter().any(|known| known == name)) {
         let shown = Node::Text(name.to_owned()).shown();
-        let quoted = names.iter().take(MOST_NAMED).map(|name| file.quote(name));
+        let quoted = names.iter().take(MAX_NAMED).map(|name| file.quote(name));
         let listed = quoted.collect::<Vec<_>>().join(", ");
-        let more = if names.len() > MOST_NAMED {
-            ", …"
-        } else {
-            ""
-        };
+        let more = if names.len() > MAX_NAMED { ", …" } else { "" };
         let reason = format!("has no sheet {shown}, its sheets are {listed}{more}");
         return file.refuse(reason, "correct the name");
     }
@@ -112,9 +108,9 @@ impl CellReader<'_> {
                 continue;
             }
             self.cells += 1;
-            if column as usize >= MOST_COLUMNS || self.cells > MOST_CELLS {
+            if column as usize >= MAX_COLUMNS || self.cells > MAX_CELLS {
                 return Err(format!(
-                    "{} is outside the table limits: up to {MOST_COLUMNS} columns and {MOST_CELLS} cells are read",
+                    "{} is outside the table limits: up to {MAX_COLUMNS} columns and {MAX_CELLS} cells are read",
                     place()
                 ));
             }
@@ -132,16 +128,16 @@ impl CellReader<'_> {
         if text.is_empty() {
             return Ok(Cell::Empty);
         }
-        if text.chars().nth(MOST_CHARACTERS).is_some() {
+        if text.chars().nth(MAX_CHARACTERS).is_some() {
             return Err(format!(
-                "has more than {MOST_CHARACTERS} characters, the most a cell may have"
+                "has more than {MAX_CHARACTERS} characters, the most a cell may have"
             ));
         }
         self.text += text.len();
-        if self.text > MOST_TEXT {
+        if self.text > MAX_TEXT {
             return Err(format!(
                 "the text of the cells up to here has more than {} MiB, the most a table may have",
-                MOST_TEXT >> 20
+                MAX_TEXT >> 20
             ));
         }
         Ok(Cell::Text(text.to_owned()))
@@ -172,25 +168,25 @@ fn grid(sheet: String, cells: Cells) -> Option<Grid> {
 fn unpacked(file: &DataFile, bytes: &[u8]) -> Result<Parts, String> {
     let shown = |error: &dyn std::error::Error| file.bare(&error.to_string());
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| shown(&error))?;
-    let mut left = MOST_UNPACKED;
+    let mut left = MAX_UNPACKED;
     let mut parts = Parts::new();
     for index in 0..archive.len() {
         let part = archive.by_index(index).map_err(|error| shown(&error))?;
         let name = part.name().map_err(|error| shown(&error))?.into_owned();
         let in_part = |reason: String| format!("{}: {reason}", file.bare(&name));
         let mut content = Vec::new();
-        let mut part = part.take(left.min(MOST_PART) + 1);
+        let mut part = part.take(left.min(MAX_PART) + 1);
         let read = part
             .read_to_end(&mut content)
             .map_err(|error| in_part(shown(&error)))? as u64;
-        if read > MOST_PART {
-            let most = MOST_PART >> 20;
+        if read > MAX_PART {
+            let most = MAX_PART >> 20;
             return Err(in_part(format!(
                 "more than {most} MiB unpacked, the most a part may have"
             )));
         }
         left = left.checked_sub(read).ok_or_else(|| {
-            let most = MOST_UNPACKED >> 20;
+            let most = MAX_UNPACKED >> 20;
             format!("its parts have more than {most} MiB unpacked, the most they may have")
         })?;
         let name = name.to_lowercase();

@@ -11,8 +11,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
 /// Letters and digits of the last cell of a spreadsheet, XFD1048576.
-const MOST_LETTERS: usize = 3;
-const MOST_DIGITS: usize = 7;
+const MAX_LETTERS: usize = 3;
+const MAX_DIGITS: usize = 7;
 
 /// The unpacked parts of an archive by their names in lower case.
 pub type Parts = BTreeMap<String, Vec<u8>>;
@@ -321,7 +321,7 @@ fn place(reference: &str) -> Result<(u32, Option<u32>), String> {
         .count();
     let (letters, digits) = reference.split_at(letters);
     let is_number = !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit());
-    if !is_number || letters.len() > MOST_LETTERS || digits.len() > MOST_DIGITS {
+    if !is_number || letters.len() > MAX_LETTERS || digits.len() > MAX_DIGITS {
         return Err(no_cell(reference));
     }
     let row = digits

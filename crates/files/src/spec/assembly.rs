@@ -19,7 +19,7 @@ use serde_with::skip_serializing_none;
 pub(crate) const DISTANCE_FIELD: &str =
     r"^ *[0-9.,]+ *((js|JS|H|h) *([5-9]|10)|(±|\+-) *[0-9.,]+) *$";
 /// Centre distances of one file: each is a run that holds both gears.
-pub(crate) const MOST_DISTANCES: usize = 10_000;
+pub(crate) const MAX_DISTANCES: usize = 10_000;
 /// Poses a pitch where none are stated.
 pub(crate) const DEFAULT_STEPS: u32 = 16;
 
@@ -221,7 +221,7 @@ fn of_rows() -> CenterDistanceSpec {
 pub enum CenterDistanceSpec {
     /// One distance, or a list, mm.
     #[schemars(with = "Either<f64, Vec<f64>>")]
-    #[schemars(transform = length(), transform = list_length(1, Some(MOST_DISTANCES)))]
+    #[schemars(transform = length(), transform = list_length(1, Some(MAX_DISTANCES)))]
     Distances(#[serde(deserialize_with = "one_or_list")] Vec<f64>),
     /// Nominal distance and tolerance.
     #[schemars(description = "")] // that of the struct

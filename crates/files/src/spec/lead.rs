@@ -1,10 +1,11 @@
 //! Deviations of the flanks along the face width.
 
-use super::profile::{ReliefShape, trace_rules};
-use super::rules::{columns, deviation, length, list_length, whole, within};
-use super::value::{Either, FlankSpec, FlanksSpec, TableFileSpec};
-use gearlash::gear::Hand;
-use schemars::{JsonSchema, Schema};
+use super::profile::ReliefShape;
+use super::rules::{deviation, length, within};
+use super::trace::{FlankSpec, FlanksSpec, LEAD_TRACE, TraceSpec, trace_of};
+use super::value::Either;
+use gearlash::gear::{Hand, PitchAxis};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_with::skip_serializing_none;
 
@@ -30,7 +31,7 @@ pub struct LeadSpec {
     pub from: TeethEnd,
     /// Axis of the measurement; "datum": traces contain the wobble, which is taken out of them.
     #[serde(default)]
-    pub axis: LeadAxis,
+    pub axis: PitchAxis,
 }
 
 /// Lead deviations of a flank, µm, plus = more material; they add.
@@ -49,7 +50,8 @@ pub struct FlankLeadSpec {
     /// Taken off towards the ends.
     pub end_relief: Option<Either<EndReliefSpec, Vec<EndReliefSpec>>>,
     /// Measured leads; teeth without one take the mean.
-    pub trace: Option<Either<LeadTraceSpec, Vec<LeadTraceSpec>>>,
+    #[schemars(transform = trace_of(&LEAD_TRACE))]
+    pub trace: Option<Either<TraceSpec, Vec<TraceSpec>>>,
 }
 
 /// Pattern of the helix slope of a spur gear.
@@ -116,35 +118,6 @@ pub struct EndReliefSpec {
     pub shape: ReliefShape,
 }
 
-/// A measured lead: heights, and the deviation at each; beyond its ends it stays as it is there.
-#[skip_serializing_none]
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(
-    transform = trace_keys,
-    transform = columns("from_reference_face_mm, deviation_um; tooth, flank where needed")
-)]
-pub struct LeadTraceSpec {
-    /// Tooth it was measured on; none: all.
-    #[schemars(transform = whole(1, 10_000))]
-    pub tooth: Option<u32>,
-    /// Heights, ascending.
-    #[schemars(transform = within(0.0, 1e6), transform = list_length(2, None))]
-    pub from_reference_face_mm: Option<Vec<f64>>,
-    /// Deviation at each.
-    #[schemars(transform = deviation(), transform = list_length(2, None))]
-    pub deviation_um: Option<Vec<f64>>,
-    /// In the transverse section, or normal to the teeth.
-    #[schemars(extend("default" = "transverse"))]
-    pub direction: Option<TraceDirection>,
-    /// Traces from a table.
-    #[serde(flatten)]
-    pub table: Option<TableFileSpec>,
-}
-
-fn trace_keys(schema: &mut Schema) {
-    trace_rules(schema, &["from_reference_face_mm"]);
-}
-
 /// The length that slopes refer to.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -169,18 +142,6 @@ pub enum TeethEnd {
     Far,
 }
 
-/// The axis about which leads were measured.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum LeadAxis {
-    /// That of the teeth.
-    #[default]
-    Own,
-    /// That of the bore.
-    Datum,
-}
-
 /// The ends of the teeth with a relief.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -195,27 +156,7 @@ pub enum ReliefEnd {
     Both,
 }
 
-/// The direction in which deviations of a trace count.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum TraceDirection {
-    /// Along the base tangent of the transverse section.
-    Transverse,
-    /// Normal to the teeth.
-    Normal,
-}
-
 impl FlankSpec for FlankLeadSpec {
-    type Trace = LeadTraceSpec;
-    const KEYS: &'static [&'static str] = &[
-        "slope_um",
-        "helix_slope_um",
-        "crowning_um",
-        "end_relief",
-        "trace",
-    ];
-
     fn or(self, both: FlankLeadSpec) -> FlankLeadSpec {
         FlankLeadSpec {
             slope_um: self.slope_um.or(both.slope_um),
@@ -226,7 +167,7 @@ impl FlankSpec for FlankLeadSpec {
         }
     }
 
-    fn trace(&mut self) -> &mut Option<Either<LeadTraceSpec, Vec<LeadTraceSpec>>> {
+    fn trace(&mut self) -> &mut Option<Either<TraceSpec, Vec<TraceSpec>>> {
         &mut self.trace
     }
 }

@@ -17,6 +17,7 @@ mod rules;
 mod schema;
 mod thickness;
 mod tolerance;
+mod trace;
 mod uncertainty;
 mod value;
 
@@ -26,20 +27,19 @@ pub use assembly::{
     DesignatedDistanceSpec, DistanceBandSpec, DistanceEndsSpec, GreatestSpec, MeasuredSpec,
     MisalignmentSpec, Phases, Revolutions, SweepSpec,
 };
-pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MOST_DISTANCES};
+pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MAX_DISTANCES};
 pub use explained::explained;
 pub(crate) use explained::{as_clause, members};
 pub use flanks::{FaceRunoutSpec, PitchSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
 pub use lead::{
-    EndReliefSpec, FlankLeadSpec, LeadAxis, LeadSpec, LeadTraceSpec, ReliefEnd, SlopeLength,
-    SpurSlopeSpec, TeethEnd, TraceDirection,
+    EndReliefSpec, FlankLeadSpec, LeadSpec, ReliefEnd, SlopeLength, SpurSlopeSpec, TeethEnd,
 };
 pub use outline::{
     CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,
 };
 pub use pair::{EitherGearSpec, GearFileSpec, PairSpec};
-pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
+pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub(crate) use schema::{DRAWINGS, GEAR, PAIR, TABLE};
 pub use schema::{gear_schema, pair_schema};
@@ -51,9 +51,10 @@ pub use tolerance::{
     AxesScatterSpec, GearToleranceSpec, LeadScatterSpec, PhaseName, PitchScatterSpec, ScatterName,
     ScatterSpec, SpreadSpec, ToleranceSpec,
 };
+pub use trace::{FlankSpec, FlanksSpec, TraceDirection, TraceSpec};
 pub use uncertainty::UncertaintySpec;
 pub(crate) use value::each_value;
-pub use value::{AllowanceBandSpec, BandSpec, Either, FlankSpec, FlanksSpec, TableFileSpec};
+pub use value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
 
 use gearlash::error::GearError;
 use gearlash::gear::ThicknessField;

@@ -11,21 +11,20 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use serde_with::skip_serializing_none;
 
-// `G` is `GearSpec` where both gears are given by their data, else `EitherGearSpec`. The schema has the comment below.
 /// Two cylindrical gears, what was measured on them, how they are put together.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "gearlash pair file")]
-pub struct PairSpec<G = GearSpec> {
+pub struct PairSpec {
     /// Shown in results and pictures; default: the file's name.
     #[schemars(with = "Option<String>")]
     pub title: String,
     /// Gear 1, left in the picture.
     #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
-    pub wheel: G,
+    pub wheel: EitherGearSpec,
     /// Gear 2, right in the picture.
     #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
-    pub pinion: G,
+    pub pinion: EitherGearSpec,
     /// How the gears are put together.
     #[schemars(with = "Option<AssemblySpec>")]
     pub assembly: AssemblySpec,
@@ -110,34 +109,14 @@ impl EitherGearSpec {
     }
 }
 
-impl<G> PairSpec<G> {
-    /// Wheel or pinion.
-    pub fn gear(&self, member: Member) -> &G {
-        [&self.wheel, &self.pinion][member as usize]
+impl PairSpec {
+    /// Wheel or pinion by its data; `None` for an outline.
+    pub fn data(&self, member: Member) -> Option<&GearSpec> {
+        [&self.wheel, &self.pinion][member as usize].data()
     }
-}
 
-impl PairSpec<EitherGearSpec> {
     /// Wheel and pinion by their data; `None` where one is an outline.
     pub fn by_data(&self) -> Option<[&GearSpec; 2]> {
         Some([self.wheel.data()?, self.pinion.data()?])
-    }
-}
-
-impl From<PairSpec> for PairSpec<EitherGearSpec> {
-    fn from(spec: PairSpec) -> PairSpec<EitherGearSpec> {
-        PairSpec {
-            title: spec.title,
-            wheel: EitherGearSpec::Data(Box::new(spec.wheel)),
-            pinion: EitherGearSpec::Data(Box::new(spec.pinion)),
-            assembly: spec.assembly,
-            measured: spec.measured,
-            sweep: spec.sweep,
-            accuracy: spec.accuracy,
-            compare: spec.compare,
-            require: spec.require,
-            uncertainty: spec.uncertainty,
-            tolerance: spec.tolerance,
-        }
     }
 }

@@ -1,10 +1,9 @@
 //! Deviations of the flanks from the involute.
 
-use super::rules::{
-    beside, columns, deviation, exactly_one, length, list_length, not_beside, whole, within,
-};
-use super::value::{Either, FlankSpec, FlanksSpec, TableFileSpec};
-use schemars::{JsonSchema, Schema};
+use super::rules::{deviation, length, list_length, within};
+use super::trace::{FlankSpec, FlanksSpec, PROFILE_TRACE, TraceSpec, trace_of};
+use super::value::Either;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_with::skip_serializing_none;
 
@@ -29,6 +28,7 @@ pub struct FlankProfileSpec {
     #[schemars(transform = length(), transform = list_length(2, Some(2)))]
     pub range_mm: Option<Vec<f64>>,
     /// Measured profiles; teeth without one take the mean.
+    #[schemars(transform = trace_of(&PROFILE_TRACE))]
     pub trace: Option<Either<TraceSpec, Vec<TraceSpec>>>,
 }
 
@@ -58,31 +58,6 @@ pub enum ReliefShape {
     Parabolic,
 }
 
-/// A measured profile: where, and the deviation there; beyond its ends it stays as it is there.
-#[skip_serializing_none]
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(
-    transform = trace_keys,
-    transform = columns("roll_length_mm or diameter_mm, deviation_um; tooth, flank where needed")
-)]
-pub struct TraceSpec {
-    /// Tooth it was measured on; none: all.
-    #[schemars(transform = whole(1, 10_000))]
-    pub tooth: Option<u32>,
-    /// Roll lengths r_b ξ from the base circle, ascending.
-    #[schemars(transform = within(0.0, 1e9), transform = list_length(2, None))]
-    pub roll_length_mm: Option<Vec<f64>>,
-    /// Diameters in place of roll lengths, ascending.
-    #[schemars(transform = length(), transform = list_length(2, None))]
-    pub diameter_mm: Option<Vec<f64>>,
-    /// Deviation at each.
-    #[schemars(transform = deviation(), transform = list_length(2, None))]
-    pub deviation_um: Option<Vec<f64>>,
-    /// Traces from a table.
-    #[serde(flatten)]
-    pub table: Option<TableFileSpec>,
-}
-
 impl FlankProfileSpec {
     /// The traces.
     pub fn traces(&self) -> &[TraceSpec] {
@@ -91,16 +66,6 @@ impl FlankProfileSpec {
 }
 
 impl FlankSpec for FlankProfileSpec {
-    type Trace = TraceSpec;
-    const KEYS: &'static [&'static str] = &[
-        "slope_um",
-        "crowning_um",
-        "tip_relief",
-        "root_relief",
-        "range_mm",
-        "trace",
-    ];
-
     fn or(self, both: FlankProfileSpec) -> FlankProfileSpec {
         FlankProfileSpec {
             slope_um: self.slope_um.or(both.slope_um),
@@ -115,19 +80,4 @@ impl FlankSpec for FlankProfileSpec {
     fn trace(&mut self) -> &mut Option<Either<TraceSpec, Vec<TraceSpec>>> {
         &mut self.trace
     }
-}
-
-fn trace_keys(schema: &mut Schema) {
-    trace_rules(schema, &["roll_length_mm", "diameter_mm"]);
-}
-
-/// The points of a trace stand in one of the lists `places` beside their deviations, or in a file.
-pub(super) fn trace_rules(schema: &mut Schema, places: &[&str]) {
-    let lists: Vec<[&str; 1]> = places.iter().chain([&"file"]).map(|key| [*key]).collect();
-    let groups: Vec<&[&str]> = lists.iter().map(|keys| &keys[..]).collect();
-    exactly_one(schema, &groups);
-    for place in places {
-        beside(schema, place, &[&["deviation_um"]]);
-    }
-    not_beside(schema, "file", &["deviation_um"]);
 }

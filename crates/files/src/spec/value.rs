@@ -30,56 +30,6 @@ pub(super) fn one_or_list<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     })
 }
 
-/// Values for both flanks, or for each in a table of its own.
-#[skip_serializing_none]
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline)]
-pub struct FlanksSpec<F> {
-    /// Values for both flanks.
-    #[serde(flatten)]
-    pub both: F,
-    /// Values of right flanks, in place of those of both.
-    pub right: Option<F>,
-    /// Values of left flanks, in place of those of both.
-    pub left: Option<F>,
-}
-
-/// Values of one flank.
-pub trait FlankSpec: Clone + Default + PartialEq {
-    /// Its measured traces.
-    type Trace: Clone;
-    /// Its keys.
-    const KEYS: &'static [&'static str];
-
-    /// These values, and those of `both` flanks in place of absent ones.
-    fn or(self, both: Self) -> Self;
-
-    /// Its traces, one or a list.
-    fn trace(&mut self) -> &mut Option<Either<Self::Trace, Vec<Self::Trace>>>;
-}
-
-impl<F: FlankSpec> FlanksSpec<F> {
-    /// The values of right flanks and of left ones: once where they are equal.
-    pub fn new([right, left]: [F; 2]) -> FlanksSpec<F> {
-        if right == left {
-            return FlanksSpec {
-                both: right,
-                ..FlanksSpec::default()
-            };
-        }
-        FlanksSpec {
-            both: F::default(),
-            right: Some(right),
-            left: Some(left),
-        }
-    }
-
-    /// The values of right flanks and of left ones, each in a table of its own or for both.
-    pub fn flanks(&self) -> [&F; 2] {
-        [&self.right, &self.left].map(|own| own.as_ref().unwrap_or(&self.both))
-    }
-}
-
 impl<T> Either<T, Vec<T>> {
     /// One value or a list as a list.
     pub fn as_list(&self) -> &[T] {

@@ -7,7 +7,7 @@ use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
 /// Most files and folders that are compared with a pattern: twice the gears that a list can have.
-const MOST_VISITED: usize = 200_000;
+const MAX_VISITED: usize = 200_000;
 
 #[derive(Debug, Default)]
 pub struct Named {
@@ -76,8 +76,8 @@ fn found(
         for (path, is_as_written) in found {
             let inner = entries(&path, faults);
             visited += inner.len();
-            if visited > MOST_VISITED {
-                let reason = format!("a pattern meets more than {MOST_VISITED} files and folders");
+            if visited > MAX_VISITED {
+                let reason = format!("a pattern meets more than {MAX_VISITED} files and folders");
                 faults.push(reason);
                 return Ok(Vec::new());
             }

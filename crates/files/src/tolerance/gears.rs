@@ -4,7 +4,6 @@ use super::bands::middle;
 use super::gear_names::{duplicates, named};
 use crate::grouped_warnings::GroupedWarnings;
 use crate::numbers::shortest;
-use crate::read::GearsFile;
 use crate::reading::Reading;
 use crate::spec::GearSpec;
 use crate::table::Table;
@@ -14,10 +13,10 @@ use gearlash::pair::Member;
 use std::path::Path;
 
 /// Most gear files of one list: a folder of measurements has fewer.
-const MOST_GEARS: usize = 100_000;
+const MAX_GEARS: usize = 100_000;
 
 /// Warnings of one list, at most (tuned: they fit a screen beside others).
-const MOST_WARNINGS: usize = 12;
+const MAX_WARNINGS: usize = 12;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredGear {
@@ -37,7 +36,7 @@ pub fn gears(
     for name in names {
         let found = named(file.reading().folder(), name);
         if found.files.is_empty() && found.faults.is_empty() {
-            let beside = found.left_out.iter().take(MOST_WARNINGS);
+            let beside = found.left_out.iter().take(MAX_WARNINGS);
             let beside: String = beside.map(|left_out| format!("; {left_out}")).collect();
             wrong(
                 format!("{name:?}: there is no such file{beside}"),
@@ -54,10 +53,10 @@ pub fn gears(
     for duplicate in duplicates(&files) {
         wrong(duplicate, "take one away, or name the other alone");
     }
-    if files.len() > MOST_GEARS {
-        let reason = format!("more than {MOST_GEARS} gears");
+    if files.len() > MAX_GEARS {
+        let reason = format!("more than {MAX_GEARS} gears");
         wrong(reason, "name fewer of them");
-        files.truncate(MOST_GEARS);
+        files.truncate(MAX_GEARS);
     }
     let (mut gears, mut banded) = (Vec::new(), Vec::new());
     let mut grouped = GroupedWarnings::default();
@@ -88,8 +87,8 @@ pub fn gears(
     }
     let grouped = grouped.lines().into_iter();
     warnings.extend(grouped.map(|line| format!("{key}: {line}")));
-    let more = warnings.len().saturating_sub(MOST_WARNINGS);
-    warnings.truncate(MOST_WARNINGS);
+    let more = warnings.len().saturating_sub(MAX_WARNINGS);
+    warnings.truncate(MAX_WARNINGS);
     if more > 0 {
         warnings.push(format!("{key}: {more} more warnings like these"));
     }
@@ -104,7 +103,7 @@ fn read_one(
     reading: &Reading,
 ) -> Result<(MeasuredGear, bool, Vec<String>), String> {
     // The file's content is not quoted, because it can be outside the pair file's folder.
-    let file: GearsFile = crate::read_gears(path).map_err(|error| match error.problems.len() {
+    let file = crate::read_gears_by_data(path).map_err(|error| match error.problems.len() {
         1 => "this is no gear file that can be read".to_owned(),
         several => format!("this is no gear file that can be read: {several} problems"),
     })?;
@@ -119,7 +118,7 @@ fn read_one(
     let middle = middle(gear.materials.iter().map(|(_, gear)| gear));
     let measured = MeasuredGear {
         gear: middle.map_err(|error| error.to_string())?,
-        spec: gear.spec.clone(),
+        spec: gear.spec.data().ok_or("has no such gear")?.clone(),
     };
     Ok((measured, gear.materials.len() > 1, file.warnings))
 }

@@ -25,4 +25,4 @@ pub use sentence::{phases_of_limits, sentence, shares, without_backlash, without
 pub use worst::{Worst, is_worst_file, worst_file, worst_name};
 
 /// Most assemblies of a run.
-pub const MOST_ASSEMBLIES: u64 = 1_000_000_000;
+pub const MAX_ASSEMBLIES: u64 = 1_000_000_000;

@@ -5,13 +5,11 @@ use super::gears::{MeasuredGear, gears};
 use super::mm::{scatter, spread};
 use crate::error::InputError;
 use crate::read::PairFile;
-use crate::spec::{
-    GearSpec, GearToleranceSpec, LeadAxis, PhaseName, ScatterSpec, SpreadSpec, ToleranceSpec,
-};
+use crate::spec::{GearSpec, GearToleranceSpec, PhaseName, ScatterSpec, SpreadSpec, ToleranceSpec};
 use crate::table::Table;
 use crate::{common_face, lead, pair_by_data, with_tree};
 use gearlash::analysis::phases::phase;
-use gearlash::gear::{AsBuilt, GradedQuantity, Lead, Side};
+use gearlash::gear::{AsBuilt, GradedQuantity, Lead, PitchAxis, Side};
 use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
 use gearlash::population::{
     GearScatter, LeadScatter, Population, PopulationError, Requirement, Scatter, Scatters,
@@ -74,8 +72,8 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
         phase: tolerance.phase == PhaseName::Any,
         thickness_correlation: tolerance.thickness_correlation,
     };
-    let is_profiled = |member| pair.spec.gear(member).profile.is_some();
-    if Member::BOTH.into_iter().any(is_profiled) && scatters.lean() {
+    let own_gears = pair.spec.by_data()?;
+    if own_gears.iter().any(|gear| gear.profile.is_some()) && scatters.lean() {
         return file.refuse(
             "tolerance",
             "wobble or axes scatter beside profile deviations: sections of such teeth are not worked out",
@@ -213,11 +211,11 @@ fn gear(
         }
         _ => Some(None),
     };
-    let own = pair.spec.gear(member);
+    let own = pair.spec.data(member)?;
     let of_datum = own
         .lead
         .as_ref()
-        .is_some_and(|lead| lead.axis == LeadAxis::Datum);
+        .is_some_and(|lead| lead.axis == PitchAxis::Datum);
     if spec.runout.is_some() && of_datum && own.is_helical() {
         return file.refuse(
             &key("runout"),
@@ -277,7 +275,7 @@ fn gear(
 
 /// The difference of the helix or face of `gear` from the pair's `member`; `None` where they agree, or where nothing varies along the face.
 pub(crate) fn shape_difference(gear: &GearSpec, pair: &PairFile, member: Member) -> Option<String> {
-    let (own, name) = (pair.spec.gear(member), member.name());
+    let (own, name) = (pair.spec.data(member)?, member.name());
     if pair.study.face == [0.0; 2] {
         return None;
     }

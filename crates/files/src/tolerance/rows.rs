@@ -17,7 +17,7 @@ use std::path::Path;
 const TENTHS_PER_UM: f64 = 1e4;
 
 /// The greatest length that text gives back exactly, tenths of a nanometre: 2^53.
-const MOST_TENTHS: f64 = 9_007_199_254_740_992.0;
+const MAX_TENTHS: f64 = 9_007_199_254_740_992.0;
 
 const FORMAT: &str = "# gearlash rows 1: ";
 
@@ -27,7 +27,7 @@ const COLUMNS: &str = "assembly,outcome,least_um,greatest_um,proven,below,above,
 const LONGEST_LINE: u64 = 1000;
 
 /// Problems of one kind that are listed.
-const MOST_LISTED: usize = 12;
+const MAX_LISTED: usize = 12;
 
 /// The run of some rows, and their assemblies.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -109,7 +109,7 @@ fn parse_row(line: &str) -> Option<Row> {
             return Some(None);
         }
         let tenths = (text.parse::<f64>().ok()? * TENTHS_PER_UM).round();
-        (tenths.abs() <= MOST_TENTHS).then_some(Some(tenths as i64))
+        (tenths.abs() <= MAX_TENTHS).then_some(Some(tenths as i64))
     };
     let kind = |name: &str| {
         OutcomeKind::ALL
@@ -333,7 +333,7 @@ impl<'a> RowsTally<'a> {
         ];
         let found = found.into_iter().filter(|(list, ..)| !list.is_empty());
         let problems = found.map(|(list, what, help)| {
-            Problem::of_file(format!("{what}: {}", first_of(list, MOST_LISTED)), help)
+            Problem::of_file(format!("{what}: {}", first_of(list, MAX_LISTED)), help)
         });
         let problems: Vec<Problem> = problems.collect();
         if problems.is_empty() {

@@ -3,8 +3,8 @@
 use super::population::ToleranceFile;
 use crate::lead::with_further;
 use crate::spec::{
-    BearingClearanceSpec, Either, FaceRunoutSpec, GearSpec, PairSpec, PitchSpec, Revolutions,
-    RunoutSpec, StatementSpec, SweepSpec, TeethEnd, ThicknessSpec,
+    BearingClearanceSpec, Either, EitherGearSpec, FaceRunoutSpec, GearSpec, PairSpec, PitchSpec,
+    Revolutions, RunoutSpec, StatementSpec, SweepSpec, TeethEnd, ThicknessSpec,
 };
 use gearlash::error::Error;
 use gearlash::gear::thickness::span_from_base;
@@ -104,21 +104,21 @@ impl ToleranceFile {
             number,
             least_mm: found.least,
             greatest_mm: found.greatest,
-            // Cannot fail: plain structs with text keys.
+            // Cannot fail: gears by data, plain structs with text keys.
             pair: serde_json::to_value(spec).unwrap_or_default(),
         })
     }
 
     /// `assembly` as a pair file without the population.
-    fn spec_of(&self, assembly: &Assembly, draw: Draw, title: String) -> PairSpec {
+    fn spec_of(&self, assembly: &Assembly, draw: Draw, title: String) -> Option<PairSpec> {
         let own = &self.pair.spec;
         let pair = assembly.pair();
         let bearings = own.assembly.bearing_clearance_mm;
         let is_own = bearings.sum_mm() == assembly.clearance();
         let mut spec = own.clone();
         spec.title = title;
-        spec.wheel = self.gear_spec(assembly, draw, Member::Wheel);
-        spec.pinion = self.gear_spec(assembly, draw, Member::Pinion);
+        spec.wheel = self.gear_spec(assembly, draw, Member::Wheel)?;
+        spec.pinion = self.gear_spec(assembly, draw, Member::Pinion)?;
         spec.assembly = spec.assembly.at(vec![pair.center_distance()]);
         if self.population.scatters().lean != [None, None] {
             spec.assembly = spec.assembly.with_lean(pair.lean());
@@ -133,13 +133,13 @@ impl ToleranceFile {
             ..SweepSpec::default()
         });
         (spec.measured, spec.uncertainty, spec.tolerance) = (None, None, None);
-        spec
+        Some(spec)
     }
 
     /// A gear as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
-    fn gear_spec(&self, assembly: &Assembly, draw: Draw, member: Member) -> GearSpec {
+    fn gear_spec(&self, assembly: &Assembly, draw: Draw, member: Member) -> Option<EitherGearSpec> {
         let gear = assembly.pair().gear(member);
-        let own = self.pair.spec.gear(member);
+        let own = self.pair.spec.data(member)?;
         let measured = &self.measured[member as usize];
         // Finds the drawn whole gear by all but its runout, whose direction can be drawn.
         let centred = |gear: &AsBuilt| gear.with_runout(0.0, 1.0).ok();
@@ -182,7 +182,7 @@ impl ToleranceFile {
         let eccentricity = gear.eccentricity();
         // As a span over one tooth: in the normal section.
         let base = span_from_base(gear.gear().basic_data(), 1, gear.gear().base_thickness());
-        GearSpec {
+        Some(EitherGearSpec::Data(Box::new(GearSpec {
             reference_face: gear.face(),
             face_mm: own.heights().map(|ends| gear.face().heights(ends)),
             thickness: ThicknessSpec {
@@ -212,6 +212,6 @@ impl ToleranceFile {
                 None => own.lead.clone(),
             },
             ..own.clone()
-        }
+        })))
     }
 }

@@ -20,7 +20,7 @@ fn a_spur_gear_may_state_its_helix_angle() {
 fn left_trace(text: &str) -> Vec<f64> {
     let study = read_with(text.as_bytes(), &pair(17, TRACE))
         .unwrap_or_else(|message| panic!("{message:#?}"));
-    let profile = study.spec.wheel.profile.unwrap();
+    let profile = study.spec.wheel.data().unwrap().profile.clone().unwrap();
     let left = profile.left.unwrap_or(profile.both);
     left.traces()[0].deviation_um.clone().unwrap()
 }

@@ -155,8 +155,16 @@ fn lead_traces() {
     );
     let listed = super::read_with(b"", &list).unwrap();
     assert_eq!(
-        read.spec.wheel.lead.unwrap().flanks,
-        listed.spec.wheel.lead.unwrap().flanks
+        read.spec.wheel.data().unwrap().lead.clone().unwrap().flanks,
+        listed
+            .spec
+            .wheel
+            .data()
+            .unwrap()
+            .lead
+            .clone()
+            .unwrap()
+            .flanks
     );
     let open = "which sign is more material; compare with the printed chart";
     assert!(read.warnings.concat().contains(open), "{:?}", read.warnings);

@@ -75,8 +75,8 @@ fn lost_motion_as_with_our_own_tables() {
     let (total, tooth) = {
         let study = good(&made, from_file);
         (
-            study.spec.wheel.runout.total_um.unwrap(),
-            study.spec.wheel.runout.high_tooth.unwrap(),
+            study.spec.wheel.data().unwrap().runout.total_um.unwrap(),
+            study.spec.wheel.data().unwrap().runout.high_tooth.unwrap(),
         )
     };
     let inline = format!(

@@ -92,7 +92,7 @@ fn ten_thousand_mutants_of_each() {
             fs::write(folder.path().join("gear.mka"), &bytes).unwrap();
             match read(&path) {
                 Ok(study) => {
-                    let wheel = study.spec.wheel;
+                    let wheel = study.spec.wheel.data().unwrap().clone();
                     let (pitch, profile) = (wheel.pitch.unwrap(), wheel.profile.unwrap());
                     let trace = |flank: Option<gearlash_files::spec::FlankProfileSpec>| {
                         let flank = flank.unwrap_or_else(|| profile.both.clone());

@@ -5,7 +5,7 @@ use made::{dxf, in_units, line, polyline};
 use std::f64::consts::{PI, TAU};
 
 /// The one arc of a loop.
-fn arc(one: &Loop) -> ([f64; 2], f64, f64) {
+fn arc(one: &DrawnPath) -> ([f64; 2], f64, f64) {
     let arcs = one.segments.iter().filter_map(|segment| match *segment {
         PathSegment::Arc {
             centre,
@@ -224,7 +224,7 @@ fn units_are_those_of_the_header_or_stated() {
     }
 }
 
-fn arc_radius(one: &Loop) -> f64 {
+fn arc_radius(one: &DrawnPath) -> f64 {
     match one.segments[0] {
         PathSegment::Arc { radius, .. } => radius,
         _ => f64::NAN,

@@ -14,7 +14,7 @@ mod round_trip;
 mod splines;
 
 use gearlash::outline::PathSegment;
-use gearlash_files::drawing::{Drawing, DrawingError, Loop, Options, Unit, read};
+use gearlash_files::drawing::{Drawing, DrawingError, DrawnPath, Options, Unit, read};
 use nalgebra::Point2;
 use std::path::Path;
 
@@ -40,7 +40,7 @@ fn in_mm() -> Options {
 }
 
 /// The one loop of `text` in mm.
-fn loop_of(ending: &str, text: &str) -> Loop {
+fn loop_of(ending: &str, text: &str) -> DrawnPath {
     let drawing = drawn(ending, text, &in_mm()).unwrap_or_else(|error| panic!("{error}"));
     let [one] = &drawing.loops[..] else {
         panic!("{drawing:?}");
@@ -64,7 +64,7 @@ fn check_sound(drawing: &Drawing) {
 }
 
 /// Distance of a point from a loop, mm.
-fn distance(one: &Loop, point: [f64; 2]) -> f64 {
+fn distance(one: &DrawnPath, point: [f64; 2]) -> f64 {
     let point = Point2::from(point);
     let of = |segment: &PathSegment| {
         let at = |u: f64| (segment.at(u) - point).norm();
@@ -85,7 +85,7 @@ fn distance(one: &Loop, point: [f64; 2]) -> f64 {
 }
 
 /// Checks that each of `points` lies on the loop within its bound and rounding.
-fn check_through(one: &Loop, points: &[[f64; 2]]) {
+fn check_through(one: &DrawnPath, points: &[[f64; 2]]) {
     for &point in points {
         let distance = distance(one, point);
         assert!(distance <= one.bound_mm + 1e-11, "{point:?}: {distance:e}");

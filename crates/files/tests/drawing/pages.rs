@@ -202,7 +202,7 @@ fn what_is_no_outline_is_left_out() {
             ..Options::default()
         };
         let drawing = drawn("svg", &page, &options).unwrap();
-        let radius = |one: &Loop| one.segments[0].length() / std::f64::consts::PI;
+        let radius = |one: &DrawnPath| one.segments[0].length() / std::f64::consts::PI;
         let radii: Vec<f64> = drawing.loops.iter().map(radius).collect();
         (radii, drawing.remarks.len())
     };

@@ -5,7 +5,7 @@ use gearlash::contact::{ExactKernel, OutlineKernel};
 use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
-use gearlash_files::{OutlineFile, OutlineFormat, read, read_any};
+use gearlash_files::{OutlineFile, OutlineFormat, read};
 use std::path::Path;
 
 /// The tolerance stated by the files, µm.
@@ -43,7 +43,7 @@ fn the_rig_reads_back_with_its_lost_motion() {
         );
         let path = folder.path().join("pair.toml");
         std::fs::write(&path, text).unwrap();
-        let file = read_any(&path).unwrap();
+        let file = read(&path).unwrap();
         let (_, wheel, pinion) = file.study.drawn[0].clone();
         let outlines = OutlinePair::new(wheel, pinion, 132.21, Member::Wheel).unwrap();
         let (kernel, exact) = (OutlineKernel::new(&outlines), ExactKernel::new(&pair));

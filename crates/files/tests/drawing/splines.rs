@@ -39,7 +39,7 @@ fn de_boor(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64], t
 }
 
 /// A spline, closed by a straight line, as the loop of its drawing.
-fn closed(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64]) -> Loop {
+fn closed(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64]) -> DrawnPath {
     let domain = [knots[degree], knots[points.len()]];
     let ends = domain.map(|t| de_boor(degree, knots, points, weights, t));
     let mut entities = vec![spline(degree, knots, points, weights)];
@@ -49,7 +49,7 @@ fn closed(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64]) ->
     loop_of("dxf", &dxf(&entities))
 }
 
-fn check(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64]) -> Loop {
+fn check(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64]) -> DrawnPath {
     let one = closed(degree, knots, points, weights);
     let domain = [knots[degree], knots[points.len()]];
     let on: Vec<[f64; 2]> = (0..=100)

@@ -41,7 +41,7 @@ fn hand_and_face_are_read() {
     assert_eq!(data.hand(), Some(Hand::Left));
     let radius = 30.0 / f64::to_radians(15.0).cos();
     assert!((data.reference_radius() - radius).abs() < 1e-13);
-    assert_eq!(file.spec.wheel.face_mm, Some([-15.0, 15.0]));
+    assert_eq!(file.spec.wheel.data().unwrap().face_mm, Some([-15.0, 15.0]));
     let off = HELICAL.replace("= 78\n", "= 78\nface_offset_mm = -20\n");
     assert_eq!(study(&off).study.face, [-15.0, 15.0]);
 }
@@ -233,7 +233,7 @@ fn a_dimension_is_over_balls_or_over_pins() {
         let wheel = run.assembly.data().unwrap().gear(Member::Wheel).gear();
         let nominal = wheel.design().nominal_base_thickness();
         assert!((wheel.base_thickness() - nominal).abs() < 1e-9, "{over}");
-        let echo = serde_json::to_value(&file.spec.wheel.thickness).unwrap();
+        let echo = serde_json::to_value(&file.spec.wheel.data().unwrap().thickness).unwrap();
         assert_eq!(echo["over_pins"]["kind"], kind, "{over}");
     }
     let other = gear("{ pin_mm = 9, kind = \"pin\", mm = 147.07716569057362 }");
@@ -275,7 +275,9 @@ fn of_a_spur_gear_balls_and_pins_are_the_same() {
             .base_thickness();
         (
             base,
-            serde_json::to_value(&file.spec.wheel.thickness).unwrap()["over_pins"]["kind"].clone(),
+            serde_json::to_value(&file.spec.wheel.data().unwrap().thickness).unwrap()["over_pins"]
+                ["kind"]
+                .clone(),
         )
     };
     let (none, echo) = read("");

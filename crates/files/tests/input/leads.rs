@@ -211,13 +211,13 @@ fn the_echo_of_leads_states_every_convention() {
         assert_eq!(again.spec, file.spec);
         assert_eq!(again.warnings, [""; 0]);
     }
-    let lead = serde_json::to_value(&spur.spec.wheel.lead).unwrap();
+    let lead = serde_json::to_value(&spur.spec.wheel.data().unwrap().lead).unwrap();
     let expected = serde_json::json!({
         "helix_slope_um": "4 l", "crowning_um": 3.0, "zero_mm": 10.0, "range_mm": [1.0, 19.0],
         "over": "range", "from": "reference", "axis": "own",
     });
     assert_eq!(lead, expected);
-    let pinion = helical.spec.pinion.lead.unwrap();
+    let pinion = helical.spec.pinion.data().unwrap().lead.clone().unwrap();
     let trace = serde_json::to_value(pinion.flanks.left.unwrap().trace).unwrap();
     // Heights from the far end of 45 mm.
     let expected = serde_json::json!({
@@ -232,7 +232,17 @@ fn normal_deviations_become_transverse_ones() {
     let file = helical("face_mm = [-12, 18]", "face_mm = [-5, 40]");
     let helix: f64 = 15f64.to_radians();
     let base = (helix.sin() * 20f64.to_radians().cos()).asin();
-    let right = file.spec.wheel.lead.unwrap().flanks.right.unwrap();
+    let right = file
+        .spec
+        .wheel
+        .data()
+        .unwrap()
+        .lead
+        .clone()
+        .unwrap()
+        .flanks
+        .right
+        .unwrap();
     let trace = &right.trace.as_ref().unwrap().as_list()[0];
     let found = trace.deviation_um.as_ref().unwrap();
     for (found, stated) in found.iter().zip([3.0, 0.0, -4.0]) {

@@ -146,7 +146,16 @@ fn the_worst_assembly_states_the_leads_of_its_gear() {
         let found = [worst.least_mm, worst.greatest_mm].map(|mm| 1e3 * mm.unwrap());
         let text = worst.to_toml().unwrap();
         let spec = read_text(Path::new("worst"), &text).unwrap().spec;
-        let slope = spec.wheel.lead.as_ref().unwrap().flanks.both.slope_um;
+        let slope = spec
+            .wheel
+            .data()
+            .unwrap()
+            .lead
+            .as_ref()
+            .unwrap()
+            .flanks
+            .both
+            .slope_um;
         let um = slope.unwrap();
         seen.push(um);
         let loss = taper_loss() * um / 30.0;

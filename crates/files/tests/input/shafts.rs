@@ -253,7 +253,14 @@ fn a_shoulder_says_the_way_it_looks() {
         "{warnings}"
     );
     assert_eq!(
-        file.spec.wheel.runout.face_runout.unwrap().face,
+        file.spec
+            .wheel
+            .data()
+            .unwrap()
+            .runout
+            .face_runout
+            .unwrap()
+            .face,
         Some(gearlash_files::spec::TeethEnd::Reference)
     );
 }

@@ -148,7 +148,7 @@ fn a_scale_is_a_temperature_of_the_gears_alone() {
         "",
     ));
     assert_eq!(scaled.study, warm.study);
-    assert_eq!(scaled.spec.wheel.scale, Some(factors[0]));
+    assert_eq!(scaled.spec.wheel.data().unwrap().scale, Some(factors[0]));
     let [nominal] = [study(&text([String::new(), String::new()], ""))];
     let [large, small] = [&scaled, &nominal].map(|file| wheels(file)[0].gear().base_radius());
     assert!((large / small - factors[0]).abs() < 1e-15);
@@ -171,7 +171,7 @@ fn a_drawn_gear_is_scaled() {
         let folder = TempDir::new().unwrap();
         let path = folder.path().join("pair.toml");
         fs::write(&path, gear(keys)).unwrap();
-        let pair = gearlash_files::read_any(&path).unwrap_or_else(|error| panic!("{error}"));
+        let pair = gearlash_files::read(&path).unwrap_or_else(|error| panic!("{error}"));
         let (_, wheel, _) = &pair.study.drawn[0];
         [
             wheel.tip_radius(),

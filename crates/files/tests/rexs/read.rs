@@ -236,13 +236,13 @@ fn a_model_is_no_pair_file() {
     ] {
         let path = folder.path().join(name);
         std::fs::write(&path, fixture(of)).unwrap();
-        let message = gearlash_files::read_any(&path).unwrap_err().to_string();
+        let message = gearlash_files::read(&path).unwrap_err().to_string();
         assert!(
             message.contains("is a gearbox model; gearlash import "),
             "{message}"
         );
         assert!(message.contains("--stage ID -o pair.toml"), "{message}");
     }
-    let none = gearlash_files::read_any(&folder.path().join("none.rexs")).unwrap_err();
+    let none = gearlash_files::read(&folder.path().join("none.rexs")).unwrap_err();
     assert!(none.to_string().contains("there is no such file"), "{none}");
 }

@@ -138,7 +138,7 @@ pub const FORMATS: [Format; 6] = [
             let total = 4.0 / f64::from(teeth) * sum(f64::cos).hypot(sum(f64::sin));
             Some(vec![vec![total]])
         },
-        understood: |study| vec![vec![study.spec.wheel.runout.total()]],
+        understood: |study| vec![vec![study.spec.wheel.data().unwrap().runout.total()]],
         // The rounding of a sum of 10 000 floats, µm; and the harmonic for a small e. Readings go as √(r² − e² sin²), of third
         // order in e; r is 3 z/2 for module 3 mm.
         tolerance: |total, teeth| {

@@ -156,7 +156,7 @@ fn runout_is_the_first_harmonic_of_the_readings() {
             "{}",
             wheel.high_tooth()
         );
-        let stated = &study.spec.wheel.runout;
+        let stated = &study.spec.wheel.data().unwrap().runout;
         assert_eq!(stated.total(), 2000.0 * wheel.eccentricity());
         assert_eq!(stated.high_tooth, Some(wheel.high_tooth()));
         assert_eq!(study.warnings.len(), 1);
@@ -178,7 +178,7 @@ fn no_runout_needs_no_high_tooth() {
     let keys = "runout = { file = \"r.csv\", at = \"tooth\" }";
     let study = read_with("r.csv", table.as_bytes(), &pair(44, keys)).unwrap();
     assert_eq!(
-        serde_json::to_value(&study.spec.wheel.runout).unwrap(),
+        serde_json::to_value(&study.spec.wheel.data().unwrap().runout).unwrap(),
         serde_json::json!({ "total_um": 0.0 })
     );
 }

@@ -137,7 +137,17 @@ fn garbled_traces_are_reported_or_understood() {
                     message += 1;
                 }
                 Ok(study) => {
-                    let trace = study.spec.wheel.profile.unwrap().both.traces()[0].clone();
+                    let trace = study
+                        .spec
+                        .wheel
+                        .data()
+                        .unwrap()
+                        .profile
+                        .clone()
+                        .unwrap()
+                        .both
+                        .traces()[0]
+                        .clone();
                     let rows: Vec<String> = table
                         .lines()
                         .skip(1)

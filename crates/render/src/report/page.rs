@@ -4,14 +4,14 @@ use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::Course;
 use gearlash::analysis::outcome::{Agreement, AtDistance, Outcome};
-use gearlash_files::AnyPair;
+use gearlash_files::PairFile;
 use gearlash_results::grades::GearGrades;
 
 /// Input of a report.
 #[derive(Debug, Clone, Copy)]
 pub struct Report<'a> {
     /// The pair as read.
-    pub pair: &'a AnyPair,
+    pub pair: &'a PairFile,
     /// Name of its file.
     pub file: &'a str,
     /// Day of the report, as printed.

@@ -8,6 +8,7 @@ use super::stated;
 use super::table::{Table, cells, columns};
 use crate::tolerance::Pictures;
 use gearlash::analysis::diagnosis::Verdict;
+use gearlash::pair::Member;
 use gearlash::population::{CONFIDENCE, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS};
 use gearlash_files::numbers::{rounded, shortest};
 use gearlash_files::spec::GearSpec;
@@ -90,8 +91,8 @@ fn result(report: &ToleranceReport) -> Markup {
 /// The gears, their assembly, the scatter and the requirement.
 fn input(report: &ToleranceReport) -> Markup {
     let spec = &report.file.pair.spec;
-    let gears = [&spec.wheel, &spec.pinion];
-    let of = |value: &dyn Fn(&GearSpec) -> String| gears.map(value);
+    let gears = Member::BOTH.map(|member| spec.data(member));
+    let of = |value: &dyn Fn(&GearSpec) -> String| gears.map(|gear| gear.map(value));
     let mut rows = vec![
         ("teeth", of(&|gear| gear.teeth.to_string())),
         ("module, mm", of(&|gear| shortest(gear.module_mm))),
@@ -111,12 +112,17 @@ fn input(report: &ToleranceReport) -> Markup {
             of(&|gear| stated::pitch(gear.pitch.as_ref(), false)),
         ),
     ];
-    if gears.iter().all(|gear| gear.helix_angle_deg.is_none()) {
+    if gears
+        .iter()
+        .flatten()
+        .all(|gear| gear.helix_angle_deg.is_none())
+    {
         rows.retain(|(name, _)| *name != "helix angle, °");
     }
     let columns = columns(" | wheel | pinion");
     let rows = rows.into_iter();
-    let rows = rows.map(|(name, [wheel, pinion])| cells![name, plain(&wheel), plain(&pinion)]);
+    let shown = |value: Option<String>| plain(&value.unwrap_or_default());
+    let rows = rows.map(|(name, [wheel, pinion])| cells![name, shown(wheel), shown(pinion)]);
     let mut assembly = Vec::new();
     // Specs are plain data, which JSON can always hold.
     let json = serde_json::to_value(&spec.assembly).unwrap_or_default();

@@ -59,7 +59,7 @@ fn its_text_and_json_say_so() {
     let case = Case::low_tips();
     let found = diagnosed(&case, CERTIFIED);
     let text = check::text(
-        &case.pair.clone().into(),
+        &case.pair,
         &CycleVerdict::new(&[], &Vec::new(), None, found.failed()),
         &found,
         &RemedyRecords::default(),
@@ -77,7 +77,7 @@ fn its_text_and_json_say_so() {
     let screen = Screen::default();
     let judged = checked(
         "pair.toml",
-        &case.pair.clone().into(),
+        &case.pair,
         &found,
         &verdict,
         &RemedyRecords::default(),

@@ -12,7 +12,6 @@ use gearlash::analysis::tally::whole;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::AnyPair;
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::snapshot;
 use gearlash_render::{Report, Snapshot, report};
@@ -70,9 +69,8 @@ fn compared(case: &Case, runs: &[ComparedRun]) -> Outcome {
 /// The result of `runs` as JSON and as CSV.
 fn written(case: &Case, runs: &[ComparedRun]) -> [String; 2] {
     let (mut json, mut csv) = (Vec::new(), Vec::new());
-    let file = AnyPair::from(case.pair.clone());
     let (to_json, to_csv) = (Box::new(&mut json), Box::new(&mut csv));
-    let mut writer = ResultWriter::begin(&file, Some(to_json), Some(to_csv)).unwrap();
+    let mut writer = ResultWriter::begin(&case.pair, Some(to_json), Some(to_csv)).unwrap();
     whole(runs, &mut |piece| writer.take(piece)).unwrap();
     let verdict = Verdict::new(&[], &Vec::new(), None, Vec::new());
     writer.finish(&verdict).unwrap();
@@ -328,7 +326,7 @@ fn a_report_vouches_for_nothing() {
         diagnosis,
     };
     let page = report(&Report {
-        pair: &case.pair.clone().into(),
+        pair: &case.pair,
         file: "pair.toml",
         date: "2026-01-01",
         analysis: &analysis,

@@ -9,13 +9,13 @@ use crate::verdict::{heading, lines, short_title};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::AnyPair;
+use gearlash_files::PairFile;
 use gearlash_files::numbers::{ascii, stated_distance, um_ascii};
 use std::fmt::Write;
 
 /// The checks as text on `screen`: each once, at its worst centre distance and material.
 pub fn text(
-    file: &AnyPair,
+    file: &PairFile,
     verdict: &CycleVerdict,
     diagnosis: &Diagnosis,
     remedies: &RemedyRecords,

@@ -9,7 +9,7 @@ mod pairs;
 mod shape;
 
 use super::error::LONGEST_NAME;
-use super::limits::MOST_SEGMENTS;
+use super::limits::MAX_SEGMENTS;
 use super::pieces::Pieces;
 use super::text::decode;
 use super::{DrawingError, Options, Unit};
@@ -30,7 +30,7 @@ const UNITS: [(i32, Unit); 5] = [
 ];
 
 /// Layers that are remembered for a message.
-const MOST_LAYERS: usize = 100;
+const MAX_LAYERS: usize = 100;
 
 /// Blocks in blocks: drawing programs nest a few.
 const DEEPEST: usize = 16;
@@ -225,8 +225,8 @@ impl<'a> Sheet<'a> {
     /// Counts an entity that is kept or visited.
     fn counted(&mut self) -> Result<(), DrawingError> {
         self.count += 1;
-        if self.count > MOST_SEGMENTS {
-            return Err(DrawingError::too_large("entities", MOST_SEGMENTS));
+        if self.count > MAX_SEGMENTS {
+            return Err(DrawingError::too_large("entities", MAX_SEGMENTS));
         }
         Ok(())
     }
@@ -275,7 +275,7 @@ impl<'a> Sheet<'a> {
             Handling::Insert => self.insert(entity, placed, layer, depth, pieces),
             Handling::Read => {
                 let known = self.layers.iter().any(|known| known == layer);
-                if select.is_some() && !known && self.layers.len() < MOST_LAYERS {
+                if select.is_some() && !known && self.layers.len() < MAX_LAYERS {
                     self.layers.push(layer.to_owned());
                 }
                 if selected {

@@ -4,7 +4,7 @@ use super::Kept;
 use super::entity::Entity;
 use crate::drawing::DrawingError;
 use crate::drawing::bspline::BSpline;
-use crate::drawing::chain::Piece;
+use crate::drawing::chain::DrawnPath;
 use crate::drawing::curve::{bulged, elliptic};
 use crate::drawing::limits::SAME_MM;
 use crate::drawing::pieces::Pieces;
@@ -51,10 +51,10 @@ pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), Drawin
         }));
         pieces.add(
             one.layer,
-            Piece {
+            DrawnPath {
                 segments,
                 name: one.layer.to_owned(),
-                bound,
+                bound_mm: bound,
                 place: space.place,
             },
         )?;

@@ -8,9 +8,9 @@ mod shape;
 mod view;
 
 use super::affine::Affine;
-use super::chain::Piece;
+use super::chain::DrawnPath;
 use super::error::LONGEST_NAME;
-use super::limits::MOST_SEGMENTS;
+use super::limits::MAX_SEGMENTS;
 use super::pieces::Pieces;
 use super::text::{Lines, decode};
 use super::{DrawingError, Options};
@@ -25,7 +25,7 @@ const XLINK: &str = "http://www.w3.org/1999/xlink";
 const NAMESPACE: &str = "http://www.w3.org/2000/svg";
 /// Groups in groups: drawing programs nest a dozen.
 const DEEPEST: usize = 200;
-const MOST_NODES: u32 = 4_000_000;
+const MAX_NODES: u32 = 4_000_000;
 const PLAIN: &str = "save it as plain SVG with absolute paths";
 
 const NOT_DRAWN: [&str; 19] = [
@@ -58,7 +58,7 @@ const UNSUPPORTED: [&str; 3] = ["clip-path", "mask", "transform-origin"];
 pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
     let text = decode(bytes)?;
     let settings = roxmltree::ParsingOptions {
-        nodes_limit: MOST_NODES,
+        nodes_limit: MAX_NODES,
         ..roxmltree::ParsingOptions::default()
     };
     let document = Document::parse_with_options(&text, settings).map_err(|error| {
@@ -209,7 +209,7 @@ impl Page<'_> {
         }
         let id = node.attribute("id");
         if let Some(id) = id {
-            if self.ids.len() < MOST_SEGMENTS {
+            if self.ids.len() < MAX_SEGMENTS {
                 self.ids.push(id.to_owned());
             }
             if self.select == Some(id) {
@@ -222,8 +222,8 @@ impl Page<'_> {
             _ => {}
         }
         self.visited += 1;
-        if self.visited > MOST_SEGMENTS {
-            return Err(DrawingError::too_large("elements", MOST_SEGMENTS));
+        if self.visited > MAX_SEGMENTS {
+            return Err(DrawingError::too_large("elements", MAX_SEGMENTS));
         }
         let group = matches!(name, "g" | "a" | "svg" | "use");
         if within.selected || group {
@@ -268,10 +268,10 @@ impl Page<'_> {
             }
         };
         for path in paths.map_err(|reason| self.syntax(node, reason))? {
-            let piece = Piece {
+            let piece = DrawnPath {
                 segments: path.segments,
                 name: id.unwrap_or_default().to_owned(),
-                bound: path.bound,
+                bound_mm: path.bound,
                 place: place.clone(),
             };
             self.pieces.add("", piece)?;

@@ -8,7 +8,7 @@
 mod curves;
 mod traces;
 
-use super::column::Column;
+use super::column::Quantity;
 use super::header::Header;
 use super::number::without_zero;
 use super::protocol::Blocks;
@@ -80,13 +80,13 @@ fn is_of_kind(text: &str, kind: &str) -> bool {
 pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, Header)> {
     let (file, wanted) = (request.file, request.wanted);
     let p40 = parse(file, text)?;
-    if wanted.columns.contains(&Column::Height) {
+    if wanted.has(Quantity::Height) {
         return traces::leads(file, &p40, wanted.teeth);
     }
     if let Coverage::Points { base_radius } = wanted.coverage {
         return traces::profiles(file, &p40, (wanted.teeth, base_radius));
     }
-    if wanted.columns.contains(&Column::Thickness) {
+    if wanted.has(Quantity::Thickness) {
         return file.refuse(
             "is a curve file: thickness is not taken from the probe's positions",
             "name a table of the thickness of each tooth, or state the thickness by span or over_pins",

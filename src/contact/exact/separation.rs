@@ -62,11 +62,6 @@ impl Arc {
         }
     }
 
-    /// The roll up to which directions belong to the tip corner: the land's normals follow.
-    fn land(&self) -> f64 {
-        self.tip + 0.5 * PI - self.tip.atan()
-    }
-
     /// `q` and its derivatives.
     fn support(&self, roll: f64) -> [f64; 3] {
         let end = roll.clamp(self.form, self.tip);
@@ -98,6 +93,11 @@ pub(super) fn lowest_roll(shape: &HalfToothShape) -> f64 {
         1 => shape.form_roll.min(0.0),
         _ => shape.form_roll,
     }
+}
+
+/// The roll up to which directions belong to the corner at the roll `tip`: the normals of the tip land follow.
+pub(super) fn land_roll(tip: f64) -> f64 {
+    tip + 0.5 * PI - tip.atan()
 }
 
 /// The touch of a pair of half teeth, with each represented by its involute.
@@ -217,7 +217,7 @@ impl Separation {
         // The remainder of `s` is rounding, and is put on the safe side for both bounds.
         gap -= state.apart / state.turning;
         let rolls = [beta - pair.locked_base, beta - gap - pair.free_base];
-        let is_before_lands = [0, 1].iter().all(|&k| rolls[k] <= arcs[k].land());
+        let is_before_lands = [0, 1].iter().all(|&k| rolls[k] <= land_roll(arcs[k].tip));
         if !(is_settled && is_before_lands) {
             // Nothing bounds the gap.
             gap = f64::INFINITY;

@@ -82,7 +82,7 @@ pub(crate) fn refuse_axes(file: &Table, assembly: &AssemblySpec) {
     }
 }
 
-/// Checks that gears by these outlines do not overlap at the least of `distances`, mm.
+/// Checks that gears by these outlines make a pair at each of `distances`, mm.
 pub(crate) fn check_distances(
     file: &Table,
     [wheel, pinion]: [&OutlineGear; 2],

@@ -118,8 +118,8 @@ pub(super) const LEAD_TRACE: TraceKeys = TraceKeys {
     others: &["roll_length_mm", "diameter_mm"],
 };
 
-/// Every trace of the value has the keys `of` its direction. Its points stand in one list of places beside their deviations, or
-/// in a file.
+/// Every trace of the value has the keys `of` its direction. Its points are a list of places and a list of deviations, or a
+/// file.
 pub(super) fn trace_of(of: &'static TraceKeys) -> impl Fn(&mut Schema) {
     let trace = |schema: &mut Schema| {
         if schema.pointer("/properties/deviation_um").is_none() {

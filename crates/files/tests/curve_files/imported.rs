@@ -154,18 +154,11 @@ fn lead_traces() {
         "trace = { tooth = 3, from_reference_face_mm = [0, 5, 15, 20], deviation_um = [0, 1, 3, 0.5] }",
     );
     let listed = super::read_with(b"", &list).unwrap();
-    assert_eq!(
-        read.spec.wheel.data().unwrap().lead.clone().unwrap().flanks,
-        listed
-            .spec
-            .wheel
-            .data()
-            .unwrap()
-            .lead
-            .clone()
-            .unwrap()
-            .flanks
-    );
+    let [read_lead, listed_lead] = [&read, &listed].map(|file| {
+        let wheel = file.spec.wheel.data().unwrap();
+        wheel.lead.as_ref().unwrap()
+    });
+    assert_eq!(read_lead.flanks, listed_lead.flanks);
     let open = "which sign is more material; compare with the printed chart";
     assert!(read.warnings.concat().contains(open), "{:?}", read.warnings);
     assert!(!listed.warnings.concat().contains(open));

@@ -232,17 +232,8 @@ fn normal_deviations_become_transverse_ones() {
     let file = helical("face_mm = [-12, 18]", "face_mm = [-5, 40]");
     let helix: f64 = 15f64.to_radians();
     let base = (helix.sin() * 20f64.to_radians().cos()).asin();
-    let right = file
-        .spec
-        .wheel
-        .data()
-        .unwrap()
-        .lead
-        .clone()
-        .unwrap()
-        .flanks
-        .right
-        .unwrap();
+    let wheel = file.spec.wheel.data().unwrap();
+    let right = wheel.lead.as_ref().unwrap().flanks.right.as_ref().unwrap();
     let trace = &right.trace.as_ref().unwrap().as_list()[0];
     let found = trace.deviation_um.as_ref().unwrap();
     for (found, stated) in found.iter().zip([3.0, 0.0, -4.0]) {

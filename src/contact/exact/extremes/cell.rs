@@ -133,8 +133,8 @@ mod tests {
     use crate::pair::{GearPair, Mating};
 
     /// No pose of a part of a mating is outside the bounds of its table, of its cell, or of the line of action. Pitch deviations of a fraction
-    /// of a millimetre beside large eccentricities: the free gear stands at another rotation for each pair of teeth. Source: five poses of
-    /// every part, by the exact method.
+    /// of a millimetre beside large eccentricities: each pair of teeth has its own rotation of the free gear. Source: five poses of every
+    /// part, by the exact method.
     #[test]
     fn no_pose_of_a_part_is_outside_its_bounds() {
         let mut by_line = 0;

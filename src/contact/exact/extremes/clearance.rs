@@ -131,15 +131,19 @@ impl Cut<'_> {
 
     fn over(&self, at: f64, play: f64) -> [f64; 2] {
         let Lines([near, far]) = self.lines;
-        let end = |line| self.dip.at_distance(at, play, line) - self.bend;
+        let end = |line| {
+            let (clearance, is_above) = self.dip.at_distance(at, play, line);
+            (clearance - self.bend, is_above)
+        };
+        let (first, leaves) = end(near);
         if near.0 == far.0 {
-            return [end(near); 2];
+            return [first; 2];
         }
-        let ends = [end(near), end(far)];
+        let (last, also_leaves) = end(far);
+        let ends = [first, last];
         // Between the distances the clearance is above the straight line only while the corner is below the form circle. Where it crosses
         // that circle, the room of the involutes and their ends holds.
-        let leaves = [near, far].map(|line| self.dip.may_be_above(at, play, line));
-        if leaves[0] || leaves[1] {
+        if leaves || also_leaves {
             [least(ends); 2]
         } else {
             ends

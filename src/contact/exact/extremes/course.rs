@@ -50,17 +50,22 @@ impl SideCourse<'_> {
         }
     }
 
-    /// A range of distances of the outlines' centres as far as it is possible: [`Dip::deepest`] holds for no other.
-    pub fn possible(&self, (low, high): (f64, f64)) -> (f64, f64) {
+    /// Least and greatest distance of the outlines' centres, mm.
+    pub fn distances(&self) -> (f64, f64) {
         let off = self.off[0] + self.off[1];
-        let distance = self.problem.distance;
-        (low.max(distance - off), high.min(distance + off))
+        (self.problem.distance - off, self.problem.distance + off)
+    }
+
+    /// The part of a range of distances that is possible: [`Dip::deepest`] holds for no other.
+    pub fn possible(&self, (low, high): (f64, f64)) -> (f64, f64) {
+        let (least, most) = self.distances();
+        (low.max(least), high.min(most))
     }
 
     /// Part by which a difference of rooms may differ from that of a pair with its centres at rest.
     ///
-    /// The free gear stands at another rotation for either room, so its eccentricity `e` displaces its centre. That changes the room of involutes
-    /// at a rate of up to `e/r_bF`, so the difference changes by a factor between `1/(1 + e/r_bF)` and `1/(1 − e/r_bF)`.
+    /// Both rooms have their own rotation of the free gear, whose eccentricity `e` displaces its centre between them. That changes the room of
+    /// involutes at a rate of up to `e/r_bF`, so the difference changes by a factor between `1/(1 + e/r_bF)` and `1/(1 − e/r_bF)`.
     pub fn unsure(&self) -> f64 {
         let part = self.off[1] * self.problem.per_free_base;
         part / (1.0 - part)

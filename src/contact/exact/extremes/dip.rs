@@ -189,9 +189,16 @@ impl Dip {
         }
     }
 
-    /// Whether the corner may be above the form circle at one distance, with the locked half tooth within `play` of the angle `at`.
-    pub(super) fn may_be_above(&self, at: f64, play: f64, line: &(f64, Line)) -> bool {
+    /// The clearance at one distance and its line, with the locked half tooth within `play` of the angle `at`, and whether the corner may be
+    /// above the form circle.
+    pub(super) fn at_distance(&self, at: f64, play: f64, line: &(f64, Line)) -> (f64, bool) {
         let corner = self.corner(at, play, line);
+        let is_above = self.may_be_above(&corner, play);
+        (self.clearance_of(corner, play), is_above)
+    }
+
+    /// Whether the corner may be above the form circle while the locked half tooth moves by `play`.
+    fn may_be_above(&self, corner: &Corner, play: f64) -> bool {
         let way = match self.tip {
             Tip::Locked => 0.0,
             Tip::Free => 1.5 * FARTHEST * corner.radius,
@@ -202,10 +209,9 @@ impl Dip {
             .is_none_or(|chord| reach >= chord.radii.1)
     }
 
-    /// The clearance at one distance and its line, with the locked half tooth within `play` of the angle `at`.
-    pub(super) fn at_distance(&self, at: f64, play: f64, line: &(f64, Line)) -> f64 {
+    /// The clearance of the corner while the locked half tooth moves by `play`.
+    fn clearance_of(&self, corner: Corner, play: f64) -> f64 {
         let ratio = self.locked.base / self.free.base;
-        let corner = self.corner(at, play, line);
         let Corner {
             point,
             velocity,

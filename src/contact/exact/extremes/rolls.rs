@@ -1,10 +1,9 @@
 //! Rolls of the half teeth of a step in a part of a pitch, and their room beside the line of action.
 
 use super::super::line::Line;
-use super::super::separation::lowest_roll;
+use super::super::separation::{land_roll, lowest_roll};
 use super::clearance::{HALVINGS, Lines};
 use super::course::{PARTS, SideCourse};
-use std::f64::consts::PI;
 
 /// Part of a turn that is examined together over a face of helical gears (tuned: no tip of 44 standard teeth seems to reach a fillet).
 pub(super) const PIECE: f64 = 0.25;
@@ -67,16 +66,17 @@ impl<'a> Rolls<'a> {
     pub fn new(side: &'a SideCourse<'a>, line: &'a Line, ahead: f64, spread: f64) -> Rolls<'a> {
         let problem = side.problem;
         let off = side.off[0] + side.off[1];
-        let (sum, nearest) = (problem.sum(), problem.distance - off);
+        let (nearest, farthest) = side.distances();
+        let sum = problem.sum();
         let length = ((nearest - sum) * (nearest + sum)).sqrt();
         let (low, high) = problem.locked.extremes;
         Rolls {
             side,
             line,
-            lines: Lines::new((nearest, problem.distance + off), sum),
+            lines: Lines::new((nearest, farthest), sum),
             ahead,
             turning: off * (1.0 + sum / length) / nearest,
-            stretching: off * (problem.distance + off) / length,
+            stretching: off * farthest / length,
             places: low.abs().max(high.abs()),
             spread,
         }
@@ -236,7 +236,7 @@ fn beside((low, high): (f64, f64), (form, tip): (f64, f64)) -> f64 {
         let beyond = roll - end;
         beyond - beyond.sin() + end * (1.0 - beyond.cos())
     };
-    let tip_side = if low - tip > 0.5 * PI - tip.atan() {
+    let tip_side = if low > land_roll(tip) {
         low - (1.0 + tip * tip).sqrt()
     } else if low > tip {
         at(tip, low)

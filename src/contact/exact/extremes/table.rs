@@ -195,8 +195,8 @@ impl Table {
 
     /// How much more than a step on the line of action a side has in a part of a mating; `None` where no step is open.
     ///
-    /// Of the steps on the line all through the part it takes the one with the least room: differences of rooms are bounded in parts of them
-    /// ([`SideTable::unsure`]).
+    /// The step is the one with the least room among those on the line all through the part. Bounds of other rooms lose a part of their
+    /// difference from it ([`SideTable::unsure`]).
     pub fn beside_line(&self, side: usize, mating: u64, part: usize) -> Option<BesideLine> {
         let table = &self.sides[side];
         let places = table.places(mating);

@@ -7,6 +7,8 @@
 //! 2. Seen from the centre of the free outline, on one circle of that outline, the locked gear's root circle is wider than
 //!    the free gear's widest space. A free tooth is in it at every rotation.
 //!
+//! Root circles that overlap jam the pair as well, even where a space faces a space ([`root_circles`]).
+//!
 //! A tip circle can also reach over the mate's axis, with three or four long teeth and a very small root circle. Then
 //! no pose of the pair can be assembled ([`reaches_over_an_axis`]).
 //!
@@ -15,6 +17,8 @@
 //!
 //! Without these conditions a pose can still be jammed; its contacts show that ([`super::LostMotion::status`]).
 
+use super::lost_motion::LostMotion;
+use crate::error::Error;
 use crate::gear::{AsBuilt, Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
 use std::f64::consts::PI;
@@ -67,13 +71,42 @@ impl FarFlanks {
     }
 }
 
-/// Whether [`is_solid`] can be true at some pose, which is rare.
+/// Whether [`is_solid`] can be true or [`root_circles`] can meet at some pose, which is rare.
 pub(super) fn may_be_solid(assembly: &GearPair) -> bool {
     let locked = assembly.gear(assembly.locked());
     let free = assembly.gear(assembly.free());
     let nearest = assembly.center_distance() - locked.eccentricity();
+    // The free gear reaches further than its root circle.
     nearest - locked.gear().tip_radius() < solid_radius(free)
         || nearest - locked.gear().root_radius() < free.reach()
+}
+
+/// The result of a pose whose root circles overlap; `None` where they are apart at every rotation of the free gear.
+///
+/// Facing half teeth do not show this overlap between two spaces: the half of one space faces the other half of the other one.
+///
+/// # Errors
+/// [`Error::ContactLost`] if only the runout of the free gear makes them overlap.
+pub(super) fn root_circles(assembly: &GearPair, pose: &Pose) -> Result<Option<LostMotion>, Error> {
+    let [locked, free] = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
+    let tooth_1 = assembly.mate_direction(assembly.locked()) + pose.locked_rotation();
+    let centre = assembly.axis(assembly.locked()) + locked.displacement(tooth_1);
+    let distance = (assembly.axis(assembly.free()) - centre).norm();
+    let room = distance - locked.gear().root_radius() - free.gear().root_radius();
+    if room >= free.eccentricity() {
+        return Ok(None);
+    }
+    if room < -free.eccentricity() {
+        return Ok(Some(LostMotion::JAMMED));
+    }
+    let mating = pose.mating();
+    Err(Error::ContactLost {
+        wheel_tooth: mating.tooth(Member::Wheel),
+        pinion_tooth: mating.tooth(Member::Pinion),
+        flank: mating.flank.name(),
+        locked_rotation_rad: pose.locked_rotation(),
+        reason: "root circles overlap at some rotations of the free gear",
+    })
 }
 
 /// Radius about its axis within which a gear is solid at every rotation, mm.

@@ -4,7 +4,7 @@ use crate::clearance;
 use crate::wide::drawn::{Depth, Drawn, Teeth};
 use gearlash::contact::{
     Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, Piece, Proof, Prover, Reason,
-    Status, sweep,
+    SideProof, Status, sweep,
 };
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
@@ -146,6 +146,11 @@ fn poses_once_left_to_the_polygons_are_proven() {
         ),
         (
             2,
+            243_152,
+            "an eccentric land whose arm changes sign while it passes",
+        ),
+        (
+            2,
             567_447,
             "the direction of the greatest room has a negative arm",
         ),
@@ -210,6 +215,92 @@ fn a_far_half_counts_where_the_near_half_is_out_of_reach() {
         }
     }
     assert!(clear > 2, "{clear}");
+}
+
+/// A pose at which nothing touches.
+const OPEN: LostMotion = LostMotion {
+    right: None,
+    left: None,
+    solid: false,
+};
+
+/// A proof of [`OPEN`] without any separation.
+fn open_proof() -> Proof {
+    let side = |side| SideProof {
+        side,
+        section: 0.0,
+        open: None,
+        until: None,
+        touch: None,
+        apart: Vec::new(),
+    };
+    Proof {
+        sides: Side::BOTH.map(side).to_vec(),
+    }
+}
+
+/// Root circles that overlap where a space faces a space jam the pair, or its contacts are lost: half teeth that face each other are apart there,
+/// and both methods once called such poses clear. Four low and thin teeth on four, the free gear eccentric or not. Source: points of whole gears
+/// in each other's metal, from another program.
+#[test]
+fn a_space_may_not_hold_the_root_circle_of_the_mate() {
+    let gear = |deviations: &Deviations, face| {
+        let design = GearDesign {
+            rack: BasicRack::new(0.05, 0.1, 0.0).unwrap(),
+            ..GearDesign::standard(BasicGearData::new(4, 2.0, 20f64.to_radians()).unwrap())
+        };
+        AsBuilt::new(Gear::nominal(design).unwrap(), face, deviations).unwrap()
+    };
+    let thin = |eccentricity| Deviations {
+        per_tooth: vec![-1.8; 4],
+        eccentricity,
+        high_tooth: 1.0,
+        ..Deviations::default()
+    };
+    let (mut jammed, mut lost, mut clear) = (0, 0, 0);
+    for (eccentricity, distance) in [0.0, 0.05].into_iter().flat_map(|eccentricity| {
+        let distances = [7.52, 7.54, 7.56, 7.58, 7.59, 7.605, 7.62, 7.64, 7.66];
+        distances.map(|distance| (eccentricity, distance))
+    }) {
+        let wheel = gear(&thin(0.0), Face::Front);
+        let pinion = gear(&thin(eccentricity), Face::Back);
+        let cut = CutPair::for_certificates(&wheel, &pinion);
+        let pair = GearPair::new(wheel, pinion, distance).unwrap();
+        let kernel = ExactKernel::new(&pair);
+        for fraction in (0..10).map(|k| 0.43 + 0.005 * f64::from(k)) {
+            let mating = Mating {
+                fraction,
+                ..Mating::FIRST
+            };
+            let pose = Pose::new(&pair, mating);
+            let polygon = cut.refined_kernel(&pair).lost_motion(&pose);
+            let statuses = [kernel.lost_motion(&pose), polygon].map(|found| {
+                let Ok(found) = found else { return None };
+                if let (Status::Clear, Some(right), Some(left)) =
+                    (found.status(), found.right, found.left)
+                {
+                    let middle = 0.5 * (right.rotation + left.rotation);
+                    let overlap = clearance::overlap(&pair, &pose, middle);
+                    assert!(overlap <= 0.0, "{eccentricity} {distance} {fraction}");
+                }
+                Some(found.status())
+            });
+            assert_eq!(statuses[0], statuses[1], "{eccentricity} {distance}");
+            // Neither prover nor checker takes a pose as proven at which nothing touches.
+            let overlaps = distance < 2.0 * 3.8 + eccentricity;
+            let checked = Prover::new(&pair, &kernel).check(&pose, &OPEN);
+            assert_eq!(checked == Err("root lands reach each other"), overlaps);
+            let checked = open_proof().verify(&pair, &pose);
+            assert_eq!(checked == Err("root circles overlap".to_owned()), overlaps);
+            lost += usize::from(statuses[0].is_none());
+            jammed += usize::from(statuses[0] == Some(Status::Jammed));
+            clear += usize::from(statuses[0] == Some(Status::Clear));
+        }
+    }
+    assert!(
+        jammed > 20 && lost > 20 && clear > 20,
+        "{jammed} {lost} {clear}"
+    );
 }
 
 /// The checker refuses a proof that says too much: one closed by more than its bound, with a pair left out, a direction turned, a stretch of a fillet

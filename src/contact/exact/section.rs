@@ -11,7 +11,7 @@ use super::shape::turn;
 use super::teeth::reduced;
 use super::tightest::Touching;
 use crate::contact::Effort;
-use crate::contact::body::{FarFlanks, is_solid, may_be_solid, reaches_over_an_axis};
+use crate::contact::body::{FarFlanks, is_solid, may_be_solid, reaches_over_an_axis, root_circles};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
@@ -191,6 +191,11 @@ impl Section {
     ) -> Result<LostMotion, Error> {
         if self.blocked {
             return Ok(LostMotion::JAMMED);
+        }
+        if let Some(pair) = &self.bodies
+            && let Some(jammed) = root_circles(pair, pose)?
+        {
+            return Ok(jammed);
         }
         let mating = pose.mating();
         let teeth = (mating.tooth(self.free.mate()), mating.tooth(self.free));

@@ -118,14 +118,26 @@ impl At {
     }
 
     /// The least arm about the free gear's axis of its support against `n`, as far as corners and a land are on the way.
+    ///
+    /// On a land the room changes by `c·n`, with its centre `c`. An arm above 0 may change sign there: the room then rises and falls. At the
+    /// near corner `p` it has an arm of `-e`, and falls by at most `|p| - |p·n| ≤ e²/(2 |p·n|)` from there. If the land's way gained as much
+    /// as that, the room never falls below its value here, and the arm here is the answer.
     #[inline]
     pub fn least_arm(&self, free: Support, n: C) -> f64 {
-        let arm = free.lever - along(self.centres[1], n);
+        let centre = self.centres[1];
+        let arm = free.lever - along(centre, n);
         if !(free.ahead > 0.0) {
             return arm;
         }
-        let turned = turn(free.ahead.min(self.play));
-        arm.min(-along(self.centres[1] * turned, n))
+        let end = centre * turn(free.ahead.min(self.play));
+        let at_end = -along(end, n);
+        let corner = dot(end, n) - free.radius;
+        let gained = dot(end - centre, n);
+        let is_on_land = free.radius > 0.0;
+        if is_on_land && arm > 0.0 && corner < 0.0 && -2.0 * corner * gained > at_end * at_end {
+            return arm;
+        }
+        arm.min(at_end)
     }
 
     /// A direction that keeps both pieces apart by more than `need` mm. Newton's method on `s_ν` in a bracket finds it, first from `start`,

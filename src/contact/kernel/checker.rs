@@ -94,6 +94,9 @@ impl Proof {
 
 fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<(), String> {
     let side = proof.side;
+    if root_circles_may_overlap(assembly, pose) {
+        return Err("root circles overlap".to_owned());
+    }
     let free = |tooth, rotation| Half::new(assembly, assembly.free(), rotation, side, tooth);
     let locked = |tooth| {
         let (gear, rotation) = (assembly.locked(), pose.locked_rotation());
@@ -171,6 +174,15 @@ fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<()
         }
     }
     Ok(())
+}
+
+/// Whether root circles overlap at a rotation of the free gear: two spaces that face each other are no facing half teeth.
+fn root_circles_may_overlap(assembly: &GearPair, pose: &Pose) -> bool {
+    let [locked, free] = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
+    let tooth_1 = assembly.mate_direction(assembly.locked()) + pose.locked_rotation();
+    let centre = assembly.axis(assembly.locked()) + locked.displacement(tooth_1);
+    let solid = locked.gear().root_radius() + free.gear().root_radius() + free.eccentricity();
+    (assembly.axis(assembly.free()) - centre).norm() < solid
 }
 
 /// Parts of the free half tooth, each by its name; the top includes tip and involute.
@@ -282,6 +294,30 @@ impl Pair<'_> {
         distance > falls
     }
 
+    /// Least arm of the free tooth in the direction `n` on the way to the near corner of its land.
+    ///
+    /// The normals of a land meet at the gear's centre, whose arm may fall until the land's end. If the distance has grown until there by
+    /// more than the corner can still fall, it stays above its value now: a corner `p` with the arm `e` falls to `-|p|` at most.
+    fn arm_past(
+        &self,
+        land: LandAhead,
+        n: Vector2<f64>,
+        arm: impl Fn(Point2<f64>, Vector2<f64>) -> f64,
+    ) -> f64 {
+        let free = &self.free;
+        let turned = UnitComplex::new(-free.side.sense() * land.turn.min(self.play));
+        let centre = self.axis + turned * (free.centre - self.axis);
+        let past = arm(centre, n);
+        let grown = (centre - free.centre).dot(&n);
+        let corner = (centre - self.axis).dot(&n) - free.gear.gear().tip_radius();
+        let falls = past * past / (2.0 * -corner);
+        if land.is_here && corner < 0.0 && grown > falls {
+            f64::INFINITY
+        } else {
+            past
+        }
+    }
+
     /// Whether a separation keeps its two pieces apart; `open`: at a rotation, otherwise at every one.
     fn holds(&self, one: &Separation, open: bool) -> bool {
         let Pair {
@@ -296,15 +332,9 @@ impl Pair<'_> {
                 let (back, at) = free.reach(one.free, -n);
                 // After a further turn the free piece has another corner towards the line.
                 let next = free.next_corner(one.free, -n, at).unwrap_or(at);
-                // And the arm of a land, whose normals meet at the gear's centre, may fall until its end.
-                let turned = free.before_end_of_land(one.free, -n).min(self.play);
-                let turned = UnitComplex::new(-free.side.sense() * turned);
-                let centre = *axis + turned * (free.centre - axis);
-                let past = if turned.angle() == 0.0 {
-                    f64::INFINITY
-                } else {
-                    arm(centre, n)
-                };
+                let past = free
+                    .land_ahead(one.free, -n)
+                    .map_or(f64::INFINITY, |land| self.arm_past(land, n, arm));
                 open && self.stays(-back - reach, arm(at, n).min(arm(next, n)).min(past))
             }
             Reason::OutOfReach => axis.coords.dot(&n) - free.piece_about(one.free, *axis) > reach,
@@ -324,6 +354,14 @@ impl Pair<'_> {
             }
         }
     }
+}
+
+/// The tip land of a top whose near corner reaches furthest after a further turn.
+struct LandAhead {
+    /// The turn, rad.
+    turn: f64,
+    /// Whether a point of the land reaches furthest now.
+    is_here: bool,
 }
 
 /// Moment about `axis` of a unit force along `n` at a point.
@@ -496,14 +534,18 @@ impl<'a> Half<'a> {
         }
     }
 
-    /// Rotation, rad, after which the near corner of a top's land reaches furthest in the direction `n`; 0 if it does so already.
-    fn before_end_of_land(&self, piece: Piece, n: Vector2<f64>) -> f64 {
+    /// The land of a top, if its near corner does not yet reach furthest in the direction `n`.
+    fn land_ahead(&self, piece: Piece, n: Vector2<f64>) -> Option<LandAhead> {
         if !matches!(piece, Piece::Top | Piece::Tooth) {
-            return 0.0;
+            return None;
         }
-        let (_, end) = self.range(ProfilePart::Tip);
+        let (start, end) = self.range(ProfilePart::Tip);
         let n = self.own(self.centre + n);
-        (n.y.atan2(n.x) + end).max(0.0)
+        let angle = n.y.atan2(n.x);
+        (angle + end > 0.0).then_some(LandAhead {
+            turn: angle + end,
+            is_here: angle + start < 0.0,
+        })
     }
 
     /// Reach of one curve, which turns one way by less than half a turn: at an end, or where it turns from rising to falling.

@@ -4,7 +4,7 @@ use super::chord::CutGear;
 use super::flank_problem::{CutTeeth, FlankProblem};
 use super::search::{FoundTouch, search};
 use crate::contact::Effort;
-use crate::contact::body::{FarFlanks, is_solid, may_be_solid, reaches_over_an_axis};
+use crate::contact::body::{FarFlanks, is_solid, may_be_solid, reaches_over_an_axis, root_circles};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
@@ -53,6 +53,9 @@ impl<'a> PolygonKernel<'a> {
     ) -> Result<LostMotion, Error> {
         if reaches_over_an_axis(self.teeth.assembly) {
             return Ok(LostMotion::JAMMED);
+        }
+        if let Some(jammed) = root_circles(self.teeth.assembly, pose)? {
+            return Ok(jammed);
         }
         let found = LostMotion {
             right: self.side(pose, Side::Right, effort)?,

@@ -12,6 +12,7 @@
 
 use super::super::line::Line;
 use super::super::shape::{C, HalfToothShape, turn};
+use crate::contact::gap::dot;
 use crate::gear::ProfilePart;
 use std::f64::consts::PI;
 
@@ -179,13 +180,16 @@ impl Dip {
             }
             Tip::Free => distance + square * (radius + speed * play),
         };
+        let jolt = 0.5 * acceleration * play * play;
         Corner {
             point,
             velocity,
+            speed,
             radius,
             by_gap,
-            speed,
-            jolt: 0.5 * acceleration * play * play,
+            jolt,
+            moved: speed * play + jolt,
+            turned: (speed + (1.0 + ratio) * radius) * play + jolt,
         }
     }
 
@@ -193,43 +197,51 @@ impl Dip {
     /// above the form circle.
     pub(super) fn at_distance(&self, at: f64, play: f64, line: &(f64, Line)) -> (f64, bool) {
         let corner = self.corner(at, play, line);
-        let is_above = self.may_be_above(&corner, play);
-        (self.clearance_of(corner, play), is_above)
+        let clearance = self.clearance_of(&corner, play);
+        (clearance, self.may_be_above(&corner, clearance))
     }
 
-    /// Whether the corner may be above the form circle while the locked half tooth moves by `play`.
-    fn may_be_above(&self, corner: &Corner, play: f64) -> bool {
+    /// Whether the corner may be above the form circle at a contact with this clearance or more, as far as clearances are distinguished.
+    fn may_be_above(&self, corner: &Corner, clearance: f64) -> bool {
+        let Some(chord) = self.chords.first() else {
+            return true;
+        };
+        let off = length(corner.point);
         let way = match self.tip {
             Tip::Locked => 0.0,
-            Tip::Free => 1.5 * FARTHEST * corner.radius,
+            Tip::Free => {
+                // A point at `p` with the velocity `p'` and an acceleration of at most `ρ` is within
+                // `|p| + p·p'/|p| t + (ρ²/|p| + ρ) t²/2` after the turn `t`.
+                let outwards = dot(corner.by_gap, corner.point) / off;
+                let radius = corner.radius;
+                let bend = 0.5 * radius * (1.0 + radius / (off - corner.moved));
+                let way = |rate: f64, by: f64| (rate.max(0.0) + corner.turned + bend * by) * by;
+                way(outwards, (-clearance).max(0.0)).max(way(-outwards, FARTHEST))
+            }
         };
-        let reach = length(corner.point) + corner.speed * play + corner.jolt + way;
-        self.chords
-            .first()
-            .is_none_or(|chord| reach >= chord.radii.1)
+        !(off + corner.moved + way < chord.radii.1)
     }
 
     /// The clearance of the corner while the locked half tooth moves by `play`.
-    fn clearance_of(&self, corner: Corner, play: f64) -> f64 {
-        let ratio = self.locked.base / self.free.base;
+    fn clearance_of(&self, corner: &Corner, play: f64) -> f64 {
         let Corner {
             point,
             velocity,
+            speed,
             radius,
             by_gap,
-            speed,
             jolt,
-        } = corner;
+            moved,
+            turned,
+        } = *corner;
         let off = length(point);
-        let band = (off - speed * play - jolt, off + speed * play + jolt);
-        let turned = (speed + (1.0 + ratio) * radius) * play + jolt;
+        let band = (off - moved, off + moved);
         let least = |chord: &Chord| {
-            let away = point - chord.point;
-            let height = away.re * chord.normal.re + away.im * chord.normal.im;
-            let rate = velocity.re * chord.normal.re + velocity.im * chord.normal.im;
+            let height = dot(point - chord.point, chord.normal);
+            let rate = dot(velocity, chord.normal);
             let height = height - rate.abs() * play - jolt;
             // As the free gear turns, the height changes by this arm, and the arm by the radius.
-            let arm = by_gap.re * chord.normal.re + by_gap.im * chord.normal.im;
+            let arm = dot(by_gap, chord.normal);
             let reach = radius + speed * play;
             if height >= 0.0 {
                 let arm = (arm + turned).max(0.0);
@@ -245,7 +257,7 @@ impl Dip {
         };
         // No corner is deeper than the chords. On its way to the fillet, or out of it, a free corner changes its radius.
         let over = |way: f64| {
-            let radial = (by_gap.re * point.re + by_gap.im * point.im).abs() / off + turned;
+            let radial = dot(by_gap, point).abs() / off + turned;
             let (low, high) = (band.0 - radial * way, band.1 + radial * way);
             // From the joint inwards their radii fall.
             let first = self.chords.partition_point(|chord| chord.radii.0 > high);
@@ -279,6 +291,10 @@ struct Corner {
     by_gap: C,
     /// Second-order part of its way, mm.
     jolt: f64,
+    /// Bound of its way by the turn of the locked gear, mm.
+    moved: f64,
+    /// Bound of the change of `by_gap` on this way, and of its component along a normal that turns with the mate.
+    turned: f64,
 }
 
 /// The length of a vector, as large as gears are.

@@ -375,14 +375,7 @@ impl Planned {
 
     /// The cycle of a pair with a drawn gear.
     fn outlines(&self, pair: &OutlinePair) -> OutlineCycle {
-        let unlike = Member::BOTH.map(|member| pair.gear(member).unlikeness());
-        let unlike = unlike.into_iter().flatten().sum();
-        OutlineCycle {
-            first: self.first,
-            distinct: self.distinct,
-            matings: hunting_pitches(pair),
-            unlike,
-        }
+        cycle_of_outlines(pair, (self.first, self.distinct))
     }
 
     /// The extreme `end` of a pair with a drawn gear.
@@ -563,7 +556,7 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
         phases.dedup();
         // Against perfect teeth the mating tooth does not matter.
         let distinct = distinct(&run.assembly);
-        let differ = phase_count(&run.assembly) > 1 && deviate(&run.assembly) == [true, true];
+        let differ = phase_count(&run.assembly) > 1 && phases_differ(&run.assembly);
         if !differ {
             phases.truncate(1);
         }
@@ -599,15 +592,37 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
 ///
 /// # Errors
 /// As [`ExactKernel::extremes`].
-pub fn extremes_of_phase(assembly: &GearPair, phase: u32, width: f64) -> Result<Extremes, Error> {
-    let first = first_of_phase(phase);
-    let distinct = distinct_of(deviate_of_data(assembly), assembly);
-    let effort = &Effort::of_extremes(assembly);
-    let over = (first, distinct);
-    if is_open(assembly) {
-        Ok(any_direction(assembly, over, &End::BOTH, width, effort)?.found)
-    } else {
-        ExactKernel::new(assembly).extremes_within(assembly, over, width, effort)
+pub fn extremes_of_phase(
+    assembly: &AssembledPair,
+    phase: u32,
+    width: f64,
+) -> Result<Extremes, Error> {
+    let over = (first_of_phase(phase), distinct(assembly));
+    match assembly {
+        AssembledPair::Data(pair) => {
+            let effort = &Effort::of_extremes(pair);
+            if is_open(pair) {
+                Ok(any_direction(pair, over, &End::BOTH, width, effort)?.found)
+            } else {
+                ExactKernel::new(pair).extremes_within(pair, over, width, effort)
+            }
+        }
+        AssembledPair::Drawn(pair) => {
+            let width = width.max(PROVEN_WIDTH_DRAWN);
+            let cycle = cycle_of_outlines(pair, over);
+            Ok(OutlineKernel::new(pair).extremes(pair, &cycle, &End::BOTH, width))
+        }
+    }
+}
+
+/// The cycle of a pair with a drawn gear: its first mating, and the number of distinct ones.
+fn cycle_of_outlines(pair: &OutlinePair, (first, distinct): (Mating, u64)) -> OutlineCycle {
+    let unlike = Member::BOTH.map(|member| pair.gear(member).unlikeness());
+    OutlineCycle {
+        first,
+        distinct,
+        matings: hunting_pitches(pair),
+        unlike: unlike.into_iter().flatten().sum(),
     }
 }
 
@@ -650,8 +665,8 @@ pub(super) fn hunting_pitches(assembly: &impl ToothNumbers) -> u64 {
 }
 
 /// Whether the extremes over the cycle depend on the assembly phase. They do not if all teeth of one gear are equal.
-pub(crate) fn phases_differ(assembly: &GearPair) -> bool {
-    deviate_of_data(assembly) == [true, true]
+pub(crate) fn phases_differ(assembly: &AssembledPair) -> bool {
+    deviate(assembly) == [true, true]
 }
 
 /// Whether wheel and pinion have unlike teeth.

@@ -206,6 +206,14 @@ impl OutlineGear {
         self.displacement.norm()
     }
 
+    /// The tooth (fractional) towards which the outline is displaced; 1 without an eccentricity.
+    pub fn high_tooth(&self) -> f64 {
+        let teeth = f64::from(self.teeth());
+        let pitches = self.face.ascending() * self.displacement.arg() / self.pitch();
+        // A small negative angle is rounded to a whole turn.
+        1.0 + pitches.rem_euclid(teeth) % teeth
+    }
+
     /// Displacement of the outline's centre from the axis with tooth 1 on +x, mm.
     pub(crate) fn displacement(&self) -> Complex<f64> {
         self.displacement

@@ -3,12 +3,12 @@
 use crate::analysis::extremes::{WIDTH, extremes_of_phase};
 use crate::contact::{Extreme, Extremes, Status};
 use crate::error::Error;
-use crate::pair::GearPair;
+use crate::outline::AssembledPair;
 
 /// One pair as assembled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assembly {
-    pair: GearPair,
+    pair: AssembledPair,
     clearance: f64,
     phase: u32,
 }
@@ -68,7 +68,7 @@ pub struct Outcome {
 }
 
 impl Assembly {
-    pub(crate) fn new(pair: GearPair, clearance: f64, phase: u32) -> Assembly {
+    pub(crate) fn new(pair: AssembledPair, clearance: f64, phase: u32) -> Assembly {
         Assembly {
             pair,
             clearance,
@@ -77,7 +77,7 @@ impl Assembly {
     }
 
     /// The pair.
-    pub fn pair(&self) -> &GearPair {
+    pub fn pair(&self) -> &AssembledPair {
         &self.pair
     }
 
@@ -101,7 +101,7 @@ impl Assembly {
 
     /// The pair with its least and that with its greatest backlash: the axes as near, and as far apart, as the bearings
     /// allow. `None` if one of them is impossible.
-    pub(crate) fn ends(&self) -> Option<[GearPair; 2]> {
+    pub(crate) fn ends(&self) -> Option<[AssembledPair; 2]> {
         let distance = self.pair.center_distance();
         if self.clearance > 0.0 {
             let near = self.pair.at(distance - self.clearance).ok()?;
@@ -138,7 +138,9 @@ impl Assembly {
         };
         match found {
             Ok(found) => Ok(Outcome::of(&found)),
-            Err(Error::Gear(_)) => Ok(Outcome::without(OutcomeKind::Impossible)),
+            Err(Error::Gear(_) | Error::Outline(_)) => {
+                Ok(Outcome::without(OutcomeKind::Impossible))
+            }
             Err(error) if error.pose_failure().is_some() => {
                 Ok(Outcome::without(OutcomeKind::Unproven))
             }

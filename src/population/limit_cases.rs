@@ -5,9 +5,10 @@ use super::members::{Population, displaced};
 use super::scatter::Scatter;
 use super::scatters::{GearScatter, LeadScatter, Scatters, phase_count};
 use crate::analysis::extremes::phases_differ;
-use crate::error::{Error, GearError};
+use crate::error::Error;
 use crate::gear::{AsBuilt, Deviations, Flank, Lead};
-use crate::pair::Member;
+use crate::outline::AssembledPair;
+use crate::pair::{GearPair, Member};
 use crate::parallel;
 
 /// Standard deviations of a flank's cumulative pitch deviation in the worst case.
@@ -74,7 +75,8 @@ enum Towards {
     More,
 }
 
-/// The limit cases of `population`; `None` if whole gears are drawn, which have no limits.
+/// The limit cases of `population`; `None` if whole gears are drawn, which have no limits, or if the runout of a gear given by a drawing
+/// scatters, whose worst direction is not searched.
 ///
 /// An assembly phase has no limits. If it scatters, each case covers all gcd(z_1, z_2) phases. Its least and its
 /// greatest can come from different phases.
@@ -97,10 +99,12 @@ enum Towards {
 /// As [`Assembly::outcome`].
 pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error> {
     let scatters = population.scatters();
-    let members = Member::BOTH;
-    if members
+    let has_drawing = population.pair().drawn().is_some();
+    let has_no_limits =
+        |gear: &GearScatter| gear.gears.is_some() || has_drawing && gear.runout.is_some();
+    if Member::BOTH
         .iter()
-        .any(|&member| scatters.of(member).gears.is_some())
+        .any(|&member| has_no_limits(scatters.of(member)))
     {
         return Ok(None);
     }
@@ -204,8 +208,8 @@ fn assembly(
     at_limit: &dyn Fn(SingleFactor) -> bool,
     towards: Towards,
     ends: [f64; 2],
-) -> Result<Assembly, GearError> {
-    let (pair, scatters) = (population.pair(), population.scatters());
+) -> Result<Assembly, Error> {
+    let scatters = population.scatters();
     // More material means less backlash, more distance means more.
     let [less, more] = match towards {
         Towards::Less => [1, 0],
@@ -216,7 +220,7 @@ fn assembly(
         Some(scatter) if at_limit(alone) => scatter.limits()[side],
         Some(scatter) => scatter.mean(),
     };
-    let gear = |member: Member| {
+    let gear = |pair: &GearPair, member: Member| {
         let (own, scatter) = (pair.gear(member), scatters.of(member));
         let thicker = of(&scatter.thickness, SingleFactor::Thickness(member), less);
         let each = of(&scatter.per_tooth, SingleFactor::PerTooth(member), less);
@@ -242,7 +246,7 @@ fn assembly(
         let is_worst = towards == Towards::Less && at_limit(SingleFactor::Wobble(member));
         let wobble = scatter.wobble.as_ref().map(|wobble| {
             let lean = if is_worst { wobble.limits()[1] } else { 0.0 };
-            [lean, leaning_tooth(population, member)]
+            [lean, leaning_tooth(pair, population.phase(), member)]
         });
         displaced(gear, wobble, |gear| match &scatter.runout {
             Some(runout) if at_limit(SingleFactor::Runout(member)) => {
@@ -253,8 +257,7 @@ fn assembly(
         })
     };
     let farther = of(&scatters.center_distance, SingleFactor::Distance, more);
-    let distance = pair.center_distance() + farther;
-    let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+    let distance = population.pair().center_distance() + farther;
     let play = match &scatters.bearing_play {
         Some(play) if at_limit(SingleFactor::Play) => play.limits()[1],
         Some(play) => play.mean(),
@@ -262,18 +265,23 @@ fn assembly(
     };
     // Axes that are nearer at the far end tighten it on both flanks, those with the pinion's far end at +y on right flanks.
     let senses = [-ends[0], ends[0]];
-    let own = pair.lean();
-    let lean = [0, 1].map(|k| {
-        own[k]
-            + match &scatters.lean[k] {
-                Some(lean) if at_limit(SingleFactor::Lean) && ends[0] != 0.0 => {
-                    lean.limits()[usize::from(senses[k] > 0.0)]
-                }
-                Some(lean) => lean.mean(),
-                None => 0.0,
-            }
+    let leaning = [0, 1].map(|k| match &scatters.lean[k] {
+        Some(lean) if at_limit(SingleFactor::Lean) && ends[0] != 0.0 => {
+            lean.limits()[usize::from(senses[k] > 0.0)]
+        }
+        Some(lean) => lean.mean(),
+        None => 0.0,
     });
-    let pair = pair.with_gears(wheel, pinion, distance)?.with_lean(lean)?;
+    let pair: AssembledPair = match population.pair() {
+        AssembledPair::Data(pair) => {
+            let (wheel, pinion) = (gear(pair, Member::Wheel)?, gear(pair, Member::Pinion)?);
+            let own = pair.lean();
+            let lean = [own[0] + leaning[0], own[1] + leaning[1]];
+            let pair = pair.with_gears(wheel, pinion, distance)?;
+            pair.with_lean(lean)?.into()
+        }
+        AssembledPair::Drawn(pair) => pair.at(distance)?.into(),
+    };
     Ok(Assembly::new(pair, play, population.phase()))
 }
 
@@ -313,11 +321,10 @@ fn lead_limit(lead: &LeadScatter, gear: &AsBuilt, limit: Option<(Towards, [f64; 
 }
 
 /// The tooth of a gear towards which it leans, against its mate where wheel tooth 1 meets the pinion.
-fn leaning_tooth(population: &Population, member: Member) -> f64 {
+fn leaning_tooth(pair: &GearPair, phase: u32, member: Member) -> f64 {
     if member == Member::Wheel {
         return 1.0;
     }
-    let pair = population.pair();
     let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
     let data = pinion.gear().basic_data();
     let half = 0.5 * f64::from(data.teeth());
@@ -326,7 +333,7 @@ fn leaning_tooth(population: &Population, member: Member) -> f64 {
     } else {
         half
     };
-    data.tooth_after(f64::from(population.phase() - 1) + facing)
+    data.tooth_after(f64::from(phase - 1) + facing)
 }
 
 /// Additional thickness of a tooth, mm, with both flanks at the limit of their cumulative pitch deviation.

@@ -7,14 +7,15 @@ use super::scatters::{
     GearScatter, LeadScatter, PopulationError, Scatters, not_negative, phase_count,
 };
 use super::stream::{Draw, Stream};
-use crate::error::GearError;
+use crate::error::{Error, GearError, OutlineError};
 use crate::gear::{AsBuilt, Deviations, Lead, Pitch};
+use crate::outline::{AssembledPair, OutlineGear, OutlinePair};
 use crate::pair::{GearPair, Member};
 
 /// A pair and its scatters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Population {
-    pair: GearPair,
+    pair: AssembledPair,
     scatters: Scatters,
     clearance: f64,
     phase: u32,
@@ -26,20 +27,22 @@ impl Population {
     ///
     /// # Errors
     /// [`PopulationError`].
-    pub fn new(pair: GearPair, scatters: Scatters) -> Result<Population, PopulationError> {
-        for (member, gear) in [
-            (Member::Wheel, &scatters.wheel),
-            (Member::Pinion, &scatters.pinion),
-        ] {
-            gear.check(pair.gear(member))?;
+    pub fn new(
+        pair: impl Into<AssembledPair>,
+        scatters: Scatters,
+    ) -> Result<Population, PopulationError> {
+        let pair = pair.into();
+        for member in Member::BOTH {
+            let gear = scatters.of(member);
+            gear.check(pair.data().map(|pair| pair.gear(member)))?;
         }
         let nonnegative = |what, scatter: &Option<Scatter>| match scatter {
             Some(scatter) => not_negative(what, scatter),
             None => Ok(()),
         };
         nonnegative("the play of the bearings", &scatters.bearing_play)?;
-        let [from, to] = pair.face();
-        if scatters.vary_along_face() && from == to {
+        let has_face = |pair: &GearPair| pair.face()[0] != pair.face()[1];
+        if scatters.vary_along_face() && !pair.data().is_some_and(has_face) {
             return Err(PopulationError::NoFace);
         }
         let correlation = scatters.thickness_correlation;
@@ -76,7 +79,7 @@ impl Population {
     }
 
     /// The pair without scatter.
-    pub fn pair(&self) -> &GearPair {
+    pub fn pair(&self) -> &AssembledPair {
         &self.pair
     }
 
@@ -104,24 +107,17 @@ impl Population {
     ///
     /// # Errors
     /// Values of an impossible gear or pair.
-    pub fn assembly(&self, draw: Draw) -> Result<Assembly, GearError> {
+    pub fn assembly(&self, draw: Draw) -> Result<Assembly, Error> {
         self.assembled(&|_| draw)
     }
 
     /// The assembly whose quantities have separate draws.
-    pub(super) fn assembled(&self, of: &dyn Fn(Factor) -> Draw) -> Result<Assembly, GearError> {
+    pub(super) fn assembled(&self, of: &dyn Fn(Factor) -> Draw) -> Result<Assembly, Error> {
         let stream = |factor: Factor| of(factor).stream(factor.quantity());
         let one = |scatter: &Option<Scatter>, factor: Factor| {
             let scatter = scatter.as_ref()?;
             Some(scatter.at(stream(factor).uniform()))
         };
-        let [wheel_share, pinion_share] = self.thickness_shares(&stream);
-        let gear = |member, share| {
-            let (scatter, own) = (self.scatters.of(member), self.pair.gear(member));
-            scatter.draw(own, member, share, &stream)
-        };
-        let wheel = gear(Member::Wheel, wheel_share)?;
-        let pinion = gear(Member::Pinion, pinion_share)?;
         let farther = one(&self.scatters.center_distance, Factor::CenterDistance).unwrap_or(0.0);
         let distance = self.pair.center_distance() + farther;
         let play = one(&self.scatters.bearing_play, Factor::BearingPlay);
@@ -131,14 +127,42 @@ impl Population {
         } else {
             self.phase
         };
-        let mut pair = self.pair.with_gears(wheel, pinion, distance)?;
-        if self.scatters.lean != [None, None] {
-            let mut axes = stream(Factor::Misalignment);
-            let drawn = each_at(self.scatters.lean.each_ref().map(Option::as_ref), &mut axes);
-            let own = pair.lean();
-            pair = pair.with_lean([own[0] + drawn[0], own[1] + drawn[1]])?;
-        }
+        let pair = match &self.pair {
+            AssembledPair::Data(pair) => self.by_data(pair, distance, &stream)?.into(),
+            AssembledPair::Drawn(pair) => {
+                let gear = |member| {
+                    let scatter = self.scatters.of(member);
+                    scatter.displace_outline(pair.gear(member), member, &stream)
+                };
+                let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+                OutlinePair::new(wheel, pinion, distance, pair.locked())?.into()
+            }
+        };
         Ok(Assembly::new(pair, play.unwrap_or(self.clearance), phase))
+    }
+
+    /// Two gears like those of `pair` at this distance.
+    fn by_data(
+        &self,
+        pair: &GearPair,
+        distance: f64,
+        stream: &dyn Fn(Factor) -> Stream,
+    ) -> Result<GearPair, GearError> {
+        let [wheel_share, pinion_share] = self.thickness_shares(stream);
+        let gear = |member, share| {
+            let scatter = self.scatters.of(member);
+            scatter.draw(pair.gear(member), member, share, stream)
+        };
+        let wheel = gear(Member::Wheel, wheel_share)?;
+        let pinion = gear(Member::Pinion, pinion_share)?;
+        let pair = pair.with_gears(wheel, pinion, distance)?;
+        if self.scatters.lean == [None, None] {
+            return Ok(pair);
+        }
+        let mut axes = stream(Factor::Misalignment);
+        let drawn = each_at(self.scatters.lean.each_ref().map(Option::as_ref), &mut axes);
+        let own = pair.lean();
+        pair.with_lean([own[0] + drawn[0], own[1] + drawn[1]])
     }
 
     /// Leads of right and left flanks on top of the pair's in the assembly of `draw`; `None` where none scatter.
@@ -212,25 +236,54 @@ impl GearScatter {
             Some(lead) => gear.with_further_leads(&lead.draw(stream(Factor::Lead(member))))?,
             None => gear,
         };
-        let any_tooth = |share: f64| 1.0 + f64::from(teeth) * share;
         let wobble = self.wobble.as_ref().map(|scatter| {
             let mut wobble = stream(Factor::Wobble(member));
-            [scatter.at(wobble.uniform()), any_tooth(wobble.uniform())]
+            [
+                scatter.at(wobble.uniform()),
+                any_tooth(teeth, wobble.uniform()),
+            ]
         });
-        let runout = (self.runout.is_some() || gear.any_direction()).then(|| {
-            let mut runout = stream(Factor::Runout(member));
-            let amount = runout.uniform();
-            let eccentricity = match &self.runout {
-                Some(scatter) => 0.5 * scatter.at(amount),
-                None => gear.eccentricity(),
-            };
-            [eccentricity, any_tooth(runout.uniform())]
-        });
+        let is_open = self.runout.is_some() || gear.any_direction();
+        let runout = is_open.then(|| self.runout_of(gear.eccentricity(), (member, teeth), stream));
         displaced(gear, wobble, |gear| match runout {
             Some([eccentricity, high_tooth]) => gear.with_runout(eccentricity, high_tooth),
             None => Ok(gear),
         })
     }
+
+    /// The eccentricity of a gear whose own one is `eccentricity`, mm, and the high tooth.
+    fn runout_of(
+        &self,
+        eccentricity: f64,
+        (member, teeth): (Member, u32),
+        stream: &dyn Fn(Factor) -> Stream,
+    ) -> [f64; 2] {
+        let mut runout = stream(Factor::Runout(member));
+        let amount = runout.uniform();
+        let scatter = self.runout.as_ref();
+        let eccentricity = scatter.map_or(eccentricity, |scatter| 0.5 * scatter.at(amount));
+        [eccentricity, any_tooth(teeth, runout.uniform())]
+    }
+
+    /// The gear `own` with its runout.
+    fn displace_outline(
+        &self,
+        own: &OutlineGear,
+        member: Member,
+        stream: &dyn Fn(Factor) -> Stream,
+    ) -> Result<OutlineGear, OutlineError> {
+        if self.runout.is_none() {
+            return Ok(own.clone());
+        }
+        let [eccentricity, high_tooth] =
+            self.runout_of(own.eccentricity(), (member, own.teeth()), stream);
+        own.clone().with_runout(eccentricity, high_tooth)
+    }
+}
+
+/// The place of a share of the circle among the teeth, fractional.
+fn any_tooth(teeth: u32, share: f64) -> f64 {
+    1.0 + f64::from(teeth) * share
 }
 
 /// `gear` with another wobble, where one is given, and after `runout`. Where teeth lean, both are those of its measuring plane.

@@ -4,6 +4,8 @@ use super::assembly::{Assembly, Outcome, OutcomeKind};
 use super::spread::tenths;
 use crate::analysis::extremes::WIDTH;
 use crate::analysis::requirement::{Limits, Quantity, Requirements};
+use crate::outline::AssembledPair;
+#[cfg(feature = "matching")]
 use crate::pair::GearPair;
 
 /// Quantities besides `j_wt` that can be limited.
@@ -77,7 +79,7 @@ impl Requirement {
     pub(crate) fn standing_of(
         &self,
         outcome: &Outcome,
-        ends: impl FnOnce() -> Option<[GearPair; 2]>,
+        ends: impl FnOnce() -> Option<[AssembledPair; 2]>,
     ) -> Standing {
         let nothing = matches!(
             outcome.kind,
@@ -152,7 +154,7 @@ fn left_of(
     quantity: Quantity,
     limit: f64,
     is_max: bool,
-    ends: &[GearPair; 2],
+    ends: &[AssembledPair; 2],
     outcome: &Outcome,
 ) -> Option<f64> {
     let [near, far] = ends;
@@ -161,10 +163,11 @@ fn left_of(
     } else {
         (near, outcome.least)
     };
-    let value = match quantity {
-        Quantity::RadialClearance => quantity.value(end, 0.0, is_max),
-        _ => quantity.value(end, j_wt?, is_max),
+    let j_wt = match quantity {
+        Quantity::RadialClearance => 0.0,
+        _ => j_wt?,
     };
+    let value = quantity.bracket(end, [j_wt; 2], is_max)?[usize::from(is_max)];
     let per = match quantity {
         Quantity::LostMotion(member) => end.operating_pitch_radius(member),
         _ => 1.0,

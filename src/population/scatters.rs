@@ -3,7 +3,8 @@
 use super::factor::Factor;
 use super::scatter::Scatter;
 use crate::gear::{AsBuilt, Lead};
-use crate::pair::{GearPair, Member, SweepPlan};
+use crate::outline::AssembledPair;
+use crate::pair::{Member, SweepPlan, ToothNumbers};
 use std::sync::Arc;
 
 /// Scatters of one gear; lengths in mm. `None`: as the pair has it.
@@ -102,6 +103,9 @@ pub enum PopulationError {
         /// Value of the pair's gear.
         wanted: f64,
     },
+    /// A scatter besides that of the runout, of a gear of a pair with a drawn one.
+    #[error("of the gears of a pair with a drawing, the runout alone can scatter")]
+    Drawn,
     /// Deviations along the face of a pair without one.
     #[error("lead, wobble or axes scatter, and the gears have no common face")]
     NoFace,
@@ -131,7 +135,7 @@ impl Scatters {
         wobbles.contains(&true) || self.lean.iter().any(Option::is_some)
     }
 
-    pub(super) fn factors(&self, pair: &GearPair) -> Vec<Factor> {
+    pub(super) fn factors(&self, pair: &AssembledPair) -> Vec<Factor> {
         let scatters = |scatter: &Option<Scatter>| {
             let scatter = scatter.as_ref();
             scatter.is_some_and(|scatter| !scatter.is_fixed())
@@ -142,12 +146,12 @@ impl Scatters {
             factors.push(Factor::Thicknesses);
         }
         for member in Member::BOTH {
-            let (of, gear) = (self.of(member), pair.gear(member));
+            let of = self.of(member);
             // A runout without direction can have any.
             let is_open = |gear: &AsBuilt| gear.any_direction() && gear.eccentricity() > 0.0;
             let open = match &of.gears {
                 Some(gears) => gears.iter().any(is_open),
-                None => is_open(gear),
+                None => pair.data().is_some_and(|pair| is_open(pair.gear(member))),
             };
             let each = [
                 (
@@ -186,7 +190,8 @@ impl Scatters {
 }
 
 impl GearScatter {
-    pub(super) fn check(&self, own: &AsBuilt) -> Result<(), PopulationError> {
+    /// Checks the scatters of the gear `own`, or of a gear of a pair with a drawn one.
+    pub(super) fn check(&self, own: Option<&AsBuilt>) -> Result<(), PopulationError> {
         if let Some(runout) = &self.runout {
             not_negative("the runout", runout)?;
         }
@@ -198,6 +203,16 @@ impl GearScatter {
         {
             return Err(PopulationError::Pitch(sigma));
         }
+        let Some(own) = own else {
+            let runout_alone = GearScatter {
+                runout: self.runout.clone(),
+                ..GearScatter::default()
+            };
+            return match *self == runout_alone {
+                true => Ok(()),
+                false => Err(PopulationError::Drawn),
+            };
+        };
         let Some(gears) = &self.gears else {
             return Ok(());
         };
@@ -245,6 +260,6 @@ pub(super) fn not_negative(what: &'static str, scatter: &Scatter) -> Result<(), 
 }
 
 /// Number of assembly phases.
-pub(super) fn phase_count(pair: &GearPair) -> u32 {
+pub(super) fn phase_count(pair: &impl ToothNumbers) -> u32 {
     SweepPlan::phase_count(pair.teeth(Member::Wheel), pair.teeth(Member::Pinion))
 }

@@ -3,10 +3,11 @@
 //! `j_wt = p_w − s_w1 − s_w2` with `s_w = 2 r_w (s_b/(2 r_b) − inv α_wt)` (ISO 21771).
 
 use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, involute, thickness as shop};
+use gearlash::outline::{OutlineGear, OutlinePair};
 use gearlash::pair::{GearPair, Member};
 use gearlash::population::{
-    Draw, Factor, GearScatter, Population, Requirement, Run, Sample, Scatter, Scatters, Statistics,
-    Tally, contributions,
+    Draw, Factor, GearScatter, Population, PopulationError, Requirement, Run, Sample, Scatter,
+    Scatters, Statistics, Tally, contributions, limit_cases,
 };
 use std::ops::ControlFlow;
 
@@ -259,4 +260,60 @@ fn play_of_the_bearings_moves_both_extremes() {
     let closed = [132.08, 132.12].map(|a| closed_form(a, [0.01, 0.0]));
     assert!((found.least.unwrap() - closed[0]).abs() < 1e-9);
     assert!((found.greatest.unwrap() - closed[1]).abs() < 1e-9);
+}
+
+/// A pair of outlines scatters as the same pair by data: each assembly has the same extremes, and the limits are the same. Source: the exact
+/// method's extremes of the gears by data.
+#[test]
+fn outlines_scatter_as_their_data() {
+    let by_data = GearPair::new(gear(17, Face::Front), gear(23, Face::Back), 60.3).unwrap();
+    let outline = |member| OutlineGear::from(by_data.gear(member));
+    let (wheel, pinion) = (outline(Member::Wheel), outline(Member::Pinion));
+    let drawn = OutlinePair::new(wheel, pinion, 60.3, Member::Wheel).unwrap();
+    let axes = || Scatters {
+        center_distance: Some(Scatter::normal(0.0, 0.02).unwrap()),
+        bearing_play: Some(Scatter::uniform(0.0, 0.01).unwrap()),
+        ..Scatters::default()
+    };
+    let runout = |highest| GearScatter {
+        runout: Some(Scatter::uniform(0.0, highest).unwrap()),
+        ..GearScatter::default()
+    };
+    let all = || Scatters {
+        wheel: runout(0.05),
+        pinion: runout(0.03),
+        ..axes()
+    };
+    let populations = [
+        Population::new(by_data.clone(), all()).unwrap(),
+        Population::new(drawn.clone(), all()).unwrap(),
+    ];
+    let rows = populations.each_ref().map(|population| {
+        let sample = Sample {
+            population,
+            requirement: Requirement::new(None, None),
+            seed: 3,
+        };
+        sample.rows(1..13, &go_on).unwrap()
+    });
+    // Tenths of a nanometre: proven brackets of outlines are 50 nm wide.
+    let is_near =
+        |one: Option<i64>, other: Option<i64>| (one.unwrap() - other.unwrap()).abs() < 500;
+    for (data, drawn) in rows[0].iter().zip(&rows[1]) {
+        assert!(drawn.is_proven && data.kind == drawn.kind, "{drawn:?}");
+        assert!(is_near(data.least, drawn.least), "{data:?} {drawn:?}");
+        assert!(is_near(data.greatest, drawn.greatest), "{data:?} {drawn:?}");
+    }
+    assert_eq!(limit_cases(&populations[1]).unwrap(), None);
+    let limits = [
+        limit_cases(&Population::new(by_data, axes()).unwrap()),
+        limit_cases(&Population::new(drawn.clone(), axes()).unwrap()),
+    ];
+    let [data, outlines] = limits.map(|found| found.unwrap().unwrap());
+    for (data, outline) in data.worst.iter().zip(&outlines.worst) {
+        assert!((data.unwrap() - outline.unwrap()).abs() < 5e-5);
+    }
+    let thickness = of_thickness(Some(Scatter::normal(0.0, 0.01).unwrap()), None);
+    let refused = Population::new(drawn, thickness).unwrap_err();
+    assert_eq!(refused, PopulationError::Drawn);
 }

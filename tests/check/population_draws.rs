@@ -21,7 +21,7 @@ fn drawn_pitch_closes_and_has_its_standard_deviation() {
             number,
         };
         let assembly = population.assembly(draw).unwrap();
-        let wheel = assembly.pair().gear(Member::Wheel);
+        let wheel = assembly.pair().data().unwrap().gear(Member::Wheel);
         // Both flanks of a tooth are turned apart by its thickness: their mean is the pitch's alone.
         let middle = |tooth| {
             let both = Side::BOTH.map(|side| wheel.flank_offset(side, tooth));

@@ -81,7 +81,7 @@ fn every_requirement_is_judged_as_the_verdict_of_the_pair_judges_it() {
         let assembly = population.assembly(draw).unwrap();
         let outcome = assembly.outcome().unwrap();
         assert_eq!(outcome.kind, OutcomeKind::Clear);
-        let (pair, play) = (assembly.pair(), assembly.clearance());
+        let (pair, play) = (assembly.pair().data().unwrap(), assembly.clearance());
         let at = |farther: f64| pair.at(pair.center_distance() + farther).unwrap();
         let [near, far] = [at(-play), at(play)];
         let start = (1, assembly.phase());
@@ -155,8 +155,8 @@ fn a_limit_in_another_unit_is_missed_by_the_same_assemblies() {
             number,
         };
         let assembly = population.assembly(draw).unwrap();
-        let [wheel, pinion] =
-            [Member::Wheel, Member::Pinion].map(|member| assembly.pair().gear(member).gear());
+        let [wheel, pinion] = [Member::Wheel, Member::Pinion]
+            .map(|member| assembly.pair().data().unwrap().gear(member).gear());
         let distance = assembly.pair().center_distance();
         let ends = [
             distance - wheel.tip_radius() - pinion.root_radius(),

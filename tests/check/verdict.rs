@@ -281,7 +281,7 @@ fn a_study_has_a_run_for_each_phase_that_differs() {
             assert!(!run.any_direction());
             assert_eq!(run.matings, 72);
             assert_eq!(run.phase, (phases > 1).then_some((1, k)));
-            let alone = extremes_of_phase(&pair, k, WIDTH).unwrap();
+            let alone = extremes_of_phase(&pair.clone().into(), k, WIDTH).unwrap();
             assert_eq!(alone.least.unwrap().low, run.least.as_ref().unwrap().low);
         }
     }

@@ -90,7 +90,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ContributionsError::Overflow(error) => Error::Usage(error.to_string()),
     })?;
     print_result(
-        &file,
+        (&args.pair, &file),
         &result,
         prepared,
         &args.results,

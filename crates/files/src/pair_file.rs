@@ -78,11 +78,7 @@ impl<'a> PairTables<'a> {
         PairTables {
             assembly: assembly::read(&file, !rows_only(&file)),
             poses,
-            tolerance: if is_drawn {
-                Some(None)
-            } else {
-                tolerance_table::tolerance(&file)
-            },
+            tolerance: tolerance_table::tolerance(&file),
             file,
             stem,
             title,

@@ -51,9 +51,9 @@ pub(super) fn check_worst_files(folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Prints `result` and writes it to `folder`, if there is one.
+/// Prints `result` of the pair file at `path` and writes it to `folder`, if there is one.
 pub(super) fn print_result(
-    file: &ToleranceFile,
+    (path, file): (&Path, &ToleranceFile),
     result: &ToleranceResult,
     folder: Option<OutputFolder>,
     args: &ResultsArgs,
@@ -86,7 +86,7 @@ pub(super) fn print_result(
         files.extend(picture.map(|picture| (name.to_owned(), picture.svg)));
     }
     for (index, worst) in result.worst.iter().enumerate() {
-        let (name, text) = worst_file(index, worst);
+        let (name, text) = worst_file(index, worst, path);
         files.push((name, text.map_err(Error::unwritable("the result"))?));
     }
     match args.format {

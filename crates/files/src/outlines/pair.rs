@@ -10,14 +10,35 @@ use gearlash::outline::{OutlineGear, OutlinePair};
 use std::path::Path;
 
 /// Tables that do not apply to an outline, and why.
-const LEFT_OUT: [(&str, &str); 3] = [
+const LEFT_OUT: [(&str, &str); 2] = [
     (
         "accuracy",
         "cuts no polygons: its curves are searched as drawn",
     ),
     ("compare", "has no formula to compare with"),
-    ("tolerance", "does not scatter yet"),
 ];
+
+/// Keys of `[tolerance]` that do not apply to a pair with an outline, and why.
+const NO_SCATTER: [(&str, &str); 14] = [
+    ("wheel.thickness", AS_DRAWN),
+    ("wheel.pitch", AS_DRAWN),
+    ("wheel.per_tooth", AS_DRAWN),
+    ("wheel.gears", AS_DRAWN),
+    ("wheel.lead", ONE_SECTION),
+    ("wheel.wobble_um", ONE_SECTION),
+    ("pinion.thickness", AS_DRAWN),
+    ("pinion.pitch", AS_DRAWN),
+    ("pinion.per_tooth", AS_DRAWN),
+    ("pinion.gears", AS_DRAWN),
+    ("pinion.lead", ONE_SECTION),
+    ("pinion.wobble_um", ONE_SECTION),
+    ("misalignment", ONE_SECTION),
+    ("thickness_correlation", AS_DRAWN),
+];
+
+const AS_DRAWN: &str = "the gears of a pair with an outline scatter by their runout alone";
+
+const ONE_SECTION: &str = "an outline is solved in one section: axes are parallel";
 
 /// Limits that do not apply to an outline, and why.
 const NOT_REQUIRED: [(&str, &str); 3] = [
@@ -41,6 +62,11 @@ pub(crate) fn refuse_tables(file: &Table) {
         let reason = format!("a pair with an outline {why}");
         file.add(name, reason, "remove the table");
     }
+    let scatters = NO_SCATTER.map(|(key, why)| (format!("tolerance.{key}"), why));
+    for (key, why) in scatters.iter().filter(|(key, _)| file.has(key)) {
+        let help = "leave it out: runout, center_distance, bearing_play and phase apply";
+        file.add(key, *why, help);
+    }
 }
 
 /// Reports keys of `[assembly]` that do not apply to an outline.
@@ -55,7 +81,7 @@ pub(crate) fn refuse_axes(file: &Table, assembly: &AssemblySpec) {
         (
             "misalignment",
             assembly.misalignment.is_some(),
-            "an outline is solved in one section: axes are parallel",
+            ONE_SECTION,
             "leave it out",
         ),
         (
@@ -67,7 +93,7 @@ pub(crate) fn refuse_axes(file: &Table, assembly: &AssemblySpec) {
         (
             "center_distance_mm",
             matches!(assembly.center_distance_mm, CenterDistanceSpec::Ends(_)),
-            "an outline is solved in one section: axes are parallel",
+            ONE_SECTION,
             "give one distance",
         ),
         (

@@ -7,10 +7,12 @@ use crate::error::InputError;
 use crate::read::PairFile;
 use crate::spec::{GearSpec, GearToleranceSpec, PhaseName, ScatterSpec, SpreadSpec, ToleranceSpec};
 use crate::table::Table;
-use crate::{common_face, lead, pair_by_data, with_tree};
+use crate::{common_face, lead, pair, with_tree};
 use gearlash::analysis::phases::phase;
+use gearlash::error::Error;
 use gearlash::gear::{AsBuilt, GradedQuantity, Lead, PitchAxis, Side};
-use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::{Mating, Member, SweepPlan};
 use gearlash::population::{
     GearScatter, LeadScatter, Population, PopulationError, Requirement, Scatter, Scatters,
 };
@@ -38,7 +40,7 @@ pub struct ToleranceFile {
 /// # Errors
 /// As [`crate::read`].
 pub fn read_tolerance(path: &Path) -> Result<ToleranceFile, InputError> {
-    with_tree(path, |tree| understood(pair_by_data(tree)?, &tree.table()))
+    with_tree(path, |tree| understood(pair(tree)?, &tree.table()))
 }
 
 fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
@@ -72,8 +74,8 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
         phase: tolerance.phase == PhaseName::Any,
         thickness_correlation: tolerance.thickness_correlation,
     };
-    let own_gears = pair.spec.by_data()?;
-    if own_gears.iter().any(|gear| gear.profile.is_some()) && scatters.lean() {
+    let has_profile = |gears: [&GearSpec; 2]| gears.iter().any(|gear| gear.profile.is_some());
+    if scatters.lean() && pair.spec.by_data().is_some_and(has_profile) {
         return file.refuse(
             "tolerance",
             "wobble or axes scatter beside profile deviations: sections of such teeth are not worked out",
@@ -147,12 +149,41 @@ fn own_distance(pair: &PairFile, file: &Table) -> Option<f64> {
 }
 
 /// The mean pair of the population at a centre distance, mm: the middle of thickness bands.
-fn own_pair(pair: &PairFile, distance: f64, file: &Table) -> Option<GearPair> {
-    let materials = &pair.study.materials;
-    let wheel = middle(materials.iter().map(|(_, wheel, _)| wheel));
-    let pinion = middle(materials.iter().map(|(_, _, pinion)| pinion));
-    let made = wheel.and_then(|wheel| pair.study.pair(&wheel, &pinion?, distance));
+fn own_pair(pair: &PairFile, distance: f64, file: &Table) -> Option<AssembledPair> {
+    let study = &pair.study;
+    let made = if study.is_drawn() {
+        let pairs = study.pairs(distance);
+        if study.material_count() > 1 {
+            return file.refuse(
+                "tolerance",
+                "given for a pair with an outline and a band of thickness or flank offset",
+                "state one thickness for each gear",
+            );
+        }
+        pairs.map(|mut pairs| pairs.remove(0).1)
+    } else {
+        let materials = &study.materials;
+        let wheel = middle(materials.iter().map(|(_, wheel, _)| wheel));
+        let pinion = middle(materials.iter().map(|(_, _, pinion)| pinion));
+        let made = wheel.and_then(|wheel| study.pair(&wheel, &pinion?, distance));
+        made.map(AssembledPair::from).map_err(Error::from)
+    };
     file.keep("tolerance", made, "correct the gears, or their distance")
+}
+
+/// The scatter of a gear of a pair with an outline. Other keys than its runout are refused with the pair.
+fn gear_of_outline(
+    spec: &GearToleranceSpec,
+    member: Member,
+    file: &Table,
+) -> Option<(GearScatter, Vec<MeasuredGear>)> {
+    let key = format!("tolerance.{}.runout", member.name());
+    let runout = scatter(&spec.runout, None, (file, &key))?;
+    let scatters = GearScatter {
+        runout,
+        ..GearScatter::default()
+    };
+    Some((scatters, Vec::new()))
 }
 
 /// The scatter of the lean of the pinion's axis in and out of the plane of the axes, mm per mm.
@@ -194,6 +225,9 @@ fn gear(
     let Some(spec) = spec else {
         return Some((GearScatter::default(), Vec::new()));
     };
+    if pair.study.is_drawn() {
+        return gear_of_outline(spec, member, file);
+    }
     let key = |name: &str| format!("tolerance.{}.{name}", member.name());
     let one =
         |spec: &Option<ScatterSpec>, name: &str, band| scatter(spec, band, (file, &key(name)));
@@ -318,6 +352,10 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
             "tolerance.thickness_correlation",
             "remove it, or give both gears a thickness",
         ),
+        PopulationError::Drawn => (
+            "tolerance",
+            "leave out all but runout, center_distance, bearing_play and phase",
+        ),
         PopulationError::OtherGear { .. } => (
             "tolerance",
             "name gears with the teeth, module and pressure angle of the pair's",
@@ -334,7 +372,7 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
 }
 
 /// The pinion tooth that meets wheel tooth 1, for gears that are always assembled as at the start of the sweep.
-fn marked_tooth(pair: &PairFile, own: &GearPair) -> u32 {
+fn marked_tooth(pair: &PairFile, own: &AssembledPair) -> u32 {
     let Some(SweepPlan::Revolution { start, .. }) = pair.study.sweep else {
         return 1;
     };

@@ -2,6 +2,7 @@
 
 use super::result::{About, ToleranceResult, in_words};
 use crate::numbers::{rounded, shortest};
+use gearlash::pair::Member;
 use gearlash::population::{Contributions, Factor, Share};
 
 /// The sentence of `result`: the share that misses the requirement, with its interval, and the main source of the spread.
@@ -76,8 +77,16 @@ pub fn shares(result: &ToleranceResult) -> String {
 
 /// The reason for no worst case; `None` where there is one.
 pub fn without_worst_case(about: &About) -> Option<&'static str> {
-    let none = about.limit_cases.is_none();
-    none.then_some("No worst case: whole gears that were measured have no limits.")
+    if about.limit_cases.is_some() {
+        return None;
+    }
+    let wholes = Member::BOTH.map(|member| Factor::Gear(member).name());
+    let has_wholes = wholes.iter().any(|name| about.quantities.contains(name));
+    Some(if has_wholes {
+        "No worst case: whole gears that were measured have no limits."
+    } else {
+        "No worst case: the worst direction of a drawn gear's runout is not searched."
+    })
 }
 
 /// The assembly phases of worst case and root sum of squares; `None` where the phase does not scatter.

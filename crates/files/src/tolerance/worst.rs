@@ -10,10 +10,12 @@ use gearlash::error::Error;
 use gearlash::gear::thickness::span_from_base;
 use gearlash::gear::{AsBuilt, Flank, Side};
 use gearlash::metrology::Wobble;
+use gearlash::outline::{AssembledPair, OutlineGear};
 use gearlash::pair::Member;
 use gearlash::population::{Assembly, Draw, Sample};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
+use std::path::Path;
 
 /// One of the worst assemblies of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,8 +45,22 @@ pub fn worst_name(index: usize) -> String {
     format!("worst_{:02}.toml", index + 1)
 }
 
-/// Name and text of the pair file of the worst assembly (`index` 0), of the next worst, ….
-pub fn worst_file(index: usize, worst: &Worst) -> (String, Result<String, toml::ser::Error>) {
+/// Name and text of the pair file of the worst assembly (`index` 0), of the next worst, …, of the pair file at `path`. Drawings are named by
+/// absolute paths, since the file is written to another folder.
+pub fn worst_file(
+    index: usize,
+    worst: &Worst,
+    path: &Path,
+) -> (String, Result<String, toml::ser::Error>) {
+    let mut worst = worst.clone();
+    for gear in Member::BOTH {
+        let key = format!("/{}/outline/file", gear.name());
+        if let Some(Value::String(file)) = worst.pair.pointer_mut(&key)
+            && let Ok(drawing) = std::path::absolute(path.with_file_name(&*file))
+        {
+            *file = drawing.display().to_string();
+        }
+    }
     let text = worst.to_toml();
     (worst_name(index), text.map(|text| signed(&text)))
 }
@@ -120,7 +136,8 @@ impl ToleranceFile {
         spec.wheel = self.gear_spec(assembly, draw, Member::Wheel)?;
         spec.pinion = self.gear_spec(assembly, draw, Member::Pinion)?;
         spec.assembly = spec.assembly.at(vec![pair.center_distance()]);
-        if self.population.scatters().lean != [None, None] {
+        let scatters = self.population.scatters();
+        if let Some(pair) = pair.data().filter(|_| scatters.lean != [None, None]) {
             spec.assembly = spec.assembly.with_lean(pair.lean());
         }
         if !is_own {
@@ -136,9 +153,32 @@ impl ToleranceFile {
         Some(spec)
     }
 
+    /// A gear of a pair with an outline, with its runout.
+    fn with_runout(&self, gear: &OutlineGear, member: Member) -> EitherGearSpec {
+        let mut own = [&self.pair.spec.wheel, &self.pair.spec.pinion][member as usize].clone();
+        if self.population.scatters().of(member).runout.is_none() {
+            return own;
+        }
+        let runout = RunoutSpec {
+            total_um: Some(2e3 * gear.eccentricity() / own.scale().unwrap_or(1.0)),
+            high_tooth: (gear.eccentricity() > 0.0).then(|| gear.high_tooth()),
+            ..RunoutSpec::default()
+        };
+        match &mut own {
+            EitherGearSpec::Data(spec) => spec.runout = runout,
+            EitherGearSpec::Outline(spec) => spec.runout = runout,
+        }
+        own
+    }
+
     /// A gear as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
     fn gear_spec(&self, assembly: &Assembly, draw: Draw, member: Member) -> Option<EitherGearSpec> {
-        let gear = assembly.pair().gear(member);
+        let gear = match assembly.pair() {
+            AssembledPair::Data(pair) => pair.gear(member),
+            AssembledPair::Drawn(pair) => {
+                return Some(self.with_runout(pair.gear(member), member));
+            }
+        };
         let own = self.pair.spec.data(member)?;
         let measured = &self.measured[member as usize];
         // Finds the drawn whole gear by all but its runout, whose direction can be drawn.

@@ -106,12 +106,10 @@ impl Searched {
     /// One end of the bearing clearance of `pair`: the least, or the greatest.
     fn end(&self, pair: &GearPair, is_least: bool) -> SearchedEnd {
         let found = &self.found;
-        let (extreme, index) = if is_least {
-            (found.least, 0)
-        } else {
-            (found.greatest, usize::from(found.least.is_some()))
-        };
-        let pose = self.pose(index).filter(|_| extreme.is_some());
+        let extreme = extreme_of(found, is_least);
+        // The least comes first.
+        let before = !is_least && found.least.is_some();
+        let pose = self.pose(usize::from(before)).filter(|_| extreme.is_some());
         let assembly = pose.as_ref().map(|pose| pose.assembly.clone());
         SearchedEnd {
             assembly: assembly.unwrap_or_else(|| pair.clone().into()),
@@ -168,17 +166,12 @@ impl Planned {
         });
         let mut poses = Vec::new();
         let mut best = |is_least: bool, hidden: Status| {
-            let of = |one: &Searched| {
-                if is_least {
-                    one.found.least
-                } else {
-                    one.found.greatest
-                }
-            };
             let better = |one: &f64, other: &f64| (one < other) == is_least && one != other;
             let mut best: Option<(Extreme, Directed)> = None;
             for one in possible.iter().filter(|_| status != hidden) {
-                let Some(extreme) = of(one) else { continue };
+                let Some(extreme) = extreme_of(&one.found, is_least) else {
+                    continue;
+                };
                 if best
                     .as_ref()
                     .is_none_or(|(best, _)| better(&extreme.found, &best.found))
@@ -193,19 +186,17 @@ impl Planned {
         };
         let (least, greatest) = (best(true, Status::Jammed), best(false, Status::NoContact));
         let low = every().map(|one| one.found.least.map_or(f64::NEG_INFINITY, |least| least.low));
-        let high = possible
-            .iter()
-            .filter_map(|one| one.found.least)
-            .map(|least| least.high);
+        let possible_ends = |is_least: bool| {
+            let found = possible.iter().map(|one| &one.found);
+            found.filter_map(move |found| extreme_of(found, is_least))
+        };
+        let high = possible_ends(true).map(|least| least.high);
         let least = least.map(|extreme| Extreme {
             low: low.fold(f64::INFINITY, f64::min) - slack,
             high: high.fold(f64::INFINITY, f64::min),
             ..extreme
         });
-        let low = possible
-            .iter()
-            .filter_map(|one| one.found.greatest)
-            .map(|greatest| greatest.low);
+        let low = possible_ends(false).map(|greatest| greatest.low);
         let low = low.fold(f64::NEG_INFINITY, f64::max);
         let greatest = match greatest {
             Some(extreme) => Some(Extreme {
@@ -311,8 +302,7 @@ impl Planned {
         };
         let effort = &self.effort(assembly);
         let greatest = |pair: &GearPair, kernel: &ExactKernel| {
-            let over = (self.first, self.distinct);
-            kernel.greatest(pair, over, WIDTH, effort)
+            kernel.greatest(pair, self.over(), WIDTH, effort)
         };
         if is_open(assembly) {
             let all = self.any_direction(assembly, effort)?;
@@ -417,10 +407,6 @@ impl Planned {
             return Ok(self.over_axes(&axes, &moved)?.end(&moved, is_least));
         }
         let assembly = assembly.at(assembly.center_distance() + farther)?;
-        let of = |found: &Extremes| match is_least {
-            true => found.least,
-            false => found.greatest,
-        };
         let (found, pose) = match &assembly {
             AssembledPair::Data(pair) if is_open(pair) => {
                 let all = self.any_direction(pair, &self.effort(pair))?;
@@ -434,14 +420,14 @@ impl Planned {
                     AssembledPair::Data(pair) => self.cycle(pair, &self.effort(pair))?,
                     AssembledPair::Drawn(pair) => self.end_of_outlines(pair, End::of(is_least)),
                 };
-                let pose = of(&found).map(|extreme| Directed {
+                let pose = extreme_of(&found, is_least).map(|extreme| Directed {
                     assembly: assembly.clone(),
                     matings: vec![extreme.mating],
                 });
                 (found, pose)
             }
         };
-        let extreme = of(&found);
+        let extreme = extreme_of(&found, is_least);
         Ok(SearchedEnd {
             assembly,
             status: found.status,
@@ -469,7 +455,7 @@ impl Planned {
         if is_open(pair) {
             return Ok(self.any_direction(pair, effort)?.found);
         }
-        let (kernel, over) = (ExactKernel::new(pair), (self.first, self.distinct));
+        let (kernel, over) = (ExactKernel::new(pair), self.over());
         if is_least {
             kernel.least(pair, over, WIDTH, effort)
         } else {
@@ -483,6 +469,11 @@ impl Planned {
         Effort::of_extremes(assembly).part(self.phases * parts)
     }
 
+    /// The first mating of the cycle, and the number of distinct ones.
+    fn over(&self) -> (Mating, u64) {
+        (self.first, self.distinct)
+    }
+
     /// The extremes to search.
     fn ends(&self) -> &'static [End] {
         self.alone.map_or(&End::BOTH, |alone| alone.ends)
@@ -490,14 +481,12 @@ impl Planned {
 
     /// The extremes of `pair`, whose runout has a direction, over the cycle.
     fn cycle(&self, pair: &GearPair, effort: &Effort) -> Result<Extremes, Error> {
-        let over = (self.first, self.distinct);
-        ExactKernel::new(pair).extremes_of(pair, over, WIDTH, effort, self.ends())
+        ExactKernel::new(pair).extremes_of(pair, self.over(), WIDTH, effort, self.ends())
     }
 
     /// The extremes of `pair` over the cycle and all directions of its runout.
     fn any_direction(&self, pair: &GearPair, effort: &Effort) -> Result<AnyDirection, Error> {
-        let over = (self.first, self.distinct);
-        any_direction(pair, over, self.ends(), WIDTH, effort)
+        any_direction(pair, self.over(), self.ends(), WIDTH, effort)
     }
 
     /// The distance from which `pair`, with the result `found`, assembles, increased by `farther`, mm.
@@ -517,8 +506,7 @@ impl Planned {
         let own = &self.effort(pair);
         let is_short = !pair.varies_along_face() && ExactKernel::new(pair).is_direct();
         let effort = if is_short { own } else { effort };
-        let over = (self.first, self.distinct);
-        let from = AssemblesFrom::new(pair, over, least, 0.1 * WIDTH, effort)?;
+        let from = AssemblesFrom::new(pair, self.over(), least, 0.1 * WIDTH, effort)?;
         Ok(from.map(|from| AssemblesFrom {
             low: from.low + farther,
             high: from.high + farther,
@@ -635,11 +623,15 @@ fn any_direction(
 
 /// The mating of wheel tooth 1 that names an assembly phase.
 fn first_of_phase(pinion_tooth: u32) -> Mating {
-    Mating {
-        wheel_tooth: 1,
-        pinion_tooth,
-        flank: Side::Right,
-        fraction: 0.0,
+    Mating::at(1, pinion_tooth, Side::Right)
+}
+
+/// The least or the greatest of `found`.
+fn extreme_of(found: &Extremes, is_least: bool) -> Option<Extreme> {
+    if is_least {
+        found.least
+    } else {
+        found.greatest
     }
 }
 

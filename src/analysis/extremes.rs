@@ -18,7 +18,7 @@ use super::phases::phase_count;
 use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
 use crate::contact::{Doubt, End, Extreme, Method, Status, is_proven};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
 use crate::parallel;
 use std::ops::ControlFlow;
@@ -252,11 +252,7 @@ impl RunExtremes {
 ///
 /// # Errors
 /// As [`super::simulate::simulate`].
-pub fn extremes(
-    study: &Study,
-    method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<CycleExtremes, Error> {
+pub fn extremes(study: &Study, method: Method, tick: &Tick) -> Result<CycleExtremes, Error> {
     of_plans(study, plans(study)?, method, tick)
 }
 
@@ -272,7 +268,7 @@ pub fn band(
     study: &Study,
     method: Method,
     parts: u64,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<CycleExtremes, Error> {
     let mut plans = plans(study)?;
     let has = |wanted| plans.iter().any(|plan| plan.run.material == wanted);
@@ -303,7 +299,7 @@ fn of_plans(
     study: &Study,
     plans: Vec<Planned>,
     method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<CycleExtremes, Error> {
     let found = parallel::map(0..plans.len() as u64, |index| {
         Error::if_stopped(tick())?;

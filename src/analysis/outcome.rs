@@ -242,14 +242,9 @@ impl Agreement {
                 (false, true, _) => &mut count.jammed,
                 (false, false, _) => &mut count.neither,
             } += 1;
-            let found = pose.simulated.proven();
-            let off_line = simulated
-                && found.is_some_and(|found| {
-                    assembly
-                        .data()
-                        .is_some_and(|pair| touches_off_line(pair, found))
-                });
-            count.touch_off_line += usize::from(off_line);
+            let found = assembly.data().zip(pose.simulated.proven());
+            let off_line = found.is_some_and(|(pair, found)| touches_off_line(pair, found));
+            count.touch_off_line += usize::from(simulated && off_line);
         }
         count
     }

@@ -233,21 +233,16 @@ impl Search<'_> {
             };
             pair.at(from + (at - own)).ok()
         };
-        let range = [
-            own,
-            if self.sign > 0.0 {
-                self.pair.reach()
-            } else {
-                0.0
-            },
-        ];
-        let slope = |pair: &AssembledPair| {
-            let data = pair.data();
-            data.map_or(DRAWN_SLOPE, |pair| {
-                2.0 * pair.operating_pressure_angle().tan()
-            })
+        let end = if self.sign > 0.0 {
+            self.pair.reach()
+        } else {
+            0.0
         };
-        let Some([fails, fits]) = self.between(range, &moved, &slope, effort)? else {
+        let slope = |pair: &AssembledPair| match pair.data() {
+            Some(pair) => 2.0 * pair.operating_pressure_angle().tan(),
+            None => DRAWN_SLOPE,
+        };
+        let Some([fails, fits]) = self.between([own, end], &moved, &slope, effort)? else {
             return Ok(None);
         };
         let listed = &self.study.center_distances;

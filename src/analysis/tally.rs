@@ -10,11 +10,10 @@ use crate::analysis::diagnosis::PoseEvidence;
 use crate::analysis::simulate::each_block;
 use crate::analysis::study::{Material, Study};
 use crate::contact::{BLOCK, FirstLeast, Method, MethodAgreement, Status};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
 use crate::parallel;
 use std::convert::Infallible;
-use std::ops::ControlFlow;
 
 /// Limit of poses that a study keeps for a table (tuned: the height of a screen).
 pub const MOST_LISTED: usize = 40;
@@ -259,7 +258,7 @@ pub fn simulate_by_blocks<E: From<Error>>(
     method: Method,
     tolerance_um: f64,
     unproven: usize,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
     take: &mut dyn FnMut(Piece) -> Result<(), E>,
 ) -> Result<Vec<RunTally>, E> {
     let poses = study.pose_count();

@@ -1,8 +1,7 @@
 //! The centre distance below which something other than involutes touches.
 
 use crate::analytic::limits;
-use crate::contact::PoseClass;
-use crate::contact::{PairAtDistance, reach};
+use crate::contact::{PairAtDistance, PoseClass, reach};
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Member};
 use crate::parallel;

@@ -4,10 +4,9 @@ use super::context::CheckContext;
 use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analysis::diagnosis::clearance::least_over;
 use crate::analytic::limits;
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::gear::Side;
 use crate::pair::{Mating, Member};
-use std::ops::ControlFlow;
 
 /// Tip thickness below which a tooth counts as too sharp, modules (a rule of design offices; hardened teeth need more).
 const LEAST_TIP: f64 = 0.2;
@@ -26,7 +25,7 @@ impl CheckContext<'_> {
         &self,
         member: Member,
         pitches: &[Mating],
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+        tick: &Tick,
     ) -> Result<Check, Error> {
         let module = self.module();
         let formula = limits::radial_clearance(self.assembly, member);

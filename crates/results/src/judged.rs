@@ -58,6 +58,14 @@ pub struct Case {
 }
 
 impl Case {
+    pub(crate) fn new(name: &str, verdict: Verdict, message: String) -> Case {
+        Case {
+            name: name.to_owned(),
+            verdict,
+            message,
+        }
+    }
+
     fn fails(&self) -> bool {
         self.verdict >= Verdict::Unproven
     }
@@ -110,9 +118,13 @@ impl Outcome {
 
     /// Whether some file cannot be read.
     pub fn has_unreadable(&self) -> bool {
-        self.files
-            .iter()
-            .any(|file| matches!(file, JudgedFile::Unreadable { .. }))
+        self.unreadable() > 0
+    }
+
+    /// The number of files that cannot be read.
+    fn unreadable(&self) -> usize {
+        let is_unreadable = |file: &&JudgedFile| matches!(file, JudgedFile::Unreadable { .. });
+        self.files.iter().filter(is_unreadable).count()
     }
 
     /// The files that do not pass, then the others.
@@ -123,18 +135,9 @@ impl Outcome {
 
     /// The number of files that pass; or of those that do not, with their names.
     pub fn summary(&self) -> String {
-        let bad: Vec<&str> = self
-            .files
-            .iter()
-            .filter(|file| !file.passes())
-            .map(JudgedFile::name)
-            .collect();
-        let all = self.files.len();
-        let unreadable = self
-            .files
-            .iter()
-            .filter(|file| matches!(file, JudgedFile::Unreadable { .. }))
-            .count();
+        let failing = self.files.iter().filter(|file| !file.passes());
+        let bad: Vec<&str> = failing.map(JudgedFile::name).collect();
+        let (all, unreadable) = (self.files.len(), self.unreadable());
         let verb = |count: usize| if count == 1 { "fails" } else { "fail" };
         let counts = match (bad.len() - unreadable, unreadable) {
             (0, 0) if all == 1 => return "1 file passes".to_owned(),
@@ -289,15 +292,11 @@ impl Outcome {
                     let cases = judged.cases_without_verdict();
                     let told = cases.filter(|case| case.verdict != Verdict::Pass);
                     let told = told.map(|case| {
-                        (
-                            case.verdict.name(),
-                            format!("{}: {}", case.name, case.message),
-                        )
+                        let words = format!("{}: {}", case.name, case.message);
+                        (case.verdict.name(), words)
                     });
-                    let warnings = judged
-                        .warnings
-                        .iter()
-                        .map(|words| ("warning", words.clone()));
+                    let warnings = judged.warnings.iter();
+                    let warnings = warnings.map(|words| ("warning", words.clone()));
                     let notes = judged.remarks.iter().chain(&judged.way_out);
                     let notes = notes.map(|words| ("note", words.clone()));
                     for (kind, words) in told.chain(warnings).chain(notes) {

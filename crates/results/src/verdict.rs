@@ -87,12 +87,8 @@ impl ExtremeRow {
 
     /// The place in words, including the teeth.
     pub fn place_words(&self) -> String {
-        let place = self.place(0);
-        let parts: Vec<&str> = place
-            .iter()
-            .map(String::as_str)
-            .filter(|part| !part.is_empty())
-            .collect();
+        let mut parts = self.place(0);
+        parts.retain(|part| !part.is_empty());
         parts.join(", ")
     }
 
@@ -730,13 +726,8 @@ fn doubts(verdict: &Verdict) -> Vec<String> {
         }
     }
     let sentence = |(names, reasons): &(String, String)| {
-        let text = format!("{names}: {reasons}");
-        text.replacen("least", "Least", usize::from(text.starts_with("least")))
-            .replacen(
-                "greatest",
-                "Greatest",
-                usize::from(text.starts_with("greatest")),
-            )
+        let (first, rest) = names.split_at(1);
+        format!("{}{rest}: {reasons}", first.to_uppercase())
     };
     about.iter().map(sentence).collect()
 }

@@ -132,11 +132,8 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
     for line in &side.lines {
         if line.points.is_empty() {
             let points: Vec<Point> = line.ends.map(|[z, place]| (z, Some(place))).to_vec();
-            marks.push(Mark::line(
-                points,
-                side_look(side.side),
-                WIDTHS[usize::from(line.binds)],
-            ));
+            let width = WIDTHS[usize::from(line.binds)];
+            marks.push(Mark::line(points, side_look(side.side), width));
         } else {
             marks.extend(shaded(line, side.side, most, HALF_POINT * (y[1] - y[0])));
         }
@@ -180,12 +177,8 @@ fn shaded(line: &ContactLine, side: Side, most: f64, half: f64) -> Vec<Mark> {
             let edge = |off: f64| points.iter().map(|p| (p[0], Some(p[1] + off))).collect();
             let part = shade(&line.points[from]) / SHADES as f64;
             let opacity = 1.0 - (1.0 - PALEST) * part;
-            marks.push(Mark::band(
-                edge(-half),
-                edge(half),
-                side_look(side),
-                opacity,
-            ));
+            let (low, high) = (edge(-half), edge(half));
+            marks.push(Mark::band(low, high, side_look(side), opacity));
             from = to;
         }
     }

@@ -179,7 +179,7 @@ fn runout(
         um(read.total(), 3),
         um(eccentricity.map(|found| 2.0 * found.amount), 3)
     );
-    let series = [series("ball", &read.deviations(), Look::Plain)];
+    let series = [BarSeries::of_mm("ball", &read.deviations(), Look::Plain)];
     let panel = BarPanel {
         title: &title,
         y_axis: "radius − mean, µm",
@@ -225,7 +225,7 @@ fn pitch(
             (Flank::Right, "right flanks", Look::Right),
             (Flank::Left, "left flanks", Look::Left),
         ]
-        .map(|(side, name, look)| series(name, &values(read, side), look))
+        .map(|(side, name, look)| BarSeries::of_mm(name, &values(read, side), look))
     };
     let single = flanks(PitchReadings::single);
     let cumulative = flanks(|read, side| read.cumulative.flank(side).to_vec());
@@ -266,11 +266,9 @@ fn coarsest(
     axis: Option<PitchAxis>,
 ) -> Option<GradedReading> {
     let grades = gauged.gauged.grades.as_ref().ok()?;
-    let of = grades
-        .iter()
-        .copied()
-        .filter(|one| one.quantity == quantity && one.pitch.map(|(axis, _)| axis) == axis);
-    of.reduce(|one, other| {
+    let is_of =
+        |one: &GradedReading| one.quantity == quantity && one.pitch.map(|(axis, _)| axis) == axis;
+    grades.iter().copied().filter(is_of).reduce(|one, other| {
         if other.measured > one.measured {
             other
         } else {
@@ -281,16 +279,12 @@ fn coarsest(
 
 /// Tolerance, µm, and its name.
 fn tolerance(graded: &GradedReading) -> (f64, String) {
-    match graded.grade {
-        Grade::Within { grade, tolerance } => (
-            1e3 * tolerance,
-            format!("grade {grade}, {} µm", rounded(1e3 * tolerance, 1)),
-        ),
-        Grade::Beyond { last, tolerance } => (
-            1e3 * tolerance,
-            format!("beyond grade {last}, {} µm", rounded(1e3 * tolerance, 1)),
-        ),
-    }
+    let (words, grade, tolerance) = match graded.grade {
+        Grade::Within { grade, tolerance } => ("grade", grade, tolerance),
+        Grade::Beyond { last, tolerance } => ("beyond grade", last, tolerance),
+    };
+    let um = 1e3 * tolerance;
+    (um, format!("{words} {grade}, {} µm", rounded(um, 1)))
 }
 
 /// The tolerance of a range, centred between `ends`, mm.
@@ -303,25 +297,14 @@ fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
     }
 }
 
-fn series<'a>(name: &'a str, lengths: &[f64], look: Look) -> BarSeries<'a> {
-    BarSeries {
-        name,
-        values: lengths.iter().map(|mm| Some(mm * 1e3)).collect(),
-        look,
-    }
-}
-
 /// Profile deviation over the roll length.
 fn profile_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
-    let Ok(read) = &gauged.gauged.profile else {
-        return Ok(None);
-    };
-    if !read.deviates() {
-        return Ok(None);
+    match &gauged.gauged.profile {
+        Ok(read) if read.deviates() => file(gauged, Chart::PROFILE, |heading| {
+            profiles(heading, read, 100.0 * LEVEL)
+        }),
+        _ => Ok(None),
     }
-    file(gauged, Chart::PROFILE, |heading| {
-        profiles(heading, read, 100.0 * LEVEL)
-    })
 }
 
 /// Leads over the height, about the axis of the teeth, and about the rotation axis where they differ.

@@ -46,6 +46,12 @@ impl Plot {
         ]
     }
 
+    /// The place of the data between two values of x and of y.
+    pub(crate) fn between(&self, x: [f64; 2], y: [f64; 2]) -> Frame {
+        let ([left, bottom], [right, top]) = (self.spot((x[0], y[0])), self.spot((x[1], y[1])));
+        Frame::new([left, top], [right, bottom])
+    }
+
     /// Units of the sheet per unit of data, across and up.
     pub(crate) fn scale(&self) -> [f64; 2] {
         [

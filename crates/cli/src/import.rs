@@ -107,9 +107,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         return outlines(args);
     }
     if args.units.is_some() {
-        return Err(Error::Usage(
-            "--units belongs to a drawing; leave it out".to_owned(),
-        ));
+        return Err(Error::usage("--units belongs to a drawing; leave it out"));
     }
     // Decides by the content of the file, not by its name.
     let bytes = if args.file.as_path() == Path::new("-") {
@@ -137,9 +135,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 /// The outlines of a drawing.
 fn outlines(args: &Args) -> Result<ExitCode, Error> {
     if args.of_tables() || args.rexs.is_given() {
-        return Err(Error::Usage(
-            "a drawing has no columns, sheets, stages, --output or --format json; leave them out"
-                .to_owned(),
+        return Err(Error::usage(
+            "a drawing has no columns, sheets, stages, --output or --format json; leave them out",
         ));
     }
     let found = listed_outlines(&args.file, args.units.as_deref())?;

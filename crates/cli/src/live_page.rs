@@ -22,8 +22,8 @@ pub(super) fn with_pair(
     pair: &PairFile,
 ) -> Result<String, Error> {
     if path == Path::new("-") {
-        return Err(Error::Usage(
-            "--live holds the files of the pair: name the pair file".to_owned(),
+        return Err(Error::usage(
+            "--live holds the files of the pair: name the pair file",
         ));
     }
     let page = page.map_or_else(beside_program, Path::to_path_buf);

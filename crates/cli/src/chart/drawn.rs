@@ -54,7 +54,7 @@ impl DrawnChart {
         let courses = curves::courses(&analysis.curves);
         let course = courses
             .first()
-            .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
+            .ok_or_else(|| Error::usage("the pair file asks for no poses"))?;
         if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
             print_error_line(&format!(
                 "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
@@ -94,7 +94,7 @@ impl DrawnChart {
         };
         let poses = curves::over_distance_pose_count(study);
         poses::allow(&args.pair, poses, &poses::HELD)?;
-        let progress = Progress::start(poses);
+        let progress = Progress::of(poses, "poses");
         let (method, tick) = (args.method.method(), || progress.tick());
         let cycle = whole.as_ref().map_or(&[][..], |whole| &whole.extremes.each);
         let curve = curves::over_distance(study, followed, cycle, method, &tick);
@@ -125,8 +125,7 @@ impl DrawnChart {
     /// One gear's deviations.
     pub fn inspection(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
         let gears = study.materials.first();
-        let (_, wheel, pinion) =
-            gears.ok_or_else(|| Error::Usage("the pair file has no gears".to_owned()))?;
+        let (_, wheel, pinion) = gears.ok_or_else(|| Error::usage("the pair file has no gears"))?;
         let (name, gear) = match args.gear {
             Some(GearName::Pinion) => ("pinion", pinion),
             Some(GearName::Wheel) | None => ("wheel", wheel),
@@ -157,9 +156,8 @@ impl DrawnChart {
     /// The field of action at the pose that binds.
     pub fn field(args: &Args, study: Study) -> Result<DrawnChart, Error> {
         if !study.varies_along_face() {
-            return Err(Error::Usage(
-                "--kind field is for helical gears, leads and leaning axes: along the face of this pair nothing changes"
-                    .to_owned(),
+            return Err(Error::usage(
+                "--kind field is for helical gears, leads and leaning axes: along the face of this pair nothing changes",
             ));
         }
         let distance = requested_distance(args)?;
@@ -169,9 +167,8 @@ impl DrawnChart {
         let pair = found.assembly.data();
         let field = pair.and_then(|pair| Field::of(pair, &found.pose));
         let field = field.ok_or_else(|| {
-            Error::Usage(
-                "--kind field: the worst pose is jammed or unproven; there are no contact lines"
-                    .to_owned(),
+            Error::usage(
+                "--kind field: the worst pose is jammed or unproven; there are no contact lines",
             )
         })?;
         let a = found.assembly.center_distance();
@@ -207,8 +204,8 @@ fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
     match args.center_distance.as_ref().map(|given| &given.0[..]) {
         None => Ok(None),
         Some([only]) => Ok(Some(*only)),
-        Some(_) => Err(Error::Usage(
-            "--center-distance: a chart is drawn at one centre distance".to_owned(),
+        Some(_) => Err(Error::usage(
+            "--center-distance: a chart is drawn at one centre distance",
         )),
     }
 }
@@ -219,7 +216,7 @@ fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
         print_error_line("note: with the most material; `gearlash check --map` draws both");
     }
     let first = maps.into_iter().next();
-    let none = || Error::Usage("no pose with a backlash was found to map from".to_owned());
+    let none = || Error::usage("no pose with a backlash was found to map from");
     first.map(|map| map.svg).ok_or_else(none)
 }
 

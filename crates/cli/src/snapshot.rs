@@ -117,14 +117,7 @@ fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize),
         Some(pair) => section(args, pair, pose)?,
         None => None,
     };
-    let view = Snapshot {
-        title,
-        assembly,
-        pose: &pose.pose,
-        material: subject.material,
-        found: pose.found.as_ref(),
-        section: section.as_ref(),
-    };
+    let view = Snapshot::of_result(title, assembly, subject.material, pose, section.as_ref());
     Ok(match (pair, args.exaggerate) {
         (Some(pair), None) if args.animate => {
             let steps = pitch(pair, &pose.pose)?;

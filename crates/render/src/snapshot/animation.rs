@@ -20,22 +20,21 @@ use svg::node::element::Group;
 /// The SVG text of `steps` through a pitch, in ascending order; `view` shows the first. For helical gears `sections` has the
 /// section of each step, all at one place; for spur gears it is empty.
 pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]) -> String {
-    let scenes: Vec<Scene> = steps
-        .iter()
-        .enumerate()
-        .map(|(number, step)| match (sections.get(number), &step.found) {
-            (Some(section), _) => Scene::in_section(section),
-            (None, Ok(lost_motion)) => Scene::new(view.assembly, &step.pose, lost_motion),
-            (None, Err(_)) => Scene::unproven(view.assembly, &step.pose),
-        })
-        .collect();
+    let steps_in_sections = steps.iter().enumerate();
+    let scenes = steps_in_sections.map(|(number, step)| {
+        let at_step = Snapshot {
+            pose: &step.pose,
+            found: step.found.as_ref(),
+            section: sections.get(number),
+            ..*view
+        };
+        at_step.scene()
+    });
+    let scenes: Vec<Scene> = scenes.collect();
     let first = view.scene();
     let main = main_view::view(&first, MAIN);
     let mut occupied = Occupied::default();
-    let mating = [
-        view.drawn_pose().mating().wheel_tooth,
-        view.drawn_pose().mating().pinion_tooth,
-    ];
+    let mating = view.drawn_pose().mating();
     let times = times(steps);
     let metal = metal(&first, &scenes, &times, &main, &mut occupied);
     let over = lines_over(&first, &main, &Side::BOTH, Group::new(), &mut occupied);
@@ -70,7 +69,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
         .add(MAIN.border())
         .add(marks(&scenes, &times, &main))
         .add(numbers)
-        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
+        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale))
         .add(pitch_chart::draw(steps))
         .add(key(view.section.is_some()));
     format!("{sheet}\n")

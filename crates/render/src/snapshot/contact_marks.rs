@@ -33,7 +33,7 @@ pub fn draw(contact: &DrawnContact, view: &View, size: MarkSize, occupied: &mut 
     // y points down on the sheet.
     let normal = [contact.normal.x, -contact.normal.y];
     // Across a visible gap, the normal ends at an involute's opposite flank.
-    let across = contact.gap * view.scale();
+    let across = contact.gap * view.scale;
     let length = if across > 24.0 { across } else { size.normal };
     let tip = [0, 1].map(|i| locked[i] + length * normal[i]);
     let mut group = Group::new().add(arrow(locked, tip, 1.8));
@@ -49,11 +49,10 @@ pub fn draw(contact: &DrawnContact, view: &View, size: MarkSize, occupied: &mut 
             group = group.add(arrow(ends[0], ends[1], 1.2));
         }
     }
-    for spot in if touching {
-        vec![locked]
-    } else {
-        vec![locked, free]
-    } {
+    for spot in [Some(locked), (!touching).then_some(free)]
+        .into_iter()
+        .flatten()
+    {
         occupied.frame(around(spot, size.dot));
         group = group.add(dot(spot, size.dot, touching));
     }

@@ -36,15 +36,15 @@ pub fn draw(
 ) -> ([Group; 2], Vec<Frame>) {
     let mut groups = [Group::new(), Group::new()];
     let mut taken = Vec::new();
-    let inside = view.frame().grown(-6.0);
+    let inside = view.frame.grown(-6.0);
     for (gear, group) in gears.iter().zip(&mut groups) {
         let Numbered {
             tip, root, foot, ..
         } = *gear;
-        if gear.pitch * root * view.scale() < SIZE {
+        if gear.pitch * root * view.scale < SIZE {
             continue;
         }
-        let below = |radius: f64, lines: f64| radius - lines * SIZE / view.scale();
+        let below = |radius: f64, lines: f64| radius - lines * SIZE / view.scale;
         let rings = [
             below(root, 1.2),
             below(root, 2.4),
@@ -55,7 +55,7 @@ pub fn draw(
         let free_room = |there: &(u32, f64), ring: f64, beside: f64, occupied: &Occupied| {
             let (tooth, direction) = *there;
             let outward = unit(direction);
-            let across = Vector2::new(-outward.y, outward.x) * (beside * SIZE / view.scale());
+            let across = Vector2::new(-outward.y, outward.x) * (beside * SIZE / view.scale);
             let at = gear.centre + ring * outward + across;
             let room = kit::room(&tooth.to_string(), SIZE, view.spot(at));
             (inside.holds(&room) && occupied.is_free(&room)).then_some(room)

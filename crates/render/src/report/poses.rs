@@ -1,6 +1,6 @@
 //! The poses with the least and the greatest backlash, drawn.
 
-use super::figures::not_on_paper;
+use super::figures::more;
 use super::page::Page;
 use super::phrases::pose;
 use crate::snapshot::pose_picture_in_page;
@@ -11,9 +11,6 @@ use maud::{Markup, PreEscaped, html};
 
 /// Most other centre distances whose least pose is drawn (tuned: some 30 kB each).
 const MOST_DRAWN: usize = 8;
-
-/// Name of the collapsed pictures.
-const OTHERS: &str = "least backlash at the other centre distances";
 
 pub(super) fn section(page: &Page) -> Markup {
     let whole = &page.whole;
@@ -34,13 +31,11 @@ pub(super) fn section(page: &Page) -> Markup {
             }
             @if whole.worst.is_some() { p.note { "Scale bars are correct; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." } }
             @if !others.is_empty() {
-                details {
-                    summary { "More: " (OTHERS) }
+                (more("least backlash at the other centre distances", html! {
                     @for (number, least) in others.into_iter().enumerate() {
                         (figure(page, &format!("least{}", number + 1), "Least backlash", least))
                     }
-                }
-                (not_on_paper(OTHERS))
+                }))
             }
         }
     }

@@ -29,12 +29,7 @@ pub struct Plot {
 
 impl Plot {
     pub(crate) fn frame(&self) -> Frame {
-        Frame {
-            left: self.left,
-            top: self.top,
-            right: self.right,
-            bottom: self.bottom,
-        }
+        Frame::new([self.left, self.top], [self.right, self.bottom])
     }
 
     /// The place of data on the sheet.

@@ -271,12 +271,8 @@ fn cap_height(size: f64) -> f64 {
 /// The box of a text of `size` centred at `middle`.
 pub fn room(text: &str, size: f64, middle: Spot) -> Frame {
     let (half, rise) = (0.5 * width(text, size), 0.5 * cap_height(size));
-    Frame {
-        left: middle[0] - half,
-        top: middle[1] - rise,
-        right: middle[0] + half,
-        bottom: middle[1] + rise,
-    }
+    let [x, y] = middle;
+    Frame::new([x - half, y - rise], [x + half, y + rise])
 }
 
 #[cfg(test)]

@@ -104,7 +104,7 @@ impl Searched {
     }
 
     /// One end of the bearing clearance of `pair`: the least, or the greatest.
-    fn end(&self, pair: &GearPair, is_least: bool) -> SearchedEnd {
+    fn end(&self, pair: &AssembledPair, is_least: bool) -> SearchedEnd {
         let found = &self.found;
         let extreme = extreme_of(found, is_least);
         // The least comes first.
@@ -112,7 +112,7 @@ impl Searched {
         let pose = self.pose(usize::from(before)).filter(|_| extreme.is_some());
         let assembly = pose.as_ref().map(|pose| pose.assembly.clone());
         SearchedEnd {
-            assembly: assembly.unwrap_or_else(|| pair.clone().into()),
+            assembly: assembly.unwrap_or_else(|| pair.clone()),
             status: found.status,
             extreme,
             pose,
@@ -389,7 +389,7 @@ impl Planned {
         {
             let axes = Axes::new(pair, self.open_lean, self.bearing_ends);
             let searched = self.over_axes(&axes, pair)?;
-            return Ok([true, false].map(|is_least| searched.end(pair, is_least)));
+            return Ok([true, false].map(|is_least| searched.end(&self.run.assembly, is_least)));
         }
         Ok([
             self.at_end(-clearance, true)?,
@@ -399,41 +399,23 @@ impl Planned {
 
     fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
-        if let AssembledPair::Data(pair) = assembly
-            && self.open_lean != [0.0; 2]
-        {
-            let moved = pair.at(pair.center_distance() + farther)?;
-            let axes = Axes::new(&moved, self.open_lean, None);
-            return Ok(self.over_axes(&axes, &moved)?.end(&moved, is_least));
-        }
-        let assembly = assembly.at(assembly.center_distance() + farther)?;
-        let (found, pose) = match &assembly {
-            AssembledPair::Data(pair) if is_open(pair) => {
-                let all = self.any_direction(pair, &self.effort(pair))?;
-                // The least comes first.
-                let before = !is_least && all.found.least.is_some();
-                let pose = all.poses.into_iter().nth(usize::from(before));
-                (all.found, pose)
-            }
-            pair => {
-                let found = match pair {
-                    AssembledPair::Data(pair) => self.cycle(pair, &self.effort(pair))?,
-                    AssembledPair::Drawn(pair) => self.end_of_outlines(pair, End::of(is_least)),
-                };
-                let pose = extreme_of(&found, is_least).map(|extreme| Directed {
-                    assembly: assembly.clone(),
-                    matings: vec![extreme.mating],
-                });
-                (found, pose)
-            }
+        let ends = match (assembly, is_least) {
+            (AssembledPair::Data(_), _) => self.ends(),
+            (AssembledPair::Drawn(_), true) => &[End::Least],
+            (AssembledPair::Drawn(_), false) => &[End::Greatest],
         };
-        let extreme = extreme_of(&found, is_least);
-        Ok(SearchedEnd {
-            assembly,
-            status: found.status,
-            extreme,
-            pose: pose.filter(|_| extreme.is_some()),
-        })
+        let parts = self.parts();
+        let there = Planned {
+            alone: Some(Alone { ends, parts }),
+            ..self.with(assembly.at(assembly.center_distance() + farther)?)
+        };
+        let end = there.search()?.end(&there.run.assembly, is_least);
+        if self.open_lean != [0.0; 2] {
+            return Ok(end);
+        }
+        // The pair itself, not that with its high teeth at the worst place.
+        let assembly = there.run.assembly;
+        Ok(SearchedEnd { assembly, ..end })
     }
 
     /// The extremes of `pair` over the cycle, and all leans of the axes that are open: only the least, or only the greatest, if the other is not needed.
@@ -465,8 +447,12 @@ impl Planned {
 
     /// Effort of the search of `assembly`.
     fn effort(&self, assembly: &GearPair) -> Effort {
-        let parts = self.alone.map_or(1, |alone| alone.parts);
-        Effort::of_extremes(assembly).part(self.phases * parts)
+        Effort::of_extremes(assembly).part(self.phases * self.parts())
+    }
+
+    /// [`Alone::parts`]; 1 for a whole search.
+    fn parts(&self) -> u64 {
+        self.alone.map_or(1, |alone| alone.parts)
     }
 
     /// The first mating of the cycle, and the number of distinct ones.

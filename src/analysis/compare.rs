@@ -106,56 +106,11 @@ pub struct ComparedRun {
 }
 
 impl ComparedRun {
-    /// How many poses have this verdict.
-    pub fn count(&self, verdict: Verdict) -> usize {
-        self.poses
-            .iter()
-            .filter(|pose| pose.verdict == verdict)
-            .count()
-    }
-
-    /// How many poses have both a simulated backlash and one by model 3.
-    pub fn compared(&self) -> usize {
-        let both = |pose: &&ComparedPose| pose.has_both();
-        self.poses.iter().filter(both).count()
-    }
-
-    /// Whether the run passes: something was compared, and everything agrees, or is off the line if that is allowed. A
-    /// run without any pose in mesh does not pass; unproven poses are excluded.
-    pub fn passes(&self, allow_off_line: bool) -> bool {
-        let unproven = self.poses.iter().any(|pose| pose.simulated.is_unproven());
-        self.compared() > 0 && !unproven && !self.disagrees(allow_off_line)
-    }
-
-    /// Whether some proven pose disagrees with the formula, or is off the line if that is not allowed.
-    pub fn disagrees(&self, allow_off_line: bool) -> bool {
-        self.poses.iter().any(|pose| match pose.verdict {
-            Verdict::Agrees | Verdict::Nothing | Verdict::Unproven => false,
-            Verdict::OffLine => !allow_off_line,
-            Verdict::Below | Verdict::Above => true,
-        })
-    }
-
     /// The poses with an unproven part, in order.
     pub fn unproven(&self) -> impl Iterator<Item = &ComparedPose> + Clone {
         self.poses
             .iter()
             .filter(|pose| pose.simulated.is_unproven())
-    }
-
-    /// Simulated minus model 3, mm, of the pose where its amount is largest.
-    pub fn worst(&self) -> Option<(&ComparedPose, f64)> {
-        let differences = self.poses.iter().filter_map(|pose| {
-            let difference = pose.simulated.backlash? - pose.line_of_action?;
-            Some((pose, difference))
-        });
-        differences.reduce(|worst, next| {
-            if next.1.abs() > worst.1.abs() {
-                next
-            } else {
-                worst
-            }
-        })
     }
 
     /// The run in numbers.

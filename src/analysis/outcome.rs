@@ -124,16 +124,6 @@ impl<'a> Outcome<'a> {
                 .reduce(f64::max),
         }
     }
-
-    /// Whether every pose is proven to have backlash of zero or more.
-    pub fn assembles(&self) -> bool {
-        self.poses > 0 && self.unproven == 0 && !self.fails()
-    }
-
-    /// Whether some pose interferes, is jammed or out of mesh.
-    pub fn fails(&self) -> bool {
-        self.interfering + self.jammed + self.apart > 0
-    }
 }
 
 /// `runs` and the poses `picked` out of others, as in [`Outcome::of`], by centre distance and material, in order of

@@ -57,12 +57,8 @@ pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Opt
     let groups = matings.len().isqrt() | 1;
     let mut found = None;
     for group in 0..groups {
-        let group: Vec<Mating> = matings
-            .iter()
-            .skip(group)
-            .step_by(groups)
-            .copied()
-            .collect();
+        let group = matings.iter().skip(group).step_by(groups);
+        let group: Vec<Mating> = group.copied().collect();
         let mut low = from;
         let mut active = touching(&bench, low, &group)?;
         let mut stride = 0.02 * module;

@@ -51,15 +51,11 @@ impl CheckContext<'_> {
             )
         };
         Ok(Check {
-            unproven: None,
-            id: "radial_clearance",
-            title: "radial clearance of tip, K (9), (10)",
             gear: Some(member),
             formula: Some(formula),
             outlines: found.map(|found| found.distance),
             limit: Some(limit),
             margin: Some(least - limit),
-            unit: "mm",
             verdict,
             details: vec![
                 ("least_modules", least / module),
@@ -86,6 +82,7 @@ impl CheckContext<'_> {
                 });
                 format!("{:.4} module{missed}{teeth}", least / module)
             },
+            ..Check::named("radial_clearance", "radial clearance of tip, K (9), (10)")
         })
     }
 
@@ -111,20 +108,16 @@ impl CheckContext<'_> {
         let least = outlines.map_or(formula, |outlines| outlines.min(formula));
         let limit = LEAST_TIP * self.module();
         Check {
-            unproven: None,
-            id: "tip_thickness",
-            title: "tip thickness; of the thinnest tooth",
             gear: Some(member),
             formula: Some(formula),
             outlines,
             limit: Some(limit),
             margin: Some(least - limit),
-            unit: "mm",
             verdict: Verdict::unless(met(least - limit), Verdict::Warn),
-            details: vec![],
             note: thinnest
                 .filter(|_| outlines != Some(formula))
                 .map_or(String::new(), |tooth| format!("tooth {tooth}")),
+            ..Check::named("tip_thickness", "tip thickness; of the thinnest tooth")
         }
     }
 }

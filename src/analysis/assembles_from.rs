@@ -179,10 +179,8 @@ impl AssemblesFrom {
             (_, Some(least)) if least.found < 0.0 => Some(least.mating),
             _ => None,
         };
-        let farthest: f64 = Member::BOTH
-            .map(|member| pair.gear(member).reach())
-            .iter()
-            .sum();
+        let farthest = Member::BOTH.map(|member| pair.gear(member).reach());
+        let farthest: f64 = farthest.iter().sum();
         let mut floor = pair.center_distance();
         let Some(mut tight) = tightest(found) else {
             return Ok(None);

@@ -147,10 +147,9 @@ impl Axes {
             farther: (u[0] * other - v[0] * one) / (other - one),
             lean: [0, 1].map(|k| (v[k] - u[k]) / (other - one)),
         };
-        let mut corners: Vec<Axis> = discs[0]
-            .iter()
-            .flat_map(|u| discs[1].iter().map(move |v| axis(u, v)))
-            .collect();
+        let corners = discs[0].iter();
+        let corners = corners.flat_map(|u| discs[1].iter().map(move |v| axis(u, v)));
+        let mut corners: Vec<Axis> = corners.collect();
         // Right flanks that bind at one end of the face, and left ones at one: both bearings move along the sum of their normals.
         let ends = [[from, from], [from, to], [to, from], [to, to]];
         let mut possible: Vec<Axis> = ends

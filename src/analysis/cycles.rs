@@ -528,10 +528,8 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
         let mut phases: Vec<u32> = if study.all_phases {
             (1..=phase_count(&run.assembly)).collect()
         } else {
-            run.matings
-                .iter()
-                .map(|mating| phase(&run.assembly, mating))
-                .collect()
+            let matings = run.matings.iter();
+            matings.map(|mating| phase(&run.assembly, mating)).collect()
         };
         phases.sort_unstable();
         phases.dedup();

@@ -114,6 +114,7 @@ pub(super) fn extremes(
     });
     let lost = lost.transpose()?;
     let matings = near.iter().chain(&far).map(|end| end.found.matings).next();
+    let open = Member::BOTH.map(|member| open_eccentricity(assembly.gear(member)));
     let poses = [least.as_ref(), greatest.as_ref()].into_iter().flatten();
     let poses = poses.map(|(extreme, assembly)| (assembly, extreme.mating));
     let poses = poses.chain(lost.iter().map(|(assembly, mating)| (assembly, *mating)));
@@ -131,10 +132,7 @@ pub(super) fn extremes(
             greatest: greatest.map(|(extreme, _)| extreme),
             lost: lost.map(|(_, mating)| mating),
         },
-        off: Member::BOTH
-            .map(|member| open_eccentricity(assembly.gear(member)))
-            .iter()
-            .sum(),
+        off: open.iter().sum(),
         ends: [near, far].map(|end| end.map(|end| (end.centred, end.found))),
     })
 }

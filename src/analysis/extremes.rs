@@ -94,11 +94,8 @@ impl CycleExtremes {
         let here = |run: &&RunExtremes| {
             (run.assembly.center_distance(), run.material) == (center_distance, material)
         };
-        let losses = self
-            .each
-            .iter()
-            .filter(here)
-            .filter_map(|run| run.face_loss);
+        let runs = self.each.iter().filter(here);
+        let losses = runs.filter_map(|run| run.face_loss);
         losses.reduce(|one, other| if other.all > one.all { other } else { one })
     }
 }
@@ -143,13 +140,11 @@ impl BearingEnd {
     fn new<'a>(end: &SearchedEnd, runs: &mut impl Iterator<Item = &'a ComparedRun>) -> BearingEnd {
         let run = end.pose.as_ref().and_then(|_| runs.next());
         let pose = run.and_then(|run| PairPose::of(run).next());
+        let found = end.extreme.zip(pose);
         BearingEnd {
             assembly: end.assembly.clone(),
             status: end.status,
-            extreme: end
-                .extreme
-                .zip(pose)
-                .map(|(extreme, pose)| RunExtreme::new(extreme, pose)),
+            extreme: found.map(|(extreme, pose)| RunExtreme::new(extreme, pose)),
         }
     }
 }

@@ -111,10 +111,8 @@ fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = studies::gears_by_data(&args.file)?;
     let chosen = choose(&args.file, args.gear, Some(args.material), &study, |gear| {
-        gear.materials
-            .iter()
-            .map(|(of, built)| (*of, built))
-            .collect()
+        let materials = gear.materials.iter();
+        materials.map(|(of, built)| (*of, built)).collect()
     })?;
     let [(entry, material, gear)] = chosen[..] else {
         return Err(Error::Usage(format!(

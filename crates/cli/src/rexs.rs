@@ -58,10 +58,8 @@ pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<Ex
 
 /// The only readable stage, or the remedy.
 fn only_readable_stage(file: &RexsFile) -> Result<&RexsPair, String> {
-    let mut pairs = file
-        .stages
-        .iter()
-        .filter_map(|stage| stage.pair.as_ref().ok());
+    let stages = file.stages.iter();
+    let mut pairs = stages.filter_map(|stage| stage.pair.as_ref().ok());
     match (pairs.next(), pairs.next()) {
         (Some(pair), None) => Ok(pair),
         (None, _) => Err("No stage can be read; each reason stands above.".to_owned()),

@@ -601,10 +601,8 @@ pub struct Object<'a> {
 impl<'a> Object<'a> {
     /// The keys of the first level with their values.
     pub fn entries(&self) -> impl Iterator<Item = (&str, impl Serialize)> {
-        let present = self
-            .nodes
-            .iter()
-            .filter(|node| !node.is_absent(&self.values));
+        let nodes = self.nodes.iter();
+        let present = nodes.filter(|node| !node.is_absent(&self.values));
         present.map(|node| (node.key.as_str(), node.with(&self.values)))
     }
 

@@ -348,30 +348,29 @@ fn run_name(run: &RunTally) -> String {
 
 /// The reason why poses have no backlash, or no formula to compare with.
 fn without_value(run: &RunTally) -> String {
-    let parts = [
-        (run.jammed, "jammed"),
-        (run.apart, "out of mesh"),
-        (run.count(Verdict::Unproven), "unproven"),
-    ];
-    at_poses(run, &parts).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
+    let [_, without @ ..] = troubles(run);
+    at_poses(run, &without).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
 }
 
 /// The number of poses with negative or no backlash, in words; `None` for zero.
 fn trouble_counts(run: &RunTally) -> Option<String> {
-    let parts = [
+    at_poses(run, &troubles(run))
+}
+
+/// Poses with negative backlash, and those without any by reason.
+fn troubles(run: &RunTally) -> [(usize, &'static str); 4] {
+    [
         (run.interfering, "interference"),
         (run.jammed, "jammed"),
         (run.apart, "out of mesh"),
         (run.count(Verdict::Unproven), "unproven"),
-    ];
-    at_poses(run, &parts)
+    ]
 }
 
 fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
     let parts = parts.iter().filter(|(poses, _)| *poses > 0);
-    let parts: Vec<String> = parts
-        .map(|(poses, what)| format!("{what} at {poses} of {} poses", run.poses))
-        .collect();
+    let parts = parts.map(|(poses, what)| format!("{what} at {poses} of {} poses", run.poses));
+    let parts: Vec<String> = parts.collect();
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 

@@ -159,10 +159,8 @@ impl Outcome {
         if let [JudgedFile::Judged(only)] = &self.files[..] {
             return only.text.clone();
         }
-        let names = self
-            .files
-            .iter()
-            .map(|file| plain(file.name()).chars().count());
+        let files = self.files.iter();
+        let names = files.map(|file| plain(file.name()).chars().count());
         let width = names.max().unwrap_or(0);
         let mut text = String::new();
         for file in self.failures_first() {
@@ -352,11 +350,8 @@ fn test_case(case: &Case) -> TestCase {
 
 /// Escapes text as GitHub's workflow commands require.
 fn escape(text: &str) -> String {
-    let lines: Vec<String> = text
-        .lines()
-        .map(|line| plain(line).replace('%', "%25"))
-        .collect();
-    lines.join("%0A")
+    let lines = text.lines().map(|line| plain(line).replace('%', "%25"));
+    lines.collect::<Vec<_>>().join("%0A")
 }
 
 /// Escapes a property of a workflow command.

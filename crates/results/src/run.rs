@@ -67,10 +67,8 @@ impl RunRow {
         if !(self.clearance > 0.0) {
             return Value::Absent;
         }
-        let [near, far] = self
-            .summary
-            .with_clearance
-            .map(|end| end.map(|mm| mm * 1e3));
+        let ends = self.summary.with_clearance;
+        let [near, far] = ends.map(|end| end.map(|mm| mm * 1e3));
         let a = self.center_distance();
         Value::Band([(near, a - self.clearance), (far, a + self.clearance)])
     }

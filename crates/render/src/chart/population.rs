@@ -81,10 +81,8 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
     let (left, right): (Vec<_>, Vec<_>) = lines.into_iter().partition(|line| line.0 < middle);
     // Names are placed inwards of their lines. Inner lines end lower, below the names of the outer ones.
     let left = left.into_iter().map(|line| (line, Anchor::Start, 5.0));
-    let right = right
-        .into_iter()
-        .rev()
-        .map(|line| (line, Anchor::End, -5.0));
+    let right = right.into_iter().rev();
+    let right = right.map(|line| (line, Anchor::End, -5.0));
     for (rank, ((at, name), anchor, shift)) in left.enumerate().chain(right.enumerate()) {
         let height = top * (1.0 - LOWER * rank as f64);
         marks.push(Mark::upright(at, [0.0, height], Look::Limit, 1.4));

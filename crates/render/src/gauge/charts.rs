@@ -127,10 +127,8 @@ fn length_chart(
     length: &Length,
     by_tooth: &ByTooth,
 ) -> Result<Option<(String, String)>, PictureError> {
-    let less = by_tooth
-        .values
-        .iter()
-        .map(|mm| Some((mm - length.mean) * 1e3));
+    let values = by_tooth.values.iter();
+    let less = values.map(|mm| Some((mm - length.mean) * 1e3));
     let series = [BarSeries {
         name: "reading",
         values: less.collect(),
@@ -331,12 +329,9 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
     let teeth = gauged.teeth();
     let value = |pose: &RollPose| Some(1e3 * (pose.distance - mean));
     let place = |pose: &RollPose| f64::from(pose.mating.wheel_tooth) + pose.mating.fraction;
-    let mut points: Vec<(f64, Option<f64>)> = roll
-        .poses
-        .iter()
-        .chain(&roll.between)
-        .map(|pose| (place(pose), value(pose)))
-        .collect();
+    let poses = roll.poses.iter().chain(&roll.between);
+    let points = poses.map(|pose| (place(pose), value(pose)));
+    let mut points: Vec<(f64, Option<f64>)> = points.collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     // The first pose again, to close the revolution.
     let first = points.first().and_then(|point| point.1);

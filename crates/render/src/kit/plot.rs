@@ -209,10 +209,8 @@ pub fn axes(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
         group.append(style.text(&x.name, [middle_x, bottom + 37.0]));
     }
     if !y.name.is_empty() {
-        let numbers = ticks
-            .at
-            .iter()
-            .map(|value| NUMBERS.width(&y.number(&ticks, *value)));
+        let values = ticks.at.iter();
+        let numbers = values.map(|value| NUMBERS.width(&y.number(&ticks, *value)));
         // Left of the widest number, with the distance of a sheet's edge from its plots.
         let foot = left - numbers.fold(44.0, f64::max).min(56.0) - 12.0;
         let style = NAMES.middle().fitted(&y.name, bottom - top + 40.0, 9.0);

@@ -108,10 +108,8 @@ impl TextStyle {
                 }
             }
         }
-        lines
-            .iter()
-            .map(|line| self.shortened(line, room))
-            .collect()
+        let lines = lines.iter();
+        lines.map(|line| self.shortened(line, room)).collect()
     }
 
     /// A smaller size where `text` is longer than `room`, but at least `least`.

@@ -48,9 +48,8 @@ fn id(number: usize) -> String {
 
 /// The courses whose charts are in the page, each with the chart's id.
 pub(super) fn charted<'p>(page: &'p Page) -> Vec<(String, &'p Course)> {
-    let drawn = drawn_courses(page);
+    let drawn = drawn_courses(page).into_iter();
     drawn
-        .into_iter()
         .map(|number| (id(number), &page.courses[number]))
         .collect()
 }

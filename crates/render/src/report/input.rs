@@ -194,11 +194,8 @@ fn own_face(gear: &GearSpec) -> String {
 pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
     let study = &page.report.pair.study;
     let clearance = &spec.bearing_clearance_mm;
-    let distances: Vec<String> = study
-        .center_distances
-        .iter()
-        .map(|a| stated_distance(*a))
-        .collect();
+    let distances = study.center_distances.iter().map(|a| stated_distance(*a));
+    let distances: Vec<String> = distances.collect();
     let angles = page.report.analysis.runs.iter();
     let angles = angles.filter_map(|run| run.run.assembly.data());
     let angles = angles.map(|pair| pair.operating_pressure_angle().to_degrees());

@@ -66,10 +66,8 @@ pub fn draw(
         };
         let counts = rings.map(|ring| fitting(ring, occupied));
         let most = counts.into_iter().max();
-        let best = rings
-            .into_iter()
-            .zip(counts)
-            .find(|(_, count)| Some(*count) == most);
+        let mut counted = rings.into_iter().zip(counts);
+        let best = counted.find(|(_, count)| Some(*count) == most);
         for there in &gear.teeth {
             let is_mating = there.0 == gear.mating;
             let on_best = best.and_then(|(ring, _)| free_room(there, ring, 0.0, occupied));

@@ -82,10 +82,8 @@ pub fn turns(scenes: &[Scene], member: Member) -> Vec<f64> {
     let mut turns: Vec<f64> = Vec::new();
     for scene in scenes {
         let direction = |scene: &Scene| {
-            scene
-                .placed(member)
-                .data()
-                .map_or(0.0, |gear| gear.direction(1))
+            let placed = scene.placed(member);
+            placed.data().map_or(0.0, |gear| gear.direction(1))
         };
         let turn = direction(scene) - direction(&scenes[0]);
         let last = turns.last().copied().unwrap_or(0.0);

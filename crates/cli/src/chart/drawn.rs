@@ -43,18 +43,15 @@ impl DrawnChart {
             study.keep(wanted);
         }
         let distance = distance(args, &study.center_distances)?;
-        let study = study
-            .at(distance)
-            .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
-        let plan = Plan::new(&study, args.method.of(&study)?)
-            .with_revolution()
-            .with_extremes();
+        let refused = |reason| Error::Usage(format!("--center-distance: {reason}"));
+        let study = study.at(distance).map_err(refused)?;
+        let plan = Plan::new(&study, args.method.of(&study)?);
+        let plan = plan.with_revolution().with_extremes();
         poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
         let analysis = run_under_bar(&plan)?;
         let courses = curves::courses(&analysis.curves);
-        let course = courses
-            .first()
-            .ok_or_else(|| Error::usage("the pair file asks for no poses"))?;
+        let none = || Error::usage("the pair file asks for no poses");
+        let course = courses.first().ok_or_else(none)?;
         if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
             print_error_line(&format!(
                 "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
@@ -63,20 +60,18 @@ impl DrawnChart {
         }
         let course = &course.clone().with_cycle(&analysis.extremes.each);
         let cycle = in_unit(print_verdict(&analysis), unit);
+        let heading = heading(&study.title, &cycle);
         let (name, chart) = match args.kind {
-            Kind::Difference => (
-                "difference",
-                chart::difference(&heading(&study.title, &cycle), course, study.tolerance_um)?,
-            ),
-            _ => {
-                let chart = chart::revolution_in(unit, &heading(&study.title, &cycle), course)?;
-                ("revolution", chart)
+            Kind::Difference => {
+                let chart = chart::difference(&heading, course, study.tolerance_um);
+                ("difference", chart)
             }
+            _ => ("revolution", chart::revolution_in(unit, &heading, course)),
         };
         Ok(DrawnChart {
+            svg: chart?.svg,
             file: file(name, args, course, unit),
             agrees: agreed(&analysis),
-            svg: chart.svg,
         })
     }
 
@@ -109,14 +104,9 @@ impl DrawnChart {
         let unproven = curve.unproven + whole.as_ref().map_or(0, Analysis::unproven);
         let cycle = whole.as_ref().map(print_verdict).unwrap_or_default();
         let cycle = in_unit(cycle, unit);
+        let heading = heading(&study.title, &cycle);
         Ok(DrawnChart {
-            svg: chart::distance_in(
-                unit,
-                &heading(&study.title, &cycle),
-                &curve,
-                &by_distance(&all, &[]),
-            )?
-            .svg,
+            svg: chart::distance_in(unit, &heading, &curve, &by_distance(&all, &[]))?.svg,
             file: format!("chart_distance_{wheel}_{pinion}{}.svg", suffix(unit)),
             agrees: agreement_of(curve.agreement) & all_proven(unproven),
         })
@@ -166,11 +156,11 @@ impl DrawnChart {
         let found = worst::find(("--kind field", Wanted::Least), study, distance, end)?;
         let pair = found.assembly.data();
         let field = pair.and_then(|pair| Field::of(pair, &found.pose));
-        let field = field.ok_or_else(|| {
-            Error::usage(
+        let Some(field) = field else {
+            return Err(Error::usage(
                 "--kind field: the worst pose is jammed or unproven; there are no contact lines",
-            )
-        })?;
+            ));
+        };
         let a = found.assembly.center_distance();
         let subtitle = format!(
             "Field of action at the least backlash · a = {} mm · {}",

@@ -375,12 +375,6 @@ impl Planned {
         }
     }
 
-    /// The extreme `end` of a pair with a drawn gear.
-    fn end_of_outlines(&self, pair: &OutlinePair, end: End) -> Extremes {
-        let kernel = OutlineKernel::new(pair);
-        kernel.extremes(pair, &self.outlines(pair), &[end], PROVEN_WIDTH_DRAWN)
-    }
-
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them further apart by it. Backlash grows with the distance,
     /// so no pose in between has less or more.
     pub fn at_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
@@ -428,7 +422,9 @@ impl Planned {
         let pair = match pair {
             AssembledPair::Data(pair) => pair,
             AssembledPair::Drawn(pair) => {
-                return Ok(self.end_of_outlines(pair, End::of(is_least)));
+                let (kernel, cycle) = (OutlineKernel::new(pair), self.outlines(pair));
+                let ends = [End::of(is_least)];
+                return Ok(kernel.extremes(pair, &cycle, &ends, PROVEN_WIDTH_DRAWN));
             }
         };
         if self.open_lean != [0.0; 2] {

@@ -10,7 +10,7 @@
 
 use super::Unmeasured;
 use super::eccentricity::{Eccentricity, eccentricity};
-use super::profile::{FlankTraces, TraceReading, evaluate};
+use super::profile::{FlankTraces, TraceReading, evaluate, off_flank};
 use super::runout::{RunoutReadings, runout};
 use super::span::{Spans, spans};
 use super::workpiece::Workpiece;
@@ -244,6 +244,7 @@ fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings
     let teeth = gear.gear().basic_data().teeth();
     let mut error = 0.0;
     let mut flank = |own: Flank| {
+        let sense = gear.face().seen_from_front(own).sense();
         let read = parallel::map(1..=teeth, |tooth| {
             let stylus = Stylus {
                 work: &work,
@@ -256,7 +257,8 @@ fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings
             let deviations = sections.iter().map(|section| {
                 let (turn, error) = stylus.turn(section)?;
                 worst = f64::max(worst, 2.0 * error);
-                Some(stylus.deviation(turn - start))
+                // Material of the further turn, along the base tangent.
+                Some(sense * (turn - start) * gear.gear().base_radius())
             });
             let deviations: Vec<f64> = deviations.collect::<Option<_>>()?;
             let points: Vec<(f64, f64)> = all.iter().copied().zip(deviations).collect();
@@ -267,10 +269,7 @@ fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings
         let mut of_tooth = Vec::new();
         for (tooth, found) in (1..).zip(read) {
             let Some((found, bound)) = found else {
-                return Err(Unmeasured(format!(
-                    "the stylus leaves the {} flank of tooth {tooth}",
-                    own.name()
-                )));
+                return Err(off_flank(own, tooth));
             };
             error = f64::max(error, bound);
             let is_alike = |one: &TraceReading| {
@@ -341,11 +340,5 @@ impl Stylus<'_> {
             angle + data.twist() * rise + side.sense() * lead / base,
             error,
         ))
-    }
-
-    /// Material of a further turn, mm along the base tangent.
-    fn deviation(&self, turn: f64) -> f64 {
-        let gear = self.work.as_built;
-        gear.face().seen_from_front(self.own).sense() * turn * gear.gear().base_radius()
     }
 }

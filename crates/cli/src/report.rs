@@ -43,11 +43,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let own = || PathBuf::from("out").join(format!("{}.html", pair.stem));
     let target = Target::prepare_beside(args.output.clone().unwrap_or_else(own), &pair.sources)?;
     if args.live {
-        target.write(&live_page::with_pair(
-            args.page.as_deref(),
-            &args.pair,
-            pair,
-        )?)?;
+        let page = live_page::with_pair(args.page.as_deref(), &args.pair, pair)?;
+        target.write(&page)?;
         return Ok(ExitCode::SUCCESS);
     }
     let method = args.method.of(study)?;

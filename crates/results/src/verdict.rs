@@ -464,11 +464,6 @@ fn proof(verdict: &Verdict) -> Vec<String> {
     ]
 }
 
-fn least_and_greatest<'a>(verdict: &'a Verdict) -> impl Iterator<Item = &'a RunExtreme> {
-    let runs = verdict.runs.iter();
-    runs.flat_map(|run| run.least.iter().chain(&run.greatest))
-}
-
 /// The uncertainty of an extreme due to the drawings, mm; `None` for gears by their data, and where it is only rounding.
 fn drawing_bound(extreme: &RunExtreme) -> Option<f64> {
     let bound = extreme.pose.simulated.error_bound?;
@@ -611,7 +606,9 @@ fn sentences(verdict: &Verdict) -> Vec<String> {
     sentences.extend(checks(verdict));
     sentences.extend(doubts(verdict));
     sentences.extend(bearings(verdict));
-    if least_and_greatest(verdict).any(|extreme| drawing_bound(extreme).is_some()) {
+    let runs = verdict.runs.iter();
+    let mut extremes = runs.flat_map(|run| run.least.iter().chain(&run.greatest));
+    if extremes.any(|extreme| drawing_bound(extreme).is_some()) {
         sentences.push("± is what the drawings leave open".to_owned());
     }
     if let Some(stated) = verdict.uncertainty {

@@ -146,7 +146,8 @@ fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) 
     for (place, bars) in series.iter().enumerate() {
         let left = 0.6 + place as f64 * width;
         if teeth > MOST_BARS {
-            marks.push(curve(bars))
+            let points = (1..).map(f64::from).zip(bars.values.iter().copied());
+            marks.push(Mark::line(points.collect(), bars.look, 1.0))
         } else {
             marks.extend(rods(bars, [left, left + width]))
         }
@@ -182,9 +183,4 @@ fn rods(bars: &BarSeries, x: [f64; 2]) -> impl Iterator<Item = Mark> {
             look: bars.look,
         })
     })
-}
-
-fn curve(bars: &BarSeries) -> Mark {
-    let points = (1..).map(f64::from).zip(bars.values.iter().copied());
-    Mark::line(points.collect(), bars.look, 1.0)
 }

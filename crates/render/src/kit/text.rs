@@ -261,14 +261,12 @@ fn width(text: &str, size: f64) -> f64 {
     em * size
 }
 
-/// Height of capitals and digits at `size`.
-fn cap_height(size: f64) -> f64 {
-    0.73 * size
-}
+/// Height of capitals and digits, as a share of the size.
+const CAP_HEIGHT: f64 = 0.73;
 
 /// The box of a text of `size` centred at `middle`.
 pub fn room(text: &str, size: f64, middle: Spot) -> Frame {
-    let (half, rise) = (0.5 * width(text, size), 0.5 * cap_height(size));
+    let (half, rise) = (0.5 * width(text, size), 0.5 * (CAP_HEIGHT * size));
     let [x, y] = middle;
     Frame::new([x - half, y - rise], [x + half, y + rise])
 }

@@ -18,8 +18,10 @@ pub(super) fn section(page: &Page) -> Markup {
     html! {
         section id="poses" {
             h2 { "Worst poses" }
-            @if whole.worst.is_none() { p { (nothing_drawn(page)) } }
-            @if let Some(jammed) = whole.worst.filter(jams) {
+            @if whole.worst.is_none() {
+                p { "No pose is " @if whole.unproven > 0 { "proven to be " } "in mesh: there is nothing to draw." }
+            }
+            @if let Some(jammed) = whole.worst.filter(|found| found.pose.simulated.status() == Status::Jammed) {
                 (figure(page, "jammed", "Jammed, a tip in a root", jammed))
             }
             @if let Some(least) = whole.least { (figure(page, "least", "Least backlash", least)) }
@@ -39,18 +41,6 @@ pub(super) fn section(page: &Page) -> Markup {
             }
         }
     }
-}
-
-fn nothing_drawn(page: &Page) -> &'static str {
-    match page.whole.unproven {
-        0 => "No pose is in mesh: there is nothing to draw.",
-        _ => "No pose is proven to be in mesh: there is nothing to draw.",
-    }
-}
-
-/// Whether the pose is jammed.
-fn jams(found: &PoseOfRun) -> bool {
-    found.pose.simulated.status() == Status::Jammed
 }
 
 /// The pose with the greatest loss beyond all formulas, where that exceeds the tolerance and is not drawn yet.

@@ -101,7 +101,10 @@ pub fn empty(frame: Frame) -> Rectangle {
 /// The caption of an inset in `frame`.
 pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame: &Frame) -> Group {
     let Frame { left, top, .. } = *frame;
-    let name = capital(side);
+    let name = match side {
+        Side::Right => "Right",
+        Side::Left => "Left",
+    };
     let (first, second) = match contact {
         None => (
             format!("{name} flanks: no contact"),
@@ -168,13 +171,6 @@ fn edge(assembly: &GearPair, side: Side, contact: &Contact) -> Option<Member> {
     let touched = Member::BOTH.into_iter().filter_map(above_foot);
     let nearest = touched.min_by(|a, b| a.1.total_cmp(&b.1));
     nearest.map(|(member, _)| member)
-}
-
-fn capital(side: Side) -> &'static str {
-    match side {
-        Side::Right => "Right",
-        Side::Left => "Left",
-    }
 }
 
 /// A free place for `name` on the first `metal` and off the other: as near to the middle as keeps it well clear, or clear at all.

@@ -54,7 +54,7 @@ pub fn draw(
         let farther = (0..24).map(|i| below(tip, 0.8 + 0.4 * f64::from(i)));
         let free_room = |there: &(u32, f64), ring: f64, beside: f64, occupied: &Occupied| {
             let (tooth, direction) = *there;
-            let outward = unit(direction);
+            let outward = Vector2::new(direction.cos(), direction.sin());
             let across = Vector2::new(-outward.y, outward.x) * (beside * SIZE / view.scale);
             let at = gear.centre + ring * outward + across;
             let room = kit::room(&tooth.to_string(), SIZE, view.spot(at));
@@ -95,8 +95,4 @@ pub fn centred(content: &str, room: &Frame, size: f64, bold: bool) -> Element {
     let style = TextStyle::new(size).middle();
     let style = if bold { style.bold() } else { style };
     style.text(content, at)
-}
-
-fn unit(angle: f64) -> Vector2<f64> {
-    Vector2::new(angle.cos(), angle.sin())
 }

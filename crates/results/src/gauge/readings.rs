@@ -26,11 +26,6 @@ impl Column {
             values,
         }
     }
-
-    /// Lengths have six decimals, deviations three.
-    fn decimals(&self) -> usize {
-        if self.name.ends_with("_mm") { 6 } else { 3 }
-    }
 }
 
 /// The column for helical gears only.
@@ -115,7 +110,8 @@ pub fn position_table(gear: &GaugedGear) -> String {
     for tooth in 1..=gear.teeth() {
         let cells = shown.iter().map(|(column, values)| {
             let value = values.get(tooth as usize - 1).copied();
-            ascii(value, column.decimals())
+            let is_length = column.name.ends_with("_mm");
+            ascii(value, if is_length { 6 } else { 3 })
         });
         table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
     }

@@ -316,21 +316,24 @@ impl Outcome {
                 file: file.clone(),
                 cases: vec![TestCase {
                     name: "read".to_owned(),
-                    failure: None,
-                    error: Some(problems.join("\n")),
+                    reason: Some(("error", problems.join("\n"))),
                 }],
                 output: Vec::new(),
             },
-            JudgedFile::Judged(judged) => Suite {
-                file: judged.file.clone(),
-                cases: judged.cases.iter().map(test_case).collect(),
-                output: [("warning", &judged.warnings), ("note", &judged.remarks)]
-                    .into_iter()
-                    .flat_map(|(kind, words)| {
-                        words.iter().map(move |words| format!("{kind}: {words}"))
-                    })
-                    .collect(),
-            },
+            JudgedFile::Judged(judged) => {
+                let cases = judged.cases.iter().map(|case| TestCase {
+                    name: case.name.clone(),
+                    reason: case.fails().then(|| ("failure", case.message.clone())),
+                });
+                let warnings = judged.warnings.iter();
+                let warnings = warnings.map(|words| format!("warning: {words}"));
+                let notes = judged.remarks.iter().map(|words| format!("note: {words}"));
+                Suite {
+                    file: judged.file.clone(),
+                    cases: cases.collect(),
+                    output: warnings.chain(notes).collect(),
+                }
+            }
         };
         let suites: Vec<Suite> = self.files.iter().map(suite).collect();
         junit::junit(&format!("gearlash {}", self.command), &suites)
@@ -339,14 +342,6 @@ impl Outcome {
 
 /// The name of the verdict's case.
 pub const VERDICT: &str = "verdict";
-
-fn test_case(case: &Case) -> TestCase {
-    TestCase {
-        name: case.name.clone(),
-        failure: case.fails().then(|| case.message.clone()),
-        error: None,
-    }
-}
 
 /// Escapes text as GitHub's workflow commands require.
 fn escape(text: &str) -> String {

@@ -145,13 +145,6 @@ impl VerdictLines {
         cut(line.trim_end(), COLUMNS)
     }
 
-    /// The verdict without any run.
-    pub(crate) fn nothing() -> VerdictLines {
-        let (status, proof) = ("Nothing was run.".to_owned(), String::new());
-        let state = diagnosis::Verdict::Unproven;
-        VerdictLines::new(state, &[status], &[proof], Vec::new(), Vec::new())
-    }
-
     /// The lines, without line ends.
     pub fn lines(&self) -> Vec<String> {
         let mut lines = vec![self.first()];
@@ -288,10 +281,8 @@ pub(crate) fn status(all: &[Place]) -> [String; 2] {
         ];
         let found = each.iter().map(|(words, states)| (*words, of(states)));
         let found = found.into_iter().find(|(_, here)| !here.is_empty());
-        let without = all
-            .iter()
-            .any(|place| place.state == State::WithoutBacklash);
-        let words = if without {
+        let is_without = |place: &Place| place.state == State::WithoutBacklash;
+        let words = if all.iter().any(is_without) {
             "Assembles without backlash"
         } else {
             "Assembles"
@@ -388,7 +379,9 @@ pub(crate) fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
 /// The verdict in lines.
 pub fn lines(verdict: &Verdict) -> VerdictLines {
     if verdict.runs.is_empty() {
-        return VerdictLines::nothing();
+        let (status, proof) = ("Nothing was run.".to_owned(), String::new());
+        let state = diagnosis::Verdict::Unproven;
+        return VerdictLines::new(state, &[status], &[proof], Vec::new(), Vec::new());
     }
     let places: Vec<Place> = verdict.runs.iter().map(place).collect();
     let state = if verdict.failed_checks.is_empty() {

@@ -18,13 +18,15 @@ pub(crate) struct AssignmentRow {
     has_phases: bool,
 }
 
-/// The tooth to mark on the wheel.
-const WHEEL_TOOTH: u32 = 1;
-
 impl AssignmentRow {
+    /// The tooth to mark on the wheel.
+    fn wheel_tooth(&self) -> u32 {
+        1
+    }
+
     /// The teeth to mark on wheel and pinion; none in a pair with one assembly phase.
     fn marks(&self) -> Value {
-        let teeth = || format!("{WHEEL_TOOTH} · {}", self.found.best.pinion_tooth);
+        let teeth = || format!("{} · {}", self.wheel_tooth(), self.found.best.pinion_tooth);
         Value::optional(self.has_phases.then(teeth))
     }
 }
@@ -32,7 +34,7 @@ impl AssignmentRow {
 row_type!(row: AssignmentRow {
     "wheel" Plain [heading(shown("wheel").left())] => row.wheel.clone();
     "pinion" Plain [heading(shown("pinion").left())] => row.pinion.clone();
-    "wheel_tooth" Plain [no_csv] => WHEEL_TOOTH;
+    "wheel_tooth" Plain [no_csv] => row.wheel_tooth();
     "pinion_tooth" Plain => row.found.best.pinion_tooth;
     "" Plain [people(shown("teeth to mark").left())] => row.marks();
     "least_um" Hundredths [heading(shown("least µm"))] => Value::um(row.found.best.outcome.least);

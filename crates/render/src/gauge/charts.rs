@@ -56,13 +56,11 @@ pub fn page(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureErro
     Ok(Some((page_name(&gauged.stem()), page.into_string())))
 }
 
-/// File name and SVG of bars over teeth; `None` where no bar would be visible.
-fn bars(
-    gauged: &GaugedGear,
-    chart: Chart,
-    x_axis: &str,
-    panels: &[BarPanel],
-) -> Result<Option<(String, String)>, PictureError> {
+/// File name and SVG of a chart; `None` where nothing would be visible.
+type File = Result<Option<(String, String)>, PictureError>;
+
+/// Bars over teeth.
+fn bars(gauged: &GaugedGear, chart: Chart, x_axis: &str, panels: &[BarPanel]) -> File {
     let series = panels.iter().flat_map(|panel| panel.series);
     let mut values = series.flat_map(|bars| &bars.values).flatten();
     if values.all(|um| um.abs() < LEVEL) {
@@ -74,12 +72,12 @@ fn bars(
     })
 }
 
-/// File name and SVG of a chart.
+/// A chart, as a file.
 fn file(
     gauged: &GaugedGear,
     chart: Chart,
     draw: impl FnOnce(&Heading) -> Result<crate::chart::Chart, PictureError>,
-) -> Result<Option<(String, String)>, PictureError> {
+) -> File {
     let stem = gauged.stem();
     let drawn = draw(&Heading {
         prefix: &chart.file_stem(&stem),
@@ -122,11 +120,7 @@ fn length_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureEr
     drawn.collect()
 }
 
-fn length_chart(
-    gauged: &GaugedGear,
-    length: &Length,
-    by_tooth: &ByTooth,
-) -> Result<Option<(String, String)>, PictureError> {
+fn length_chart(gauged: &GaugedGear, length: &Length, by_tooth: &ByTooth) -> File {
     let values = by_tooth.values.iter();
     let less = values.map(|mm| Some((mm - length.mean) * 1e3));
     let series = [BarSeries {
@@ -166,10 +160,7 @@ fn deviation_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Pictur
     Ok(files)
 }
 
-fn runout(
-    gauged: &GaugedGear,
-    read: &RunoutReadings,
-) -> Result<Option<(String, String)>, PictureError> {
+fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> File {
     let eccentricity = gauged.gauged.eccentricity.as_ref().ok();
     let title = format!(
         "ball {} mm in each space · F_r {} µm, 2 e {} µm",
@@ -178,25 +169,21 @@ fn runout(
         um(eccentricity.map(|found| 2.0 * found.amount), 3)
     );
     let series = [BarSeries::of_mm("ball", &read.deviations(), Look::Plain)];
+    let ends = read.ends().map(|end| end - read.mean());
+    let graded = coarsest(gauged, GradedQuantity::Runout, None);
+    let limits = graded.map(|graded| range(&graded, ends));
     let panel = BarPanel {
         title: &title,
         y_axis: "radius − mean, µm",
         series: &series,
-        limits: coarsest(gauged, GradedQuantity::Runout, None)
-            .map(|graded| range(&graded, read.ends().map(|end| end - read.mean())))
-            .into_iter()
-            .collect(),
+        limits: Vec::from_iter(limits),
         level: LEVEL,
     };
     bars(gauged, Chart::RUNOUT, "tooth before the ball", &[panel])
 }
 
 /// Single pitch above cumulative pitch.
-fn pitch(
-    gauged: &GaugedGear,
-    chart: Chart,
-    read: &PitchReadings,
-) -> Result<Option<(String, String)>, PictureError> {
+fn pitch(gauged: &GaugedGear, chart: Chart, read: &PitchReadings) -> File {
     let about = match read.axis {
         PitchAxis::Own => "the gear's own centre",
         PitchAxis::Datum => "the rotation axis",
@@ -227,21 +214,19 @@ fn pitch(
     };
     let single = flanks(PitchReadings::single);
     let cumulative = flanks(|read, side| read.cumulative.flank(side).to_vec());
+    let limits = graded(GradedQuantity::SinglePitch).map(|graded| {
+        let (tolerance, name) = tolerance(&graded);
+        Limits {
+            values: [-tolerance, tolerance],
+            name: format!("f_p {name}"),
+        }
+    });
     let panels = [
         BarPanel {
             title: &titles[0],
             y_axis: "f from the mean pitch, µm",
             series: &single,
-            limits: graded(GradedQuantity::SinglePitch)
-                .map(|graded| {
-                    let (tolerance, name) = tolerance(&graded);
-                    Limits {
-                        values: [-tolerance, tolerance],
-                        name: format!("f_p {name}"),
-                    }
-                })
-                .into_iter()
-                .collect(),
+            limits: Vec::from_iter(limits),
             level: LEVEL,
         },
         BarPanel {
@@ -296,7 +281,7 @@ fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
 }
 
 /// Profile deviation over the roll length.
-fn profile_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
+fn profile_chart(gauged: &GaugedGear) -> File {
     match &gauged.gauged.profile {
         Ok(read) if read.deviates() => file(gauged, Chart::PROFILE, |heading| {
             profiles(heading, read, 100.0 * LEVEL)
@@ -321,7 +306,7 @@ fn lead_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureErro
 }
 
 /// The double-flank roll test as a curve over one revolution.
-fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
+fn roll_chart(gauged: &GaugedGear) -> File {
     let Ok(roll) = &gauged.gauged.roll else {
         return Ok(None);
     };

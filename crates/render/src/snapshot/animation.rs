@@ -5,7 +5,7 @@
 
 use super::gears::lines_over;
 use super::subject::{MAIN, Snapshot, names};
-use super::turning::{course, jumping, motion, rotation, switched};
+use super::turning::{course, jumping, motion, rotation};
 use super::turning::{metal, times, turns};
 use super::view::View;
 use super::{caption, main_view, pitch_chart};
@@ -79,24 +79,21 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
 fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     let mut group = Group::new().set("clip-path", "url(#mesh-frame)");
     for side in Side::BOTH {
-        let contacts: Vec<Option<&DrawnContact>> = scenes
-            .iter()
-            .map(|scene| scene.contacts().iter().find(|contact| contact.side == side))
-            .collect();
+        let contacts = scenes.iter().map(|scene| scene.contacts().iter());
+        let contacts = contacts.map(|mut each| each.find(|contact| contact.side == side));
+        let contacts: Vec<Option<&DrawnContact>> = contacts.collect();
         for on_free in [true, false] {
-            let spots: Option<Vec<(Spot, [u32; 2])>> = contacts
-                .iter()
-                .map(|contact| {
-                    let contact = (*contact)?;
-                    let at = if on_free {
-                        contact.on_free
-                    } else {
-                        contact.on_locked
-                    };
-                    let teeth = Member::BOTH.map(|member| contact.touch(member).tooth);
-                    Some((view.spot(at), teeth))
-                })
-                .collect();
+            let spots = contacts.iter().map(|contact| {
+                let contact = (*contact)?;
+                let at = if on_free {
+                    contact.on_free
+                } else {
+                    contact.on_locked
+                };
+                let teeth = Member::BOTH.map(|member| contact.touch(member).tooth);
+                Some((view.spot(at), teeth))
+            });
+            let spots: Option<Vec<(Spot, [u32; 2])>> = spots.collect();
             let touch = |contact: &Option<&DrawnContact>| {
                 contact.is_some_and(|contact| contact.turn == 0.0)
             };
@@ -104,7 +101,7 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
             // Sections of helical gears touch only at some steps.
             let fills = (!touching && contacts.iter().any(touch)).then(|| {
                 let fill = |contact| if touch(contact) { INK } else { "white" };
-                switched(contacts.iter().map(fill), times)
+                jumping("fill", contacts.iter().map(fill), times)
             });
             // A side that is out of mesh at some step has no marks; one in contact needs a single dot.
             if let Some(spots) = spots.filter(|_| !(touching && on_free)) {
@@ -114,7 +111,7 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
                     .add(motion("cx", &x))
                     .add(motion("cy", &y));
                 if let Some(fills) = fills {
-                    mark = mark.add(jumping("fill", &fills));
+                    mark = mark.add(fills);
                 }
                 group = group.add(mark);
             }

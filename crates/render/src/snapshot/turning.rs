@@ -137,15 +137,14 @@ pub fn course(spots: &[(Spot, [u32; 2])], times: &[f64], axis: usize) -> [String
     [values.join(";"), key_times(&at)]
 }
 
-/// Values and key times of an attribute that jumps from step to step.
-pub fn switched<'v>(values: impl Iterator<Item = &'v str>, times: &[f64]) -> [String; 2] {
-    let values: Vec<&str> = values.collect();
-    [values.join(";"), key_times(times)]
-}
-
 /// Sets an attribute to a new value at each step.
-pub fn jumping(attribute: &str, course: &[String; 2]) -> Animate {
-    motion(attribute, course).set("calcMode", "discrete")
+pub fn jumping<'v>(
+    attribute: &str,
+    values: impl Iterator<Item = &'v str>,
+    times: &[f64],
+) -> Animate {
+    let values: Vec<&str> = values.collect();
+    motion(attribute, &[values.join(";"), key_times(times)]).set("calcMode", "discrete")
 }
 
 /// Moves one coordinate along its course.

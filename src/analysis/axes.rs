@@ -89,7 +89,8 @@ pub(super) struct Axes {
     bearings: Option<BearingEnds>,
 }
 
-/// Corners of a polygon about a disc of `radius`, mm. `sense`: whether displacements towards the mate count, those away from it (−1), or all (0).
+/// Corners of a polygon about a disc of `radius`, mm. `sense` is 1 where only displacements towards the mate count, −1 where only those away
+/// from it count, and 0 where all do.
 fn about_disc(radius: f64, sense: f64, pressure_angle: f64) -> Vec<[f64; 2]> {
     let (step, count) = if sense == 0.0 {
         (PI / 4.0, 8)

@@ -353,7 +353,7 @@ impl Planned {
         FaceLoss::new(|kind| pair.has(kind), held(found), without).map(Some)
     }
 
-    /// The poses of `found`, and the binding pose at the distance from which the pair assembles, for checks that search distances.
+    /// The poses of `found`, and the binding pose at the distance from which the pair assembles. Checks that search distances use the latter.
     fn poses_of(&self, found: &Extremes, from: Option<AssemblesFrom>) -> Directed {
         let extremes = [found.least, found.greatest].into_iter().flatten();
         let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
@@ -412,7 +412,7 @@ impl Planned {
         Ok(SearchedEnd { assembly, ..end })
     }
 
-    /// The extremes of `pair` over the cycle, and all leans of the axes that are open: only the least, or only the greatest, if the other is not needed.
+    /// The extremes of `pair` over the cycle and over all open leans of its axes. The one that is not asked for may be missing.
     pub fn end(
         &self,
         pair: &AssembledPair,

@@ -55,8 +55,8 @@ pub(super) struct AnyDirection {
     pub found: Extremes,
     /// The least, the greatest and the lost pose.
     pub poses: Vec<Directed>,
-    /// The pair at the centre distance less the open eccentricities, without those, and its least; the pair at the greater distance, and
-    /// its greatest. `None` where an end is not searched.
+    /// The pair without its open eccentricities: at the centre distance less their sum, with its least; at the distance plus their sum,
+    /// with its greatest. `None` where an end is not searched.
     pub ends: [Option<(GearPair, Extremes)>; 2],
     /// Difference of these distances from the centre distance, mm.
     pub off: f64,
@@ -187,7 +187,7 @@ impl<'a> End<'a> {
         })
     }
 
-    /// The bracket of `extreme` of the centred pair, converted to the assembly, and the pair with its high teeth where it is attained.
+    /// The bracket of `extreme` of the centred pair, converted to the assembly; and the pair, with its high teeth where the extreme is attained.
     fn bounded(&self, extreme: Option<Extreme>) -> Result<Option<(Extreme, GearPair)>, Error> {
         let Some(mut extreme) = extreme else {
             return Ok(None);

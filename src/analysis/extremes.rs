@@ -251,8 +251,9 @@ pub fn extremes(study: &Study, method: Method, tick: &Tick) -> Result<CycleExtre
     of_plans(study, plans(study)?, method, tick)
 }
 
-/// Least and greatest backlash alone, with one run of each centre distance and assembly phase of `study` for all materials: the least of
-/// the thickest gears and the greatest of the thinnest. Thicker teeth contain thinner ones, so no thickness between has less or more.
+/// Least and greatest backlash alone, in one run for each centre distance and assembly phase of `study`. With several materials the least is
+/// that of the thickest gears, and the greatest that of the thinnest. Thicker teeth contain thinner ones, so no thickness between has less or
+/// more.
 ///
 /// The effort is that of [`extremes`] divided by `parts`. The distances from which a pair assembles and up to which it is in mesh are left
 /// out, and so are losses along the face.

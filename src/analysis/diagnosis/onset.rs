@@ -40,8 +40,8 @@ pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
 
 /// Finds the onset over `matings`, then turns the gears from the pose that touches first.
 ///
-/// A pose with contact below an involute is assumed to have it at every lesser distance. So a pose without it at the onset of the poses before
-/// needs no search of its own. `None` if no pose has such contact even at the least distance that the base circles allow.
+/// A pose that touches below an involute is assumed to do so at every lesser distance. So a pose that does not at the onset of the earlier
+/// poses needs no search of its own. `None` if no pose has such contact even at the least distance that the base circles allow.
 ///
 /// # Errors
 /// A lost contact.

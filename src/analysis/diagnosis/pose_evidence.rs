@@ -8,7 +8,7 @@ use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member};
 use std::collections::HashSet;
 
-/// Contacts on radii that differ by less, mm, are at one radius: platforms round differently, and the first is named on all.
+/// Contacts whose radii differ by less than this, mm, count as at one radius. Platforms round differently; so all of them name the first.
 const EQUAL_RADIUS: f64 = 1e-9;
 
 /// The evidence of poses of one centre distance and material.

@@ -40,8 +40,8 @@ pub struct ZeroDistance {
     pub teeth: [(u32, u32); 2],
 }
 
-/// Finds `a_0` of the gears of `assembly`. It searches `matings` first, then turns the gears from the lowest of them until the play rises,
-/// and repeats at the distance without play. A minimum between two matings that neither shows is missed.
+/// Finds `a_0` of the gears of `assembly`. The search first compares `matings`. It then turns the gears from the one with the least play until
+/// the play rises, and repeats this at the distance without play. It misses a minimum between two matings that neither of them shows.
 ///
 /// Play rises with the centre distance, so the root is bracketed. `None` without matings, or without a root between
 /// touching base circles and tips that pass each other.

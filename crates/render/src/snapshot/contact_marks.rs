@@ -25,8 +25,8 @@ pub const IN_INSET: MarkSize = MarkSize {
     normal: 64.0,
 };
 
-/// Draws a contact: filled where the gears touch; else the two points that will meet, open, with the path from the free one to
-/// the other where it is visible.
+/// Draws a contact. Where the gears touch, it is one filled point. Elsewhere it is the two open points that will meet, with the path
+/// from the free gear's to the other where it is visible.
 pub fn draw(contact: &DrawnContact, view: &View, size: MarkSize, occupied: &mut Occupied) -> Group {
     let locked = view.spot(contact.on_locked);
     let free = view.spot(contact.on_free);

@@ -173,7 +173,8 @@ fn edge(assembly: &GearPair, side: Side, contact: &Contact) -> Option<Member> {
     nearest.map(|(member, _)| member)
 }
 
-/// A free place for `name` on the first `metal` and off the other: as near to the middle as keeps it well clear, or clear at all.
+/// A free place for `name` on the first `metal` and off the other. It is well clear of all that is drawn where that is possible, and of
+/// such places the nearest to the middle.
 fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -> Option<Frame> {
     let inner = view.frame.grown(-8.0);
     let middle = view.frame.middle();

@@ -6,6 +6,9 @@
 use nalgebra::Point2;
 use std::ops::ControlFlow;
 
+/// Called from any thread as a step of a calculation begins; a break ends the calculation with [`Error::Interrupted`].
+pub type Tick<'a> = dyn Fn() -> ControlFlow<()> + Sync + 'a;
+
 /// A gear or a pair that cannot exist. Values are in mm and radians; messages print mm and degrees.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GearError {

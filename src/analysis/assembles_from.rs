@@ -88,8 +88,9 @@ impl AssemblesFrom {
     }
 }
 
-/// The threshold at which a rising `value` becomes 0 or more: a place, mm, where it is less, one where it is not, and the second result of
-/// `value` there. The places are at most [`DISTANCE_WIDTH`] apart unless the effort ran out. `None` if it is less everywhere.
+/// The threshold at which a rising `value` becomes 0 or more. The results are a place, mm, where it is below 0, a place where it is not, and
+/// the second result of `value` at the latter. The places are at most [`DISTANCE_WIDTH`] apart unless the effort ran out. `None` if the value
+/// is below 0 everywhere.
 ///
 /// `below` is the value at the lower place, or −∞. `slope` is the value's derivative at a place. `value` returns `None`
 /// at a place that is not possible.
@@ -179,10 +180,8 @@ impl AssemblesFrom {
             (_, Some(least)) if least.found < 0.0 => Some(least.mating),
             _ => None,
         };
-        let farthest: f64 = Member::BOTH
-            .map(|member| pair.gear(member).reach())
-            .iter()
-            .sum();
+        let farthest = Member::BOTH.map(|member| pair.gear(member).reach());
+        let farthest: f64 = farthest.iter().sum();
         let mut floor = pair.center_distance();
         let Some(mut tight) = tightest(found) else {
             return Ok(None);

@@ -89,7 +89,8 @@ pub(super) struct Axes {
     bearings: Option<BearingEnds>,
 }
 
-/// Corners of a polygon about a disc of `radius`, mm. `sense`: whether displacements towards the mate count, those away from it (−1), or all (0).
+/// Corners of a polygon about a disc of `radius`, mm. `sense` is 1 where only displacements towards the mate count, −1 where only those away
+/// from it count, and 0 where all do.
 fn about_disc(radius: f64, sense: f64, pressure_angle: f64) -> Vec<[f64; 2]> {
     let (step, count) = if sense == 0.0 {
         (PI / 4.0, 8)
@@ -147,10 +148,9 @@ impl Axes {
             farther: (u[0] * other - v[0] * one) / (other - one),
             lean: [0, 1].map(|k| (v[k] - u[k]) / (other - one)),
         };
-        let mut corners: Vec<Axis> = discs[0]
-            .iter()
-            .flat_map(|u| discs[1].iter().map(move |v| axis(u, v)))
-            .collect();
+        let corners = discs[0].iter();
+        let corners = corners.flat_map(|u| discs[1].iter().map(move |v| axis(u, v)));
+        let mut corners: Vec<Axis> = corners.collect();
         // Right flanks that bind at one end of the face, and left ones at one: both bearings move along the sum of their normals.
         let ends = [[from, from], [from, to], [to, from], [to, to]];
         let mut possible: Vec<Axis> = ends

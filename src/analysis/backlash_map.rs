@@ -4,11 +4,11 @@ use super::diagnosis::Limit;
 use super::extremes::RunExtremes;
 use super::study::{Material, Study};
 use crate::contact::{LostMotion, OutlineKernel, Status};
-use crate::error::Error;
+use crate::error::{Error, Tick};
+use crate::gear::Side;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member, SweepPlan};
 use crate::parallel;
-use std::ops::ControlFlow;
 
 /// Rows of a map (tuned: what can be distinguished on a sheet).
 pub const BACKLASH_MAP_ROWS: u32 = 60;
@@ -64,17 +64,13 @@ impl BacklashMap {
     pub fn of_study(
         study: &Study,
         each: &[RunExtremes],
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+        tick: &Tick,
     ) -> Result<Vec<BacklashMap>, Error> {
-        let start = match study.sweep {
+        let (wheel, pinion) = match study.sweep {
             Some(SweepPlan::Revolution { start, .. }) => start,
             _ => (1, 1),
         };
-        let start = Mating {
-            wheel_tooth: start.0,
-            pinion_tooth: start.1,
-            ..Mating::FIRST
-        };
+        let start = Mating::at(wheel, pinion, Side::Right);
         let mut maps: Vec<BacklashMap> = Vec::new();
         for run in each {
             let Some(pair) = run.assembly.drawn() else {
@@ -91,7 +87,7 @@ impl BacklashMap {
         run: &RunExtremes,
         pair: &OutlinePair,
         start: Mating,
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+        tick: &Tick,
     ) -> Result<BacklashMap, Error> {
         let from = run.assembles_from.map(|from| from.high);
         let (distances, limits) = shown(pair, from);

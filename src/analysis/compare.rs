@@ -8,9 +8,7 @@
 use crate::analysis::simulate::Run;
 use crate::analysis::study::Study;
 use crate::analytic::{Analytic, evaluate};
-use crate::contact::{
-    Contact, ContactClass, ContactKind, LostMotion, PoseResult, Status, first_least,
-};
+use crate::contact::{ContactClass, ContactKind, LostMotion, PoseResult, Status, first_least};
 use crate::gear::Side;
 use crate::outline::AssembledPair;
 use crate::pair::GearPair;
@@ -108,36 +106,6 @@ pub struct ComparedRun {
 }
 
 impl ComparedRun {
-    /// How many poses have this verdict.
-    pub fn count(&self, verdict: Verdict) -> usize {
-        self.poses
-            .iter()
-            .filter(|pose| pose.verdict == verdict)
-            .count()
-    }
-
-    /// How many poses have both a simulated backlash and one by model 3.
-    pub fn compared(&self) -> usize {
-        let both = |pose: &&ComparedPose| pose.has_both();
-        self.poses.iter().filter(both).count()
-    }
-
-    /// Whether the run passes: something was compared, and everything agrees, or is off the line if that is allowed. A
-    /// run without any pose in mesh does not pass; unproven poses are excluded.
-    pub fn passes(&self, allow_off_line: bool) -> bool {
-        let unproven = self.poses.iter().any(|pose| pose.simulated.is_unproven());
-        self.compared() > 0 && !unproven && !self.disagrees(allow_off_line)
-    }
-
-    /// Whether some proven pose disagrees with the formula, or is off the line if that is not allowed.
-    pub fn disagrees(&self, allow_off_line: bool) -> bool {
-        self.poses.iter().any(|pose| match pose.verdict {
-            Verdict::Agrees | Verdict::Nothing | Verdict::Unproven => false,
-            Verdict::OffLine => !allow_off_line,
-            Verdict::Below | Verdict::Above => true,
-        })
-    }
-
     /// The poses with an unproven part, in order.
     pub fn unproven(&self) -> impl Iterator<Item = &ComparedPose> + Clone {
         self.poses
@@ -145,27 +113,10 @@ impl ComparedRun {
             .filter(|pose| pose.simulated.is_unproven())
     }
 
-    /// Simulated minus model 3, mm, of the pose where its amount is largest.
-    pub fn worst(&self) -> Option<(&ComparedPose, f64)> {
-        let differences = self.poses.iter().filter_map(|pose| {
-            let difference = pose.simulated.backlash? - pose.line_of_action?;
-            Some((pose, difference))
-        });
-        differences.reduce(|worst, next| {
-            if next.1.abs() > worst.1.abs() {
-                next
-            } else {
-                worst
-            }
-        })
-    }
-
     /// The run in numbers.
     pub fn summary(&self) -> Summary {
         let mut tally = SummaryTally::default();
-        for pose in &self.poses {
-            tally.add(pose);
-        }
+        self.poses.iter().for_each(|pose| tally.add(pose));
         tally.summary()
     }
 
@@ -185,7 +136,7 @@ impl ComparedRun {
 }
 
 /// Summary of a run. Lengths in mm, as `j_wt`; `None` if no pose has the value.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Summary {
     /// Unproven poses, whose values do not count below.
@@ -211,59 +162,49 @@ pub struct Summary {
 /// A [`Summary`] of poses that arrive one by one.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct SummaryTally {
-    unproven: usize,
-    unproven_ends: [usize; 2],
-    polygon_checked: usize,
-    min: Option<f64>,
-    max: Option<f64>,
+    /// Without the mean.
+    summary: Summary,
     /// Sum and number of the values.
     sum: Option<(f64, usize)>,
-    with_clearance: [Option<f64>; 2],
-    off_involute: Option<f64>,
-    off_line_of_action: Option<f64>,
 }
 
 impl SummaryTally {
     /// Adds the next pose.
     pub(crate) fn add(&mut self, pose: &ComparedPose) {
         let join = |known: &mut Option<f64>, value: Option<f64>, of: fn(f64, f64) -> f64| {
-            if let Some(value) = value {
-                *known = Some(known.map_or(value, |known| of(known, value)));
-            }
+            *known = known.iter().copied().chain(value).reduce(of);
         };
         let result = &pose.simulated;
         let off = |formula: Option<f64>| Some((result.backlash? - formula?).abs());
-        self.unproven += usize::from(pose.verdict == Verdict::Unproven);
+        let summary = &mut self.summary;
+        summary.unproven += usize::from(pose.verdict == Verdict::Unproven);
         for end in [0, 1] {
-            self.unproven_ends[end] += usize::from(result.is_end_unproven(end));
+            summary.unproven_ends[end] += usize::from(result.is_end_unproven(end));
         }
-        self.polygon_checked += usize::from(result.polygon_checked);
-        join(&mut self.min, result.backlash, f64::min);
-        join(&mut self.max, result.backlash, f64::max);
+        summary.polygon_checked += usize::from(result.polygon_checked);
+        join(&mut summary.min, result.backlash, f64::min);
+        join(&mut summary.max, result.backlash, f64::max);
         if let Some(backlash) = result.backlash {
             let (sum, count) = self.sum.unwrap_or((-0.0, 0));
             self.sum = Some((sum + backlash, count + 1));
         }
         let [near, far] = result.range();
-        join(&mut self.with_clearance[0], near, f64::min);
-        join(&mut self.with_clearance[1], far, f64::max);
-        join(&mut self.off_involute, off(pose.involute), f64::max);
+        join(&mut summary.with_clearance[0], near, f64::min);
+        join(&mut summary.with_clearance[1], far, f64::max);
+        join(&mut summary.off_involute, off(pose.involute), f64::max);
         let off_line_of_action = off(pose.line_of_action);
-        join(&mut self.off_line_of_action, off_line_of_action, f64::max);
+        join(
+            &mut summary.off_line_of_action,
+            off_line_of_action,
+            f64::max,
+        );
     }
 
     /// Summary of the poses.
     pub(crate) fn summary(&self) -> Summary {
         Summary {
-            unproven: self.unproven,
-            unproven_ends: self.unproven_ends,
-            polygon_checked: self.polygon_checked,
-            min: self.min,
-            max: self.max,
             mean: self.sum.map(|(sum, count)| sum / count as f64),
-            with_clearance: self.with_clearance,
-            off_involute: self.off_involute,
-            off_line_of_action: self.off_line_of_action,
+            ..self.summary
         }
     }
 }
@@ -339,16 +280,9 @@ fn judge(
 
 /// Whether a tip, an undercut edge, a fillet or a root touches in either contact of `assembly`.
 pub fn touches_off_line(assembly: &GearPair, lost_motion: &LostMotion) -> bool {
-    let off = |(side, contact): (Side, &Option<Contact>)| {
-        let class = contact
-            .as_ref()
-            .map(|contact| ContactClass::of(assembly, side, contact));
+    Side::BOTH.into_iter().any(|side| {
+        let contact = lost_motion.on(side);
+        let class = contact.map(|contact| ContactClass::of(assembly, side, &contact));
         class.is_some_and(|class| class.kind != ContactKind::Involute)
-    };
-    [
-        (Side::Right, &lost_motion.right),
-        (Side::Left, &lost_motion.left),
-    ]
-    .into_iter()
-    .any(off)
+    })
 }

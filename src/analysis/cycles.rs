@@ -104,17 +104,15 @@ impl Searched {
     }
 
     /// One end of the bearing clearance of `pair`: the least, or the greatest.
-    fn end(&self, pair: &GearPair, is_least: bool) -> SearchedEnd {
+    fn end(&self, pair: &AssembledPair, is_least: bool) -> SearchedEnd {
         let found = &self.found;
-        let (extreme, index) = if is_least {
-            (found.least, 0)
-        } else {
-            (found.greatest, usize::from(found.least.is_some()))
-        };
-        let pose = self.pose(index).filter(|_| extreme.is_some());
+        let extreme = extreme_of(found, is_least);
+        // The least comes first.
+        let before = !is_least && found.least.is_some();
+        let pose = self.pose(usize::from(before)).filter(|_| extreme.is_some());
         let assembly = pose.as_ref().map(|pose| pose.assembly.clone());
         SearchedEnd {
-            assembly: assembly.unwrap_or_else(|| pair.clone().into()),
+            assembly: assembly.unwrap_or_else(|| pair.clone()),
             status: found.status,
             extreme,
             pose,
@@ -168,17 +166,12 @@ impl Planned {
         });
         let mut poses = Vec::new();
         let mut best = |is_least: bool, hidden: Status| {
-            let of = |one: &Searched| {
-                if is_least {
-                    one.found.least
-                } else {
-                    one.found.greatest
-                }
-            };
             let better = |one: &f64, other: &f64| (one < other) == is_least && one != other;
             let mut best: Option<(Extreme, Directed)> = None;
             for one in possible.iter().filter(|_| status != hidden) {
-                let Some(extreme) = of(one) else { continue };
+                let Some(extreme) = extreme_of(&one.found, is_least) else {
+                    continue;
+                };
                 if best
                     .as_ref()
                     .is_none_or(|(best, _)| better(&extreme.found, &best.found))
@@ -193,19 +186,17 @@ impl Planned {
         };
         let (least, greatest) = (best(true, Status::Jammed), best(false, Status::NoContact));
         let low = every().map(|one| one.found.least.map_or(f64::NEG_INFINITY, |least| least.low));
-        let high = possible
-            .iter()
-            .filter_map(|one| one.found.least)
-            .map(|least| least.high);
+        let possible_ends = |is_least: bool| {
+            let found = possible.iter().map(|one| &one.found);
+            found.filter_map(move |found| extreme_of(found, is_least))
+        };
+        let high = possible_ends(true).map(|least| least.high);
         let least = least.map(|extreme| Extreme {
             low: low.fold(f64::INFINITY, f64::min) - slack,
             high: high.fold(f64::INFINITY, f64::min),
             ..extreme
         });
-        let low = possible
-            .iter()
-            .filter_map(|one| one.found.greatest)
-            .map(|greatest| greatest.low);
+        let low = possible_ends(false).map(|greatest| greatest.low);
         let low = low.fold(f64::NEG_INFINITY, f64::max);
         let greatest = match greatest {
             Some(extreme) => Some(Extreme {
@@ -311,8 +302,7 @@ impl Planned {
         };
         let effort = &self.effort(assembly);
         let greatest = |pair: &GearPair, kernel: &ExactKernel| {
-            let over = (self.first, self.distinct);
-            kernel.greatest(pair, over, WIDTH, effort)
+            kernel.greatest(pair, self.over(), WIDTH, effort)
         };
         if is_open(assembly) {
             let all = self.any_direction(assembly, effort)?;
@@ -363,7 +353,7 @@ impl Planned {
         FaceLoss::new(|kind| pair.has(kind), held(found), without).map(Some)
     }
 
-    /// The poses of `found`, and the binding pose at the distance from which the pair assembles, for checks that search distances.
+    /// The poses of `found`, and the binding pose at the distance from which the pair assembles. Checks that search distances use the latter.
     fn poses_of(&self, found: &Extremes, from: Option<AssemblesFrom>) -> Directed {
         let extremes = [found.least, found.greatest].into_iter().flatten();
         let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
@@ -378,12 +368,6 @@ impl Planned {
         cycle_of_outlines(pair, (self.first, self.distinct))
     }
 
-    /// The extreme `end` of a pair with a drawn gear.
-    fn end_of_outlines(&self, pair: &OutlinePair, end: End) -> Extremes {
-        let kernel = OutlineKernel::new(pair);
-        kernel.extremes(pair, &self.outlines(pair), &[end], PROVEN_WIDTH_DRAWN)
-    }
-
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them further apart by it. Backlash grows with the distance,
     /// so no pose in between has less or more.
     pub fn at_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
@@ -392,7 +376,7 @@ impl Planned {
         {
             let axes = Axes::new(pair, self.open_lean, self.bearing_ends);
             let searched = self.over_axes(&axes, pair)?;
-            return Ok([true, false].map(|is_least| searched.end(pair, is_least)));
+            return Ok([true, false].map(|is_least| searched.end(&self.run.assembly, is_least)));
         }
         Ok([
             self.at_end(-clearance, true)?,
@@ -402,48 +386,26 @@ impl Planned {
 
     fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
-        if let AssembledPair::Data(pair) = assembly
-            && self.open_lean != [0.0; 2]
-        {
-            let moved = pair.at(pair.center_distance() + farther)?;
-            let axes = Axes::new(&moved, self.open_lean, None);
-            return Ok(self.over_axes(&axes, &moved)?.end(&moved, is_least));
+        let ends = match (assembly, is_least) {
+            (AssembledPair::Data(_), _) => self.ends(),
+            (AssembledPair::Drawn(_), true) => &[End::Least],
+            (AssembledPair::Drawn(_), false) => &[End::Greatest],
+        };
+        let parts = self.parts();
+        let there = Planned {
+            alone: Some(Alone { ends, parts }),
+            ..self.with(assembly.at(assembly.center_distance() + farther)?)
+        };
+        let end = there.search()?.end(&there.run.assembly, is_least);
+        if self.open_lean != [0.0; 2] {
+            return Ok(end);
         }
-        let assembly = assembly.at(assembly.center_distance() + farther)?;
-        let of = |found: &Extremes| match is_least {
-            true => found.least,
-            false => found.greatest,
-        };
-        let (found, pose) = match &assembly {
-            AssembledPair::Data(pair) if is_open(pair) => {
-                let all = self.any_direction(pair, &self.effort(pair))?;
-                // The least comes first.
-                let before = !is_least && all.found.least.is_some();
-                let pose = all.poses.into_iter().nth(usize::from(before));
-                (all.found, pose)
-            }
-            pair => {
-                let found = match pair {
-                    AssembledPair::Data(pair) => self.cycle(pair, &self.effort(pair))?,
-                    AssembledPair::Drawn(pair) => self.end_of_outlines(pair, End::of(is_least)),
-                };
-                let pose = of(&found).map(|extreme| Directed {
-                    assembly: assembly.clone(),
-                    matings: vec![extreme.mating],
-                });
-                (found, pose)
-            }
-        };
-        let extreme = of(&found);
-        Ok(SearchedEnd {
-            assembly,
-            status: found.status,
-            extreme,
-            pose: pose.filter(|_| extreme.is_some()),
-        })
+        // The pair itself, not that with its high teeth at the worst place.
+        let assembly = there.run.assembly;
+        Ok(SearchedEnd { assembly, ..end })
     }
 
-    /// The extremes of `pair` over the cycle, and all leans of the axes that are open: only the least, or only the greatest, if the other is not needed.
+    /// The extremes of `pair` over the cycle and over all open leans of its axes. The one that is not asked for may be missing.
     pub fn end(
         &self,
         pair: &AssembledPair,
@@ -453,7 +415,9 @@ impl Planned {
         let pair = match pair {
             AssembledPair::Data(pair) => pair,
             AssembledPair::Drawn(pair) => {
-                return Ok(self.end_of_outlines(pair, End::of(is_least)));
+                let (kernel, cycle) = (OutlineKernel::new(pair), self.outlines(pair));
+                let ends = [End::of(is_least)];
+                return Ok(kernel.extremes(pair, &cycle, &ends, PROVEN_WIDTH_DRAWN));
             }
         };
         if self.open_lean != [0.0; 2] {
@@ -462,7 +426,7 @@ impl Planned {
         if is_open(pair) {
             return Ok(self.any_direction(pair, effort)?.found);
         }
-        let (kernel, over) = (ExactKernel::new(pair), (self.first, self.distinct));
+        let (kernel, over) = (ExactKernel::new(pair), self.over());
         if is_least {
             kernel.least(pair, over, WIDTH, effort)
         } else {
@@ -472,8 +436,17 @@ impl Planned {
 
     /// Effort of the search of `assembly`.
     fn effort(&self, assembly: &GearPair) -> Effort {
-        let parts = self.alone.map_or(1, |alone| alone.parts);
-        Effort::of_extremes(assembly).part(self.phases * parts)
+        Effort::of_extremes(assembly).part(self.phases * self.parts())
+    }
+
+    /// [`Alone::parts`]; 1 for a whole search.
+    fn parts(&self) -> u64 {
+        self.alone.map_or(1, |alone| alone.parts)
+    }
+
+    /// The first mating of the cycle, and the number of distinct ones.
+    fn over(&self) -> (Mating, u64) {
+        (self.first, self.distinct)
     }
 
     /// The extremes to search.
@@ -483,14 +456,12 @@ impl Planned {
 
     /// The extremes of `pair`, whose runout has a direction, over the cycle.
     fn cycle(&self, pair: &GearPair, effort: &Effort) -> Result<Extremes, Error> {
-        let over = (self.first, self.distinct);
-        ExactKernel::new(pair).extremes_of(pair, over, WIDTH, effort, self.ends())
+        ExactKernel::new(pair).extremes_of(pair, self.over(), WIDTH, effort, self.ends())
     }
 
     /// The extremes of `pair` over the cycle and all directions of its runout.
     fn any_direction(&self, pair: &GearPair, effort: &Effort) -> Result<AnyDirection, Error> {
-        let over = (self.first, self.distinct);
-        any_direction(pair, over, self.ends(), WIDTH, effort)
+        any_direction(pair, self.over(), self.ends(), WIDTH, effort)
     }
 
     /// The distance from which `pair`, with the result `found`, assembles, increased by `farther`, mm.
@@ -510,8 +481,7 @@ impl Planned {
         let own = &self.effort(pair);
         let is_short = !pair.varies_along_face() && ExactKernel::new(pair).is_direct();
         let effort = if is_short { own } else { effort };
-        let over = (self.first, self.distinct);
-        let from = AssemblesFrom::new(pair, over, least, 0.1 * WIDTH, effort)?;
+        let from = AssemblesFrom::new(pair, self.over(), least, 0.1 * WIDTH, effort)?;
         Ok(from.map(|from| AssemblesFrom {
             low: from.low + farther,
             high: from.high + farther,
@@ -547,10 +517,8 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
         let mut phases: Vec<u32> = if study.all_phases {
             (1..=phase_count(&run.assembly)).collect()
         } else {
-            run.matings
-                .iter()
-                .map(|mating| phase(&run.assembly, mating))
-                .collect()
+            let matings = run.matings.iter();
+            matings.map(|mating| phase(&run.assembly, mating)).collect()
         };
         phases.sort_unstable();
         phases.dedup();
@@ -650,11 +618,15 @@ fn any_direction(
 
 /// The mating of wheel tooth 1 that names an assembly phase.
 fn first_of_phase(pinion_tooth: u32) -> Mating {
-    Mating {
-        wheel_tooth: 1,
-        pinion_tooth,
-        flank: Side::Right,
-        fraction: 0.0,
+    Mating::at(1, pinion_tooth, Side::Right)
+}
+
+/// The least or the greatest of `found`.
+fn extreme_of(found: &Extremes, is_least: bool) -> Option<Extreme> {
+    if is_least {
+        found.least
+    } else {
+        found.greatest
     }
 }
 

@@ -55,8 +55,8 @@ pub(super) struct AnyDirection {
     pub found: Extremes,
     /// The least, the greatest and the lost pose.
     pub poses: Vec<Directed>,
-    /// The pair at the centre distance less the open eccentricities, without those, and its least; the pair at the greater distance, and
-    /// its greatest. `None` where an end is not searched.
+    /// The pair without its open eccentricities: at the centre distance less their sum, with its least; at the distance plus their sum,
+    /// with its greatest. `None` where an end is not searched.
     pub ends: [Option<(GearPair, Extremes)>; 2],
     /// Difference of these distances from the centre distance, mm.
     pub off: f64,
@@ -114,6 +114,7 @@ pub(super) fn extremes(
     });
     let lost = lost.transpose()?;
     let matings = near.iter().chain(&far).map(|end| end.found.matings).next();
+    let open = Member::BOTH.map(|member| open_eccentricity(assembly.gear(member)));
     let poses = [least.as_ref(), greatest.as_ref()].into_iter().flatten();
     let poses = poses.map(|(extreme, assembly)| (assembly, extreme.mating));
     let poses = poses.chain(lost.iter().map(|(assembly, mating)| (assembly, *mating)));
@@ -131,10 +132,7 @@ pub(super) fn extremes(
             greatest: greatest.map(|(extreme, _)| extreme),
             lost: lost.map(|(_, mating)| mating),
         },
-        off: Member::BOTH
-            .map(|member| open_eccentricity(assembly.gear(member)))
-            .iter()
-            .sum(),
+        off: open.iter().sum(),
         ends: [near, far].map(|end| end.map(|end| (end.centred, end.found))),
     })
 }
@@ -189,7 +187,7 @@ impl<'a> End<'a> {
         })
     }
 
-    /// The bracket of `extreme` of the centred pair, converted to the assembly, and the pair with its high teeth where it is attained.
+    /// The bracket of `extreme` of the centred pair, converted to the assembly; and the pair, with its high teeth where the extreme is attained.
     fn bounded(&self, extreme: Option<Extreme>) -> Result<Option<(Extreme, GearPair)>, Error> {
         let Some(mut extreme) = extreme else {
             return Ok(None);

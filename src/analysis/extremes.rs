@@ -18,7 +18,7 @@ use super::phases::phase_count;
 use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
 use crate::contact::{Doubt, End, Extreme, Method, Status, is_proven};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
 use crate::parallel;
 use std::ops::ControlFlow;
@@ -94,11 +94,8 @@ impl CycleExtremes {
         let here = |run: &&RunExtremes| {
             (run.assembly.center_distance(), run.material) == (center_distance, material)
         };
-        let losses = self
-            .each
-            .iter()
-            .filter(here)
-            .filter_map(|run| run.face_loss);
+        let runs = self.each.iter().filter(here);
+        let losses = runs.filter_map(|run| run.face_loss);
         losses.reduce(|one, other| if other.all > one.all { other } else { one })
     }
 }
@@ -143,13 +140,11 @@ impl BearingEnd {
     fn new<'a>(end: &SearchedEnd, runs: &mut impl Iterator<Item = &'a ComparedRun>) -> BearingEnd {
         let run = end.pose.as_ref().and_then(|_| runs.next());
         let pose = run.and_then(|run| PairPose::of(run).next());
+        let found = end.extreme.zip(pose);
         BearingEnd {
             assembly: end.assembly.clone(),
             status: end.status,
-            extreme: end
-                .extreme
-                .zip(pose)
-                .map(|(extreme, pose)| RunExtreme::new(extreme, pose)),
+            extreme: found.map(|(extreme, pose)| RunExtreme::new(extreme, pose)),
         }
     }
 }
@@ -252,16 +247,13 @@ impl RunExtremes {
 ///
 /// # Errors
 /// As [`super::simulate::simulate`].
-pub fn extremes(
-    study: &Study,
-    method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<CycleExtremes, Error> {
+pub fn extremes(study: &Study, method: Method, tick: &Tick) -> Result<CycleExtremes, Error> {
     of_plans(study, plans(study)?, method, tick)
 }
 
-/// Least and greatest backlash alone, with one run of each centre distance and assembly phase of `study` for all materials: the least of
-/// the thickest gears and the greatest of the thinnest. Thicker teeth contain thinner ones, so no thickness between has less or more.
+/// Least and greatest backlash alone, in one run for each centre distance and assembly phase of `study`. With several materials the least is
+/// that of the thickest gears, and the greatest that of the thinnest. Thicker teeth contain thinner ones, so no thickness between has less or
+/// more.
 ///
 /// The effort is that of [`extremes`] divided by `parts`. The distances from which a pair assembles and up to which it is in mesh are left
 /// out, and so are losses along the face.
@@ -272,7 +264,7 @@ pub fn band(
     study: &Study,
     method: Method,
     parts: u64,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<CycleExtremes, Error> {
     let mut plans = plans(study)?;
     let has = |wanted| plans.iter().any(|plan| plan.run.material == wanted);
@@ -303,7 +295,7 @@ fn of_plans(
     study: &Study,
     plans: Vec<Planned>,
     method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<CycleExtremes, Error> {
     let found = parallel::map(0..plans.len() as u64, |index| {
         Error::if_stopped(tick())?;

@@ -26,10 +26,8 @@ impl FaceLoss {
         least: Option<f64>,
         without: impl Fn(&[FaceDeviation]) -> Result<Option<f64>, E>,
     ) -> Result<FaceLoss, E> {
-        let own: Vec<FaceDeviation> = FaceDeviation::ALL
-            .into_iter()
-            .filter(|kind| has(*kind))
-            .collect();
+        let own = FaceDeviation::ALL.into_iter().filter(|kind| has(*kind));
+        let own: Vec<FaceDeviation> = own.collect();
         let least_without = without(&own)?;
         let loss = |without: Option<f64>| Some(without? - least?);
         let mut each = [Some(0.0); 3];

@@ -3,8 +3,7 @@
 use super::extremes::{RunExtreme, RunExtremes, extremes};
 use super::study::Study;
 use crate::contact::Method;
-use crate::error::Error;
-use std::ops::ControlFlow;
+use crate::error::{Error, Tick};
 
 /// Widths between one section and the full face, both included.
 const WIDTHS: u32 = 5;
@@ -94,7 +93,7 @@ pub fn over_widths(
     study: &Study,
     full: &[RunExtremes],
     method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Vec<AtWidth>, Error> {
     if !study.varies_along_face() || full.is_empty() {
         return Ok(Vec::new());

@@ -38,11 +38,12 @@ use self::simulate::simulate;
 use self::study::Study;
 use self::verdict::Verdict;
 use crate::contact::{Method, MethodAgreement};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use std::ops::ControlFlow;
 
 /// Parts of an analysis of a pair, and the method.
 #[derive(Debug, Clone)]
+#[must_use]
 pub struct Plan<'a> {
     study: &'a Study,
     method: Method,
@@ -77,49 +78,33 @@ impl<'a> Plan<'a> {
     }
 
     /// Adds whole revolutions, if the study's own poses do not cover them.
-    #[must_use]
-    pub fn with_revolution(self) -> Plan<'a> {
-        Plan {
-            revolution: true,
-            ..self
-        }
+    pub fn with_revolution(mut self) -> Plan<'a> {
+        self.revolution = true;
+        self
     }
 
     /// Adds the extremes of the whole mesh cycle.
-    #[must_use]
-    pub fn with_extremes(self) -> Plan<'a> {
-        Plan {
-            extremes: true,
-            ..self
-        }
+    pub fn with_extremes(mut self) -> Plan<'a> {
+        self.extremes = true;
+        self
     }
 
     /// Adds curves over the centre distance: of the binding pose, and of the measured matings.
-    #[must_use]
-    pub fn with_curves(self) -> Plan<'a> {
-        Plan {
-            curves: true,
-            ..self
-        }
+    pub fn with_curves(mut self) -> Plan<'a> {
+        self.curves = true;
+        self
     }
 
     /// Adds every check of the pair.
-    #[must_use]
-    pub fn with_checks(self) -> Plan<'a> {
-        Plan {
-            checks: true,
-            ..self
-        }
+    pub fn with_checks(mut self) -> Plan<'a> {
+        self.checks = true;
+        self
     }
 
     /// Adds the single changes that make a failing pair fit, with the extremes.
-    #[must_use]
-    pub fn with_remedies(self) -> Plan<'a> {
-        Plan {
-            extremes: true,
-            remedies: true,
-            ..self
-        }
+    pub fn with_remedies(mut self) -> Plan<'a> {
+        self.remedies = true;
+        self.with_extremes()
     }
 
     /// Poses that are held in memory at once.
@@ -163,7 +148,7 @@ pub struct Progress<'a> {
     /// Receives the name of each stage.
     pub stage: &'a mut dyn FnMut(&str),
     /// Called as each step begins, from any thread; a break ends the work.
-    pub tick: &'a (dyn Fn() -> ControlFlow<()> + Sync),
+    pub tick: &'a Tick<'a>,
 }
 
 /// Results about a pair. Parts outside the plan are empty.
@@ -258,10 +243,10 @@ impl<'a> Analysis<'a> {
             (progress.stage)("(face width)");
             let full = &analysis.extremes.each;
             analysis.widths = face_width::over_widths(study, full, method, tick)?;
-            let worst = Verdict::of_study(study, full, Vec::new());
-            let worst = worst.worst();
-            let field = worst.and_then(|(_, pair, pose)| Field::of(pair.data()?, &pose.simulated));
-            analysis.field = field;
+            let verdict = Verdict::of_study(study, full, Vec::new());
+            analysis.field = verdict
+                .worst()
+                .and_then(|(_, pair, pose)| Field::of(pair.data()?, &pose.simulated));
         }
         if plan.checks {
             let stage = &mut *progress.stage;

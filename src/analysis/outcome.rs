@@ -124,16 +124,6 @@ impl<'a> Outcome<'a> {
                 .reduce(f64::max),
         }
     }
-
-    /// Whether every pose is proven to have backlash of zero or more.
-    pub fn assembles(&self) -> bool {
-        self.poses > 0 && self.unproven == 0 && !self.fails()
-    }
-
-    /// Whether some pose interferes, is jammed or out of mesh.
-    pub fn fails(&self) -> bool {
-        self.interfering + self.jammed + self.apart > 0
-    }
 }
 
 /// `runs` and the poses `picked` out of others, as in [`Outcome::of`], by centre distance and material, in order of
@@ -242,14 +232,9 @@ impl Agreement {
                 (false, true, _) => &mut count.jammed,
                 (false, false, _) => &mut count.neither,
             } += 1;
-            let found = pose.simulated.proven();
-            let off_line = simulated
-                && found.is_some_and(|found| {
-                    assembly
-                        .data()
-                        .is_some_and(|pair| touches_off_line(pair, found))
-                });
-            count.touch_off_line += usize::from(off_line);
+            let found = assembly.data().zip(pose.simulated.proven());
+            let off_line = found.is_some_and(|(pair, found)| touches_off_line(pair, found));
+            count.touch_off_line += usize::from(simulated && off_line);
         }
         count
     }

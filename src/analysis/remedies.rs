@@ -194,16 +194,13 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
 
 /// The run with the least backlash; the one with the greatest if the pair is too loose.
 fn worst(runs: &[RunExtremes], too_tight: bool) -> Option<usize> {
-    let slack = |run: &RunExtremes| match (run.status, too_tight) {
-        (Status::Jammed, true) => f64::NEG_INFINITY,
-        (_, true) => run
-            .least
-            .as_ref()
-            .map_or(f64::NEG_INFINITY, |least| least.low),
-        (_, false) => run
-            .greatest
-            .as_ref()
-            .map_or(f64::NEG_INFINITY, |greatest| -greatest.high),
+    let slack = |run: &RunExtremes| {
+        let bound = match (run.status, too_tight) {
+            (Status::Jammed, true) => None,
+            (_, true) => run.least.as_ref().map(|least| least.low),
+            (_, false) => run.greatest.as_ref().map(|greatest| -greatest.high),
+        };
+        bound.unwrap_or(f64::NEG_INFINITY)
     };
     (0..runs.len()).min_by(|one, other| slack(&runs[*one]).total_cmp(&slack(&runs[*other])))
 }
@@ -233,21 +230,16 @@ impl Search<'_> {
             };
             pair.at(from + (at - own)).ok()
         };
-        let range = [
-            own,
-            if self.sign > 0.0 {
-                self.pair.reach()
-            } else {
-                0.0
-            },
-        ];
-        let slope = |pair: &AssembledPair| {
-            let data = pair.data();
-            data.map_or(DRAWN_SLOPE, |pair| {
-                2.0 * pair.operating_pressure_angle().tan()
-            })
+        let end = if self.sign > 0.0 {
+            self.pair.reach()
+        } else {
+            0.0
         };
-        let Some([fails, fits]) = self.between(range, &moved, &slope, effort)? else {
+        let slope = |pair: &AssembledPair| match pair.data() {
+            Some(pair) => 2.0 * pair.operating_pressure_angle().tan(),
+            None => DRAWN_SLOPE,
+        };
+        let Some([fails, fits]) = self.between([own, end], &moved, &slope, effort)? else {
             return Ok(None);
         };
         let listed = &self.study.center_distances;

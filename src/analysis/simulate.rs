@@ -2,9 +2,8 @@
 
 use crate::analysis::study::{Material, RunPlan, Study};
 use crate::contact::{CutPair, Method, PoseResult, sweep_blocks, sweep_outlines};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
-use std::ops::ControlFlow;
 
 /// One centre distance, material and, where they are run apart, assembly phase.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,11 +25,7 @@ pub struct Run {
 ///
 /// # Errors
 /// [`Error::Interrupted`]. A lost contact or a failed certificate leaves its pose [`crate::contact::Unproven`].
-pub fn simulate(
-    study: &Study,
-    method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<Vec<Run>, Error> {
+pub fn simulate(study: &Study, method: Method, tick: &Tick) -> Result<Vec<Run>, Error> {
     simulate_plans(study, study.runs()?, method, tick)
 }
 
@@ -42,7 +37,7 @@ pub fn simulate_plans(
     study: &Study,
     plans: Vec<RunPlan>,
     method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Vec<Run>, Error> {
     let mut runs: Vec<Run> = Vec::new();
     each_block::<Error>(study, plans, method, tick, &mut |block| {
@@ -88,7 +83,7 @@ pub fn each_block<E: From<Error>>(
     study: &Study,
     plans: Vec<RunPlan>,
     method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
     take: &mut dyn FnMut(Block) -> Result<(), E>,
 ) -> Result<(), E> {
     let cut = |material: Material| {

@@ -382,12 +382,8 @@ impl Study {
         let mut matings: HashMap<u64, Vec<Mating>> = HashMap::new();
         for row in &self.measured {
             let of_distance = matings.entry(row.center_distance.to_bits()).or_default();
-            of_distance.extend(Side::BOTH.map(|flank| Mating {
-                wheel_tooth: row.wheel_tooth,
-                pinion_tooth: row.pinion_tooth,
-                flank,
-                fraction: 0.0,
-            }));
+            let mating = |flank| Mating::at(row.wheel_tooth, row.pinion_tooth, flank);
+            of_distance.extend(Side::BOTH.map(mating));
         }
         matings
     }

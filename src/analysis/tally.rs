@@ -10,11 +10,10 @@ use crate::analysis::diagnosis::PoseEvidence;
 use crate::analysis::simulate::each_block;
 use crate::analysis::study::{Material, Study};
 use crate::contact::{BLOCK, FirstLeast, Method, MethodAgreement, Status};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
 use crate::parallel;
 use std::convert::Infallible;
-use std::ops::ControlFlow;
 
 /// Limit of poses that a study keeps for a table (tuned: the height of a screen).
 pub const MOST_LISTED: usize = 40;
@@ -144,19 +143,16 @@ impl RunTally {
         }
     }
 
-    /// As [`ComparedRun::passes`].
+    /// Whether the run passes: something was compared, and everything agrees, or is off the line if that is allowed. A
+    /// run without any pose in mesh does not pass, nor does one with an unproven pose.
     pub fn passes(&self, allow_off_line: bool) -> bool {
         self.compared > 0 && self.unproven == 0 && !self.disagrees(allow_off_line)
     }
 
-    /// As [`ComparedRun::disagrees`].
+    /// Whether some proven pose disagrees with the formula, or is off the line if that is not allowed.
     pub fn disagrees(&self, allow_off_line: bool) -> bool {
-        let off_line = if allow_off_line {
-            0
-        } else {
-            self.count(Verdict::OffLine)
-        };
-        off_line + self.count(Verdict::Below) + self.count(Verdict::Above) > 0
+        let off_line = !allow_off_line && self.count(Verdict::OffLine) > 0;
+        off_line || self.count(Verdict::Below) + self.count(Verdict::Above) > 0
     }
 
     /// Whether every pose is proven to have backlash of zero or more.
@@ -259,7 +255,7 @@ pub fn simulate_by_blocks<E: From<Error>>(
     method: Method,
     tolerance_um: f64,
     unproven: usize,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
     take: &mut dyn FnMut(Piece) -> Result<(), E>,
 ) -> Result<Vec<RunTally>, E> {
     let poses = study.pose_count();

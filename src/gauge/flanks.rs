@@ -29,9 +29,7 @@ impl PitchReadings {
 
     /// Greatest single deviation `f_p`, mm, by amount.
     pub fn greatest_single(&self, own: Flank) -> f64 {
-        self.single(own)
-            .into_iter()
-            .fold(0.0, |most, f| f64::max(most, f.abs()))
+        self.single(own).iter().map(|f| f.abs()).fold(0.0, f64::max)
     }
 
     /// Greatest difference `f_u` of two single deviations one after the other, mm.
@@ -110,10 +108,7 @@ pub(super) fn pitch(work: &Workpiece, axis: PitchAxis) -> Result<PitchReadings, 
     let face = work.as_built.face();
     let scale = face.ascending() * radius(work);
     let curve = |own: Flank| -> Vec<f64> {
-        let angles = match face.seen_from_front(own) {
-            Side::Right => &crossings.angles[0],
-            Side::Left => &crossings.angles[1],
-        };
+        let angles = &crossings.angles[face.seen_from_front(own).index()];
         angles.iter().map(|angle| scale * angle).collect()
     };
     Ok(PitchReadings {

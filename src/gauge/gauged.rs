@@ -15,9 +15,8 @@ use super::seat::seats;
 use super::span::{Spans, spans};
 use super::stated::{Readings, StatedThickness, stated};
 use super::workpiece::Workpiece;
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::gear::{AsBuilt, Gear, PitchAxis, ProfilePart, involute, thickness as formula};
-use std::ops::ControlFlow;
 
 /// The choices of a measurement. `None` selects a default that depends on the gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +103,7 @@ pub fn gauge(
     gear: &AsBuilt,
     settings: &Settings,
     more: &dyn Fn(usize),
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Gauged, Error> {
     let work = Workpiece::new(gear);
     let k = settings.span_teeth.unwrap_or(usual_span(gear.gear()));

@@ -10,7 +10,7 @@
 
 use super::Unmeasured;
 use super::eccentricity::{Eccentricity, eccentricity};
-use super::profile::{FlankTraces, TraceReading, evaluate};
+use super::profile::{FlankTraces, TraceReading, evaluate, off_flank};
 use super::runout::{RunoutReadings, runout};
 use super::span::{Spans, spans};
 use super::workpiece::Workpiece;
@@ -204,15 +204,15 @@ fn face_runout(
     let off = (centre(far) - centre(near)) * per_height;
     let error = (near.eccentricity.error + far.eccentricity.error) * per_height;
     let angle = gear.face().ascending() * off.y.atan2(off.x);
-    let is_seen = off.norm() > error;
+    let (amount, high_tooth) = if off.norm() > error {
+        (off.norm(), basic_data.tooth_towards(angle))
+    } else {
+        (0.0, 1.0)
+    };
     FaceRunout {
-        amount: if is_seen { off.norm() } else { 0.0 },
+        amount,
         diameter,
-        high_tooth: if is_seen {
-            basic_data.tooth_towards(angle)
-        } else {
-            1.0
-        },
+        high_tooth,
         error,
     }
 }
@@ -236,17 +236,15 @@ fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings
         let step = move |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
         (0..POINTS).map(step)
     };
-    let all: Vec<f64> = heights([0.0, face.width()])
-        .chain(heights(face.range))
-        .collect();
-    let sections: Vec<AsBuilt> = (all.iter())
-        .map(|height| gear.section_at(face.place(*height)))
-        .collect();
+    let all = heights([0.0, face.width()]).chain(heights(face.range));
+    let all: Vec<f64> = all.collect();
+    let sections = all.iter().map(|at| gear.section_at(face.place(*at)));
+    let sections: Vec<AsBuilt> = sections.collect();
     let work = Workpiece::new(gear);
     let teeth = gear.gear().basic_data().teeth();
     let mut error = 0.0;
-    let mut flanks = Vec::new();
-    for own in Flank::BOTH {
+    let mut flank = |own: Flank| {
+        let sense = gear.face().seen_from_front(own).sense();
         let read = parallel::map(1..=teeth, |tooth| {
             let stylus = Stylus {
                 work: &work,
@@ -259,7 +257,8 @@ fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings
             let deviations = sections.iter().map(|section| {
                 let (turn, error) = stylus.turn(section)?;
                 worst = f64::max(worst, 2.0 * error);
-                Some(stylus.deviation(turn - start))
+                // Material of the further turn, along the base tangent.
+                Some(sense * (turn - start) * gear.gear().base_radius())
             });
             let deviations: Vec<f64> = deviations.collect::<Option<_>>()?;
             let points: Vec<(f64, f64)> = all.iter().copied().zip(deviations).collect();
@@ -270,10 +269,7 @@ fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings
         let mut of_tooth = Vec::new();
         for (tooth, found) in (1..).zip(read) {
             let Some((found, bound)) = found else {
-                return Err(Unmeasured(format!(
-                    "the stylus leaves the {} flank of tooth {tooth}",
-                    own.name()
-                )));
+                return Err(off_flank(own, tooth));
             };
             error = f64::max(error, bound);
             let is_alike = |one: &TraceReading| {
@@ -286,17 +282,17 @@ fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings
                 shapes.push(found);
             }
         }
-        flanks.push(FlankTraces {
+        Ok(FlankTraces {
             evaluated: face.range,
             shapes,
             of_tooth,
-        });
-    }
-    let [right, left] = <[FlankTraces; 2]>::try_from(flanks).expect("there are two flanks");
+        })
+    };
+    let flanks = [flank(Flank::Right)?, flank(Flank::Left)?];
     let hand = gear.gear().basic_data().hand();
     Ok(LeadReadings {
         axis,
-        flanks: [right, left],
+        flanks,
         is_helical: hand.is_some(),
         hand: hand.unwrap_or(Hand::Right),
         width: face.width(),
@@ -344,11 +340,5 @@ impl Stylus<'_> {
             angle + data.twist() * rise + side.sense() * lead / base,
             error,
         ))
-    }
-
-    /// Material of a further turn, mm along the base tangent.
-    fn deviation(&self, turn: f64) -> f64 {
-        let gear = self.work.as_built;
-        gear.face().seen_from_front(self.own).sense() * turn * gear.gear().base_radius()
     }
 }

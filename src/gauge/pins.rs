@@ -9,7 +9,7 @@
 //! slide along their spaces until they are opposite each other. So the anvils measure `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
 
 use super::Unmeasured;
-use super::seat::Seat;
+use super::seat::{Seat, check_standing_out};
 use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
 use nalgebra::Point2;
@@ -57,8 +57,7 @@ impl OverPins {
 
     /// Greatest bound on the error in `list`, mm.
     pub fn error(list: &[OverPins]) -> f64 {
-        list.iter()
-            .fold(0.0, |most, over| f64::max(most, over.error))
+        list.iter().map(|over| over.error).fold(0.0, f64::max)
     }
 }
 
@@ -66,16 +65,7 @@ impl OverPins {
 pub(super) fn pins(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> Result<Pins, Unmeasured> {
     let basic_data = work.as_built.gear().basic_data();
     let teeth = basic_data.teeth();
-    let tip = work.as_built.gear().tip_radius();
-    if let Some(low) = seats
-        .iter()
-        .find(|s| s.centre.coords.norm() + 0.5 * diameter <= tip)
-    {
-        return Err(Unmeasured(format!(
-            "a pin of {diameter} mm does not stand out of the space after tooth {}",
-            low.tooth
-        )));
-    }
+    check_standing_out(&seats, diameter, work.as_built.gear().tip_radius())?;
     let at = |tooth: u32| {
         let seat = &seats[tooth as usize - 1];
         (seat.centre, seat.error)
@@ -83,7 +73,11 @@ pub(super) fn pins(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> Result<
     let (two, three) = over(teeth, diameter, work.bound(), at);
     let lying = match basic_data.hand() {
         None => Vec::new(),
-        Some(_) => lying(teeth, diameter, work.bound(), at),
+        Some(_) => {
+            let apart =
+                |one: Point2<f64>, other: Point2<f64>| one.coords.norm() + other.coords.norm();
+            over_two(teeth, diameter, work.bound(), at, apart)
+        }
     };
     Ok(Pins {
         diameter,
@@ -94,12 +88,13 @@ pub(super) fn pins(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> Result<
     })
 }
 
-/// Over two cylindrical pins of a helical gear, as [`over`].
-fn lying(
+/// Over two pins, each as far from the other as `apart` tells; otherwise as [`over`].
+fn over_two(
     teeth: u32,
     diameter: f64,
     rounding: f64,
     at: impl Fn(u32) -> (Point2<f64>, f64),
+    apart: impl Fn(Point2<f64>, Point2<f64>) -> f64,
 ) -> Vec<OverPins> {
     let one = |tooth: u32| {
         let opposite = (tooth - 1 + teeth / 2) % teeth + 1;
@@ -107,7 +102,7 @@ fn lying(
         OverPins {
             tooth,
             opposite,
-            length: one.coords.norm() + other.coords.norm() + diameter,
+            length: apart(one, other) + diameter,
             error: one_error + other_error + rounding,
         }
     };
@@ -123,16 +118,8 @@ pub(super) fn over(
     at: impl Fn(u32) -> (Point2<f64>, f64),
 ) -> (Vec<OverPins>, Vec<OverPins>) {
     let after = |tooth: u32, steps: u32| (tooth - 1 + steps) % teeth + 1;
-    let two = (1..=teeth).map(|tooth| {
-        let opposite = after(tooth, teeth / 2);
-        let ((one, one_error), (other, other_error)) = (at(tooth), at(opposite));
-        OverPins {
-            tooth,
-            opposite,
-            length: (one - other).norm() + diameter,
-            error: one_error + other_error + rounding,
-        }
-    });
+    let apart = |one: Point2<f64>, other: Point2<f64>| (one - other).norm();
+    let two = over_two(teeth, diameter, rounding, &at, apart);
     let three = (1..=teeth)
         .filter(|_| !teeth.is_multiple_of(2))
         .map(|tooth| {
@@ -148,5 +135,5 @@ pub(super) fn over(
                 error: error + pair[0].1.max(pair[1].1) + rounding,
             }
         });
-    (two.collect(), three.collect())
+    (two, three.collect())
 }

@@ -180,10 +180,7 @@ fn of_flank(
     let read = parallel::map(teeth.iter().copied(), shape);
     for (tooth, found) in teeth.iter().zip(read) {
         let Some((found, bound)) = found else {
-            return Err(Unmeasured(format!(
-                "the stylus leaves the {} flank of tooth {tooth}",
-                own.name()
-            )));
+            return Err(off_flank(own, *tooth));
         };
         error = f64::max(error, bound);
         shapes.push(found);
@@ -194,6 +191,14 @@ fn of_flank(
         of_tooth,
     };
     Ok((profiles, error))
+}
+
+/// The reason why a trace of the flank of `tooth` cannot be taken.
+pub(super) fn off_flank(own: Flank, tooth: u32) -> Unmeasured {
+    let flank = own.name();
+    Unmeasured(format!(
+        "the stylus leaves the {flank} flank of tooth {tooth}"
+    ))
 }
 
 /// The evaluation of the points `within` the range, which are evenly spread. Each represents the stretch half way to

@@ -8,13 +8,11 @@ use super::master::master;
 use super::roll_extremes::{DeviationCurve, RollPose, RollRange, RollSample, bracketed};
 use super::spread::{ends, mean};
 use crate::analytic::InvolutePair;
-use crate::contact::PairAtDistance;
-use crate::contact::{Contact, LostMotion, PoseClass};
-use crate::error::Error;
+use crate::contact::{Contact, LostMotion, PairAtDistance, PoseClass};
+use crate::error::{Error, Tick};
 use crate::gear::{AsBuilt, Face, Gear};
 use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 /// The result of a roll test.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,7 +67,7 @@ pub(super) fn roll(
     steps_per_pitch: u32,
     face: [f64; 2],
     more: &dyn Fn(usize),
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Result<Roll, Unmeasured>, Error> {
     let master = match master(gear, master_teeth) {
         Ok(master) => master,

@@ -59,9 +59,8 @@ impl Spans {
 
     /// Greatest bound on the error of a reading, mm.
     pub fn error(&self) -> f64 {
-        self.readings
-            .iter()
-            .fold(0.0, |most, span| f64::max(most, span.error))
+        let errors = self.readings.iter().map(|span| span.error);
+        errors.fold(0.0, f64::max)
     }
 }
 

@@ -74,7 +74,7 @@ impl<'a> Workpiece<'a> {
     }
 
     fn cut(&self, side: Side, tooth: u32) -> &Cut {
-        &self.halves[index(side)][self.as_built.shape_of(side, tooth)]
+        &self.halves[side.index()][self.as_built.shape_of(side, tooth)]
     }
 
     /// Chordal error of the finest polygons, mm: 64 ulps of the greatest radius, below which points are uncertain.
@@ -122,11 +122,8 @@ impl<'a> Workpiece<'a> {
         let mut cut: Option<HalfTooth> = None;
         loop {
             let polygon = cut.as_ref().unwrap_or(&self.cut(side, tooth).flank);
-            let ahead: Vec<f64> = polygon
-                .points()
-                .iter()
-                .map(|p| along.dot(&p.coords))
-                .collect();
+            let points = polygon.points().iter();
+            let ahead: Vec<f64> = points.map(|p| along.dot(&p.coords)).collect();
             let (mut best, mut most) = (0, f64::NEG_INFINITY);
             for (i, &value) in ahead.iter().enumerate() {
                 if value > most {
@@ -266,13 +263,6 @@ impl<'a> Workpiece<'a> {
                 curve
             },
         }
-    }
-}
-
-fn index(side: Side) -> usize {
-    match side {
-        Side::Right => 0,
-        Side::Left => 1,
     }
 }
 

@@ -1,14 +1,13 @@
 //! The result of each wheel with each pinion, the best assignment, and simpler ways of pairing for comparison.
 
 use crate::analysis::extremes::WIDTH;
-use crate::error::{Error, GearError};
+use crate::error::{Error, GearError, Tick};
 use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
 use crate::parallel;
 use crate::population::{Assembly, Outcome, OutcomeKind, Requirement, Standing};
 use pathfinding::kuhn_munkres::kuhn_munkres;
 use pathfinding::matrix::Matrix as Weights;
-use std::ops::ControlFlow;
 
 /// Greatest distinguished distance from the target, mm: more than teeth differ.
 const FARTHEST: f64 = 100.0;
@@ -95,7 +94,7 @@ impl Matrix {
         wheels: &[AsBuilt],
         pinions: &[AsBuilt],
         terms: &Terms,
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+        tick: &Tick,
     ) -> Result<Matrix, Error> {
         let cells = Matrix::cells(wheels, pinions, terms, tick)?;
         Ok(Matrix::of_cells(wheels, pinions, cells)?)
@@ -109,7 +108,7 @@ impl Matrix {
         wheels: &[AsBuilt],
         pinions: &[AsBuilt],
         terms: &Terms,
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+        tick: &Tick,
     ) -> Result<Vec<PairFit>, Error> {
         let phases = phase_count(wheels, pinions)?;
         let pairs = |wheel| pinions.iter().map(move |pinion| (wheel, pinion));

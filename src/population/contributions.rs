@@ -18,9 +18,8 @@ use super::members::Population;
 use super::sample::chunks;
 use super::spread::{Overflow, TENTHS_NM_PER_MM, tenths};
 use super::stream::{Draw, Run};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::parallel;
-use std::ops::ControlFlow;
 
 /// Number of groups of rows for the standard errors: row `j` belongs to group `j` modulo this.
 pub const GROUPS: usize = 32;
@@ -263,7 +262,7 @@ pub fn contributions(
     population: &Population,
     seed: u64,
     rows: u64,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<[Contributions; 2], ContributionsError> {
     let factors = population.factors();
     let group = GroupSums {

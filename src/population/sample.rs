@@ -5,9 +5,9 @@ use super::members::Population;
 use super::requirement::{Requirement, Standing};
 use super::row::Row;
 use super::stream::{Draw, Run};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::parallel;
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 
 /// Assemblies per core and tick.
 pub const CHUNK: u64 = 32;
@@ -56,11 +56,7 @@ impl Sample<'_> {
     ///
     /// # Errors
     /// As [`Sample::outcome`]; [`Error::Interrupted`].
-    pub fn rows(
-        &self,
-        numbers: Range<u64>,
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Vec<Row>, Error> {
+    pub fn rows(&self, numbers: Range<u64>, tick: &Tick) -> Result<Vec<Row>, Error> {
         let chunks = parallel::map(chunks(&numbers, CHUNK), |chunk| {
             Error::if_stopped(tick())?;
             let rows = chunk.map(|number| {

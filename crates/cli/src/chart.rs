@@ -68,8 +68,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let file = studies::pair(&args.pair)?;
     let (study, sources) = (&file.study, &file.sources);
     if study.is_drawn() && !matches!(args.kind, Kind::Revolution | Kind::Map) {
-        return Err(Error::Usage(
-            "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution or map".to_owned(),
+        return Err(Error::usage(
+            "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution or map",
         ));
     }
     let given = Target::prepare_given(args.output.as_ref(), sources)?;

@@ -68,9 +68,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     let drawn = drawings(args)?;
     if args.map && drawn.is_none() && args.pairs.len() > 1 {
-        return Err(Error::Usage(
-            "--map draws one pair: give one pair file".to_owned(),
-        ));
+        return Err(Error::usage("--map draws one pair: give one pair file"));
     }
     let files = match drawn {
         Some(pair) => {
@@ -103,7 +101,9 @@ fn pair(
     let plan = Plan::new(study, method).with_remedies().with_checks();
     let analysis = run_under_bar(&plan)?;
     if let Some(folder) = folder {
-        *map = Some(written(folder, maps::of(&analysis)?)?);
+        let maps = maps::of(&analysis)?.into_iter();
+        let files: Vec<_> = maps.flat_map(DrawnMap::files).collect();
+        *map = Some(folder.write(&files)?);
     }
     let name = path.display().to_string();
     let verdict = analysis.verdict();
@@ -139,9 +139,8 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
             center_distance_mm: args.center_distance.unwrap_or(APART_MM),
             options: args.drawn.options()?,
         })),
-        paths if paths.iter().any(|path| is_drawing(path)) => Err(Error::Usage(
-            "give two drawings, of the wheel and of the pinion, or pair files alone (--map writes into the folder of -o)"
-                .to_owned(),
+        paths if paths.iter().any(|path| is_drawing(path)) => Err(Error::usage(
+            "give two drawings, of the wheel and of the pinion, or pair files alone (--map writes into the folder of -o)",
         )),
         _ if args.center_distance.is_some() || args.drawn.given() => Err(Error::Usage(format!(
             "--center-distance, {} belong to two drawings: pair files state them",
@@ -154,7 +153,7 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
 /// The least centre distance, mm, at which the gears of two drawings assemble, and a warning that names it. `drawings`
 /// are apart. The search begins where a tip touches a root.
 fn without_play(args: &Args, drawings: Drawings) -> Result<(f64, String), Error> {
-    let not_found = || Error::Usage(NOT_FOUND.to_owned());
+    let not_found = || Error::usage(NOT_FOUND);
     let apart = gearlash_files::read_drawings(&drawings)?;
     let nearest = tips_on_roots(&apart.study)?.ok_or_else(not_found)?;
     let tight = apart.at(vec![nearest])?;
@@ -184,10 +183,4 @@ fn folder(args: &Args, stem: &str, sources: &Sources) -> Result<Option<OutputFol
     args.map
         .then(|| OutputFolder::prepare(&folder(), sources, maps::is_own))
         .transpose()
-}
-
-/// Writes `maps`; returns a line that names the files.
-fn written(folder: OutputFolder, maps: Vec<DrawnMap>) -> Result<String, Error> {
-    let files: Vec<_> = maps.into_iter().flat_map(DrawnMap::files).collect();
-    folder.write(&files)
 }

@@ -100,9 +100,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         print_error_line(&format!("warning: {warning}"));
     }
     if args.markdown.is_some() {
-        return Err(Error::Usage(
-            "--markdown: use --format markdown, which prints the table; with --format github it goes to $GITHUB_STEP_SUMMARY"
-                .to_owned(),
+        return Err(Error::usage(
+            "--markdown: use --format markdown, which prints the table; with --format github it goes to $GITHUB_STEP_SUMMARY",
         ));
     }
     if args.pairs.iter().any(|path| is_drawing(path)) {

@@ -125,10 +125,9 @@ pub(super) fn print_error_line(line: &str) {
 
 /// Writes the verdict to standard error.
 pub(super) fn print_verdict_lines(verdict: &VerdictLines) {
-    verdict
-        .lines()
-        .iter()
-        .for_each(|line| print_error_line(line));
+    for line in verdict.lines() {
+        print_error_line(&line);
+    }
 }
 
 /// Writes lines to standard error that are already harmless.

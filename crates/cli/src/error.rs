@@ -66,6 +66,11 @@ pub fn exit_code(holds: bool) -> ExitCode {
 }
 
 impl Error {
+    /// [`Error::Usage`] with this message.
+    pub fn usage(message: &str) -> Error {
+        Error::Usage(message.to_owned())
+    }
+
     /// The error of `what`, which the library cannot convert to text.
     pub fn unwritable<E: Display>(what: &str) -> impl FnOnce(E) -> Error {
         move |reason| Error::Usage(format!("{what} cannot be written: {reason}"))

@@ -27,10 +27,10 @@ fn rendered(error: &Error, renderer: &Renderer) -> String {
             let text = problems.map(|(line, span)| problem(input, &line, span, renderer));
             text.collect()
         }
-        Error::Several(errors) => errors
-            .iter()
-            .map(|error| rendered(error, renderer))
-            .collect(),
+        Error::Several(errors) => {
+            let errors = errors.iter();
+            errors.map(|error| rendered(error, renderer)).collect()
+        }
         other => {
             let lines = other.lines();
             let text = lines.iter().map(|line| titled(line, None, renderer));

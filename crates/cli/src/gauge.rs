@@ -114,7 +114,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         GearSource::Data(as_built, spec) => pose_count(as_built, &settings(spec)),
         GearSource::Drawn(_) => 0,
     });
-    let progress = Progress::start(poses.sum());
+    let progress = Progress::of(poses.sum(), "poses");
     let mut gears = Vec::new();
     for (gear, material, source) in chosen {
         progress.now(&format!("({} {})", gear.name, material.name()));
@@ -168,15 +168,13 @@ fn check_drawn(args: &Args) -> Result<(), Error> {
         || args.page
         || args.results.names_folder()
     {
-        return Err(Error::Usage(
-            "--ball-mm, --master-teeth, --page and -o are for gears by their data: of outlines spans and pins are printed; leave them out"
-                .to_owned(),
+        return Err(Error::usage(
+            "--ball-mm, --master-teeth, --page and -o are for gears by their data: of outlines spans and pins are printed; leave them out",
         ));
     }
     if args.span_teeth.is_none() && args.pin_mm.is_none() {
-        return Err(Error::Usage(
-            "an outline has only spans (--span-teeth K) and dimensions over pins (--pin-mm D); pitch, thickness and the roll test need an involute"
-                .to_owned(),
+        return Err(Error::usage(
+            "an outline has only spans (--span-teeth K) and dimensions over pins (--pin-mm D); pitch, thickness and the roll test need an involute",
         ));
     }
     Ok(())

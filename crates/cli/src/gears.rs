@@ -94,9 +94,8 @@ pub(super) fn teeth(text: &str) -> Result<(u32, u32), String> {
 pub(super) fn material(name: MaterialName, study: &Study) -> Result<Material, Error> {
     match study.material_count() {
         2 => Ok(name.material()),
-        _ => Err(Error::Usage(
-            "--material: this pair file states one thickness a gear; leave the option out"
-                .to_owned(),
+        _ => Err(Error::usage(
+            "--material: this pair file states one thickness a gear; leave the option out",
         )),
     }
 }

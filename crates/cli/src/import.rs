@@ -107,9 +107,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         return outlines(args);
     }
     if args.units.is_some() {
-        return Err(Error::Usage(
-            "--units belongs to a drawing; leave it out".to_owned(),
-        ));
+        return Err(Error::usage("--units belongs to a drawing; leave it out"));
     }
     // Decides by the content of the file, not by its name.
     let bytes = if args.file.as_path() == Path::new("-") {
@@ -137,19 +135,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 /// The outlines of a drawing.
 fn outlines(args: &Args) -> Result<ExitCode, Error> {
     if args.of_tables() || args.rexs.is_given() {
-        return Err(Error::Usage(
-            "a drawing has no columns, sheets, stages, --output or --format json; leave them out"
-                .to_owned(),
+        return Err(Error::usage(
+            "a drawing has no columns, sheets, stages, --output or --format json; leave them out",
         ));
     }
     let found = listed_outlines(&args.file, args.units.as_deref())?;
     let name = args.file.file_name().unwrap_or_default().to_string_lossy();
-    print(&text::outlines::text(
-        &name,
-        &found,
-        args.gear.name(),
-        &args.screen.screen(),
-    ))?;
+    let (gear, screen) = (args.gear.name(), args.screen.screen());
+    print(&text::outlines::text(&name, &found, gear, &screen))?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -165,21 +158,16 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
         ("column", &args.column),
         ("decimal", &args.decimal),
     ];
-    let keys = stated
-        .into_iter()
-        .filter_map(|(key, stated)| Some((key, stated.clone()?)));
+    let stated = stated.into_iter();
+    let keys = stated.filter_map(|(key, stated)| Some((key, stated.clone()?)));
     let keys: Vec<(&str, String)> = keys.collect();
     let kind = |only: &String| Kind::NAMED.into_iter().find(|(name, _)| name == only);
-    let only = args.only.as_ref().and_then(kind);
-    Ok(import::tables(
-        &args.file,
-        bytes,
-        &Options {
-            only: only.map(|(_, kind)| kind),
-            keys: &keys,
-            gear: args.gear.name(),
-        },
-    )?)
+    let options = Options {
+        only: args.only.as_ref().and_then(kind).map(|(_, kind)| kind),
+        keys: &keys,
+        gear: args.gear.name(),
+    };
+    Ok(import::tables(&args.file, bytes, &options)?)
 }
 
 fn show(args: &Args, found: &Imported) -> Result<ExitCode, Error> {

@@ -39,10 +39,8 @@ pub(super) fn read<T>(
     read: impl Fn(&Path) -> Result<T, Error>,
 ) -> Result<Vec<ReadFile<T>>, Error> {
     studies::check_stdin_once(paths)?;
-    Ok(paths
-        .iter()
-        .map(|path| (path.clone(), read(path)))
-        .collect())
+    let files = paths.iter().map(|path| (path.clone(), read(path)));
+    Ok(files.collect())
 }
 
 /// The outcome of `command` for `files`, each judged by `judge`, and the step summary for it.

@@ -4,7 +4,7 @@ use crate::error::Error;
 use data_encoding::BASE64;
 use gearlash_files::{PairFile, import};
 use serde_json::{Map, Value, json};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The place of the pair in the page.
 const EMPTY: &str = "<script type=\"application/json\" id=\"own\">null</script>";
@@ -22,11 +22,12 @@ pub(super) fn with_pair(
     pair: &PairFile,
 ) -> Result<String, Error> {
     if path == Path::new("-") {
-        return Err(Error::Usage(
-            "--live holds the files of the pair: name the pair file".to_owned(),
+        return Err(Error::usage(
+            "--live holds the files of the pair: name the pair file",
         ));
     }
-    let page = page.map_or_else(beside_program, Path::to_path_buf);
+    let program = std::env::current_exe().unwrap_or_default();
+    let page = page.map_or_else(|| program.with_file_name(NAME), Path::to_path_buf);
     let missing = || {
         let shown = page.display();
         Error::Usage(format!(
@@ -51,10 +52,4 @@ pub(super) fn with_pair(
     // No text of a file ends the element.
     let held = held.to_string().replace('<', "\\u003c");
     Ok(text.replacen(EMPTY, &EMPTY.replace("null", &held), 1))
-}
-
-/// The page beside the program.
-fn beside_program() -> PathBuf {
-    let program = std::env::current_exe().unwrap_or_default();
-    program.with_file_name(NAME)
 }

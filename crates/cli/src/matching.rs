@@ -63,10 +63,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ("warning", &file.gear_warnings),
         ("note", &file.gear_remarks),
     ] {
-        lines
-            .iter()
-            .for_each(|line| print_error_line(&format!("{kind}: {line}")));
+        for line in lines {
+            print_error_line(&format!("{kind}: {line}"));
+        }
     }
+    let is_own = |name: &str| FILES.contains(&name);
     let prepared = args.results.folder(&file.pair.stem, sources, is_own)?;
     let result = matched(&file)?;
     let json = matching::json(&result).map_err(Error::unwritable("the result"))?;
@@ -118,9 +119,4 @@ fn matched(file: &MatchFile) -> Result<MatchResult, Error> {
     let bar = Progress::of((wheels * pinions) as u64, "pairs");
     let cells = file.cells(0..wheels, &|| bar.tick())?;
     Ok(MatchResult::new(file, cells)?)
-}
-
-/// Whether a matching may write a file called `name`.
-fn is_own(name: &str) -> bool {
-    FILES.contains(&name)
 }

@@ -41,9 +41,8 @@ impl MethodArgs {
     /// [`Error::Usage`]: drawn curves have only one method.
     pub fn of(&self, study: &Study) -> Result<Method, Error> {
         if study.is_drawn() && self.method.is_some() {
-            Err(Error::Usage(
-                "--method is for gears by their data: drawn curves are searched as drawn, and polygons check every pose; leave it out"
-                    .to_owned(),
+            Err(Error::usage(
+                "--method is for gears by their data: drawn curves are searched as drawn, and polygons check every pose; leave it out",
             ))
         } else {
             Ok(self.method())
@@ -122,56 +121,4 @@ fn in_words(found: MethodAgreement) -> String {
         ));
     }
     format!("exact and polygon method {verdict}: {}", parts.join("; "))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use gearlash::analysis::compare::{ComparedRun, compare};
-    use gearlash::analysis::simulate::Run;
-    use gearlash::contact::{CutPair, sweep};
-    use gearlash::pair::Member;
-    use std::ops::ControlFlow;
-    use std::path::Path;
-
-    /// The rig pair with polygons cut from gears of another pair file: no certificate holds.
-    #[test]
-    fn an_unproven_pose_does_not_pass() {
-        let read = |file: &str| {
-            let fixtures = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures"));
-            let study = gearlash_files::read(&fixtures.join(file)).unwrap();
-            study.study.runs().unwrap().remove(0)
-        };
-        let (plan, other) = (read("karba_44x44.toml"), read("karba_86x21.toml"));
-        let cut_of = |assembly: &gearlash::pair::GearPair| {
-            CutPair::for_certificates(assembly.gear(Member::Wheel), assembly.gear(Member::Pinion))
-        };
-        let compared = |cut: &CutPair| {
-            let method = Method::Checked;
-            let matings = &plan.matings[..1];
-            let poses = sweep(
-                plan.assembly.data().unwrap(),
-                cut,
-                method,
-                matings,
-                0.0,
-                &|| ControlFlow::Continue(()),
-            );
-            let run = Run {
-                material: plan.material,
-                assembly: plan.assembly.clone(),
-                phase: None,
-                poses: poses.unwrap(),
-            };
-            compare(vec![run], 0.1)
-        };
-        let unproven =
-            |runs: &[ComparedRun]| -> usize { runs.iter().map(|run| run.unproven().count()).sum() };
-        assert!(all_proven(unproven(&compared(&cut_of(
-            plan.assembly.data().unwrap()
-        )))));
-        let runs = compared(&cut_of(other.assembly.data().unwrap()));
-        assert_eq!(unproven(&runs), 1);
-        assert!(!all_proven(unproven(&runs)));
-    }
 }

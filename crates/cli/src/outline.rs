@@ -9,7 +9,7 @@ use gearlash::analysis::study::Material;
 use gearlash::gear::{AsBuilt, HalfTooth, Side};
 use gearlash_files::spec::GearSpec;
 use gearlash_files::{GearEntry, OutlineFile, OutlineFormat};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Write the outline of a gear as measured as DXF, SVG or CSV
@@ -74,11 +74,8 @@ const MAX_POINTS: usize = 2_000_000;
 
 /// Checks that the outline fits into memory several times over.
 fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
-    let half = HalfTooth::new(
-        &gear.profile(Side::Right, 1),
-        Side::Right,
-        tolerance_um * 1e-3,
-    );
+    let profile = gear.profile(Side::Right, 1);
+    let half = HalfTooth::new(&profile, Side::Right, tolerance_um * 1e-3);
     let points = 2 * half.segments().len() * gear.gear().basic_data().teeth() as usize;
     if points > MAX_POINTS {
         Err(Error::Usage(format!(
@@ -111,10 +108,8 @@ fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = studies::gears_by_data(&args.file)?;
     let chosen = choose(&args.file, args.gear, Some(args.material), &study, |gear| {
-        gear.materials
-            .iter()
-            .map(|(of, built)| (*of, built))
-            .collect()
+        let materials = gear.materials.iter();
+        materials.map(|(of, built)| (*of, built)).collect()
     })?;
     let [(entry, material, gear)] = chosen[..] else {
         return Err(Error::Usage(format!(
@@ -125,16 +120,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let section_mm = section(args.section, entry)?;
     check_size(args.tolerance_um, gear)?;
     let (format, ending) = args.format.format();
+    let is_csv = |file: &Path| {
+        let given = file.extension();
+        ending == "csv" && given.is_some_and(|given| given.eq_ignore_ascii_case("csv"))
+    };
     let target = match &args.output {
         // A CSV file is allowed here: it is the table itself.
-        Some(file)
-            if ending == "csv"
-                && file
-                    .extension()
-                    .is_some_and(|given| given.eq_ignore_ascii_case("csv")) =>
-        {
-            Target::prepare(file.clone(), &study.sources)?
-        }
+        Some(file) if is_csv(file) => Target::prepare(file.clone(), &study.sources)?,
         Some(file) => Target::prepare_beside(file.clone(), &study.sources)?,
         None => {
             let name = match material {

@@ -25,11 +25,6 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// A bar for `poses`.
-    pub fn start(poses: u64) -> Progress {
-        Progress::of(poses, "poses")
-    }
-
     /// No bar: for a terminal that shows the growing result, or with --quiet.
     pub fn none() -> Progress {
         Progress {

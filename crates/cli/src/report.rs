@@ -7,7 +7,6 @@ use super::target::Target;
 use super::{live_page, poses, studies};
 use crate::error::{Error, exit_code};
 use gearlash::analysis::Plan;
-use gearlash_files::Sources;
 use gearlash_render::{self, Report};
 use gearlash_results::grades::grades;
 use std::path::PathBuf;
@@ -41,13 +40,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let date = today()?;
     let pair = &studies::pair(&args.pair)?;
     let study = &pair.study;
-    let target = target(args, &pair.stem, &pair.sources)?;
+    let own = || PathBuf::from("out").join(format!("{}.html", pair.stem));
+    let target = Target::prepare_beside(args.output.clone().unwrap_or_else(own), &pair.sources)?;
     if args.live {
-        target.write(&live_page::with_pair(
-            args.page.as_deref(),
-            &args.pair,
-            pair,
-        )?)?;
+        let page = live_page::with_pair(args.page.as_deref(), &args.pair, pair)?;
+        target.write(&page)?;
         return Ok(ExitCode::SUCCESS);
     }
     let method = args.method.of(study)?;
@@ -60,7 +57,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     progress.now("page");
     let page = gearlash_render::report(&Report {
         pair,
-        file: &name(args),
+        file: &args.pair.file_name().unwrap_or_default().to_string_lossy(),
         date: &date,
         analysis: &analysis,
         grades: &grades,
@@ -69,19 +66,4 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let agree = agreed(&analysis);
     target.write(&page)?;
     Ok(exit_code(agree))
-}
-
-/// The target of the page.
-fn target(args: &Args, stem: &str, sources: &Sources) -> Result<Target, Error> {
-    let file = match &args.output {
-        Some(file) => file.clone(),
-        None => PathBuf::from("out").join(format!("{stem}.html")),
-    };
-    Target::prepare_beside(file, sources)
-}
-
-/// The pair file's name.
-fn name(args: &Args) -> String {
-    let name = args.pair.file_name().unwrap_or_default();
-    name.to_string_lossy().into_owned()
 }

@@ -3,7 +3,7 @@
 use super::console::{check_not_input, print};
 use super::target::Target;
 use crate::error::Error;
-use gearlash_files::rexs::{RexsFile, RexsPair, RexsStage};
+use gearlash_files::rexs::{RexsFile, RexsPair};
 use gearlash_results::text::{Screen, rexs};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -31,33 +31,26 @@ pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<Ex
     let file = gearlash_files::rexs::read(path)?;
     check_not_input(&file.sources)?;
     let name = gearlash_files::named(path).display().to_string();
-    let chosen = match (args.stage, &args.output) {
-        (None, None) => only_readable_stage(&file).ok(),
-        (None, Some(_)) => {
-            Some(only_readable_stage(&file).map_err(|why| Error::Usage(format!("{name}: {why}")))?)
-        }
-        (Some(id), _) => Some(pair(&name, stage(&name, &file, id)?)?),
+    let chosen = match args.stage {
+        Some(id) => Ok(pair_of(&name, &file, id)?),
+        None => only_readable_stage(&file),
     };
+    if let (Err(why), Some(_)) = (&chosen, &args.output) {
+        return Err(Error::Usage(format!("{name}: {why}")));
+    }
     let is_stdout = |output: &PathBuf| output.as_path() == Path::new("-");
     if !args.output.as_ref().is_some_and(is_stdout) {
         let mut text = rexs::text(&name, &file, screen);
-        match chosen {
-            Some(pair) => {
-                text += &format!("\n{}", rexs::pair(pair, screen));
-                if args.output.is_none() {
-                    text += &format!("\n{}", pair.pair_file);
-                }
-            }
-            None => {
-                text += &format!(
-                    "\n{}\n",
-                    only_readable_stage(&file).err().unwrap_or_default()
-                )
-            }
+        match &chosen {
+            Ok(pair) => text += &format!("\n{}", rexs::pair(pair, screen)),
+            Err(why) => text += &format!("\n{why}\n"),
+        }
+        if let (Ok(pair), None) = (&chosen, &args.output) {
+            text += &format!("\n{}", pair.pair_file);
         }
         print(&text)?;
     }
-    if let (Some(output), Some(pair)) = (&args.output, chosen) {
+    if let (Some(output), Ok(pair)) = (&args.output, chosen) {
         Target::prepare_new(output, &file.sources, "import")?.write(&pair.pair_file)?;
     }
     Ok(ExitCode::SUCCESS)
@@ -65,10 +58,8 @@ pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<Ex
 
 /// The only readable stage, or the remedy.
 fn only_readable_stage(file: &RexsFile) -> Result<&RexsPair, String> {
-    let mut pairs = file
-        .stages
-        .iter()
-        .filter_map(|stage| stage.pair.as_ref().ok());
+    let stages = file.stages.iter();
+    let mut pairs = stages.filter_map(|stage| stage.pair.as_ref().ok());
     match (pairs.next(), pairs.next()) {
         (Some(pair), None) => Ok(pair),
         (None, _) => Err("No stage can be read; each reason stands above.".to_owned()),
@@ -76,18 +67,15 @@ fn only_readable_stage(file: &RexsFile) -> Result<&RexsPair, String> {
     }
 }
 
-/// The stage with an id in the model called `name`.
-pub(super) fn stage<'a>(name: &str, file: &'a RexsFile, id: i32) -> Result<&'a RexsStage, Error> {
-    file.stage(id).ok_or_else(|| {
+/// The pair of the stage with an id in the model called `name`.
+fn pair_of<'a>(name: &str, file: &'a RexsFile, id: i32) -> Result<&'a RexsPair, Error> {
+    let Some(stage) = file.stage(id) else {
         let ids = file.stages.iter().map(|stage| stage.id.to_string());
         let ids = ids.collect::<Vec<_>>().join(", ");
-        Error::Usage(format!("{name}: has no stage {id}, its stages are {ids}"))
-    })
-}
-
-fn pair<'a>(name: &str, stage: &'a RexsStage) -> Result<&'a RexsPair, Error> {
-    stage
-        .pair
-        .as_ref()
-        .map_err(|why| Error::Usage(format!("{name}: stage {} is left out: {why}", stage.id)))
+        return Err(Error::Usage(format!(
+            "{name}: has no stage {id}, its stages are {ids}"
+        )));
+    };
+    let left_out = |why| Error::Usage(format!("{name}: stage {id} is left out: {why}"));
+    stage.pair.as_ref().map_err(left_out)
 }

@@ -73,15 +73,6 @@ enum Flank {
     Left,
 }
 
-impl Flank {
-    fn side(self) -> Side {
-        match self {
-            Flank::Right => Side::Right,
-            Flank::Left => Side::Left,
-        }
-    }
-}
-
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let file = studies::pair(&args.pair)?;
@@ -107,11 +98,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 /// Checks that the request can be drawn for this pair.
 fn check(args: &Args, study: &Study) -> Result<(), Error> {
     if args.section.is_some() && !study.is_helical() {
-        return Err(Error::Usage(SPUR_SECTION.to_owned()));
+        return Err(Error::usage(SPUR_SECTION));
     }
     if study.is_drawn() && (args.animate || args.exaggerate.is_some()) {
-        return Err(Error::Usage(
-            "--animate and --exaggerate are for gears by their data; leave them out".to_owned(),
+        return Err(Error::usage(
+            "--animate and --exaggerate are for gears by their data; leave them out",
         ));
     }
     Ok(())
@@ -126,14 +117,7 @@ fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize),
         Some(pair) => section(args, pair, pose)?,
         None => None,
     };
-    let view = Snapshot {
-        title,
-        assembly,
-        pose: &pose.pose,
-        material: subject.material,
-        found: pose.found.as_ref(),
-        section: section.as_ref(),
-    };
+    let view = Snapshot::of_result(title, assembly, subject.material, pose, section.as_ref());
     Ok(match (pair, args.exaggerate) {
         (Some(pair), None) if args.animate => {
             let steps = pitch(pair, &pose.pose)?;
@@ -198,11 +182,8 @@ fn wanted(args: &Args) -> Option<(&'static str, Wanted)> {
     }
 }
 
-fn missing_subject() -> Error {
-    Error::Usage(
-        "which pose? give --mating W,P and --flank right|left, --worst or --greatest".to_owned(),
-    )
-}
+const MISSING_SUBJECT: &str =
+    "which pose? give --mating W,P and --flank right|left, --worst or --greatest";
 
 /// The requested pose, by its teeth or by its backlash, and the name of its file.
 fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
@@ -221,12 +202,14 @@ fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
         return Ok((found, format!("{name}_a{distance}_{end}.svg")));
     }
     let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
-        return Err(missing_subject());
+        return Err(Error::usage(MISSING_SUBJECT));
     };
     let (material, assembly) = assembly(args, &study)?;
-    let flank = flank.side();
-    let count = |member| assembly.teeth(member);
-    let mating = mating(teeth, args.fraction, count, flank)?;
+    let flank = match flank {
+        Flank::Right => Side::Right,
+        Flank::Left => Side::Left,
+    };
+    let mating = mating(teeth, args.fraction, &assembly, flank)?;
     let result = assembly.lost_motion(mating)?;
     let file = format!(
         "snapshot_{}_{}_{}_a{}_{}.svg",
@@ -254,8 +237,8 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, AssembledPair), Err
     };
     let first = study.center_distances.first().copied();
     let Some(distance) = args.center_distance.or(first) else {
-        return Err(Error::Usage(
-            "--center-distance: the pair file has none; give one".to_owned(),
+        return Err(Error::usage(
+            "--center-distance: the pair file has none; give one",
         ));
     };
     if args.center_distance.is_none() && study.center_distances.len() > 1 {
@@ -268,17 +251,17 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, AssembledPair), Err
         .pairs(distance)
         .map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))?;
     let pair = pairs.into_iter().find(|(material, _)| *material == wanted);
-    pair.ok_or_else(|| Error::Usage("--material: the pair file has no such material".to_owned()))
+    pair.ok_or_else(|| Error::usage("--material: the pair file has no such material"))
 }
 
 fn mating(
     (wheel_tooth, pinion_tooth): (u32, u32),
     fraction: f64,
-    teeth: impl Fn(Member) -> u32,
+    assembly: &AssembledPair,
     flank: Side,
 ) -> Result<Mating, Error> {
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
-        let teeth = teeth(member);
+        let teeth = assembly.teeth(member);
         if !(1..=teeth).contains(&tooth) {
             return Err(Error::Usage(format!(
                 "--mating {wheel_tooth},{pinion_tooth}: the {} has teeth 1 … {teeth}, not {tooth}",
@@ -292,9 +275,7 @@ fn mating(
         )));
     }
     Ok(Mating {
-        wheel_tooth,
-        pinion_tooth,
-        flank,
         fraction,
+        ..Mating::at(wheel_tooth, pinion_tooth, flank)
     })
 }

@@ -42,8 +42,8 @@ pub(super) fn drawings(drawings: &Drawings, warning: Option<String>) -> Result<P
 pub(super) fn check_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
     let from_stdin = |path: &&PathBuf| path.as_path() == Path::new("-");
     if paths.iter().filter(from_stdin).count() > 1 {
-        return Err(Error::Usage(
-            "- stands for standard input, which holds one pair file: name it once".to_owned(),
+        return Err(Error::usage(
+            "- stands for standard input, which holds one pair file: name it once",
         ));
     }
     Ok(())

@@ -7,7 +7,7 @@ use super::console::{ScreenArgs, check_not_input, print_note, warn};
 use super::progress::Progress;
 use super::results::ResultsArgs;
 use crate::error::Error;
-use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Tally};
+use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Row, Tally};
 use gearlash_files::tolerance::{
     BLOCK, MAX_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
 };
@@ -133,40 +133,23 @@ fn draw(
     let bar = Progress::of((numbers.end - numbers.start).div_ceil(CHUNK), "steps");
     bar.now("assemblies");
     let mut tally = RowsTally::new(run);
-    let mut from = numbers.start;
-    let drawn = loop {
-        let block = from..(from + BLOCK).min(numbers.end);
-        if block.is_empty() {
-            break Ok(());
+    let mut counted = |block| -> Result<Vec<Row>, Error> {
+        let drawn = run.rows(block, &|| bar.tick())?;
+        let added = drawn.iter().try_for_each(|row| tally.add(row));
+        added.map_err(|error| Error::Usage(error.to_string()))?;
+        match run.too_many_impossible(tally.tally()) {
+            Some(reason) => Err(Error::Usage(reason.to_string())),
+            None => Ok(drawn),
         }
-        from = block.end;
-        let drawn = run.rows(block, &|| bar.tick());
-        let drawn = match drawn {
-            Ok(drawn) => drawn,
-            Err(error) => break Err(Error::Run(error)),
-        };
-        let counted = drawn.iter().try_for_each(|row| tally.add(row));
-        if let Err(error) = counted {
-            break Err(Error::Usage(error.to_string()));
-        }
-        if let Some(reason) = run.too_many_impossible(tally.tally()) {
-            break Err(Error::Usage(reason.to_string()));
-        }
+    };
+    for from in numbers.clone().step_by(BLOCK as usize) {
+        let drawn = counted(from..(from + BLOCK).min(numbers.end));
+        let drawn = drawn.inspect_err(|_| rows.take().map_or((), RowsFile::remove))?;
         if let Some(rows) = &mut rows {
             rows.write(&drawn)?;
         }
-    };
-    drop(bar);
-    match (drawn, rows) {
-        (Ok(()), rows) => {
-            rows.map_or(Ok(()), RowsFile::finish)?;
-            Ok(tally.into_tally())
-        }
-        (Err(error), rows) => {
-            if let Some(rows) = rows {
-                rows.remove();
-            }
-            Err(error)
-        }
     }
+    drop(bar);
+    rows.map_or(Ok(()), RowsFile::finish)?;
+    Ok(tally.into_tally())
 }

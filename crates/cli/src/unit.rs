@@ -39,9 +39,8 @@ impl UnitArgs {
             (Some(Name::Arcmin), at) => {
                 Ok(study.arcmin(at.map_or(study.locked.mate(), GearName::member)))
             }
-            (Some(Name::Um) | None, Some(_)) => Err(Error::Usage(
-                "--at belongs to --unit arcmin: j_wt is the same at both gears; leave it out"
-                    .to_owned(),
+            (Some(Name::Um) | None, Some(_)) => Err(Error::usage(
+                "--at belongs to --unit arcmin: j_wt is the same at both gears; leave it out",
             )),
             _ => Ok(BacklashUnit::Um),
         }
@@ -54,9 +53,8 @@ impl UnitArgs {
     pub(super) fn of_table(&self, study: &Study, is_text: bool) -> Result<BacklashUnit, Error> {
         let unit = self.unit(study)?;
         if self.given() && !is_text {
-            return Err(Error::Usage(
-                "--unit belongs to --format text: JSON and CSV have every unit; leave it out"
-                    .to_owned(),
+            return Err(Error::usage(
+                "--unit belongs to --format text: JSON and CSV have every unit; leave it out",
             ));
         }
         Ok(unit)

@@ -54,15 +54,12 @@ impl Binding {
 
     /// Whether one of the contacts of `pose` is of this kind.
     fn bounds(self, assembly: &AssembledPair, pose: &PoseResult) -> bool {
-        let Some(found) = pose.proven() else {
+        let Some((found, pair)) = pose.proven().zip(assembly.data()) else {
             return false;
         };
-        let contacts = [(Side::Right, &found.right), (Side::Left, &found.left)];
-        contacts.into_iter().any(|(side, contact)| {
-            let class = contact
-                .as_ref()
-                .zip(assembly.data())
-                .map(|(contact, pair)| ContactClass::of(pair, side, contact));
+        Side::BOTH.into_iter().any(|side| {
+            let contact = found.on(side);
+            let class = contact.map(|contact| ContactClass::of(pair, side, &contact));
             class.is_some_and(|class| self.includes(class.kind))
         })
     }

@@ -2,7 +2,7 @@
 
 use crate::error::error;
 use gearlash::analysis::{Analysis, Plan, Progress};
-use gearlash::error::Error;
+use gearlash::error::{Error, Tick};
 use pyo3::prelude::*;
 use rayon::ThreadPoolBuilder;
 use std::ops::ControlFlow;
@@ -17,9 +17,6 @@ const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
 
 /// One more than the most threads of a call: the largest machines have some hundred cores.
 const TOO_MANY_THREADS: usize = 1025;
-
-/// Called when a step of the work begins; a break ends the work.
-pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
 
 /// The analysis of `plan`, as [`work`].
 ///
@@ -48,7 +45,7 @@ pub fn analysed<'a>(
 pub fn work<T: Send>(
     py: Python<'_>,
     threads: Option<usize>,
-    work: impl FnOnce(Tick) -> Result<T, Error> + Send,
+    work: impl FnOnce(&Tick) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
     let stop = AtomicBool::new(false);
     let tick = || {

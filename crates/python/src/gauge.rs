@@ -24,10 +24,10 @@ pub fn gauge(
     let (material, as_built) = gear.as_built(py, material)?;
     let teeth = as_built.gear().basic_data().teeth();
     let whole = |name: &str, value: Option<u32>, least: u32, most: u32| match value {
-        Some(value) if !(least..=most).contains(&value) => Err(error(
-            py,
-            format!("{name} = {value}: allowed is {least} … {most}"),
-        )),
+        Some(value) if !(least..=most).contains(&value) => {
+            let reason = format!("{name} = {value}: allowed is {least} … {most}");
+            Err(error(py, reason))
+        }
         _ => Ok(()),
     };
     whole("span_teeth", span_teeth, 1, teeth)?;
@@ -35,10 +35,8 @@ pub fn gauge(
     whole("steps_per_pitch", Some(steps_per_pitch), 1, 1000)?;
     for (name, diameter) in [("pin_mm", pin_mm), ("ball_mm", ball_mm)] {
         if let Some(mm) = diameter.filter(|mm| !(*mm > 0.0 && *mm <= 1e6)) {
-            return Err(error(
-                py,
-                format!("{name} = {mm}: a number of mm above 0 and up to 1e6 is needed"),
-            ));
+            let reason = format!("{name} = {mm}: a number of mm above 0 and up to 1e6 is needed");
+            return Err(error(py, reason));
         }
     }
     let spec = &gear.spec;

@@ -52,11 +52,8 @@ impl Gear {
     /// The gear in a material; without a name the one with the most, where there are two.
     pub fn as_built(&self, py: Python<'_>, name: Option<&str>) -> PyResult<(Material, &AsBuilt)> {
         let materials = self.entry.materials.iter();
-        chosen(
-            py,
-            materials.map(|(material, gear)| (*material, gear)),
-            name,
-        )
+        let materials = materials.map(|(material, gear)| (*material, gear));
+        chosen(py, materials, name)
     }
 
     fn any(&self) -> &AsBuilt {
@@ -75,11 +72,9 @@ pub fn chosen<T>(
     let mut materials = materials.inspect(|(material, _)| names.push(material.name()));
     let found = materials.find(|(material, _)| named(material));
     found.ok_or_else(|| {
-        let (name, names) = (name.unwrap_or_default(), names.join(", "));
-        error(
-            py,
-            format!("material = {name}: not stated here, which has: {names}"),
-        )
+        let (name, has) = (name.unwrap_or_default(), names.join(", "));
+        let reason = format!("material = {name}: not stated here, which has: {has}");
+        error(py, reason)
     })
 }
 

@@ -16,38 +16,30 @@ mod pictures;
 mod population;
 mod poses;
 
-use pyo3::prelude::*;
-
 /// The Rust side of the package gearlash.
-#[pymodule]
-fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-    module.add(
-        "STATUSES",
-        gearlash::contact::Status::ALL.map(|status| status.name()),
-    )?;
-    module.add_class::<gear::Gear>()?;
-    module.add_class::<pair::Pair>()?;
-    module.add_function(wrap_pyfunction!(command::run, module)?)?;
-    module.add_function(wrap_pyfunction!(poses::lost_motion, module)?)?;
-    module.add_function(wrap_pyfunction!(poses::lost_motions, module)?)?;
-    module.add_function(wrap_pyfunction!(poses::revolution, module)?)?;
-    module.add_function(wrap_pyfunction!(extremes::extremes, module)?)?;
-    module.add_function(wrap_pyfunction!(extremes::check, module)?)?;
-    module.add_function(wrap_pyfunction!(gauge::gauge, module)?)?;
-    module.add(
-        "OUTCOMES",
-        gearlash::population::OutcomeKind::ALL.map(|kind| kind.name()),
-    )?;
-    module.add_function(wrap_pyfunction!(population::tolerance_assemblies, module)?)?;
-    module.add_function(wrap_pyfunction!(population::tolerance_rows, module)?)?;
-    module.add_function(wrap_pyfunction!(population::rows_columns, module)?)?;
-    module.add_function(wrap_pyfunction!(population::tolerance_result, module)?)?;
-    module.add_function(wrap_pyfunction!(population::match_cells, module)?)?;
-    module.add_function(wrap_pyfunction!(population::match_result, module)?)?;
-    module.add_function(wrap_pyfunction!(pictures::snapshot, module)?)?;
-    module.add_function(wrap_pyfunction!(pictures::over_teeth, module)?)?;
-    module.add_function(wrap_pyfunction!(pictures::over_distance, module)?)?;
-    module.add_function(wrap_pyfunction!(pictures::inspection, module)?)?;
-    Ok(())
+#[pyo3::pymodule]
+mod _core {
+    use gearlash::contact::Status;
+    use gearlash::population::OutcomeKind;
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use super::extremes::{check, extremes};
+    #[pymodule_export]
+    use super::pictures::{inspection, over_distance, over_teeth, snapshot};
+    #[pymodule_export]
+    use super::population::{match_cells, match_result, rows_columns};
+    #[pymodule_export]
+    use super::population::{tolerance_assemblies, tolerance_result, tolerance_rows};
+    #[pymodule_export]
+    use super::poses::{lost_motion, lost_motions, revolution};
+    #[pymodule_export]
+    use super::{command::run, gauge::gauge, gear::Gear, pair::Pair};
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("STATUSES", Status::ALL.map(Status::name))?;
+        module.add("OUTCOMES", OutcomeKind::ALL.map(OutcomeKind::name))
+    }
 }

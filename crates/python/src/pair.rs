@@ -35,16 +35,12 @@ impl Pair {
         material: Option<&str>,
     ) -> PyResult<(Material, AssembledPair)> {
         let study = self.study();
-        let distance = distance.or(study.center_distances.first().copied());
-        let distance = distance.ok_or_else(|| {
-            error(
-                py,
-                "the pair has no centre distance; give center_distance_mm",
-            )
-        })?;
-        let pairs = study.pairs(distance);
-        let pairs = pairs
-            .map_err(|reason| error(py, format!("center_distance_mm = {distance}: {reason}")))?;
+        let Some(distance) = distance.or(study.center_distances.first().copied()) else {
+            let reason = "the pair has no centre distance; give center_distance_mm";
+            return Err(error(py, reason));
+        };
+        let refused = |reason| error(py, format!("center_distance_mm = {distance}: {reason}"));
+        let pairs = study.pairs(distance).map_err(refused)?;
         chosen(py, pairs.into_iter(), material)
     }
 }
@@ -61,17 +57,13 @@ pub fn mating(
         let teeth = assembly.teeth(member);
         if !(1..=i64::from(teeth)).contains(&tooth) {
             let name = member.name();
-            return Err(error(
-                py,
-                format!("mating {wheel},{pinion}: the {name} has teeth 1 … {teeth}, not {tooth}"),
-            ));
+            let has = format!("the {name} has teeth 1 … {teeth}, not {tooth}");
+            return Err(error(py, format!("mating {wheel},{pinion}: {has}")));
         }
     }
     if !(fraction.abs() <= 1000.0) {
-        return Err(error(
-            py,
-            format!("fraction = {fraction}: a number of pitches between -1000 and 1000"),
-        ));
+        let reason = format!("fraction = {fraction}: a number of pitches between -1000 and 1000");
+        return Err(error(py, reason));
     }
     Ok(Mating {
         wheel_tooth: wheel as u32,
@@ -100,10 +92,8 @@ impl Pair {
     /// The pair at other centre distances, mm.
     fn at(&self, py: Python<'_>, distances: Vec<f64>) -> PyResult<Pair> {
         if let Some(wrong) = distances.iter().find(|distance| !distance.is_finite()) {
-            return Err(error(
-                py,
-                format!("center_distance_mm = {wrong}: a number of mm"),
-            ));
+            let reason = format!("center_distance_mm = {wrong}: a number of mm");
+            return Err(error(py, reason));
         }
         let moved = self.file.clone().at(distances);
         let file = moved.map_err(|reason| {
@@ -136,10 +126,7 @@ impl Pair {
     /// Names of its materials.
     #[getter]
     fn materials(&self) -> Vec<&'static str> {
-        let study = self.study();
-        let data = study.materials.iter().map(|gears| gears.0);
-        let drawn = study.drawn.iter().map(|gears| gears.0);
-        data.chain(drawn).map(Material::name).collect()
+        self.study().material_names().map(Material::name).collect()
     }
 
     /// Its centre distances, mm.

@@ -172,22 +172,14 @@ pub fn tolerance_result(
 type Cell = (u32, u8, Option<f64>, Option<f64>, bool, bool, u32);
 
 fn cell(found: &PairFit) -> Cell {
-    let Fit {
-        pinion_tooth,
-        outcome,
-        meets,
-        ..
-    } = found.best;
-    let kind = outcome.kind as u8;
-    let (least, greatest) = (outcome.least, outcome.greatest);
-    let proven = outcome.is_proven;
+    let (best, outcome) = (&found.best, &found.best.outcome);
     (
-        pinion_tooth,
-        kind,
-        least,
-        greatest,
-        proven,
-        meets,
+        best.pinion_tooth,
+        outcome.kind as u8,
+        outcome.least,
+        outcome.greatest,
+        outcome.is_proven,
+        best.meets,
         found.meeting,
     )
 }

@@ -1,12 +1,12 @@
 //! Lost motion: at one pose, at many, over whole revolutions.
 
-use crate::call::{Tick, work};
+use crate::call::work;
 use crate::error::error;
 use crate::pair::{Pair, mating};
 use gearlash::analysis::compare::compare;
 use gearlash::analysis::simulate::Run;
 use gearlash::contact::{CutPair, Method, PoseResult, sweep_blocks, sweep_outlines};
-use gearlash::error::Error;
+use gearlash::error::{Error, Tick};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Mating, Member, SweepPlan};
@@ -99,14 +99,11 @@ pub fn revolution<'py>(
     } else {
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, first)
     };
-    if !(1..=MOST_POSES).contains(&plan.poses()) {
-        let poses = plan.poses();
-        return Err(error(
-            py,
-            format!(
-                "steps_per_pitch = {steps_per_pitch}: {poses} poses, allowed are 1 … {MOST_POSES}"
-            ),
-        ));
+    let poses = plan.poses();
+    if !(1..=MOST_POSES).contains(&poses) {
+        let reason = format!("{poses} poses, allowed are 1 … {MOST_POSES}");
+        let reason = format!("steps_per_pitch = {steps_per_pitch}: {reason}");
+        return Err(error(py, reason));
     }
     let mut matings = plan.matings(&assembly);
     if left {
@@ -152,7 +149,7 @@ fn arrays(
     pair: &AssembledPair,
     matings: &[Mating],
     certify: bool,
-    tick: Tick,
+    tick: &Tick,
 ) -> Result<Vec<Array>, Error> {
     let mut all = pose_arrays(pair, []);
     let each = &mut |poses: Vec<PoseResult>| {

@@ -3,9 +3,7 @@
 //! A pair's shade is the deviation of its backlash from the target, in the best assembly phase: the larger of both extremes over
 //! the mesh cycle. A cross marks pairs that meet the requirement in no phase.
 
-use crate::kit::{
-    Frame, INK, Spot, TextStyle, blank_sheet, disc, line, number, scale, shaded, turned,
-};
+use crate::kit::{Frame, INK, TextStyle, blank_sheet, disc, line, number, scale, shaded, turned};
 use gearlash_files::characters::plain;
 use gearlash_files::matching::MatchResult;
 use gearlash_files::numbers::{rounded, shortest};
@@ -29,16 +27,11 @@ const SHADES: [&str; 5] = ["#08457e", "#2f7ab8", "#6fa9d3", "#abcde6", "#dce9f4"
 pub fn match_map(result: &MatchResult) -> String {
     let size = result.names.each_ref().map(Vec::len);
     let step = step(result);
-    let title = TextStyle::new(18.0);
+    let (title, room) = (TextStyle::new(18.0), WIDTH - 2.0 * 24.0);
+    let sentence = SMALL.shortened(&result.sentence(), room);
     blank_sheet(WIDTH, HEIGHT)
-        .add(title.verbatim(
-            &title.shortened(&plain(&result.title), WIDTH - 2.0 * 24.0),
-            [24.0, 32.0],
-        ))
-        .add(SMALL.grey().verbatim(
-            &SMALL.shortened(&result.sentence(), WIDTH - 2.0 * 24.0),
-            [24.0, 54.0],
-        ))
+        .add(title.verbatim(&title.shortened(&plain(&result.title), room), [24.0, 32.0]))
+        .add(SMALL.grey().verbatim(&sentence, [24.0, 54.0]))
         .add(cells(result, size, step))
         .add(FIELD.border())
         .add(dots(result, size))
@@ -76,16 +69,13 @@ fn shade(result: &MatchResult, wheel: usize, pinion: usize, step: f64) -> Option
 }
 
 fn cell([wheel, pinion]: [usize; 2], [wheels, pinions]: [usize; 2]) -> Frame {
-    let (width, height) = (
-        FIELD.width() / pinions as f64,
-        FIELD.height() / wheels as f64,
-    );
-    Frame {
-        left: FIELD.left + pinion as f64 * width,
-        top: FIELD.top + wheel as f64 * height,
-        right: FIELD.left + (pinion + 1) as f64 * width,
-        bottom: FIELD.top + (wheel + 1) as f64 * height,
-    }
+    let corner = |wheel: usize, pinion: usize| {
+        [
+            FIELD.left + pinion as f64 * (FIELD.width() / pinions as f64),
+            FIELD.top + wheel as f64 * (FIELD.height() / wheels as f64),
+        ]
+    };
+    Frame::new(corner(wheel, pinion), corner(wheel + 1, pinion + 1))
 }
 
 /// The shades of the pairs, and crosses over those that miss the requirement.
@@ -109,49 +99,41 @@ fn cells(result: &MatchResult, size: [usize; 2], step: f64) -> Group {
 fn cross_out(cell: &Frame) -> Group {
     let half = (0.22 * cell.width().min(cell.height())).min(5.0);
     let [x, y] = cell.middle();
-    let stroke = |tilt: f64| [[x - half, y - tilt], [x + half, y + tilt]];
     let mut group = Group::new();
     for (colour, width) in [("#ffffff", 2.6), (INK, 1.1)] {
-        for stroke in [stroke(half), stroke(-half)] {
-            let stroke: &[Spot] = &stroke;
-            group.append(line(stroke, colour, width));
+        for tilt in [half, -half] {
+            let stroke = [[x - half, y - tilt], [x + half, y + tilt]];
+            group.append(line(&stroke, colour, width));
         }
     }
     group
 }
 
 fn dots(result: &MatchResult, size: [usize; 2]) -> Group {
-    let mut group = Group::new();
-    let radius =
-        (0.28 * cell([0, 0], size).width().min(cell([0, 0], size).height())).clamp(1.2, 7.0);
-    for &(wheel, pinion) in &result.places {
-        let [x, y] = cell([wheel, pinion], size).middle();
-        group = group.add(
-            disc([x, y], radius, INK)
-                .set("stroke", "#ffffff")
-                .set("stroke-width", number(0.25 * radius)),
-        );
-    }
-    group
+    let first = cell([0, 0], size);
+    let radius = (0.28 * first.width().min(first.height())).clamp(1.2, 7.0);
+    let dots = result.places.iter().map(|&(wheel, pinion)| {
+        disc(cell([wheel, pinion], size).middle(), radius, INK)
+            .set("stroke", "#ffffff")
+            .set("stroke-width", number(0.25 * radius))
+    });
+    dots.fold(Group::new(), Group::add)
 }
 
 /// The names of the gears where there are few enough, else their number.
 fn names(result: &MatchResult, size: [usize; 2]) -> Group {
     let mut group = Group::new();
     let [wheels, pinions] = size;
+    let left = FIELD.left - 6.0;
     if wheels <= MOST_NAMED {
         for (wheel, name) in result.names[0].iter().enumerate() {
             let [_, y] = cell([wheel, 0], size).middle();
             let name = SMALL.shortened(&plain(name), FIELD.left - 16.0);
-            group = group.add(SMALL.end().verbatim(&name, [FIELD.left - 6.0, y + 4.0]));
+            group.append(SMALL.end().verbatim(&name, [left, y + 4.0]));
         }
     } else {
         let text = format!("{wheels} wheels");
-        group = group.add(
-            SMALL
-                .end()
-                .text(&text, [FIELD.left - 6.0, FIELD.middle()[1]]),
-        );
+        group.append(SMALL.end().text(&text, [left, FIELD.middle()[1]]));
     }
     if pinions > MOST_NAMED {
         let text = format!("{pinions} pinions");
@@ -159,22 +141,18 @@ fn names(result: &MatchResult, size: [usize; 2]) -> Group {
         return group.add(SMALL.middle().text(&text, below));
     }
     let room = FIELD.width() / pinions as f64 - 4.0;
-    let lie = result.names[1]
-        .iter()
-        .all(|name| SMALL.width(&plain(name)) <= room);
-    for (pinion, name) in result.names[1].iter().enumerate() {
+    let names: Vec<String> = result.names[1].iter().map(|name| plain(name)).collect();
+    let lie = names.iter().all(|name| SMALL.width(name) <= room);
+    for (pinion, name) in names.iter().enumerate() {
         let [x, _] = cell([0, pinion], size).middle();
         if lie {
-            group.append(
-                SMALL
-                    .middle()
-                    .verbatim(&plain(name), [x, FIELD.bottom + 16.0]),
-            );
-            continue;
+            let at = [x, FIELD.bottom + 16.0];
+            group.append(SMALL.middle().verbatim(name, at));
+        } else {
+            let at = [x + SMALL.below_middle(), FIELD.bottom + 8.0];
+            let name = SMALL.shortened(name, UPRIGHT);
+            group.append(turned(SMALL.end().verbatim(&name, at), at));
         }
-        let (x, y) = (x + SMALL.below_middle(), FIELD.bottom + 8.0);
-        let name = SMALL.shortened(&plain(name), UPRIGHT);
-        group.append(turned(SMALL.end().verbatim(&name, [x, y]), [x, y]));
     }
     group
 }

@@ -17,6 +17,13 @@ pub(crate) fn pose_name(mating: &Mating) -> String {
     )
 }
 
+/// The phase of a run, as a suffix; empty without one.
+pub(crate) fn phase_name(phase: Option<(u32, u32)>) -> String {
+    phase.map_or(String::new(), |(wheel, pinion)| {
+        format!(", phase {wheel}·{pinion}")
+    })
+}
+
 /// The fraction of a pitch; empty for 0.
 fn fraction_words(fraction: f64) -> String {
     let amount = trimmed(fraction.abs(), 0, DECIMALS);

@@ -31,29 +31,20 @@ pub fn checked(
     let checks = diagnosis.verdict() < diagnosis::Verdict::Unproven;
     let passes = is_proven && checks && verdict.passes();
     let lines = lines(verdict);
+    let state = if verdict.passes() {
+        diagnosis::Verdict::Pass
+    } else {
+        verdict.state().max(diagnosis::Verdict::Unproven)
+    };
+    let (proof, of_poses) = if is_proven {
+        (diagnosis::Verdict::Pass, "all poses are proven")
+    } else {
+        let doubt = "some poses are not proven, or methods disagree";
+        (diagnosis::Verdict::Unproven, doubt)
+    };
     let mut cases = vec![
-        Case {
-            name: VERDICT.to_owned(),
-            verdict: if verdict.passes() {
-                diagnosis::Verdict::Pass
-            } else {
-                verdict.state().max(diagnosis::Verdict::Unproven)
-            },
-            message: lines.to_string(),
-        },
-        Case {
-            name: "poses".to_owned(),
-            verdict: if is_proven {
-                diagnosis::Verdict::Pass
-            } else {
-                diagnosis::Verdict::Unproven
-            },
-            message: if is_proven {
-                "all poses are proven".to_owned()
-            } else {
-                "some poses are not proven, or methods disagree".to_owned()
-            },
-        },
+        Case::new(VERDICT, state, lines.to_string()),
+        Case::new("poses", proof, of_poses.to_owned()),
     ];
     cases.extend(check_cases(diagnosis));
     let groups = || diagnosis.groups.iter();
@@ -117,13 +108,8 @@ fn check_cases(diagnosis: &Diagnosis) -> Vec<Case> {
                 check.verdict != diagnosis::Verdict::Pass || verdict == diagnosis::Verdict::Pass
             });
             let messages: Vec<String> = told.map(|(_, check)| message(check, verdict)).collect();
-            Case {
-                name: of_check
-                    .first()
-                    .map_or_else(String::new, |(_, check)| check.title.to_owned()),
-                verdict,
-                message: messages.join(";\n"),
-            }
+            let title = of_check.first().map_or("", |(_, check)| check.title);
+            Case::new(title, verdict, messages.join(";\n"))
         });
     cases.collect()
 }

@@ -325,16 +325,13 @@ impl<R: Row> Columns<R> {
 
     /// `row` as a JSON object.
     pub fn object(&'static self, row: &R) -> Object<'static> {
+        let values = self.columns.iter().map(|column| match &column.key {
+            Some(_) => (column.value)(row),
+            None => Value::Absent,
+        });
         Object {
             nodes: &self.json,
-            values: self
-                .columns
-                .iter()
-                .map(|column| match &column.key {
-                    Some(_) => (column.value)(row),
-                    None => Value::Absent,
-                })
-                .collect(),
+            values: values.collect(),
         }
     }
 
@@ -389,15 +386,12 @@ impl<R: Row> Columns<R> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record(self.csv_names(false))?;
         for row in rows {
-            let cells = self
-                .csv_values(row, false)
-                .into_iter()
-                .map(|value| match value {
-                    Value::Absent | Value::Null => String::new(),
-                    Value::Text(text) => cell(&text),
-                    value => display_text(&value, Unit::Plain, BacklashUnit::Um, f64::NAN),
-                });
-            writer.write_record(cells)?;
+            let cells = self.csv_values(row, false).into_iter();
+            writer.write_record(cells.map(|value| match value {
+                Value::Absent | Value::Null => String::new(),
+                Value::Text(text) => cell(&text),
+                value => display_text(&value, Unit::Plain, BacklashUnit::Um, f64::NAN),
+            }))?;
         }
         csv_text(writer)
     }
@@ -465,14 +459,8 @@ impl<R: Row> Columns<R> {
             format!("| {} |\n", cells.join(" | "))
         };
         let mut text = line(&|column| column.heading.heading().to_owned());
-        text += &line(&|column| {
-            if column.heading.is_left() {
-                ":--"
-            } else {
-                "--:"
-            }
-            .to_owned()
-        });
+        let rule = |is_left: bool| if is_left { ":--" } else { "--:" };
+        text += &line(&|column| rule(column.heading.is_left()).to_owned());
         for number in 0..rows.len() {
             text += &line(&|column| column.cells[number].replace('−', "-"));
         }
@@ -613,10 +601,8 @@ pub struct Object<'a> {
 impl<'a> Object<'a> {
     /// The keys of the first level with their values.
     pub fn entries(&self) -> impl Iterator<Item = (&str, impl Serialize)> {
-        let present = self
-            .nodes
-            .iter()
-            .filter(|node| !node.is_absent(&self.values));
+        let nodes = self.nodes.iter();
+        let present = nodes.filter(|node| !node.is_absent(&self.values));
         present.map(|node| (node.key.as_str(), node.with(&self.values)))
     }
 
@@ -680,40 +666,4 @@ fn object<S: Serializer>(nodes: &[Node], values: &[Value], to: S) -> Result<S::O
         map.serialize_entry(&node.key, &node.with(values))?;
     }
     map.end()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use gearlash_files::characters::json_of;
-
-    struct Point(Option<[f64; 2]>, u32);
-
-    row_type!(point: Point {
-        "place" Plain [no_csv] => point.0.map_or(Value::Null, |_| Value::Absent);
-        "place.x_mm.0" Plain [csv("x_mm"), heading(shown("x mm"))] => Value::optional(point.0.map(|at| at[0]));
-        "place.x_mm.1" Plain [csv("y_mm")] => Value::optional(point.0.map(|at| at[1]));
-        "tooth" Plain [rank(0)] => point.1;
-    });
-
-    #[test]
-    fn json_csv_and_text_come_of_one_list() {
-        let [found, lost] = [Point(Some([1.5, 2.0]), 3), Point(None, 4)];
-        let columns = Point::columns();
-        let json = |point| serde_json::to_string(&columns.object(point)).unwrap();
-        assert_eq!(json(&found), r#"{"place":{"x_mm":[1.5,2.0]},"tooth":3}"#);
-        assert_eq!(json(&lost), r#"{"place":null,"tooth":4}"#);
-        assert!(json_of(&columns.object(&lost)).unwrap().contains("null"));
-        let names: Vec<&str> = columns.csv_names(false).collect();
-        assert_eq!(names, ["tooth", "x_mm", "y_mm"]);
-        let values = [Value::Count(3), Value::Number(1.5), Value::Number(2.0)];
-        assert_eq!(columns.csv_values(&found, false), values);
-        let text = columns.table(
-            &[found, lost],
-            |_| 1.0,
-            BacklashUnit::Um,
-            &Screen::default(),
-        );
-        assert_eq!(text, " x mm\n  1.5\n\n");
-    }
 }

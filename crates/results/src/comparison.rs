@@ -96,36 +96,26 @@ impl ComparedPair<'_> {
         let lines = lines(&verdict);
         let agrees = self.agreement() == Agreement::Agrees && self.is_proven;
         let kept = verdict.requirement.is_kept();
-        let failures: Vec<String> = self
-            .runs
-            .iter()
-            .filter_map(|run| Some(format!("{}: {}", run_name(run), self.failure(run)?)))
-            .collect();
+        let mut formulas = self.first_line();
+        for run in &self.runs {
+            if let Some(failure) = self.failure(run) {
+                formulas += &format!("\n{}: {failure}", run_name(run));
+            }
+        }
         let failed = |passes: bool, unproven: bool| match (passes, unproven) {
             (true, _) => diagnosis::Verdict::Pass,
             (false, true) => diagnosis::Verdict::Unproven,
             (false, false) => diagnosis::Verdict::Fail,
         };
+        let kept_unproven = verdict.requirement == Requirement::NotProven;
         let is_unproven = matches!(self.agreement(), Agreement::Unproven | Agreement::Agrees);
         Judged {
             file: self.name.clone(),
             title: study.title.clone(),
             passes: agrees && kept,
             cases: vec![
-                Case {
-                    name: "formulas".to_owned(),
-                    verdict: failed(agrees, is_unproven),
-                    message: if failures.is_empty() {
-                        self.first_line()
-                    } else {
-                        format!("{}\n{}", self.first_line(), failures.join("\n"))
-                    },
-                },
-                Case {
-                    name: VERDICT.to_owned(),
-                    verdict: failed(kept, verdict.requirement == Requirement::NotProven),
-                    message: lines.to_string(),
-                },
+                Case::new("formulas", failed(agrees, is_unproven), formulas),
+                Case::new(VERDICT, failed(kept, kept_unproven), lines.to_string()),
             ],
             warnings: self.file.warnings.clone(),
             remarks: self.file.remarks.clone(),
@@ -158,9 +148,8 @@ impl ComparedPair<'_> {
             let outcome = match self.failure(run) {
                 Some(reason) => format!("{}  {reason}", screen.toned(Tone::Bad, "FAIL")),
                 None => {
-                    let trouble_counts =
-                        trouble_counts(run).map_or(String::new(), |what| format!(" ({what})"));
-                    format!("{}{trouble_counts}", screen.toned(Tone::Good, "ok"))
+                    let trouble = trouble_counts(run).map(|what| format!(" ({what})"));
+                    screen.toned(Tone::Good, "ok") + &trouble.unwrap_or_default()
                 }
             };
             let poses = run.poses;
@@ -359,30 +348,29 @@ fn run_name(run: &RunTally) -> String {
 
 /// The reason why poses have no backlash, or no formula to compare with.
 fn without_value(run: &RunTally) -> String {
-    let parts = [
-        (run.jammed, "jammed"),
-        (run.apart, "out of mesh"),
-        (run.count(Verdict::Unproven), "unproven"),
-    ];
-    at_poses(run, &parts).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
+    let [_, without @ ..] = troubles(run);
+    at_poses(run, &without).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
 }
 
 /// The number of poses with negative or no backlash, in words; `None` for zero.
 fn trouble_counts(run: &RunTally) -> Option<String> {
-    let parts = [
+    at_poses(run, &troubles(run))
+}
+
+/// Poses with negative backlash, and those without any by reason.
+fn troubles(run: &RunTally) -> [(usize, &'static str); 4] {
+    [
         (run.interfering, "interference"),
         (run.jammed, "jammed"),
         (run.apart, "out of mesh"),
         (run.count(Verdict::Unproven), "unproven"),
-    ];
-    at_poses(run, &parts)
+    ]
 }
 
 fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
     let parts = parts.iter().filter(|(poses, _)| *poses > 0);
-    let parts: Vec<String> = parts
-        .map(|(poses, what)| format!("{what} at {poses} of {} poses", run.poses))
-        .collect();
+    let parts = parts.map(|(poses, what)| format!("{what} at {poses} of {} poses", run.poses));
+    let parts: Vec<String> = parts.collect();
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 

@@ -4,7 +4,7 @@ use crate::column::{Column, Row, Value, columns, row_type};
 use crate::pose::PoseRow;
 use crate::verdict::{doubt, in_words, lines};
 use gearlash::analysis::compare::ComparedPose;
-use gearlash::analysis::extremes::{BearingPlay, CoveredPhases, RunExtreme, RunExtremes};
+use gearlash::analysis::extremes::{CoveredPhases, RunExtreme, RunExtremes};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Doubt;
 use gearlash::outline::AssembledPair;
@@ -134,18 +134,12 @@ fn of_run(verdict: &Verdict, run: &RunExtremes) -> serde_json::Value {
     }
     value["least"] = json!(one(&run.least));
     value["greatest"] = json!(one(&run.greatest));
-    if let Some(BearingPlay {
-        clearance,
-        pressed,
-        apart,
-    }) = &run.bearings
-    {
-        let status = [pressed, apart].map(|end| end.status.name());
+    if let Some(play) = &run.bearings {
         value["with_bearing_clearance"] = json!({
-            "clearance_mm": clearance,
-            "status": status,
-            "least": one(&pressed.extreme),
-            "greatest": one(&apart.extreme),
+            "clearance_mm": play.clearance,
+            "status": [play.pressed.status.name(), play.apart.status.name()],
+            "least": one(&play.pressed.extreme),
+            "greatest": one(&play.apart.extreme),
         });
     }
     value

@@ -28,24 +28,22 @@ pub fn grades(pair: &PairFile) -> Vec<GearGrades> {
     let Some(((_, wheel, pinion), specs)) = gears else {
         return Vec::new();
     };
-    let deviating = [("wheel", wheel, specs[0]), ("pinion", pinion, specs[1])]
-        .into_iter()
-        .filter(|(_, gear, spec)| {
-            let stated = spec.grade.is_some() || spec.profile.is_some() || spec.lead.is_some();
-            stated || Inspection::of(gear).deviates()
-        });
-    deviating
-        .map(|(name, gear, spec)| GearGrades {
+    let gears = [("wheel", wheel, specs[0]), ("pinion", pinion, specs[1])];
+    let deviating = gears.into_iter().filter(|(_, gear, spec)| {
+        let stated = spec.grade.is_some() || spec.profile.is_some() || spec.lead.is_some();
+        stated || Inspection::of(gear).deviates()
+    });
+    let grades = deviating.map(|(name, gear, spec)| {
+        let profile = spec.profile.as_ref();
+        let lead = spec.lead.as_ref().zip(spec.face());
+        GearGrades {
             name,
             required: spec.grade,
             graded: graded(gear, spec.thickness.pin_mm()),
             pitches: pitches(gear),
-            profile: spec
-                .profile
-                .as_ref()
-                .and_then(|_| profiles(gear, spec.evaluation_radii()).ok()),
-            lead: (spec.lead.as_ref().zip(spec.face()))
-                .and_then(|(lead, face)| leads(gear, face, lead.range_mm).ok()),
-        })
-        .collect()
+            profile: profile.and_then(|_| profiles(gear, spec.evaluation_radii()).ok()),
+            lead: lead.and_then(|(lead, face)| leads(gear, face, lead.range_mm).ok()),
+        }
+    });
+    grades.collect()
 }

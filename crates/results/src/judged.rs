@@ -58,6 +58,14 @@ pub struct Case {
 }
 
 impl Case {
+    pub(crate) fn new(name: &str, verdict: Verdict, message: String) -> Case {
+        Case {
+            name: name.to_owned(),
+            verdict,
+            message,
+        }
+    }
+
     fn fails(&self) -> bool {
         self.verdict >= Verdict::Unproven
     }
@@ -110,9 +118,13 @@ impl Outcome {
 
     /// Whether some file cannot be read.
     pub fn has_unreadable(&self) -> bool {
-        self.files
-            .iter()
-            .any(|file| matches!(file, JudgedFile::Unreadable { .. }))
+        self.unreadable() > 0
+    }
+
+    /// The number of files that cannot be read.
+    fn unreadable(&self) -> usize {
+        let is_unreadable = |file: &&JudgedFile| matches!(file, JudgedFile::Unreadable { .. });
+        self.files.iter().filter(is_unreadable).count()
     }
 
     /// The files that do not pass, then the others.
@@ -123,18 +135,9 @@ impl Outcome {
 
     /// The number of files that pass; or of those that do not, with their names.
     pub fn summary(&self) -> String {
-        let bad: Vec<&str> = self
-            .files
-            .iter()
-            .filter(|file| !file.passes())
-            .map(JudgedFile::name)
-            .collect();
-        let all = self.files.len();
-        let unreadable = self
-            .files
-            .iter()
-            .filter(|file| matches!(file, JudgedFile::Unreadable { .. }))
-            .count();
+        let failing = self.files.iter().filter(|file| !file.passes());
+        let bad: Vec<&str> = failing.map(JudgedFile::name).collect();
+        let (all, unreadable) = (self.files.len(), self.unreadable());
         let verb = |count: usize| if count == 1 { "fails" } else { "fail" };
         let counts = match (bad.len() - unreadable, unreadable) {
             (0, 0) if all == 1 => return "1 file passes".to_owned(),
@@ -156,10 +159,8 @@ impl Outcome {
         if let [JudgedFile::Judged(only)] = &self.files[..] {
             return only.text.clone();
         }
-        let names = self
-            .files
-            .iter()
-            .map(|file| plain(file.name()).chars().count());
+        let files = self.files.iter();
+        let names = files.map(|file| plain(file.name()).chars().count());
         let width = names.max().unwrap_or(0);
         let mut text = String::new();
         for file in self.failures_first() {
@@ -289,15 +290,11 @@ impl Outcome {
                     let cases = judged.cases_without_verdict();
                     let told = cases.filter(|case| case.verdict != Verdict::Pass);
                     let told = told.map(|case| {
-                        (
-                            case.verdict.name(),
-                            format!("{}: {}", case.name, case.message),
-                        )
+                        let words = format!("{}: {}", case.name, case.message);
+                        (case.verdict.name(), words)
                     });
-                    let warnings = judged
-                        .warnings
-                        .iter()
-                        .map(|words| ("warning", words.clone()));
+                    let warnings = judged.warnings.iter();
+                    let warnings = warnings.map(|words| ("warning", words.clone()));
                     let notes = judged.remarks.iter().chain(&judged.way_out);
                     let notes = notes.map(|words| ("note", words.clone()));
                     for (kind, words) in told.chain(warnings).chain(notes) {
@@ -319,21 +316,24 @@ impl Outcome {
                 file: file.clone(),
                 cases: vec![TestCase {
                     name: "read".to_owned(),
-                    failure: None,
-                    error: Some(problems.join("\n")),
+                    reason: Some(("error", problems.join("\n"))),
                 }],
                 output: Vec::new(),
             },
-            JudgedFile::Judged(judged) => Suite {
-                file: judged.file.clone(),
-                cases: judged.cases.iter().map(test_case).collect(),
-                output: [("warning", &judged.warnings), ("note", &judged.remarks)]
-                    .into_iter()
-                    .flat_map(|(kind, words)| {
-                        words.iter().map(move |words| format!("{kind}: {words}"))
-                    })
-                    .collect(),
-            },
+            JudgedFile::Judged(judged) => {
+                let cases = judged.cases.iter().map(|case| TestCase {
+                    name: case.name.clone(),
+                    reason: case.fails().then(|| ("failure", case.message.clone())),
+                });
+                let warnings = judged.warnings.iter();
+                let warnings = warnings.map(|words| format!("warning: {words}"));
+                let notes = judged.remarks.iter().map(|words| format!("note: {words}"));
+                Suite {
+                    file: judged.file.clone(),
+                    cases: cases.collect(),
+                    output: warnings.chain(notes).collect(),
+                }
+            }
         };
         let suites: Vec<Suite> = self.files.iter().map(suite).collect();
         junit::junit(&format!("gearlash {}", self.command), &suites)
@@ -343,21 +343,10 @@ impl Outcome {
 /// The name of the verdict's case.
 pub const VERDICT: &str = "verdict";
 
-fn test_case(case: &Case) -> TestCase {
-    TestCase {
-        name: case.name.clone(),
-        failure: case.fails().then(|| case.message.clone()),
-        error: None,
-    }
-}
-
 /// Escapes text as GitHub's workflow commands require.
 fn escape(text: &str) -> String {
-    let lines: Vec<String> = text
-        .lines()
-        .map(|line| plain(line).replace('%', "%25"))
-        .collect();
-    lines.join("%0A")
+    let lines = text.lines().map(|line| plain(line).replace('%', "%25"));
+    lines.collect::<Vec<_>>().join("%0A")
 }
 
 /// Escapes a property of a workflow command.

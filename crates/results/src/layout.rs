@@ -354,28 +354,17 @@ mod tests {
         table
     }
 
-    fn shown(width: Option<usize>) -> String {
-        let screen = Screen {
-            width,
+    fn shown(width: usize) -> String {
+        table().text(&Screen {
+            width: Some(width),
             colour: false,
-        };
-        table().text(&screen)
-    }
-
-    #[test]
-    fn a_pipe_has_all_of_it() {
-        assert_eq!(
-            shown(None),
-            " a mm    mean  check                                   poses  note\n \
-             37.3  12.000  radial clearance of the tip, above all     16  wheel tooth 3\n"
-        );
+        })
     }
 
     /// First notes move below, then columns are left out by rank, then words are broken.
     #[test]
     fn a_narrow_terminal_has_what_matters() {
-        let lines =
-            |width| -> Vec<String> { shown(Some(width)).lines().map(str::to_owned).collect() };
+        let lines = |width| -> Vec<String> { shown(width).lines().map(str::to_owned).collect() };
         assert_eq!(
             lines(50),
             [
@@ -397,37 +386,9 @@ mod tests {
             ]
         );
         for width in 34..90 {
-            for line in shown(Some(width)).lines() {
+            for line in shown(width).lines() {
                 assert!(display_width(line) <= width, "{width}: {line}");
             }
         }
-    }
-
-    #[test]
-    fn colour_takes_no_room() {
-        let screen = Screen {
-            width: Some(12),
-            colour: true,
-        };
-        let word = screen.toned(Tone::Bad, "fail");
-        assert_eq!(word, "\u{1b}[1m\u{1b}[31mfail\u{1b}[0m");
-        let mut table = Table::new([Column::new("verdict"), Column::new("n")]);
-        table.add(vec![word.clone(), "1".to_owned()]);
-        assert_eq!(table.text(&screen), format!(" verdict  n\n    {word}  1\n"));
-        assert_eq!(Screen::default().toned(Tone::Bad, "fail"), "fail");
-    }
-
-    #[test]
-    fn a_folded_line_is_set_in() {
-        let screen = Screen {
-            width: Some(12),
-            colour: false,
-        };
-        assert_eq!(
-            screen.fold("  one two three\nfour\n"),
-            "  one two\n    three\nfour\n"
-        );
-        let pipe = Screen::default();
-        assert_eq!(pipe.fold("  one two three\nfour"), "  one two three\nfour");
     }
 }

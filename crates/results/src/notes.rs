@@ -15,20 +15,15 @@ fn of_gear(notes: &GearNotes) -> Option<Value> {
     let all_round = notes
         .all_round
         .map(|note| json!({ "readings": note.readings, "amplification": note.amplification }));
+    let eccentricity = notes.eccentricity.as_ref().map(eccentricity);
     let entries = [
-        (
-            "eccentricity",
-            notes.eccentricity.as_ref().map(eccentricity),
-        ),
+        ("eccentricity", eccentricity),
         ("all_round", all_round),
         ("cross_check", notes.thickness.as_ref().map(cross_check)),
     ];
-    let entries = entries.into_iter();
-    filled(
-        entries
-            .filter_map(|(key, value)| Some((key.to_owned(), value?)))
-            .collect(),
-    )
+    let stated = entries.into_iter();
+    let stated = stated.filter_map(|(key, value)| Some((key.to_owned(), value?)));
+    filled(stated.collect())
 }
 
 fn filled(entries: Map<String, Value>) -> Option<Value> {

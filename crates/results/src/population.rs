@@ -192,32 +192,20 @@ pub fn csv(result: &ToleranceResult) -> csv::Result<String> {
         });
     }
     let statistics = &result.statistics;
-    let (spread, cases): (Vec<SpreadRow>, Vec<SpreadRow>) = {
-        let rows = spread_rows(result);
-        let own = QUANTILES.len() + 4;
-        let mut rows = rows.into_iter();
-        (rows.by_ref().take(own).collect(), rows.collect())
-    };
+    let mut spread = spread_rows(result);
+    let cases = spread.split_off(QUANTILES.len() + 4);
     let name = |end: usize| ["least", "greatest"][end];
+    let number = |row: &SpreadRow, end: usize| {
+        let of = format!("{} {}", name(end), row.csv);
+        NumberRow::new(of, um(row.ends[end]), "um")
+    };
     for end in 0..2 {
-        rows.extend(spread.iter().map(|row| {
-            NumberRow::new(
-                format!("{} {}", name(end), row.csv),
-                um(row.ends[end]),
-                "um",
-            )
-        }));
+        rows.extend(spread.iter().map(|row| number(row, end)));
     }
     rows.push(NumberRow::new("cp if normal", statistics.cp, ""));
     rows.push(NumberRow::new("cpk if normal", statistics.cpk, ""));
-    for row in cases {
-        rows.extend([0, 1].map(|end| {
-            NumberRow::new(
-                format!("{} {}", name(end), row.csv),
-                um(row.ends[end]),
-                "um",
-            )
-        }));
+    for row in &cases {
+        rows.extend([0, 1].map(|end| number(row, end)));
     }
     for (end, found) in result.contributions.iter().enumerate() {
         for one in &found.each {

@@ -63,6 +63,7 @@ impl PoseRow {
     fn without_contacts(assembly: &AssembledPair, pose: ComparedPose) -> PoseRow {
         let result = &pose.simulated;
         let j_wt = result.backlash;
+        let both = assembly.data().zip(j_wt);
         PoseRow {
             center_distance: assembly.center_distance(),
             material: "",
@@ -70,10 +71,7 @@ impl PoseRow {
             locked: assembly.locked(),
             angle: result.proven().and_then(LostMotion::angle),
             arcmin: Member::BOTH.map(|at| Some(arcmin(assembly.angle(at, j_wt?)))),
-            backlash: assembly
-                .data()
-                .zip(j_wt)
-                .map(|(pair, j_wt)| pair.backlash(j_wt)),
+            backlash: both.map(|(pair, j_wt)| pair.backlash(j_wt)),
             class: None,
             right: None,
             left: None,
@@ -196,16 +194,9 @@ fn columns() -> Vec<Column<PoseRow>> {
     });
     let unproven = Unproven::columns();
     columns.extend(unproven.within("unproven", |row: &PoseRow| row.unproven()));
-    columns.extend(
-        unproven
-            .within("unproven_range.0", |row: &PoseRow| row.unproven_end(0))
-            .map(Column::no_csv),
-    );
-    columns.extend(
-        unproven
-            .within("unproven_range.1", |row: &PoseRow| row.unproven_end(1))
-            .map(Column::no_csv),
-    );
+    let low = unproven.within("unproven_range.0", |row: &PoseRow| row.unproven_end(0));
+    let high = unproven.within("unproven_range.1", |row: &PoseRow| row.unproven_end(1));
+    columns.extend(low.chain(high).map(Column::no_csv));
     columns.extend(columns!(row: PoseRow {
         "unproven_range_min_reason" Plain [no_json, rank(2)] => row.unproven_end(0).map(|end| end.reason.clone());
         "unproven_range_max_reason" Plain [no_json, rank(2)] => row.unproven_end(1).map(|end| end.reason.clone());
@@ -350,12 +341,8 @@ fn doubt(unproven: &Unproven) -> String {
 pub fn doubts(pose: &ComparedPose) -> String {
     let result = &pose.simulated;
     let here = result.found.as_ref().err().map(doubt);
-    let ends = result
-        .with_clearance
-        .iter()
-        .flatten()
-        .zip(["a − c", "a + c"]);
-    let ends = ends.filter_map(|(end, name)| {
+    let ends = result.with_clearance.iter().flatten();
+    let ends = ends.zip(["a − c", "a + c"]).filter_map(|(end, name)| {
         let doubt = doubt(end.as_ref().err()?);
         Some(format!("at {name} of the bearing clearance: {doubt}"))
     });

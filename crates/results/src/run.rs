@@ -31,6 +31,7 @@ impl RunRow {
     pub fn new(run: &RunTally, clearance: f64) -> RunRow {
         let (least, greatest) = run.extremes().unzip();
         let at = |pose: Option<&ComparedPose>| pose.map(pose_label);
+        let evidence = run.evidence.as_ref();
         RunRow {
             assembly: run.assembly.clone(),
             material: run.material.name(),
@@ -38,10 +39,7 @@ impl RunRow {
             poses: run.poses,
             unproven: run.unproven,
             summary: run.summary(),
-            contact: run
-                .evidence
-                .as_ref()
-                .map(|evidence| contact_count(&evidence.contact)),
+            contact: evidence.map(|evidence| contact_count(&evidence.contact)),
             at: [at(least), at(greatest)],
             clearance,
         }
@@ -67,10 +65,8 @@ impl RunRow {
         if !(self.clearance > 0.0) {
             return Value::Absent;
         }
-        let [near, far] = self
-            .summary
-            .with_clearance
-            .map(|end| end.map(|mm| mm * 1e3));
+        let ends = self.summary.with_clearance;
+        let [near, far] = ends.map(|end| end.map(|mm| mm * 1e3));
         let a = self.center_distance();
         Value::Band([(near, a - self.clearance), (far, a + self.clearance)])
     }

@@ -87,12 +87,8 @@ impl ExtremeRow {
 
     /// The place in words, including the teeth.
     pub fn place_words(&self) -> String {
-        let place = self.place(0);
-        let parts: Vec<&str> = place
-            .iter()
-            .map(String::as_str)
-            .filter(|part| !part.is_empty())
-            .collect();
+        let mut parts = self.place(0);
+        parts.retain(|part| !part.is_empty());
         parts.join(", ")
     }
 
@@ -147,13 +143,6 @@ impl VerdictLines {
     pub fn first(&self) -> String {
         let line = format!("{} {}", self.status, self.proof);
         cut(line.trim_end(), COLUMNS)
-    }
-
-    /// The verdict without any run.
-    pub(crate) fn nothing() -> VerdictLines {
-        let (status, proof) = ("Nothing was run.".to_owned(), String::new());
-        let state = diagnosis::Verdict::Unproven;
-        VerdictLines::new(state, &[status], &[proof], Vec::new(), Vec::new())
     }
 
     /// The lines, without line ends.
@@ -292,10 +281,8 @@ pub(crate) fn status(all: &[Place]) -> [String; 2] {
         ];
         let found = each.iter().map(|(words, states)| (*words, of(states)));
         let found = found.into_iter().find(|(_, here)| !here.is_empty());
-        let without = all
-            .iter()
-            .any(|place| place.state == State::WithoutBacklash);
-        let words = if without {
+        let is_without = |place: &Place| place.state == State::WithoutBacklash;
+        let words = if all.iter().any(is_without) {
             "Assembles without backlash"
         } else {
             "Assembles"
@@ -392,7 +379,9 @@ pub(crate) fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
 /// The verdict in lines.
 pub fn lines(verdict: &Verdict) -> VerdictLines {
     if verdict.runs.is_empty() {
-        return VerdictLines::nothing();
+        let (status, proof) = ("Nothing was run.".to_owned(), String::new());
+        let state = diagnosis::Verdict::Unproven;
+        return VerdictLines::new(state, &[status], &[proof], Vec::new(), Vec::new());
     }
     let places: Vec<Place> = verdict.runs.iter().map(place).collect();
     let state = if verdict.failed_checks.is_empty() {
@@ -466,11 +455,6 @@ fn proof(verdict: &Verdict) -> Vec<String> {
         format!("Proven for {over}."),
         "Proven.".to_owned(),
     ]
-}
-
-fn least_and_greatest<'a>(verdict: &'a Verdict) -> impl Iterator<Item = &'a RunExtreme> {
-    let runs = verdict.runs.iter();
-    runs.flat_map(|run| run.least.iter().chain(&run.greatest))
 }
 
 /// The uncertainty of an extreme due to the drawings, mm; `None` for gears by their data, and where it is only rounding.
@@ -615,7 +599,9 @@ fn sentences(verdict: &Verdict) -> Vec<String> {
     sentences.extend(checks(verdict));
     sentences.extend(doubts(verdict));
     sentences.extend(bearings(verdict));
-    if least_and_greatest(verdict).any(|extreme| drawing_bound(extreme).is_some()) {
+    let runs = verdict.runs.iter();
+    let mut extremes = runs.flat_map(|run| run.least.iter().chain(&run.greatest));
+    if extremes.any(|extreme| drawing_bound(extreme).is_some()) {
         sentences.push("± is what the drawings leave open".to_owned());
     }
     if let Some(stated) = verdict.uncertainty {
@@ -730,13 +716,8 @@ fn doubts(verdict: &Verdict) -> Vec<String> {
         }
     }
     let sentence = |(names, reasons): &(String, String)| {
-        let text = format!("{names}: {reasons}");
-        text.replacen("least", "Least", usize::from(text.starts_with("least")))
-            .replacen(
-                "greatest",
-                "Greatest",
-                usize::from(text.starts_with("greatest")),
-            )
+        let (first, rest) = names.split_at(1);
+        format!("{}{rest}: {reasons}", first.to_uppercase())
     };
     about.iter().map(sentence).collect()
 }

@@ -160,11 +160,8 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
                 poses.iter().map(|pose| pose.simulated.pose.mating())
             });
             (span, teeth) = (scale.span(), scale.teeth);
-            let first = first
-                .simulated
-                .pose
-                .mating()
-                .at_flank(assembly, Side::Right);
+            let first = first.simulated.pose.mating();
+            let first = first.at_flank(assembly, Side::Right);
             start = (first.wheel_tooth, first.pinion_tooth);
             let x: Vec<f64> = scale
                 .pitches(poses.iter().map(|pose| pose.simulated.pose.mating()))

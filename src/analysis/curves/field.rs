@@ -133,10 +133,9 @@ impl Field {
         let pose = &pose.pose;
         let held = |side: Side| HeldSide::new(assembly, pose, side, found.on(side)?);
         let held = [held(Side::Right)?, held(Side::Left)?];
-        let sections: Vec<SectionAlone> = places(&held, assembly.face())
-            .into_iter()
-            .map(|at| SectionAlone::new(assembly, pose, at))
-            .collect();
+        let sections = places(&held, assembly.face()).into_iter();
+        let sections = sections.map(|at| SectionAlone::new(assembly, pose, at));
+        let sections: Vec<SectionAlone> = sections.collect();
         Some(Field {
             pose: *pose,
             face: assembly.face(),
@@ -342,10 +341,9 @@ impl<'a> HeldSide<'a> {
         if self.assembly.binds_anywhere() {
             self.lines = self.lines_of(sections);
         }
-        let looks: Vec<(f64, bool)> = sections
-            .iter()
-            .map(|alone| (alone.at, self.is_off_involutes(alone)))
-            .collect();
+        let looks = sections.iter();
+        let looks = looks.map(|alone| (alone.at, self.is_off_involutes(alone)));
+        let looks: Vec<(f64, bool)> = looks.collect();
         let is_off = |at| self.is_off_involutes(&SectionAlone::new(self.assembly, self.pose, at));
         let (wheel_tooth, pinion_tooth) = self.teeth();
         FieldSide {

@@ -25,10 +25,9 @@ use crate::analysis::compare::{ComparedRun, compare};
 use crate::analysis::simulate::{simulate, simulate_plans};
 use crate::analysis::study::Study;
 use crate::contact::Method;
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::gear::Side;
 use crate::pair::{Mating, SweepPlan};
-use std::ops::ControlFlow;
 
 /// Poses per pitch if the study has no sweep.
 const STEPS_PER_PITCH: u32 = 16;
@@ -41,11 +40,7 @@ const STEPS_PER_PITCH: u32 = 16;
 ///
 /// # Errors
 /// As [`crate::analysis::simulate::simulate`].
-pub fn revolution(
-    study: &Study,
-    method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<Vec<ComparedRun>, Error> {
+pub fn revolution(study: &Study, method: Method, tick: &Tick) -> Result<Vec<ComparedRun>, Error> {
     let study = with_sweep(study.clone());
     let right = compare(simulate(&study, method, tick)?, study.tolerance_um);
     with_left_flanks(&study, right, method, tick)
@@ -58,7 +53,7 @@ pub fn revolution(
 pub fn with_revolution(
     study: &Study,
     method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<[Vec<ComparedRun>; 2], Error> {
     let own = compare(simulate(study, method, tick)?, study.tolerance_um);
     let turned = if study.sweeps() {
@@ -75,7 +70,7 @@ fn with_left_flanks(
     study: &Study,
     mut runs: Vec<ComparedRun>,
     method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Vec<ComparedRun>, Error> {
     // Each pose of a drawn pair has both flanks, and no formula distinguishes them.
     if study.is_drawn() {
@@ -136,18 +131,12 @@ fn first_mating(study: &Study) -> (u32, u32) {
 
 /// The mating of wheel tooth 1 in the assembly phase of the study's first mating.
 fn from_tooth_1(study: &Study) -> (u32, u32) {
-    let (wheel_tooth, pinion_tooth) = first_mating(study);
-    let mating = Mating {
-        wheel_tooth,
-        pinion_tooth,
-        flank: Side::Right,
-        fraction: 0.0,
-    };
+    let (wheel, pinion) = first_mating(study);
     let first = study.center_distances.first();
     let pairs = first.and_then(|a| study.pairs(*a).ok());
     let Some((_, assembly)) = pairs.iter().flatten().next() else {
-        return (wheel_tooth, pinion_tooth);
+        return (wheel, pinion);
     };
-    let start = mating.of_wheel_tooth_1(assembly);
+    let start = Mating::at(wheel, pinion, Side::Right).of_wheel_tooth_1(assembly);
     (start.wheel_tooth, start.pinion_tooth)
 }

@@ -7,11 +7,10 @@ use crate::analysis::measured::{Bands, bands};
 use crate::analysis::simulate::simulate_plans;
 use crate::analysis::study::{MeasuredRow, RunPlan, Study};
 use crate::contact::{Method, MethodAgreement, Status};
-use crate::error::{Error, GearError};
+use crate::error::{Error, GearError, Tick};
 use crate::gear::Side;
 use crate::outline::AssembledPair;
 use crate::pair::{Mating, Member};
-use std::ops::ControlFlow;
 
 /// Steps over the range of centre distances.
 const STEPS: u32 = 40;
@@ -67,7 +66,7 @@ pub fn over_distance(
     followed: Followed,
     cycle: &[RunExtremes],
     method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<OverDistance, Error> {
     let of_teeth =
         |row: &&MeasuredRow| followed == Followed::Teeth(row.wheel_tooth, row.pinion_tooth);
@@ -144,12 +143,7 @@ fn poses(
             return Err(GearError::NoSuchTooth { tooth, teeth }.into());
         }
     }
-    let right = Mating {
-        wheel_tooth,
-        pinion_tooth,
-        flank: Side::Right,
-        fraction: 0.0,
-    };
+    let right = Mating::at(wheel_tooth, pinion_tooth, Side::Right);
     let mut left = right.at_flank(assembly, Side::Left);
     if measured {
         left.pinion_tooth = pinion_tooth;

@@ -14,12 +14,11 @@ use crate::analysis::extremes::{RunExtreme, RunExtremes};
 use crate::analysis::simulate::simulate_plans;
 use crate::analysis::study::{RunPlan, Study};
 use crate::contact::{Contact, Method, ToothPlace};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::gear::Side;
 use crate::outline::AssembledPair;
 use crate::pair::{Mating, ToothNumbers};
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 /// Bend that is not drawn, as a part of the range of all curves at its centre distance: a chart is about 300 units high.
 const FLAT: f64 = 1.0 / 300.0;
@@ -42,7 +41,7 @@ pub fn refined(
     revolution: &[ComparedRun],
     cycle: &[RunExtremes],
     method: Method,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Vec<ComparedRun>, Error> {
     let mut curves: Vec<Curve> = revolution.iter().flat_map(Curve::of).collect();
     let mut left = MOST;

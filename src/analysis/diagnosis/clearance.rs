@@ -6,7 +6,7 @@
 
 use super::lands::{Land, between_lands, near, root_land, tip_land};
 use crate::analytic::InvolutePair;
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::gear::Placed;
 use crate::pair::{GearPair, Mating, Member, Pose};
 use crate::parallel;
@@ -57,7 +57,7 @@ pub(super) fn least_over(
     assembly: &GearPair,
     member: Member,
     pitches: &[Mating],
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Option<RadialClearance>, Error> {
     let rolling = Rolling::new(assembly, member);
     let bounds = parallel::map(pitches, |mating| rolling.least_possible(*mating));

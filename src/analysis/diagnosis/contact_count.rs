@@ -96,10 +96,8 @@ impl ContactCount {
             class,
             PoseClass::NoContact | PoseClass::Unproven | PoseClass::Contact(ContactKind::Involute)
         );
-        let difference = pose
-            .line_of_action
-            .zip(pose.simulated.backlash)
-            .map(|(formula, backlash)| formula - backlash);
+        let both = pose.line_of_action.zip(pose.simulated.backlash);
+        let difference = both.map(|(formula, backlash)| formula - backlash);
         let bound = pose.simulated.error_bound.unwrap_or(0.0);
         let costs = difference.is_none_or(|loss| loss > bound + limits::MET_WITHIN);
         self.off_line += usize::from(others_touch && costs);

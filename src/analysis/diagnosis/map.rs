@@ -3,12 +3,10 @@
 use super::checks::Group;
 use super::onset::form_onset;
 use crate::analytic::limits;
-use crate::contact::PoseClass;
-use crate::contact::{PairAtDistance, reach};
-use crate::error::Error;
+use crate::contact::{PairAtDistance, PoseClass, reach};
+use crate::error::{Error, Tick};
 use crate::pair::{GearPair, Mating, Member};
 use crate::parallel;
-use std::ops::ControlFlow;
 
 /// Rows and columns of a map (tuned: what can be distinguished on a sheet).
 pub const MAP_ROWS: u32 = 60;
@@ -56,11 +54,7 @@ pub struct Limit {
 ///
 /// # Errors
 /// [`Error::Interrupted`]. A lost contact leaves its cell [`PoseClass::Unproven`].
-pub fn map(
-    group: &Group,
-    start: Mating,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<Map, Error> {
+pub fn map(group: &Group, start: Mating, tick: &Tick) -> Result<Map, Error> {
     let assembly = &group.assembly;
     let limits = limits_of(group);
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
@@ -127,20 +121,12 @@ fn limits_of(group: &Group) -> Vec<Limit> {
     let mut limits = vec![limit("a of the pair", a)];
     let zero = limits::zero_backlash_distance(assembly);
     limits.extend(zero.map(|zero| limit("zero backlash, K (17)", zero)));
-    limits.extend(
-        group
-            .zero
-            .iter()
-            .flatten()
-            .map(|zero| limit("zero backlash, outlines", zero.distance)),
-    );
-    limits.extend(
-        group
-            .onset
-            .iter()
-            .flatten()
-            .map(|onset| limit("non-involute contact, outlines", onset.distance)),
-    );
+    if let Ok(Some(zero)) = &group.zero {
+        limits.push(limit("zero backlash, outlines", zero.distance));
+    }
+    if let Ok(Some(onset)) = &group.onset {
+        limits.push(limit("non-involute contact, outlines", onset.distance));
+    }
     // The gear that is at risk first.
     let governing = |value: fn(&GearPair, Member) -> f64| {
         f64::max(

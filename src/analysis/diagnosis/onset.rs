@@ -1,8 +1,7 @@
 //! The centre distance below which something other than involutes touches.
 
 use crate::analytic::limits;
-use crate::contact::PoseClass;
-use crate::contact::{PairAtDistance, reach};
+use crate::contact::{PairAtDistance, PoseClass, reach};
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Member};
 use crate::parallel;
@@ -41,8 +40,8 @@ pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
 
 /// Finds the onset over `matings`, then turns the gears from the pose that touches first.
 ///
-/// A pose with contact below an involute is assumed to have it at every lesser distance. So a pose without it at the onset of the poses before
-/// needs no search of its own. `None` if no pose has such contact even at the least distance that the base circles allow.
+/// A pose that touches below an involute is assumed to do so at every lesser distance. So a pose that does not at the onset of the earlier
+/// poses needs no search of its own. `None` if no pose has such contact even at the least distance that the base circles allow.
 ///
 /// # Errors
 /// A lost contact.
@@ -58,12 +57,8 @@ pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Opt
     let groups = matings.len().isqrt() | 1;
     let mut found = None;
     for group in 0..groups {
-        let group: Vec<Mating> = matings
-            .iter()
-            .skip(group)
-            .step_by(groups)
-            .copied()
-            .collect();
+        let group = matings.iter().skip(group).step_by(groups);
+        let group: Vec<Mating> = group.copied().collect();
         let mut low = from;
         let mut active = touching(&bench, low, &group)?;
         let mut stride = 0.02 * module;

@@ -8,7 +8,7 @@ use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member};
 use std::collections::HashSet;
 
-/// Contacts on radii that differ by less, mm, are at one radius: platforms round differently, and the first is named on all.
+/// Contacts whose radii differ by less than this, mm, count as at one radius. Platforms round differently; so all of them name the first.
 const EQUAL_RADIUS: f64 = 1e-9;
 
 /// The evidence of poses of one centre distance and material.
@@ -85,7 +85,6 @@ impl PoseEvidence {
         let Some(found) = result.proven() else {
             return;
         };
-        let sides = [(Side::Right, &found.right), (Side::Left, &found.left)];
         for (counts, at) in self.places.iter_mut().zip(places(&self.assembly, pose)) {
             if let Some(at) = at {
                 counts[at as usize] += 1;
@@ -93,9 +92,9 @@ impl PoseEvidence {
         }
         for (touched, member) in self.touched.iter_mut().zip(Member::BOTH) {
             let mut is_below = false;
-            for (side, contact) in sides {
-                if let Some(contact) = contact {
-                    is_below |= touched.add(&self.assembly, member, side, contact);
+            for side in Side::BOTH {
+                if let Some(contact) = found.on(side) {
+                    is_below |= touched.add(&self.assembly, member, side, &contact);
                 }
             }
             touched.below += usize::from(is_below);
@@ -126,10 +125,9 @@ impl PoseEvidence {
         for other in all {
             sum.contact.extend(&other.contact);
             sum.least = least(sum.least, other.least);
-            for (own, other) in sum.places.iter_mut().zip(&other.places) {
-                for (own, other) in own.iter_mut().zip(other) {
-                    *own += other;
-                }
+            let places = sum.places.as_flattened_mut().iter_mut();
+            for (own, other) in places.zip(other.places.as_flattened()) {
+                *own += other;
             }
             sum.unproven += other.unproven;
             sum.first_unproven = sum.first_unproven.or_else(|| other.first_unproven.clone());
@@ -141,11 +139,7 @@ impl PoseEvidence {
     }
 
     pub(super) fn touched(&self, member: Member) -> &Touched {
-        let [wheel, pinion] = &self.touched;
-        match member {
-            Member::Wheel => wheel,
-            Member::Pinion => pinion,
-        }
+        &self.touched[member as usize]
     }
 
     /// The reason why poses are unproven; `None` if all are proven.

@@ -40,8 +40,8 @@ pub struct ZeroDistance {
     pub teeth: [(u32, u32); 2],
 }
 
-/// Finds `a_0` of the gears of `assembly`. It searches `matings` first, then turns the gears from the lowest of them until the play rises,
-/// and repeats at the distance without play. A minimum between two matings that neither shows is missed.
+/// Finds `a_0` of the gears of `assembly`. The search first compares `matings`. It then turns the gears from the one with the least play until
+/// the play rises, and repeats this at the distance without play. It misses a minimum between two matings that neither of them shows.
 ///
 /// Play rises with the centre distance, so the root is bracketed. `None` without matings, or without a root between
 /// touching base circles and tips that pass each other.
@@ -202,10 +202,7 @@ fn middle_of_jam(
 fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mating), Error> {
     let assembly = bench.assembly();
     let at = |pitches: f64| bench.play(&start.onward(assembly, pitches));
-    let period = {
-        let gear = assembly.gear(assembly.locked()).gear();
-        f64::from(gear.basic_data().teeth())
-    };
+    let period = f64::from(assembly.teeth(assembly.locked()));
     let (mut best, mut place) = (play, 0.0);
     for sense in [1.0, -1.0] {
         let mut next = place + sense * STRIDE;
@@ -379,12 +376,7 @@ mod tests {
         let pair = pair([0.02, 0.015]);
         let bench = PairAtDistance::new(&pair).at(40.05).unwrap();
         for tooth in [1, 8, 15] {
-            let start = Mating {
-                wheel_tooth: tooth,
-                pinion_tooth: tooth,
-                flank: Side::Right,
-                fraction: 0.0,
-            };
+            let start = Mating::at(tooth, tooth, Side::Right);
             let poses = (0..6400).map(|k| start.onward(&pair, f64::from(k) / 320.0));
             let plays = bench.plays(&poses.collect::<Vec<_>>()).unwrap();
             let least = plays.iter().copied().fold(f64::INFINITY, f64::min);

@@ -7,6 +7,7 @@
 
 use super::after;
 use super::place::{Place, Sought, rounding};
+use crate::gauge::seat::check_standing_out;
 use crate::gauge::{Seat, Unmeasured};
 use crate::gear::Flank;
 use crate::outline::OutlineGear;
@@ -26,14 +27,8 @@ const HOLD: f64 = 1e-3;
 pub(super) fn seats(gear: &OutlineGear, diameter: f64) -> Result<Vec<Seat>, Unmeasured> {
     let seats = parallel::map(1..=gear.teeth(), |tooth| seat(gear, tooth, diameter));
     let seats = seats.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let low = |seat: &&Seat| seat.centre.coords.norm() + 0.5 * diameter <= gear.tip_radius();
-    match seats.iter().find(low) {
-        Some(low) => Err(Unmeasured(format!(
-            "a pin of {diameter} mm does not stand out of the space after tooth {}",
-            low.tooth
-        ))),
-        None => Ok(seats),
-    }
+    check_standing_out(&seats, diameter, gear.tip_radius())?;
+    Ok(seats)
 }
 
 /// Lays a pin of `diameter` into the space after `tooth`.

@@ -43,18 +43,15 @@ impl DrawnChart {
             study.keep(wanted);
         }
         let distance = distance(args, &study.center_distances)?;
-        let study = study
-            .at(distance)
-            .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
-        let plan = Plan::new(&study, args.method.of(&study)?)
-            .with_revolution()
-            .with_extremes();
+        let refused = |reason| Error::Usage(format!("--center-distance: {reason}"));
+        let study = study.at(distance).map_err(refused)?;
+        let plan = Plan::new(&study, args.method.of(&study)?);
+        let plan = plan.with_revolution().with_extremes();
         poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
         let analysis = run_under_bar(&plan)?;
         let courses = curves::courses(&analysis.curves);
-        let course = courses
-            .first()
-            .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
+        let none = || Error::usage("the pair file asks for no poses");
+        let course = courses.first().ok_or_else(none)?;
         if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
             print_error_line(&format!(
                 "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
@@ -63,20 +60,18 @@ impl DrawnChart {
         }
         let course = &course.clone().with_cycle(&analysis.extremes.each);
         let cycle = in_unit(print_verdict(&analysis), unit);
+        let heading = heading(&study.title, &cycle);
         let (name, chart) = match args.kind {
-            Kind::Difference => (
-                "difference",
-                chart::difference(&heading(&study.title, &cycle), course, study.tolerance_um)?,
-            ),
-            _ => {
-                let chart = chart::revolution_in(unit, &heading(&study.title, &cycle), course)?;
-                ("revolution", chart)
+            Kind::Difference => {
+                let chart = chart::difference(&heading, course, study.tolerance_um);
+                ("difference", chart)
             }
+            _ => ("revolution", chart::revolution_in(unit, &heading, course)),
         };
         Ok(DrawnChart {
+            svg: chart?.svg,
             file: file(name, args, course, unit),
             agrees: agreed(&analysis),
-            svg: chart.svg,
         })
     }
 
@@ -94,7 +89,7 @@ impl DrawnChart {
         };
         let poses = curves::over_distance_pose_count(study);
         poses::allow(&args.pair, poses, &poses::HELD)?;
-        let progress = Progress::start(poses);
+        let progress = Progress::of(poses, "poses");
         let (method, tick) = (args.method.method(), || progress.tick());
         let cycle = whole.as_ref().map_or(&[][..], |whole| &whole.extremes.each);
         let curve = curves::over_distance(study, followed, cycle, method, &tick);
@@ -109,14 +104,9 @@ impl DrawnChart {
         let unproven = curve.unproven + whole.as_ref().map_or(0, Analysis::unproven);
         let cycle = whole.as_ref().map(print_verdict).unwrap_or_default();
         let cycle = in_unit(cycle, unit);
+        let heading = heading(&study.title, &cycle);
         Ok(DrawnChart {
-            svg: chart::distance_in(
-                unit,
-                &heading(&study.title, &cycle),
-                &curve,
-                &by_distance(&all, &[]),
-            )?
-            .svg,
+            svg: chart::distance_in(unit, &heading, &curve, &by_distance(&all, &[]))?.svg,
             file: format!("chart_distance_{wheel}_{pinion}{}.svg", suffix(unit)),
             agrees: agreement_of(curve.agreement) & all_proven(unproven),
         })
@@ -125,8 +115,7 @@ impl DrawnChart {
     /// One gear's deviations.
     pub fn inspection(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
         let gears = study.materials.first();
-        let (_, wheel, pinion) =
-            gears.ok_or_else(|| Error::Usage("the pair file has no gears".to_owned()))?;
+        let (_, wheel, pinion) = gears.ok_or_else(|| Error::usage("the pair file has no gears"))?;
         let (name, gear) = match args.gear {
             Some(GearName::Pinion) => ("pinion", pinion),
             Some(GearName::Wheel) | None => ("wheel", wheel),
@@ -157,9 +146,8 @@ impl DrawnChart {
     /// The field of action at the pose that binds.
     pub fn field(args: &Args, study: Study) -> Result<DrawnChart, Error> {
         if !study.varies_along_face() {
-            return Err(Error::Usage(
-                "--kind field is for helical gears, leads and leaning axes: along the face of this pair nothing changes"
-                    .to_owned(),
+            return Err(Error::usage(
+                "--kind field is for helical gears, leads and leaning axes: along the face of this pair nothing changes",
             ));
         }
         let distance = requested_distance(args)?;
@@ -168,12 +156,11 @@ impl DrawnChart {
         let found = worst::find(("--kind field", Wanted::Least), study, distance, end)?;
         let pair = found.assembly.data();
         let field = pair.and_then(|pair| Field::of(pair, &found.pose));
-        let field = field.ok_or_else(|| {
-            Error::Usage(
-                "--kind field: the worst pose is jammed or unproven; there are no contact lines"
-                    .to_owned(),
-            )
-        })?;
+        let Some(field) = field else {
+            return Err(Error::usage(
+                "--kind field: the worst pose is jammed or unproven; there are no contact lines",
+            ));
+        };
         let a = found.assembly.center_distance();
         let subtitle = format!(
             "Field of action at the least backlash · a = {} mm · {}",
@@ -207,8 +194,8 @@ fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
     match args.center_distance.as_ref().map(|given| &given.0[..]) {
         None => Ok(None),
         Some([only]) => Ok(Some(*only)),
-        Some(_) => Err(Error::Usage(
-            "--center-distance: a chart is drawn at one centre distance".to_owned(),
+        Some(_) => Err(Error::usage(
+            "--center-distance: a chart is drawn at one centre distance",
         )),
     }
 }
@@ -219,7 +206,7 @@ fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
         print_error_line("note: with the most material; `gearlash check --map` draws both");
     }
     let first = maps.into_iter().next();
-    let none = || Error::Usage("no pose with a backlash was found to map from".to_owned());
+    let none = || Error::usage("no pose with a backlash was found to map from");
     first.map(|map| map.svg).ok_or_else(none)
 }
 

@@ -24,9 +24,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             Format::Junit | Format::Github | Format::Markdown
         )
     {
-        return Err(Error::Usage(
-            "--method, --no-certify and the formats junit, github and markdown are for pair files; leave them out"
-                .to_owned(),
+        return Err(Error::usage(
+            "--method, --no-certify and the formats junit, github and markdown are for pair files; leave them out",
         ));
     }
     let compared = gearlash_files::compare_drawings(&TwoDrawings {
@@ -53,5 +52,5 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 }
 
 fn needs_two() -> Error {
-    Error::Usage("give two drawings of one gear, or pair files alone".to_owned())
+    Error::usage("give two drawings of one gear, or pair files alone")
 }

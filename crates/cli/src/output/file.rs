@@ -150,9 +150,9 @@ impl OutputFile {
             }
             Ok(found) if found.is_file() => (
                 Some(named.canonicalize().map_err(&failed)?),
-                CreatedFolders::none(),
+                CreatedFolders::default(),
             ),
-            Ok(_) => (None, CreatedFolders::none()),
+            Ok(_) => (None, CreatedFolders::default()),
             Err(_) if named.is_symlink() => {
                 return Err(wrong(
                     "this is a link to a file that is not there; name that file",
@@ -184,19 +184,16 @@ impl OutputFile {
     /// # Errors
     /// [`Error::Output`]; an older file is kept.
     pub fn write(mut self, content: &str) -> Result<(), Error> {
-        let written = match &self.place {
-            None => {
-                open_special(&self.named).and_then(|mut file| file.write_all(content.as_bytes()))
-            }
-            Some((temporary, target)) => temporary
-                .writer()
-                .and_then(|mut file| {
-                    file.write_all(content.as_bytes())
-                        .and_then(|()| file.flush())
-                })
-                .and_then(|()| temporary.rename(target)),
+        let write = || -> std::io::Result<()> {
+            let Some((temporary, target)) = &self.place else {
+                return open_special(&self.named)?.write_all(content.as_bytes());
+            };
+            let mut file = temporary.writer()?;
+            file.write_all(content.as_bytes())?;
+            file.flush()?;
+            temporary.rename(target)
         };
-        written.map_err(failed(&self.named))?;
+        write().map_err(failed(&self.named))?;
         self.made.keep();
         Ok(())
     }

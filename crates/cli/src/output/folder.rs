@@ -134,12 +134,8 @@ impl OutputFolder {
     fn present(&self) -> std::io::Result<Vec<String>> {
         let mut names = Vec::new();
         for entry in std::fs::read_dir(&self.path)? {
-            let name = entry?.file_name();
-            names.extend(
-                name.to_str()
-                    .filter(|name| (self.own)(name))
-                    .map(str::to_owned),
-            );
+            let name = entry?.file_name().into_string().ok();
+            names.extend(name.filter(|name| (self.own)(name)));
         }
         names.sort();
         Ok(names)

@@ -5,19 +5,13 @@ use crate::error::Error;
 use std::path::{Path, PathBuf};
 
 /// Folders created for results, removed when dropped.
+#[derive(Default)]
 pub(super) struct CreatedFolders {
     /// Innermost last.
     folders: Vec<PathBuf>,
 }
 
 impl CreatedFolders {
-    /// No folders.
-    pub fn none() -> CreatedFolders {
-        CreatedFolders {
-            folders: Vec::new(),
-        }
-    }
-
     /// Creates the folder at `path` and the missing ones above it.
     pub fn folder(path: &Path) -> Result<CreatedFolders, Error> {
         let missing = path

@@ -20,6 +20,17 @@ pub struct BarSeries<'a> {
     pub look: Look,
 }
 
+impl<'a> BarSeries<'a> {
+    /// Values given in mm, drawn in µm.
+    pub fn of_mm(name: &'a str, values: &[f64], look: Look) -> BarSeries<'a> {
+        BarSeries {
+            name,
+            values: values.iter().map(|mm| Some(mm * 1e3)).collect(),
+            look,
+        }
+    }
+}
+
 /// Two lines that limit the values, in the unit of the y axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
@@ -67,19 +78,17 @@ pub fn bar_panels(
         } else {
             ""
         };
-        let panel = panel([bars.title, x_axis, bars.y_axis], height, bars.series);
-        let mut panel =
-            panel.ok_or_else(|| PictureError("there are no values to draw".to_owned()))?;
+        let titles = [bars.title, x_axis, bars.y_axis];
+        let mut panel = panel(titles, height, bars.series)
+            .ok_or_else(|| PictureError("there are no values to draw".to_owned()))?;
         bars.limit(&mut panel);
         bars.add_level_note(&mut panel);
         drawn.push(panel);
     }
     let names = match panels.first() {
         Some(first) if first.series.len() > 1 => {
-            let series = first.series.iter();
-            series
-                .map(|bars| entry(bars.name, bars.look, Swatch::Bar))
-                .collect()
+            let name = |bars: &BarSeries| entry(bars.name, bars.look, Swatch::Bar);
+            first.series.iter().map(name).collect()
         }
         _ => Vec::new(),
     };
@@ -133,15 +142,12 @@ fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) 
     let teeth = series.iter().map(|bars| bars.values.len()).max()?;
     let ends = [0.4, teeth as f64 + 0.6];
     let width = 0.8 / series.len() as f64;
-    let mut marks = vec![Mark::line(
-        vec![(ends[0], Some(0.0)), (ends[1], Some(0.0))],
-        Look::Plain,
-        1.0,
-    )];
+    let mut marks = vec![Mark::level(ends, 0.0, Look::Plain, 1.0)];
     for (place, bars) in series.iter().enumerate() {
         let left = 0.6 + place as f64 * width;
         if teeth > MOST_BARS {
-            marks.push(curve(bars))
+            let points = (1..).map(f64::from).zip(bars.values.iter().copied());
+            marks.push(Mark::line(points.collect(), bars.look, 1.0))
         } else {
             marks.extend(rods(bars, [left, left + width]))
         }
@@ -177,13 +183,4 @@ fn rods(bars: &BarSeries, x: [f64; 2]) -> impl Iterator<Item = Mark> {
             look: bars.look,
         })
     })
-}
-
-fn curve(bars: &BarSeries) -> Mark {
-    let teeth = (1..).map(f64::from);
-    Mark::line(
-        teeth.zip(bars.values.iter().copied()).collect(),
-        bars.look,
-        1.0,
-    )
 }

@@ -56,16 +56,9 @@ pub fn difference(
         });
     }
     if let Some(lower) = line_of_action(course, tolerance_um) {
-        legend.push(entry(
-            "minus model 3, line of action",
-            Look::Right,
-            Swatch::Line,
-        ));
-        legend.push(entry(
-            "error bound of the simulation",
-            Look::Limit,
-            Swatch::Band(BOUND),
-        ));
+        let (line, bound) = (Swatch::Line, Swatch::Band(BOUND));
+        legend.push(entry("minus model 3, line of action", Look::Right, line));
+        legend.push(entry("error bound of the simulation", Look::Limit, bound));
         panels.push(lower);
     }
     if panels.is_empty() {
@@ -95,13 +88,10 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     let all = || lines().flat_map(|line| &line.points);
     let known = || all().filter_map(|point| point.off_line_of_action_um);
     known().next()?;
-    let largest = known()
-        .chain(all().filter_map(|point| point.error_bound_um))
-        .map(f64::abs)
-        .reduce(f64::max)?;
-    let (unit, name) = unit(largest);
     let off = |point: &CoursePoint| point.off_line_of_action_um;
     let bound = |point: &CoursePoint| point.error_bound_um;
+    let sizes = known().chain(all().filter_map(bound)).map(f64::abs);
+    let (unit, name) = unit(sizes.reduce(f64::max)?);
     let mut marks = Vec::new();
     for line in lines() {
         marks.push(Mark::band(
@@ -120,11 +110,8 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     }
     let values = all().filter_map(off);
     let bounds = all().filter_map(bound).flat_map(|bound| [-bound, bound]);
-    let y = range(
-        values.chain(bounds).map(|value| value / unit),
-        [0.18; 2],
-        0.1,
-    )?;
+    let shown = values.chain(bounds).map(|value| value / unit);
+    let y = range(shown, [0.18; 2], 0.1)?;
     let tolerance = tolerance_um / unit;
     let words = if y[0] < -tolerance || y[1] > tolerance {
         for limit in [-tolerance, tolerance] {

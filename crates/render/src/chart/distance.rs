@@ -103,38 +103,28 @@ pub fn distance_in(
             marks.push(Mark::dots(points.clone(), look));
         }
     }
-    let drawn = [&simulated, &analytic, &with_clearance]
+    let bands = [&simulated, &analytic, &with_clearance]
         .into_iter()
         .flatten();
-    let values = drawn
-        .chain([&right, &left])
-        .flatten()
-        .filter_map(|point| point.1);
-    let values = values.chain(ranges.iter().flatten().filter_map(|point| point.1));
-    let x = range(
-        curve.points.iter().map(|point| point.center_distance),
-        [0.0; 2],
-        1e-6,
-    );
-    let (Some(x), Some(y)) = (
-        x,
-        x.and_then(|x| backlash_range(values, unit.of_um(1.0, x[1]))),
-    ) else {
-        if let (Some(x), true) = (x, curve.unproven > 0) {
-            let panel = empty(
-                Axis::new("centre distance a, mm", x),
-                "no pose that is proven has a backlash",
-            );
-            let details = unproven_note(curve.unproven) + &poses(&curve.matings);
-            return sheet::draw(heading, &details, &[], &[panel]);
+    let drawn = bands.chain([&right, &left]).flatten();
+    let values = drawn.chain(ranges.iter().flatten());
+    let values = values.filter_map(|point| point.1);
+    let nothing = "the mating is jammed or out of mesh at every centre distance";
+    let nothing = || PictureError(nothing.to_owned());
+    let places = curve.points.iter().map(|point| point.center_distance);
+    let x = range(places, [0.0; 2], 1e-6).ok_or_else(nothing)?;
+    let x_axis = Axis::new("centre distance a, mm", x);
+    let details = unproven_note(curve.unproven) + &poses(&curve.matings);
+    let Some(y) = backlash_range(values, unit.of_um(1.0, x[1])) else {
+        if curve.unproven == 0 {
+            return Err(nothing());
         }
-        return Err(PictureError(
-            "the mating is jammed or out of mesh at every centre distance".to_owned(),
-        ));
+        let panel = empty(x_axis, "no pose that is proven has a backlash");
+        return sheet::draw(heading, &details, &[], &[panel]);
     };
     let mut panel = Panel {
         title: String::new(),
-        x: Axis::new("centre distance a, mm", x),
+        x: x_axis,
         y: backlash_axis(unit, y),
         height: 380.0,
         marks,
@@ -143,11 +133,7 @@ pub fn distance_in(
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
     if let Some(from) = curve.assembles_from {
-        panel.marks.push(Mark::line(
-            y.map(|y| (from, Some(y))).to_vec(),
-            Look::Limit,
-            1.2,
-        ));
+        panel.marks.push(Mark::upright(from, y, Look::Limit, 1.2));
         panel.marks.push(Mark::text(
             [from, y[0]],
             [-6.0, -24.0],
@@ -155,7 +141,6 @@ pub fn distance_in(
             Anchor::End,
         ));
     }
-    let details = unproven_note(curve.unproven) + &poses(&curve.matings);
     sheet::draw(heading, &details, &legend, &[panel])
 }
 

@@ -111,10 +111,8 @@ fn side_look(side: Side) -> Look {
 
 /// The contact lines of one side.
 fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
-    let ends = side
-        .lines
-        .iter()
-        .flat_map(|line| line.ends.map(|end| end[1]));
+    let lines = side.lines.iter();
+    let ends = lines.flat_map(|line| line.ends.map(|end| end[1]));
     let places = ends.chain(side.path).chain([side.binding.place]);
     let y = range(places, [0.1; 2], 1e-3).unwrap_or([-1.0, 1.0]);
     let mut marks = shades(side);
@@ -132,11 +130,8 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
     for line in &side.lines {
         if line.points.is_empty() {
             let points: Vec<Point> = line.ends.map(|[z, place]| (z, Some(place))).to_vec();
-            marks.push(Mark::line(
-                points,
-                side_look(side.side),
-                WIDTHS[usize::from(line.binds)],
-            ));
+            let width = WIDTHS[usize::from(line.binds)];
+            marks.push(Mark::line(points, side_look(side.side), width));
         } else {
             marks.extend(shaded(line, side.side, most, HALF_POINT * (y[1] - y[0])));
         }
@@ -180,12 +175,8 @@ fn shaded(line: &ContactLine, side: Side, most: f64, half: f64) -> Vec<Mark> {
             let edge = |off: f64| points.iter().map(|p| (p[0], Some(p[1] + off))).collect();
             let part = shade(&line.points[from]) / SHADES as f64;
             let opacity = 1.0 - (1.0 - PALEST) * part;
-            marks.push(Mark::band(
-                edge(-half),
-                edge(half),
-                side_look(side),
-                opacity,
-            ));
+            let (low, high) = (edge(-half), edge(half));
+            marks.push(Mark::band(low, high, side_look(side), opacity));
             from = to;
         }
     }
@@ -314,16 +305,11 @@ fn side_slope(side: &FieldSide) -> f64 {
 /// Distance of neighbouring lines along the face, mm; `None` for a single line.
 fn spacing(side: &FieldSide) -> Option<f64> {
     let slope = side_slope(side);
-    let mut feet: Vec<f64> = side
-        .lines
-        .iter()
-        .map(|line| line.ends[0][0] - line.ends[0][1] / slope)
-        .collect();
+    let feet = side.lines.iter().map(|line| line.ends[0]);
+    let mut feet: Vec<f64> = feet.map(|[x, y]| x - y / slope).collect();
     feet.sort_by(f64::total_cmp);
-    feet.windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .filter(|mm| mm.is_finite())
-        .reduce(f64::min)
+    let apart = feet.windows(2).map(|pair| pair[1] - pair[0]);
+    apart.filter(|mm| mm.is_finite()).reduce(f64::min)
 }
 
 /// The gap of each section on these sides.

@@ -18,14 +18,14 @@ pub fn inspection(
     inspection: &Inspection,
 ) -> Result<Chart, PictureError> {
     let pitch = |values: fn(&Inspection, Flank) -> Vec<f64>| {
-        let right = series(
-            "right flanks",
-            &values(inspection, Flank::Right),
-            Look::Right,
-        );
-        let left = series("left flanks", &values(inspection, Flank::Left), Look::Left);
-        vec![right, left]
+        let right = values(inspection, Flank::Right);
+        let left = values(inspection, Flank::Left);
+        vec![
+            BarSeries::of_mm("right flanks", &right, Look::Right),
+            BarSeries::of_mm("left flanks", &left, Look::Left),
+        ]
     };
+    let plain = |name, values: &[f64]| vec![BarSeries::of_mm(name, values, Look::Plain)];
     let groups = [
         (
             "single pitch deviation f_p",
@@ -37,11 +37,11 @@ pub fn inspection(
         ),
         (
             "tooth thickness − mean",
-            vec![series("thickness", inspection.thickness(), Look::Plain)],
+            plain("thickness", inspection.thickness()),
         ),
         (
             "displacement by the eccentricity, e·cos φ",
-            vec![series("displacement", inspection.runout(), Look::Plain)],
+            plain("displacement", inspection.runout()),
         ),
     ];
     let moved = |series: &BarSeries| series.values.iter().flatten().any(|value| *value != 0.0);
@@ -78,12 +78,4 @@ pub fn inspection(
         return sheet::draw(heading, &details, &[], &[empty(x, words)]);
     }
     bar_panels(heading, &details, &x_axis, &panels)
-}
-
-fn series<'a>(name: &'a str, values_mm: &[f64], look: Look) -> BarSeries<'a> {
-    BarSeries {
-        name,
-        values: values_mm.iter().map(|mm| Some(mm * 1e3)).collect(),
-        look,
-    }
 }

@@ -154,14 +154,7 @@ fn obstacles(panel: &Panel, plot: &Plot) -> Occupied {
                 known.for_each(|point| taken.frame(around(plot.spot(point), 4.0)));
             }
             Mark::Bar { x, y, .. } => {
-                let ([left, bottom], [right, top]) =
-                    (plot.spot((x[0], y[0])), plot.spot((x[1], y[1])));
-                taken.frame(Frame {
-                    left,
-                    top,
-                    right,
-                    bottom,
-                });
+                taken.frame(plot.between(*x, *y));
             }
             Mark::Ground { .. } | Mark::Shade { .. } | Mark::Band { .. } | Mark::Text { .. } => {}
         }

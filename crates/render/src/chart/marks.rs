@@ -77,9 +77,7 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
             }
         }
         Mark::Bar { x, y, look } => {
-            let ([left, bottom], [right, top]) = (plot.spot((x[0], y[0])), plot.spot((x[1], y[1])));
-            let frame = Frame::new([left, top], [right, bottom]);
-            group.append(bar(&frame, *look));
+            group.append(bar(&plot.between(*x, *y), *look));
         }
     }
 }

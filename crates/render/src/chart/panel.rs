@@ -61,6 +61,11 @@ impl Mark {
         Mark::line(x.map(|x| (x, Some(y))).to_vec(), look, width)
     }
 
+    /// An upright line between two values.
+    pub fn upright(x: f64, y: [f64; 2], look: Look, width: f64) -> Mark {
+        Mark::line(y.map(|y| (x, Some(y))).to_vec(), look, width)
+    }
+
     pub fn band(low: Vec<Point>, high: Vec<Point>, look: Look, opacity: f64) -> Mark {
         Mark::Band {
             low,

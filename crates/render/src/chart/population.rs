@@ -81,17 +81,11 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
     let (left, right): (Vec<_>, Vec<_>) = lines.into_iter().partition(|line| line.0 < middle);
     // Names are placed inwards of their lines. Inner lines end lower, below the names of the outer ones.
     let left = left.into_iter().map(|line| (line, Anchor::Start, 5.0));
-    let right = right
-        .into_iter()
-        .rev()
-        .map(|line| (line, Anchor::End, -5.0));
+    let right = right.into_iter().rev();
+    let right = right.map(|line| (line, Anchor::End, -5.0));
     for (rank, ((at, name), anchor, shift)) in left.enumerate().chain(right.enumerate()) {
         let height = top * (1.0 - LOWER * rank as f64);
-        marks.push(Mark::line(
-            vec![(at, Some(0.0)), (at, Some(height))],
-            Look::Limit,
-            1.4,
-        ));
+        marks.push(Mark::upright(at, [0.0, height], Look::Limit, 1.4));
         marks.push(Mark::text([at, height], [shift, 8.0], name, anchor));
     }
     let entries = spreads.map(|(name, _, look)| entry(name, look, Swatch::Bar));
@@ -166,14 +160,12 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
     let mut each: Vec<_> = found.each.iter().collect();
     each.sort_by(|a, b| b.total.value.total_cmp(&a.total.value));
     let count = each.len() as f64;
-    let ends = each.iter().flat_map(|one| {
-        [one.first, one.total].map(|index| 100.0 * (index.value + 2.0 * index.error))
-    });
-    let right = ends.fold(1.0, f64::max);
-    let lows = each.iter().flat_map(|one| {
-        [one.first, one.total].map(|index| 100.0 * (index.value - 2.0 * index.error))
-    });
-    let x = [lows.fold(0.0, f64::min), 1.05 * right];
+    let ends = |sign: f64| {
+        let both = each.iter().flat_map(|one| [one.first, one.total]);
+        both.map(move |index| 100.0 * (index.value + sign * 2.0 * index.error))
+    };
+    let right = ends(1.0).fold(1.0, f64::max);
+    let x = [ends(-1.0).fold(0.0, f64::min), 1.05 * right];
     let mut marks = Vec::new();
     for (place, one) in each.iter().enumerate() {
         let middle = count - place as f64 - 0.5;
@@ -202,11 +194,7 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
             Anchor::Start,
         ));
     }
-    marks.push(Mark::line(
-        vec![(0.0, Some(0.0)), (0.0, Some(count))],
-        Look::Plain,
-        1.0,
-    ));
+    marks.push(Mark::upright(0.0, [0.0, count], Look::Plain, 1.0));
     let entries = [
         ("total effect (with interactions)", Look::Right),
         ("first-order effect", Look::Left),

@@ -32,13 +32,8 @@ pub fn profiles(
         )
     };
     let details = "plus = more material, against the involute of the mean thickness";
-    traces(
-        heading,
-        &read.flanks,
-        ("roll length, mm", details),
-        (least, &[]),
-        words,
-    )
+    let captions = ("roll length, mm", details);
+    traces(heading, &read.flanks, captions, (least, &[]), words)
 }
 
 /// The leads of both flanks. The y axis is at least `least` high, µm.
@@ -61,24 +56,16 @@ pub fn leads(heading: &Heading, read: &LeadReadings, least: f64) -> Result<Chart
             um(read.crowning(lead), 2),
         )
     };
-    let worst = read
-        .flanks
-        .iter()
-        .map(|flank| flank.tooth(flank.worst_tooth()));
-    let lines: Vec<f64> = worst
-        .flat_map(|lead| lead.mean_line.map(|end| end.1))
-        .collect();
+    let flanks = read.flanks.iter();
+    let worst = flanks.map(|flank| flank.tooth(flank.worst_tooth()));
+    let lines = worst.flat_map(|lead| lead.mean_line.map(|end| end.1));
+    let lines: Vec<f64> = lines.collect();
     let details = match read.axis {
         PitchAxis::Own => "plus = more material, about the axis of the teeth",
         PitchAxis::Datum => "plus = more material, about the rotation axis",
     };
-    traces(
-        heading,
-        &read.flanks,
-        ("from the reference face, mm", details),
-        (least, &lines),
-        words,
-    )
+    let captions = ("from the reference face, mm", details);
+    traces(heading, &read.flanks, captions, (least, &lines), words)
 }
 
 /// Traces of both flanks, right first. `words` describes one of a side. The y axis is at least `least` high, µm, and holds `more` values, mm.
@@ -137,20 +124,16 @@ fn panel(
     let worst = flank.worst_tooth();
     let trace = flank.tooth(worst);
     let mut marks = vec![Mark::shade(flank.evaluated, Look::Limit, SHADE)];
-    let line = |points: Vec<Point>, look, width| Mark::line(points, look, width);
     let curve = |trace: &TraceReading| -> Vec<Point> {
         let points = trace.points.iter();
         points.map(|&(at, mm)| (at, Some(1e3 * mm))).collect()
     };
     let others = flank.shapes.iter().filter(|other| *other != trace);
-    marks.extend(
-        others
-            .take(MOST_OTHERS)
-            .map(|other| line(curve(other), Look::Limit, 0.8)),
-    );
-    marks.push(line(curve(trace), look, 1.6));
+    let others = others.take(MOST_OTHERS);
+    marks.extend(others.map(|other| Mark::line(curve(other), Look::Limit, 0.8)));
+    marks.push(Mark::line(curve(trace), look, 1.6));
     let mean = trace.mean_line.map(|(at, mm)| (at, Some(1e3 * mm)));
-    marks.push(line(mean.to_vec(), Look::Plain, 0.8));
+    marks.push(Mark::line(mean.to_vec(), Look::Plain, 0.8));
     let tooth = match flank.shapes.len() {
         1 => "all teeth".to_owned(),
         _ => format!("worst tooth {worst}"),

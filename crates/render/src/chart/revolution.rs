@@ -156,16 +156,14 @@ pub fn revolution_in(
 
 /// Least and greatest backlash of the mesh cycle, µm, where they exceed those of the course: at other teeth.
 fn cycle_extremes_outside(course: &Course) -> [Option<f64>; 2] {
-    let ends = [(&course.least, -1.0), (&course.greatest, 1.0)];
-    let ends = ends.into_iter().zip(course.cycle_um);
-    let mut cycle_extremes_outside = ends.map(|((attained, sign), of_cycle)| {
+    let ends = [
+        (&course.least, course.cycle_um[0], -1.0),
+        (&course.greatest, course.cycle_um[1], 1.0),
+    ];
+    ends.map(|(attained, of_cycle, sign)| {
         let attained = attained.as_ref().map(|extreme| extreme.backlash_um);
         of_cycle.filter(|um| attained.is_none_or(|attained| sign * (um - attained) >= SHOWN))
-    });
-    [
-        cycle_extremes_outside.next().flatten(),
-        cycle_extremes_outside.next().flatten(),
-    ]
+    })
 }
 
 /// A cross at an extreme, at height `y`, with its words and the binding teeth.

@@ -56,13 +56,11 @@ pub fn page(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureErro
     Ok(Some((page_name(&gauged.stem()), page.into_string())))
 }
 
-/// File name and SVG of bars over teeth; `None` where no bar would be visible.
-fn bars(
-    gauged: &GaugedGear,
-    chart: Chart,
-    x_axis: &str,
-    panels: &[BarPanel],
-) -> Result<Option<(String, String)>, PictureError> {
+/// File name and SVG of a chart; `None` where nothing would be visible.
+type File = Result<Option<(String, String)>, PictureError>;
+
+/// Bars over teeth.
+fn bars(gauged: &GaugedGear, chart: Chart, x_axis: &str, panels: &[BarPanel]) -> File {
     let series = panels.iter().flat_map(|panel| panel.series);
     let mut values = series.flat_map(|bars| &bars.values).flatten();
     if values.all(|um| um.abs() < LEVEL) {
@@ -74,12 +72,12 @@ fn bars(
     })
 }
 
-/// File name and SVG of a chart.
+/// A chart, as a file.
 fn file(
     gauged: &GaugedGear,
     chart: Chart,
     draw: impl FnOnce(&Heading) -> Result<crate::chart::Chart, PictureError>,
-) -> Result<Option<(String, String)>, PictureError> {
+) -> File {
     let stem = gauged.stem();
     let drawn = draw(&Heading {
         prefix: &chart.file_stem(&stem),
@@ -122,15 +120,9 @@ fn length_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureEr
     drawn.collect()
 }
 
-fn length_chart(
-    gauged: &GaugedGear,
-    length: &Length,
-    by_tooth: &ByTooth,
-) -> Result<Option<(String, String)>, PictureError> {
-    let less = by_tooth
-        .values
-        .iter()
-        .map(|mm| Some((mm - length.mean) * 1e3));
+fn length_chart(gauged: &GaugedGear, length: &Length, by_tooth: &ByTooth) -> File {
+    let values = by_tooth.values.iter();
+    let less = values.map(|mm| Some((mm - length.mean) * 1e3));
     let series = [BarSeries {
         name: "reading",
         values: less.collect(),
@@ -168,10 +160,7 @@ fn deviation_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Pictur
     Ok(files)
 }
 
-fn runout(
-    gauged: &GaugedGear,
-    read: &RunoutReadings,
-) -> Result<Option<(String, String)>, PictureError> {
+fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> File {
     let eccentricity = gauged.gauged.eccentricity.as_ref().ok();
     let title = format!(
         "ball {} mm in each space · F_r {} µm, 2 e {} µm",
@@ -179,26 +168,22 @@ fn runout(
         um(read.total(), 3),
         um(eccentricity.map(|found| 2.0 * found.amount), 3)
     );
-    let series = [series("ball", &read.deviations(), Look::Plain)];
+    let series = [BarSeries::of_mm("ball", &read.deviations(), Look::Plain)];
+    let ends = read.ends().map(|end| end - read.mean());
+    let graded = coarsest(gauged, GradedQuantity::Runout, None);
+    let limits = graded.map(|graded| range(&graded, ends));
     let panel = BarPanel {
         title: &title,
         y_axis: "radius − mean, µm",
         series: &series,
-        limits: coarsest(gauged, GradedQuantity::Runout, None)
-            .map(|graded| range(&graded, read.ends().map(|end| end - read.mean())))
-            .into_iter()
-            .collect(),
+        limits: Vec::from_iter(limits),
         level: LEVEL,
     };
     bars(gauged, Chart::RUNOUT, "tooth before the ball", &[panel])
 }
 
 /// Single pitch above cumulative pitch.
-fn pitch(
-    gauged: &GaugedGear,
-    chart: Chart,
-    read: &PitchReadings,
-) -> Result<Option<(String, String)>, PictureError> {
+fn pitch(gauged: &GaugedGear, chart: Chart, read: &PitchReadings) -> File {
     let about = match read.axis {
         PitchAxis::Own => "the gear's own centre",
         PitchAxis::Datum => "the rotation axis",
@@ -225,25 +210,23 @@ fn pitch(
             (Flank::Right, "right flanks", Look::Right),
             (Flank::Left, "left flanks", Look::Left),
         ]
-        .map(|(side, name, look)| series(name, &values(read, side), look))
+        .map(|(side, name, look)| BarSeries::of_mm(name, &values(read, side), look))
     };
     let single = flanks(PitchReadings::single);
     let cumulative = flanks(|read, side| read.cumulative.flank(side).to_vec());
+    let limits = graded(GradedQuantity::SinglePitch).map(|graded| {
+        let (tolerance, name) = tolerance(&graded);
+        Limits {
+            values: [-tolerance, tolerance],
+            name: format!("f_p {name}"),
+        }
+    });
     let panels = [
         BarPanel {
             title: &titles[0],
             y_axis: "f from the mean pitch, µm",
             series: &single,
-            limits: graded(GradedQuantity::SinglePitch)
-                .map(|graded| {
-                    let (tolerance, name) = tolerance(&graded);
-                    Limits {
-                        values: [-tolerance, tolerance],
-                        name: format!("f_p {name}"),
-                    }
-                })
-                .into_iter()
-                .collect(),
+            limits: Vec::from_iter(limits),
             level: LEVEL,
         },
         BarPanel {
@@ -266,11 +249,9 @@ fn coarsest(
     axis: Option<PitchAxis>,
 ) -> Option<GradedReading> {
     let grades = gauged.gauged.grades.as_ref().ok()?;
-    let of = grades
-        .iter()
-        .copied()
-        .filter(|one| one.quantity == quantity && one.pitch.map(|(axis, _)| axis) == axis);
-    of.reduce(|one, other| {
+    let is_of =
+        |one: &GradedReading| one.quantity == quantity && one.pitch.map(|(axis, _)| axis) == axis;
+    grades.iter().copied().filter(is_of).reduce(|one, other| {
         if other.measured > one.measured {
             other
         } else {
@@ -281,16 +262,12 @@ fn coarsest(
 
 /// Tolerance, µm, and its name.
 fn tolerance(graded: &GradedReading) -> (f64, String) {
-    match graded.grade {
-        Grade::Within { grade, tolerance } => (
-            1e3 * tolerance,
-            format!("grade {grade}, {} µm", rounded(1e3 * tolerance, 1)),
-        ),
-        Grade::Beyond { last, tolerance } => (
-            1e3 * tolerance,
-            format!("beyond grade {last}, {} µm", rounded(1e3 * tolerance, 1)),
-        ),
-    }
+    let (words, grade, tolerance) = match graded.grade {
+        Grade::Within { grade, tolerance } => ("grade", grade, tolerance),
+        Grade::Beyond { last, tolerance } => ("beyond grade", last, tolerance),
+    };
+    let um = 1e3 * tolerance;
+    (um, format!("{words} {grade}, {} µm", rounded(um, 1)))
 }
 
 /// The tolerance of a range, centred between `ends`, mm.
@@ -303,25 +280,14 @@ fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
     }
 }
 
-fn series<'a>(name: &'a str, lengths: &[f64], look: Look) -> BarSeries<'a> {
-    BarSeries {
-        name,
-        values: lengths.iter().map(|mm| Some(mm * 1e3)).collect(),
-        look,
-    }
-}
-
 /// Profile deviation over the roll length.
-fn profile_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
-    let Ok(read) = &gauged.gauged.profile else {
-        return Ok(None);
-    };
-    if !read.deviates() {
-        return Ok(None);
+fn profile_chart(gauged: &GaugedGear) -> File {
+    match &gauged.gauged.profile {
+        Ok(read) if read.deviates() => file(gauged, Chart::PROFILE, |heading| {
+            profiles(heading, read, 100.0 * LEVEL)
+        }),
+        _ => Ok(None),
     }
-    file(gauged, Chart::PROFILE, |heading| {
-        profiles(heading, read, 100.0 * LEVEL)
-    })
 }
 
 /// Leads over the height, about the axis of the teeth, and about the rotation axis where they differ.
@@ -340,7 +306,7 @@ fn lead_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureErro
 }
 
 /// The double-flank roll test as a curve over one revolution.
-fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
+fn roll_chart(gauged: &GaugedGear) -> File {
     let Ok(roll) = &gauged.gauged.roll else {
         return Ok(None);
     };
@@ -348,12 +314,9 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
     let teeth = gauged.teeth();
     let value = |pose: &RollPose| Some(1e3 * (pose.distance - mean));
     let place = |pose: &RollPose| f64::from(pose.mating.wheel_tooth) + pose.mating.fraction;
-    let mut points: Vec<(f64, Option<f64>)> = roll
-        .poses
-        .iter()
-        .chain(&roll.between)
-        .map(|pose| (place(pose), value(pose)))
-        .collect();
+    let poses = roll.poses.iter().chain(&roll.between);
+    let points = poses.map(|pose| (place(pose), value(pose)));
+    let mut points: Vec<(f64, Option<f64>)> = points.collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     // The first pose again, to close the revolution.
     let first = points.first().and_then(|point| point.1);

@@ -146,14 +146,9 @@ fn along_face(found: &FaceReadings) -> String {
         }
     }
     for read in &found.sections {
-        let span = read
-            .spans
-            .as_ref()
-            .map(|spans| format!(", W_k {} mm", ascii(spans.mean(), 6)));
-        let runout = read
-            .runout
-            .as_ref()
-            .map(|runout| format!(", F_r {} µm", um_ascii(runout.total(), 3)));
+        let (spans, runout) = (read.spans.as_ref(), read.runout.as_ref());
+        let span = spans.map(|spans| format!(", W_k {} mm", ascii(spans.mean(), 6)));
+        let runout = runout.map(|runout| format!(", F_r {} µm", um_ascii(runout.total(), 3)));
         let _ = writeln!(
             text,
             "{} mm from the reference face{}{} ({})",
@@ -177,20 +172,15 @@ fn along_face(found: &FaceReadings) -> String {
 }
 
 fn eccentricity(found: &Eccentricity) -> String {
-    if found.amount > 0.0 && found.any_direction {
-        format!(
-            "2 e = {} µm; towards which tooth is not stated, read here with tooth 1 high",
-            um_ascii(2.0 * found.amount, 3)
-        )
-    } else if found.amount > 0.0 {
-        format!(
-            "2 e = {} µm towards tooth {}",
-            um_ascii(2.0 * found.amount, 3),
-            ascii(found.high_tooth, 2)
-        )
-    } else {
-        "no eccentricity".to_owned()
+    if !(found.amount > 0.0) {
+        return "no eccentricity".to_owned();
     }
+    let towards = if found.any_direction {
+        "; towards which tooth is not stated, read here with tooth 1 high".to_owned()
+    } else {
+        format!(" towards tooth {}", ascii(found.high_tooth, 2))
+    };
+    format!("2 e = {} µm{towards}", um_ascii(2.0 * found.amount, 3))
 }
 
 fn both(pitch: &PitchReadings) -> String {

@@ -92,13 +92,7 @@ pub fn arrow(from: Spot, to: Spot, width: f64) -> Group {
 
 /// The bounding box of a disc.
 pub fn around([x, y]: Spot, radius: f64) -> Frame {
-    Frame {
-        left: x,
-        top: y,
-        right: x,
-        bottom: y,
-    }
-    .grown(radius)
+    Frame::new([x, y], [x, y]).grown(radius)
 }
 
 /// Dark diagonal lines under the id `hatch`, so that an overlap is visible without colour.

@@ -29,12 +29,7 @@ pub struct Plot {
 
 impl Plot {
     pub(crate) fn frame(&self) -> Frame {
-        Frame {
-            left: self.left,
-            top: self.top,
-            right: self.right,
-            bottom: self.bottom,
-        }
+        Frame::new([self.left, self.top], [self.right, self.bottom])
     }
 
     /// The place of data on the sheet.
@@ -44,6 +39,12 @@ impl Plot {
             self.left + part(self.x, x) * (self.right - self.left),
             self.bottom + part(self.y, y) * (self.top - self.bottom),
         ]
+    }
+
+    /// The place of the data between two values of x and of y.
+    pub(crate) fn between(&self, x: [f64; 2], y: [f64; 2]) -> Frame {
+        let ([left, bottom], [right, top]) = (self.spot((x[0], y[0])), self.spot((x[1], y[1])));
+        Frame::new([left, top], [right, bottom])
     }
 
     /// Units of the sheet per unit of data, across and up.
@@ -208,10 +209,8 @@ pub fn axes(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
         group.append(style.text(&x.name, [middle_x, bottom + 37.0]));
     }
     if !y.name.is_empty() {
-        let numbers = ticks
-            .at
-            .iter()
-            .map(|value| NUMBERS.width(&y.number(&ticks, *value)));
+        let values = ticks.at.iter();
+        let numbers = values.map(|value| NUMBERS.width(&y.number(&ticks, *value)));
         // Left of the widest number, with the distance of a sheet's edge from its plots.
         let foot = left - numbers.fold(44.0, f64::max).min(56.0) - 12.0;
         let style = NAMES.middle().fitted(&y.name, bottom - top + 40.0, 9.0);

@@ -108,10 +108,8 @@ impl TextStyle {
                 }
             }
         }
-        lines
-            .iter()
-            .map(|line| self.shortened(line, room))
-            .collect()
+        let lines = lines.iter();
+        lines.map(|line| self.shortened(line, room)).collect()
     }
 
     /// A smaller size where `text` is longer than `room`, but at least `least`.
@@ -263,20 +261,14 @@ fn width(text: &str, size: f64) -> f64 {
     em * size
 }
 
-/// Height of capitals and digits at `size`.
-fn cap_height(size: f64) -> f64 {
-    0.73 * size
-}
+/// Height of capitals and digits, as a share of the size.
+const CAP_HEIGHT: f64 = 0.73;
 
 /// The box of a text of `size` centred at `middle`.
 pub fn room(text: &str, size: f64, middle: Spot) -> Frame {
-    let (half, rise) = (0.5 * width(text, size), 0.5 * cap_height(size));
-    Frame {
-        left: middle[0] - half,
-        top: middle[1] - rise,
-        right: middle[0] + half,
-        bottom: middle[1] + rise,
-    }
+    let (half, rise) = (0.5 * width(text, size), 0.5 * (CAP_HEIGHT * size));
+    let [x, y] = middle;
+    Frame::new([x - half, y - rise], [x + half, y + rise])
 }
 
 #[cfg(test)]

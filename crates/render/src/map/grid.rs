@@ -92,20 +92,14 @@ impl Grid<'_> {
 
     /// The field in data: the phase to the right, the centre distance upwards.
     fn plot(&self, field: Frame) -> Plot {
-        let Frame {
-            left,
-            right,
-            top,
-            bottom,
-        } = field;
         let first = self.distances.first().copied().unwrap_or_default();
         let last = self.distances.last().copied().unwrap_or_default();
         let half = 0.5 * (last - first) / (self.distances.len().max(2) - 1) as f64;
         Plot {
-            left,
-            right,
-            top,
-            bottom,
+            left: field.left,
+            right: field.right,
+            top: field.top,
+            bottom: field.bottom,
             x: self.phase.range,
             y: [first - half, last + half],
         }

@@ -45,10 +45,8 @@ fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
             material => format!(", {}", material.words()),
         }
     );
-    let um = map
-        .cells
-        .iter()
-        .filter_map(|cell| Some(1e3 * cell.backlash?));
+    let cells = map.cells.iter();
+    let um = cells.filter_map(|cell| Some(1e3 * cell.backlash?));
     let greatest = um.fold(0.0, f64::max);
     let step = step(greatest / STEPS as f64);
     let upto = |steps: usize| shortest(step * steps as f64);

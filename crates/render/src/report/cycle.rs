@@ -2,6 +2,7 @@
 
 use super::page::Page;
 use super::phrases::few;
+use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::analysis::phases::phase;
 use gearlash::pair::{GearPair, Member, SweepPlan};
@@ -18,13 +19,9 @@ pub(super) fn section(page: &Page) -> Markup {
 
 fn simulated(page: &Page) -> String {
     let report = page.report;
-    let poses = |runs: &[gearlash::analysis::compare::ComparedRun]| -> usize {
-        runs.iter().map(|run| run.poses.len()).sum()
-    };
-    let (turned, requested) = (
-        poses(&report.analysis.revolution),
-        poses(&report.analysis.runs),
-    );
+    let poses = |runs: &[ComparedRun]| -> usize { runs.iter().map(|run| run.poses.len()).sum() };
+    let turned = poses(&report.analysis.revolution);
+    let requested = poses(&report.analysis.runs);
     let picked = poses(&report.analysis.extremes.runs);
     let mut parts = Vec::new();
     if report.pair.study.sweeps() {
@@ -63,7 +60,7 @@ fn other_poses(page: &Page) -> Markup {
     let matings = extremes.iter().map(|run| run.matings).max().unwrap_or(0);
     let unproven = extremes.iter().filter(|run| !run.is_proven()).count();
     html! {
-        @if extremes.iter().all(|run| run.assembly.data().is_some_and(has_equal_teeth)) {
+        @if extremes.iter().all(|run| run.assembly.data().is_some_and(|pair| differ(pair) == [false; 2])) {
             "All teeth of each gear are equal, and so are all matings. "
         }
         "The hunting cycle is " (matings) " matings. Least and greatest backlash are "
@@ -76,28 +73,16 @@ fn other_poses(page: &Page) -> Markup {
     }
 }
 
-/// Whether all teeth of each gear are equal.
-fn has_equal_teeth(pair: &GearPair) -> bool {
-    Member::BOTH
-        .iter()
-        .all(|member| !pair.gear(*member).has_different_teeth())
-}
-
-fn both_deviate(pair: &GearPair) -> bool {
-    Member::BOTH
-        .iter()
-        .all(|member| pair.gear(*member).has_different_teeth())
+/// Whether the teeth of wheel and pinion differ.
+fn differ(pair: &GearPair) -> [bool; 2] {
+    Member::BOTH.map(|member| pair.gear(member).has_different_teeth())
 }
 
 /// The assembly phases of the poses.
 fn phases(page: &Page) -> Markup {
     let study = &page.report.pair.study;
-    let first = page
-        .report
-        .analysis
-        .revolution
-        .first()
-        .and_then(|run| run.poses.first().map(|pose| (run, pose)));
+    let first = page.report.analysis.revolution.first();
+    let first = first.and_then(|run| Some((run, run.poses.first()?)));
     let (Some((run, pose)), false) = (first, matches!(study.sweep, Some(SweepPlan::Phases { .. })))
     else {
         return html! {};
@@ -106,16 +91,16 @@ fn phases(page: &Page) -> Markup {
     let ways = SweepPlan::phase_count(wheel, pinion);
     let mating = pose.simulated.pose.mating();
     // Where one gear is perfect, the phase does not matter.
-    let matters = ways > 1 && run.run.assembly.data().is_some_and(both_deviate);
+    let pair = run.run.assembly.data();
+    let matters = ways > 1 && pair.is_some_and(|pair| differ(pair) == [true; 2]);
     let way = phase(&run.run.assembly, mating);
     let requested = page.report.analysis.runs.iter().flat_map(|run| {
         let poses = run.poses.iter();
         poses.map(|pose| phase(&run.run.assembly, pose.simulated.pose.mating()))
     });
     let elsewhere: Vec<u32> = requested.filter(|other| *other != way).collect();
-    let other_ways: Vec<u32> = BTreeSet::from_iter(elsewhere.iter().copied())
-        .into_iter()
-        .collect();
+    let other_ways = BTreeSet::from_iter(elsewhere.iter().copied());
+    let other_ways = Vec::from_iter(other_ways);
     html! {
         @if matters {
             " Wheel tooth " (mating.wheel_tooth) " meets pinion tooth " (mating.pinion_tooth)

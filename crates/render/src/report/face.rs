@@ -74,16 +74,9 @@ fn row(at: &AtWidth, one_section: Option<&AtWidth>) -> Vec<Markup> {
         "out of mesh"
     };
     let mut row = cells![trimmed(at.width(), 0, 3), format!("{from} … {to}")];
-    row.extend(extreme(
-        at.least(),
-        one_section.and_then(AtWidth::least),
-        none,
-    ));
-    row.extend(extreme(
-        at.greatest(),
-        one_section.and_then(AtWidth::greatest),
-        none,
-    ));
+    for end in [AtWidth::least, AtWidth::greatest] {
+        row.extend(extreme(end(at), one_section.and_then(end), none));
+    }
     row
 }
 

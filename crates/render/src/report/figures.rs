@@ -4,11 +4,12 @@ use super::page::Page;
 use super::table::Table;
 use crate::chart::PictureError;
 use crate::chart::{self, Chart, Heading};
+use crate::pose_name::phase_name;
 use gearlash::analysis::curves::{Course, DistancePoint, Followed};
 use gearlash::gear::Inspection;
 use gearlash_files::numbers::stated_distance;
 use gearlash_results::grades::GearGrades;
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, PreEscaped, Render, html};
 
 /// Most centre distances and phases whose curves are in the page (tuned: some 100 kB each).
 const MOST_COURSES: usize = 12;
@@ -33,12 +34,10 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
 
 /// Centre distance and phase of a course.
 fn place(course: &Course) -> String {
-    let phase = course.phase.map_or(String::new(), |(wheel, pinion)| {
-        format!(", phase {wheel}·{pinion}")
-    });
     format!(
-        "at a = {} mm{phase}",
-        stated_distance(course.center_distance)
+        "at a = {} mm{}",
+        stated_distance(course.center_distance),
+        phase_name(course.phase)
     )
 }
 
@@ -49,9 +48,8 @@ fn id(number: usize) -> String {
 
 /// The courses whose charts are in the page, each with the chart's id.
 pub(super) fn charted<'p>(page: &'p Page) -> Vec<(String, &'p Course)> {
-    let drawn = drawn_courses(page);
+    let drawn = drawn_courses(page).into_iter();
     drawn
-        .into_iter()
         .map(|number| (id(number), &page.courses[number]))
         .collect()
 }
@@ -76,17 +74,13 @@ pub(super) fn difference(page: &Page) -> Result<Markup, PictureError> {
     let tolerance = page.report.pair.study.tolerance_um;
     let draw = |number: usize, course: &Course| {
         let title = format!("Simulation minus formula {}", place(course));
-        let comparable = course.lines.iter().flat_map(|line| &line.points);
-        let comparable = comparable
-            .map(|point| {
-                [
-                    point.off_michalec_um,
-                    point.off_involute_um,
-                    point.off_line_of_action_um,
-                ]
-            })
-            .any(|models| models.iter().any(Option::is_some));
-        if comparable {
+        let mut points = course.lines.iter().flat_map(|line| &line.points);
+        let is_comparable = points.any(|point| {
+            point.off_michalec_um.is_some()
+                || point.off_involute_um.is_some()
+                || point.off_line_of_action_um.is_some()
+        });
+        if is_comparable {
             let prefix = format!("difference{number}");
             let drawn = chart::difference(&heading(page, &prefix, &title), course, tolerance)?;
             Ok(figure(&drawn))
@@ -118,8 +112,7 @@ fn over_teeth(
     Ok(html! {
         (draw(*first)?)
         @if !rest.is_empty() {
-            details {
-                summary { "More: " (others) }
+            (more(&others, html! {
                 @for number in rest { (draw(*number)?) }
                 @if left_out > 0 && phases {
                     p.note {
@@ -129,8 +122,7 @@ fn over_teeth(
                 } @else if left_out > 0 {
                     p.note { (left_out) " more by " code { "gearlash chart --center-distance" } "." }
                 }
-            }
-            (not_on_paper(&others))
+            }))
         }
     })
 }
@@ -170,13 +162,7 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, PictureError> {
     };
     Ok(html! {
         (first)
-        @if !rest.is_empty() {
-            details {
-                summary { "More: " (others) }
-                @for figure in rest { (figure) }
-            }
-            (not_on_paper(others))
-        }
+        @if !rest.is_empty() { (more(others, html! { @for figure in rest { (figure) } })) }
     })
 }
 
@@ -204,39 +190,33 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, PictureError> {
         let title = format!("Deviations of the {name}, tooth by tooth");
         let prefix = format!("inspection-{name}");
         let drawn = chart::inspection(&heading(page, &prefix, &title), name, &inspection)?;
-        Ok::<Markup, PictureError>(html! { figure.chart.tall tabindex="0" { (svg(&drawn)) } })
+        Ok::<Markup, PictureError>(tall(&drawn))
     };
     Ok(html! {
         h3 { "Deviations tooth by tooth" }
         (draw("wheel", wheel)?)
         (draw("pinion", pinion)?)
         @for gear in page.report.grades {
-            (profiles(page, gear)?)
-            (leads(page, gear)?)
+            @if let Some(read) = gear.profile.as_ref().filter(|read| read.deviates()) {
+                (deviations(page, gear, ["profile", "Profile"], |heading| chart::profiles(heading, read, LEAST_PROFILE))?)
+            }
+            @if let Some(read) = &gear.lead {
+                (deviations(page, gear, ["lead", "Lead"], |heading| chart::leads(heading, read, LEAST_PROFILE))?)
+            }
         }
     })
 }
 
-/// Profile deviation of a gear over the roll length, where it has any.
-fn profiles(page: &Page, gear: &GearGrades) -> Result<Markup, PictureError> {
-    let Some(read) = gear.profile.as_ref().filter(|read| read.deviates()) else {
-        return Ok(html! {});
-    };
-    let title = format!("Profile deviations of the {}", gear.name);
-    let prefix = format!("profile-{}", gear.name);
-    let drawn = chart::profiles(&heading(page, &prefix, &title), read, LEAST_PROFILE)?;
-    Ok(html! { figure.chart.tall tabindex="0" { (svg(&drawn)) } })
-}
-
-/// Lead deviation of a gear over the height, where it has any.
-fn leads(page: &Page, gear: &GearGrades) -> Result<Markup, PictureError> {
-    let Some(read) = &gear.lead else {
-        return Ok(html! {});
-    };
-    let title = format!("Lead deviations of the {}", gear.name);
-    let prefix = format!("lead-{}", gear.name);
-    let drawn = chart::leads(&heading(page, &prefix, &title), read, LEAST_PROFILE)?;
-    Ok(html! { figure.chart.tall tabindex="0" { (svg(&drawn)) } })
+/// Deviations of a gear as `draw` shows them. `names`: their kind in an id and in a title.
+fn deviations(
+    page: &Page,
+    gear: &GearGrades,
+    names: [&str; 2],
+    draw: impl Fn(&Heading) -> Result<Chart, PictureError>,
+) -> Result<Markup, PictureError> {
+    let title = format!("{} deviations of the {}", names[1], gear.name);
+    let prefix = format!("{}-{}", names[0], gear.name);
+    Ok(tall(&draw(&heading(page, &prefix, &title))?))
 }
 
 /// Rows above which a table is collapsed in `<details>`.
@@ -247,25 +227,37 @@ pub(super) fn folded(what: &str, table: &Table) -> Markup {
     let rows = table.rows.len();
     html! {
         @if rows > LONG {
-            details {
-                summary { (what) ": " (rows) " rows" }
-                (table)
-            }
-            (not_on_paper(what))
+            (collapsed(&format!("{what}: {rows} rows"), what, table.render()))
         } @else {
             (table)
         }
     }
 }
 
-/// A note on paper in place of collapsed `<details>`.
-pub(super) fn not_on_paper(what: &str) -> Markup {
-    html! { p.paper.note { "Not printed: " (what) ". Expand it on the screen before printing." } }
+/// `content` in collapsed `<details>` under `summary`; on paper a note that `what` is left out.
+pub(super) fn collapsed(summary: &str, what: &str, content: Markup) -> Markup {
+    html! {
+        details {
+            summary { (summary) }
+            (content)
+        }
+        p.paper.note { "Not printed: " (what) ". Expand it on the screen before printing." }
+    }
+}
+
+/// Further `content`, collapsed.
+pub(super) fn more(what: &str, content: Markup) -> Markup {
+    collapsed(&format!("More: {what}"), what, content)
 }
 
 /// A chart as a figure of the page.
 pub(super) fn figure(chart: &Chart) -> Markup {
     html! { figure.chart tabindex="0" { (svg(chart)) } }
+}
+
+/// A tall chart as a figure of the page.
+fn tall(chart: &Chart) -> Markup {
+    html! { figure.chart.tall tabindex="0" { (svg(chart)) } }
 }
 
 /// A chart for a wide and for a narrow screen; the style sheet shows one of them.

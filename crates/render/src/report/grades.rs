@@ -13,25 +13,18 @@ use maud::{Markup, html};
 
 pub(super) fn table(page: &Page) -> Markup {
     let gears = page.report.grades;
-    let any = gears
-        .iter()
-        .any(|gear| gear.graded.iter().flatten().next().is_some());
+    let mut readings = gears.iter().flat_map(|gear| gear.graded.iter().flatten());
+    let any = readings.next().is_some();
     let required = gears.iter().any(|gear| gear.required.is_some());
     let mut rows = Vec::new();
     for gear in gears {
-        rows.extend(
-            gear.graded
-                .iter()
-                .flatten()
-                .map(|reading| graded(gear, reading)),
-        );
-        let datum = gear
-            .pitches
-            .iter()
-            .filter(|pitch| pitch.axis == PitchAxis::Datum);
-        let flanks =
-            datum.flat_map(|pitch| Flank::BOTH.map(|flank| ungraded(gear.name, pitch, flank)));
-        rows.extend(flanks.flatten());
+        let readings = gear.graded.iter().flatten();
+        rows.extend(readings.map(|reading| graded(gear, reading)));
+        let pitches = gear.pitches.iter();
+        for pitch in pitches.filter(|pitch| pitch.axis == PitchAxis::Datum) {
+            let flanks = Flank::BOTH.map(|flank| ungraded(gear.name, pitch, flank));
+            rows.extend(flanks.into_iter().flatten());
+        }
     }
     let mut columns = columns(
         "gear | symbol:w | deviation | measured µm:n | grade:n | its tolerance µm:n | required grade",

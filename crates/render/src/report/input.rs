@@ -151,8 +151,7 @@ fn pitches(page: &Page, gears: [&GearSpec; 2]) -> [String; 2] {
         };
         let by_tooth = gear.is_some_and(|gear| {
             let inspection = Inspection::of(gear);
-            let mut thickness = inspection.thickness().iter();
-            thickness.any(|thickness| *thickness != 0.0)
+            inspection.thickness().iter().any(|off| *off != 0.0)
         });
         pitch(stated.pitch.as_ref(), by_tooth)
     })
@@ -163,15 +162,14 @@ fn properties(page: &Page, list: &[Property]) -> Vec<(&'static str, [String; 2])
     let study = &page.report.pair.study;
     let each = list.iter().map(|(spur, helical, decimals, of)| {
         let values = Member::BOTH.map(|member| {
-            let gears = study
-                .materials
-                .iter()
-                .map(|(_, wheel, pinion)| match member {
+            let values = study.materials.iter().map(|(_, wheel, pinion)| {
+                let gear = match member {
                     Member::Wheel => wheel,
                     Member::Pinion => pinion,
-                });
-            let mut values: Vec<String> =
-                gears.map(|gear| trimmed(of(gear), 0, *decimals)).collect();
+                };
+                trimmed(of(gear), 0, *decimals)
+            });
+            let mut values: Vec<String> = values.collect();
             values.dedup();
             values.join(" / ")
         });
@@ -196,21 +194,11 @@ fn own_face(gear: &GearSpec) -> String {
 pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
     let study = &page.report.pair.study;
     let clearance = &spec.bearing_clearance_mm;
-    let distances: Vec<String> = study
-        .center_distances
-        .iter()
-        .map(|a| stated_distance(*a))
-        .collect();
+    let distances = study.center_distances.iter().map(|a| stated_distance(*a));
+    let distances: Vec<String> = distances.collect();
     let angles = page.report.analysis.runs.iter();
-    let angles = angles.filter_map(|run| {
-        Some(
-            run.run
-                .assembly
-                .data()?
-                .operating_pressure_angle()
-                .to_degrees(),
-        )
-    });
+    let angles = angles.filter_map(|run| run.run.assembly.data());
+    let angles = angles.map(|pair| pair.operating_pressure_angle().to_degrees());
     let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
     let angle = if least == most {
         fixed(least, 4)

@@ -1,6 +1,6 @@
 //! The method, its accuracy and its limits.
 
-use super::figures::not_on_paper;
+use super::figures::collapsed;
 use super::page::Page;
 use super::phrases::{j_wt, symbol};
 use gearlash_files::numbers::bound_um;
@@ -11,8 +11,7 @@ pub(super) fn section(page: &Page) -> Markup {
     html! {
         section id="method" {
             h2 { "Method and error bound" }
-            details {
-                summary { "How the numbers are found" }
+            (collapsed("How the numbers are found", "how the numbers are found", html! {
                 p {
                     @if is_drawn {
                         "Outlines are taken as drawn; a gear by its data is built as measured. The "
@@ -58,8 +57,7 @@ pub(super) fn section(page: &Page) -> Markup {
                         "section; " (symbol("s", base_index(page))) " and the diameters are those of the transverse section."
                     }
                 }
-            }
-            (not_on_paper("how the numbers are found"))
+            }))
             h3 { "Not in the model" }
             ul { @for left_out in not_modelled(page) { li { (left_out) } } }
         }

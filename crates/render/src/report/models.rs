@@ -45,9 +45,8 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
         (of.neither, "are jammed or out of mesh: neither has a value"),
         (of.unproven, "are unproven: not compared"),
     ];
+    let counts = counts.iter().filter(|(poses, _)| *poses > 0);
     let counts: Vec<String> = counts
-        .iter()
-        .filter(|(poses, _)| *poses > 0)
         .map(|(poses, words)| format!("{poses} {words}"))
         .collect();
     let columns = columns("model:w | what it includes | poses:n | mean:n | largest:n");

@@ -49,11 +49,9 @@ impl PageFrame<'_> {
 
     /// The pair's title; its file where the title has no visible text.
     fn title(&self) -> String {
-        [self.title, self.file]
-            .map(plain)
-            .into_iter()
-            .find(|title| !title.trim().is_empty())
-            .unwrap_or_else(|| "Gear pair".to_owned())
+        let mut names = [self.title, self.file].map(plain).into_iter();
+        let visible = names.find(|name| !name.trim().is_empty());
+        visible.unwrap_or_else(|| "Gear pair".to_owned())
     }
 
     fn head(&self, title: &str) -> Markup {

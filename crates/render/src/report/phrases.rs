@@ -1,8 +1,8 @@
 //! Phrases and symbols that sections share: bands, symbols and the user's words.
 
-use crate::pose_name::pose_name;
+use crate::pose_name::{phase_name, pose_name};
 use gearlash::analysis::outcome::PoseOfRun;
-use gearlash::contact::Contact;
+use gearlash::gear::Side;
 pub(super) use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, um};
 use maud::{Markup, html};
@@ -57,19 +57,15 @@ pub(super) fn study() -> Markup {
     }
 }
 
-/// Wheel and pinion tooth of a contact.
-fn teeth(contact: &Option<Contact>) -> String {
-    contact.as_ref().map_or(NONE.to_owned(), |contact| {
-        format!("{}·{}", contact.wheel.tooth, contact.pinion.tooth)
-    })
-}
-
 /// The teeth in contact: right flanks, left flanks; wheel and pinion tooth each.
 pub(super) fn touching(found: Option<PoseOfRun>) -> [String; 2] {
-    match found.and_then(|found| found.pose.simulated.proven()) {
-        None => [NONE.to_owned(), NONE.to_owned()],
-        Some(lost_motion) => [teeth(&lost_motion.right), teeth(&lost_motion.left)],
-    }
+    let lost_motion = found.and_then(|found| found.pose.simulated.proven());
+    Side::BOTH.map(|side| {
+        let contact = lost_motion.and_then(|lost_motion| lost_motion.on(side));
+        contact.map_or(NONE.to_owned(), |contact| {
+            format!("{}·{}", contact.wheel.tooth, contact.pinion.tooth)
+        })
+    })
 }
 
 /// At most six of `all`, by name.
@@ -81,9 +77,7 @@ pub(super) fn few<T>(all: &[T], name: impl Fn(&T) -> String) -> String {
 
 /// A pose in words: mating, flank, fraction.
 pub(super) fn pose(found: PoseOfRun) -> String {
-    let phase = found.run.run.phase;
-    let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
-    pose_name(found.pose.simulated.pose.mating()) + &phase
+    pose_name(found.pose.simulated.pose.mating()) + &phase_name(found.run.run.phase)
 }
 
 #[cfg(test)]

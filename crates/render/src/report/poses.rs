@@ -1,6 +1,6 @@
 //! The poses with the least and the greatest backlash, drawn.
 
-use super::figures::not_on_paper;
+use super::figures::more;
 use super::page::Page;
 use super::phrases::pose;
 use crate::snapshot::pose_picture_in_page;
@@ -12,17 +12,16 @@ use maud::{Markup, PreEscaped, html};
 /// Most other centre distances whose least pose is drawn (tuned: some 30 kB each).
 const MOST_DRAWN: usize = 8;
 
-/// Name of the collapsed pictures.
-const OTHERS: &str = "least backlash at the other centre distances";
-
 pub(super) fn section(page: &Page) -> Markup {
     let whole = &page.whole;
     let others = other_distances(page);
     html! {
         section id="poses" {
             h2 { "Worst poses" }
-            @if whole.worst.is_none() { p { (nothing_drawn(page)) } }
-            @if let Some(jammed) = whole.worst.filter(jams) {
+            @if whole.worst.is_none() {
+                p { "No pose is " @if whole.unproven > 0 { "proven to be " } "in mesh: there is nothing to draw." }
+            }
+            @if let Some(jammed) = whole.worst.filter(|found| found.pose.simulated.status() == Status::Jammed) {
                 (figure(page, "jammed", "Jammed, a tip in a root", jammed))
             }
             @if let Some(least) = whole.least { (figure(page, "least", "Least backlash", least)) }
@@ -34,28 +33,14 @@ pub(super) fn section(page: &Page) -> Markup {
             }
             @if whole.worst.is_some() { p.note { "Scale bars are correct; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." } }
             @if !others.is_empty() {
-                details {
-                    summary { "More: " (OTHERS) }
+                (more("least backlash at the other centre distances", html! {
                     @for (number, least) in others.into_iter().enumerate() {
                         (figure(page, &format!("least{}", number + 1), "Least backlash", least))
                     }
-                }
-                (not_on_paper(OTHERS))
+                }))
             }
         }
     }
-}
-
-fn nothing_drawn(page: &Page) -> &'static str {
-    match page.whole.unproven {
-        0 => "No pose is in mesh: there is nothing to draw.",
-        _ => "No pose is proven to be in mesh: there is nothing to draw.",
-    }
-}
-
-/// Whether the pose is jammed.
-fn jams(found: &PoseOfRun) -> bool {
-    found.pose.simulated.status() == Status::Jammed
 }
 
 /// The pose with the greatest loss beyond all formulas, where that exceeds the tolerance and is not drawn yet.

@@ -47,10 +47,8 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
             Some(MeasuringBody::Ball) => "balls",
             _ => "pins",
         };
-        parts.push(format!(
-            "over {name} of {} mm {mm} mm",
-            shortest(pins.pin_mm)
-        ));
+        let diameter = shortest(pins.pin_mm);
+        parts.push(format!("over {name} of {diameter} mm {mm} mm"));
     }
     match &statement.allowance_um {
         Some(Either::One(0.0)) => parts.push("nominal".to_owned()),
@@ -60,14 +58,14 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
     if let Some(field) = &statement.designation {
         parts.push(format!("{field} (DIN 3967)"));
     }
-    if let Some(mm) = &statement.flank_offset_mm {
-        parts.push(format!("flanks moved out by {} mm", single_or_band(mm)));
-    }
-    if let Some(mm) = &statement.base_thickness_mm {
-        parts.push(format!("base thickness {} mm", single_or_band(mm)));
-    }
-    if let Some(mm) = &statement.arc_thickness_mm {
-        parts.push(format!("arc thickness {} mm", single_or_band(mm)));
+    let lengths = [
+        ("flanks moved out by", &statement.flank_offset_mm),
+        ("base thickness", &statement.base_thickness_mm),
+        ("arc thickness", &statement.arc_thickness_mm),
+    ];
+    for (name, length) in lengths {
+        let length = length.as_ref().map(single_or_band);
+        parts.extend(length.map(|mm| format!("{name} {mm} mm")));
     }
     if let Some(chord) = &statement.chordal_thickness {
         let length = LengthSpec {
@@ -92,11 +90,7 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
 fn fitted_number(number: f64) -> String {
     let full = shortest(number);
     let short = shortest(rounded(number, 4));
-    if short.len() < full.len() {
-        short
-    } else {
-        full
-    }
+    std::cmp::min_by_key(full, short, String::len)
 }
 
 /// `F_r`, µm.
@@ -113,11 +107,8 @@ pub(super) fn runout(stated: &RunoutSpec) -> String {
 
 /// The tooth of the runout.
 pub(super) fn high_tooth(stated: &RunoutSpec) -> String {
-    let planes = stated.planes.map(|planes| {
-        planes
-            .map(|plane| fitted_number(plane.high_tooth))
-            .join(", ")
-    });
+    let tooth = |plane: RunoutPlaneSpec| fitted_number(plane.high_tooth);
+    let planes = stated.planes.map(|planes| planes.map(tooth).join(", "));
     planes.unwrap_or_else(|| stated.high_tooth.map_or("–".to_owned(), fitted_number))
 }
 
@@ -149,10 +140,9 @@ pub(super) fn pitch(stated: Option<&PitchSpec>, by_tooth: bool) -> String {
 
 /// Profile deviations as stated.
 pub(super) fn profile(stated: Option<&ProfileSpec>) -> String {
-    let Some(stated) = stated else {
-        return "not given".to_owned();
-    };
-    by_flank(stated.flanks().map(flank_profile))
+    stated.map_or("not given".to_owned(), |stated| {
+        by_flank(stated.flanks().map(flank_profile))
+    })
 }
 
 /// Lead deviations as stated.
@@ -189,13 +179,8 @@ fn flank_lead(stated: &FlankLeadSpec) -> String {
         let [um, mm] = [relief.um, relief.length_mm].map(shortest);
         parts.push(format!("end relief {um} µm over {mm} mm"));
     }
-    parts.extend(traces(
-        stated
-            .trace
-            .iter()
-            .flat_map(Either::as_list)
-            .map(|trace| trace.tooth),
-    ));
+    let measured = stated.trace.iter().flat_map(Either::as_list);
+    parts.extend(traces(measured.map(|trace| trace.tooth)));
     if parts.is_empty() {
         return "straight".to_owned();
     }
@@ -227,15 +212,12 @@ fn flank_profile(stated: &FlankProfileSpec) -> String {
     ];
     for (name, relief) in reliefs {
         parts.extend(relief.map(|relief| {
-            format!(
-                "{name} {} µm from d {} mm, {}",
-                shortest(relief.um),
-                shortest(relief.from_diameter_mm),
-                match relief.shape {
-                    ReliefShape::Linear => "straight",
-                    ReliefShape::Parabolic => "parabolic",
-                }
-            )
+            let [um, from] = [relief.um, relief.from_diameter_mm].map(shortest);
+            let shape = match relief.shape {
+                ReliefShape::Linear => "straight",
+                ReliefShape::Parabolic => "parabolic",
+            };
+            format!("{name} {um} µm from d {from} mm, {shape}")
         }));
     }
     parts.extend(traces(stated.traces().iter().map(|trace| trace.tooth)));

@@ -1,6 +1,6 @@
 //! The page of a population of pairs.
 
-use super::figures::{figure, not_on_paper};
+use super::figures::{collapsed, figure};
 use super::marks::mark;
 use super::page_frame::PageFrame;
 use super::phrases::{j_wt, plain, with_symbols};
@@ -112,24 +112,17 @@ fn input(report: &ToleranceReport) -> Markup {
             of(&|gear| stated::pitch(gear.pitch.as_ref(), false)),
         ),
     ];
-    if gears
-        .iter()
-        .flatten()
-        .all(|gear| gear.helix_angle_deg.is_none())
-    {
+    let mut angles = gears.iter().flatten().map(|gear| gear.helix_angle_deg);
+    if angles.all(|angle| angle.is_none()) {
         rows.retain(|(name, _)| *name != "helix angle, °");
     }
     let columns = columns(" | wheel | pinion");
     let rows = rows.into_iter();
     let shown = |value: Option<String>| plain(&value.unwrap_or_default());
     let rows = rows.map(|(name, [wheel, pinion])| cells![name, shown(wheel), shown(pinion)]);
-    let mut assembly = Vec::new();
     // Specs are plain data, which JSON can always hold.
-    let json = serde_json::to_value(&spec.assembly).unwrap_or_default();
-    statements("", &json, &mut assembly);
-    let mut scatters = Vec::new();
-    let json = serde_json::to_value(&report.file.tolerance).unwrap_or_default();
-    statements("", &json, &mut scatters);
+    let assembly = serde_json::to_value(&spec.assembly).unwrap_or_default();
+    let scatters = serde_json::to_value(&report.file.tolerance).unwrap_or_default();
     let required = required(&report.result.about);
     html! {
         section id="input" {
@@ -145,7 +138,10 @@ fn input(report: &ToleranceReport) -> Markup {
     }
 }
 
-fn stated_table(caption: &str, rows: &[(String, String)]) -> Markup {
+/// The statements of a table of the pair file.
+fn stated_table(caption: &str, table: &serde_json::Value) -> Markup {
+    let mut rows = Vec::new();
+    statements("", table, &mut rows);
     let columns = columns(" | ");
     let rows = rows
         .iter()
@@ -266,8 +262,7 @@ fn method(result: &ToleranceResult) -> Markup {
     html! {
         section id="method" {
             h2 { "Method" }
-            details {
-                summary { "How the shares and the spread are found" }
+            (collapsed("How the shares and the spread are found", "how the shares and the spread are found", html! {
             p {
                 "Each assembly is drawn by the seed and its number alone. Its least and greatest backlash are proven over every mating and rotation. "
                 (counts.clear) " assemblies are clear, " (counts.interference) " interfere, " (counts.jammed) " are jammed, "
@@ -290,8 +285,7 @@ fn method(result: &ToleranceResult) -> Markup {
                 "Contributions: Sobol’ indices by the estimators of Saltelli et al. (2010), standard errors by the jackknife over "
                 (GROUPS) " groups of rows."
             }
-            }
-            (not_on_paper("how the shares and the spread are found"))
+            }))
         }
     }
 }

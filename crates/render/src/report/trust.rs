@@ -76,12 +76,9 @@ fn certificate(page: &Page) -> Markup {
             "Each rotation was found twice, on the exact tooth curves and on polygons. "
         }
     };
-    let proven = page
-        .all
-        .iter()
-        .flat_map(|run| &run.poses)
-        .map(|pose| &pose.simulated)
-        .filter(|result| result.proven().is_some());
+    let poses = page.all.iter().flat_map(|run| &run.poses);
+    let results = poses.map(|pose| &pose.simulated);
+    let proven = results.filter(|result| result.proven().is_some());
     let agreement = MethodAgreement::of(proven);
     html! {
         (how)

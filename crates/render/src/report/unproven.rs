@@ -34,9 +34,8 @@ pub(super) fn count(page: &Page) -> Option<String> {
 /// Each of them with its reason and unverified values; empty where all are proven.
 pub(super) fn section(page: &Page) -> Markup {
     let runs = page.all.iter().copied();
-    let unproven: Vec<PoseOfRun> = runs
-        .flat_map(|run| run.unproven().map(move |pose| PoseOfRun { run, pose }))
-        .collect();
+    let unproven = runs.flat_map(|run| run.unproven().map(move |pose| PoseOfRun { run, pose }));
+    let unproven: Vec<PoseOfRun> = unproven.collect();
     html! {
         @if let Some(count) = count(page) {
             section id="unproven" {

@@ -5,7 +5,7 @@
 
 use super::gears::lines_over;
 use super::subject::{MAIN, Snapshot, names};
-use super::turning::{course, jumping, motion, rotation, switched};
+use super::turning::{course, jumping, motion, rotation};
 use super::turning::{metal, times, turns};
 use super::view::View;
 use super::{caption, main_view, pitch_chart};
@@ -20,22 +20,21 @@ use svg::node::element::Group;
 /// The SVG text of `steps` through a pitch, in ascending order; `view` shows the first. For helical gears `sections` has the
 /// section of each step, all at one place; for spur gears it is empty.
 pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]) -> String {
-    let scenes: Vec<Scene> = steps
-        .iter()
-        .enumerate()
-        .map(|(number, step)| match (sections.get(number), &step.found) {
-            (Some(section), _) => Scene::in_section(section),
-            (None, Ok(lost_motion)) => Scene::new(view.assembly, &step.pose, lost_motion),
-            (None, Err(_)) => Scene::unproven(view.assembly, &step.pose),
-        })
-        .collect();
+    let steps_in_sections = steps.iter().enumerate();
+    let scenes = steps_in_sections.map(|(number, step)| {
+        let at_step = Snapshot {
+            pose: &step.pose,
+            found: step.found.as_ref(),
+            section: sections.get(number),
+            ..*view
+        };
+        at_step.scene()
+    });
+    let scenes: Vec<Scene> = scenes.collect();
     let first = view.scene();
     let main = main_view::view(&first, MAIN);
     let mut occupied = Occupied::default();
-    let mating = [
-        view.drawn_pose().mating().wheel_tooth,
-        view.drawn_pose().mating().pinion_tooth,
-    ];
+    let mating = view.drawn_pose().mating();
     let times = times(steps);
     let metal = metal(&first, &scenes, &times, &main, &mut occupied);
     let over = lines_over(&first, &main, &Side::BOTH, Group::new(), &mut occupied);
@@ -70,7 +69,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
         .add(MAIN.border())
         .add(marks(&scenes, &times, &main))
         .add(numbers)
-        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
+        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale))
         .add(pitch_chart::draw(steps))
         .add(key(view.section.is_some()));
     format!("{sheet}\n")
@@ -80,24 +79,21 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
 fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     let mut group = Group::new().set("clip-path", "url(#mesh-frame)");
     for side in Side::BOTH {
-        let contacts: Vec<Option<&DrawnContact>> = scenes
-            .iter()
-            .map(|scene| scene.contacts().iter().find(|contact| contact.side == side))
-            .collect();
+        let contacts = scenes.iter().map(|scene| scene.contacts().iter());
+        let contacts = contacts.map(|mut each| each.find(|contact| contact.side == side));
+        let contacts: Vec<Option<&DrawnContact>> = contacts.collect();
         for on_free in [true, false] {
-            let spots: Option<Vec<(Spot, [u32; 2])>> = contacts
-                .iter()
-                .map(|contact| {
-                    let contact = (*contact)?;
-                    let at = if on_free {
-                        contact.on_free
-                    } else {
-                        contact.on_locked
-                    };
-                    let teeth = Member::BOTH.map(|member| contact.touch(member).tooth);
-                    Some((view.spot(at), teeth))
-                })
-                .collect();
+            let spots = contacts.iter().map(|contact| {
+                let contact = (*contact)?;
+                let at = if on_free {
+                    contact.on_free
+                } else {
+                    contact.on_locked
+                };
+                let teeth = Member::BOTH.map(|member| contact.touch(member).tooth);
+                Some((view.spot(at), teeth))
+            });
+            let spots: Option<Vec<(Spot, [u32; 2])>> = spots.collect();
             let touch = |contact: &Option<&DrawnContact>| {
                 contact.is_some_and(|contact| contact.turn == 0.0)
             };
@@ -105,7 +101,7 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
             // Sections of helical gears touch only at some steps.
             let fills = (!touching && contacts.iter().any(touch)).then(|| {
                 let fill = |contact| if touch(contact) { INK } else { "white" };
-                switched(contacts.iter().map(fill), times)
+                jumping("fill", contacts.iter().map(fill), times)
             });
             // A side that is out of mesh at some step has no marks; one in contact needs a single dot.
             if let Some(spots) = spots.filter(|_| !(touching && on_free)) {
@@ -115,7 +111,7 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
                     .add(motion("cx", &x))
                     .add(motion("cy", &y));
                 if let Some(fills) = fills {
-                    mark = mark.add(jumping("fill", &fills));
+                    mark = mark.add(fills);
                 }
                 group = group.add(mark);
             }

@@ -1,33 +1,40 @@
 //! The caption above a picture: title, mating, result.
 
 use super::subject::Snapshot;
-use crate::kit::TextStyle;
+use crate::kit::{Spot, TextStyle};
 use crate::pose_name::pose_name;
 use gearlash::contact::{FreePlacement, PoseResult, Scene, Status};
 use gearlash::gear::Side;
 use gearlash::pair::GearPair;
 use gearlash_files::numbers::{trimmed, um, um_bounded};
-use svg::node::element::Group;
+use svg::node::element::{Element, Group};
 
 /// Least type size of a result; a longer one is cut.
 const LEAST: f64 = 9.0;
 
 /// Title, mating and result, from `left` on and no wider than `room`.
 pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
-    let result = result_line(view, scene);
-    let style = TextStyle::new(16.0).fitted(&result, room, LEAST);
-    let result = style.text(&style.shortened(&result, room), [left, 97.0]);
+    let result = in_room(
+        TextStyle::new(16.0),
+        &result_line(view, scene),
+        [left, 97.0],
+        room,
+    );
     heading(view, left, room).add(result)
+}
+
+/// `words` in `style`: smaller where they are longer than `room`, and cut where that is not enough.
+fn in_room(style: TextStyle, words: &str, at: Spot, room: f64) -> Element {
+    let style = style.fitted(words, room, LEAST);
+    style.text(&style.shortened(words, room), at)
 }
 
 /// Title and mating.
 pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
     let (title, pose) = (TextStyle::new(24.0).bold(), TextStyle::new(16.0).grey());
-    let line = pose_line(view);
-    let fitted = pose.fitted(&line, room, LEAST);
     Group::new()
         .add(title.verbatim(&title.shortened(view.title, room), [left, 46.0]))
-        .add(fitted.text(&fitted.shortened(&line, room), [left, 73.0]))
+        .add(in_room(pose, &pose_line(view), [left, 73.0], room))
 }
 
 fn pose_line(view: &Snapshot) -> String {
@@ -69,8 +76,7 @@ pub fn draw_turning(
         );
     }
     let words = format!("{words} · {}", drawn_contact(scene));
-    let style = TextStyle::new(16.0).fitted(&words, room, LEAST);
-    let result = style.text(&style.shortened(&words, room), [left, 97.0]);
+    let result = in_room(TextStyle::new(16.0), &words, [left, 97.0], room);
     heading(view, left, room).add(result)
 }
 
@@ -85,18 +91,18 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
         }
         _ => (scene.status(), scene.circumferential_backlash()),
     };
-    let over_face = over_face(view);
-    let what = match (status, backlash) {
-        (Status::Interference, Some(backlash)) => {
-            format!("{}{over_face} · interference", j_wt(backlash))
+    let what = match (view.found, status, backlash) {
+        (Err(unproven), ..) => format!("unproven, no contact is drawn: {}", unproven.reason),
+        (Ok(_), status, Some((value, error))) => {
+            let word = match status {
+                Status::Interference => "interference",
+                _ => "clear",
+            };
+            let j_wt = um_bounded(value, error);
+            format!("j_wt = {j_wt}{} · {word}", over_face(view))
         }
-        (_, Some(backlash)) => format!("{}{over_face} · clear", j_wt(backlash)),
-        (Status::Jammed, None) => "jammed: a tip sits in a root".to_owned(),
-        (_, None) => "no contact: out of mesh".to_owned(),
-    };
-    let what = match view.found {
-        Ok(_) => what,
-        Err(unproven) => format!("unproven, no contact is drawn: {}", unproven.reason),
+        (Ok(_), Status::Jammed, None) => "jammed: a tip sits in a root".to_owned(),
+        (Ok(_), _, None) => "no contact: out of mesh".to_owned(),
     };
     format!("{what} · {}", drawn_contact(scene))
 }
@@ -124,9 +130,4 @@ fn drawn_contact(scene: &Scene) -> String {
         ),
         FreePlacement::Nominal => format!("drawn with the {free} at its nominal rotation"),
     }
-}
-
-/// `j_wt` with its error bound.
-fn j_wt((value, error): (f64, f64)) -> String {
-    format!("j_wt = {}", um_bounded(value, error))
 }

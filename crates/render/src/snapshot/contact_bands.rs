@@ -28,7 +28,7 @@ pub fn style(curve: ProfilePart) -> (&'static str, &'static str) {
 
 /// The bands of one contact, on the metal's side of both outlines (clips `{id}-wheel-clip`, `{id}-pinion-clip`).
 pub fn bands(scene: &Scene, contact: &DrawnContact, view: &View, id: &str, width: f64) -> Group {
-    let wide = view.frame().grown(MARGIN);
+    let wide = view.frame.grown(MARGIN);
     let mut group = Group::new();
     for member in Member::BOTH {
         let touch = contact.touch(member);
@@ -37,8 +37,7 @@ pub fn bands(scene: &Scene, contact: &DrawnContact, view: &View, id: &str, width
         };
         let (colour, dashes) = style(part);
         let points = placed.curve(contact.side, touch.tooth, part, view.chord());
-        let spots: Vec<Spot> = points.iter().map(|point| view.spot(*point)).collect();
-        for run in clip::parts(&spots, &wide) {
+        for run in clip::parts(&view.spots(&points), &wide) {
             let clip = format!("url(#{id}-{}-clip)", member.name());
             group = group.add(band(&run, width, colour, dashes).set("clip-path", clip));
         }
@@ -65,7 +64,7 @@ pub fn limits(
     view: &View,
     occupied: &mut Occupied,
 ) -> Group {
-    let wide = view.frame().grown(MARGIN);
+    let wide = view.frame.grown(MARGIN);
     let mut group = Group::new();
     for member in below_form(contact) {
         let Some(placed) = scene.placed(member).data() else {
@@ -99,7 +98,7 @@ pub fn tangent_points(scene: &Scene, contact: &DrawnContact, view: &View) -> Vec
     };
     let members = below_form(contact).into_iter();
     let ends = members.map(|member| action.ends[usize::from(member == Member::Pinion)]);
-    let inner = view.frame().grown(-8.0);
+    let inner = view.frame.grown(-8.0);
     ends.map(|end| view.spot(end))
         .filter(|spot| inner.holds(&around(*spot, 0.0)))
         .collect()

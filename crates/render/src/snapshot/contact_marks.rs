@@ -25,15 +25,15 @@ pub const IN_INSET: MarkSize = MarkSize {
     normal: 64.0,
 };
 
-/// Draws a contact: filled where the gears touch; else the two points that will meet, open, with the path from the free one to
-/// the other where it is visible.
+/// Draws a contact. Where the gears touch, it is one filled point. Elsewhere it is the two open points that will meet, with the path
+/// from the free gear's to the other where it is visible.
 pub fn draw(contact: &DrawnContact, view: &View, size: MarkSize, occupied: &mut Occupied) -> Group {
     let locked = view.spot(contact.on_locked);
     let free = view.spot(contact.on_free);
     // y points down on the sheet.
     let normal = [contact.normal.x, -contact.normal.y];
     // Across a visible gap, the normal ends at an involute's opposite flank.
-    let across = contact.gap * view.scale();
+    let across = contact.gap * view.scale;
     let length = if across > 24.0 { across } else { size.normal };
     let tip = [0, 1].map(|i| locked[i] + length * normal[i]);
     let mut group = Group::new().add(arrow(locked, tip, 1.8));
@@ -49,11 +49,10 @@ pub fn draw(contact: &DrawnContact, view: &View, size: MarkSize, occupied: &mut 
             group = group.add(arrow(ends[0], ends[1], 1.2));
         }
     }
-    for spot in if touching {
-        vec![locked]
-    } else {
-        vec![locked, free]
-    } {
+    for spot in [Some(locked), (!touching).then_some(free)]
+        .into_iter()
+        .flatten()
+    {
         occupied.frame(around(spot, size.dot));
         group = group.add(dot(spot, size.dot, touching));
     }

@@ -49,18 +49,21 @@ pub fn outline_difference(compared: &ComparedOutlines) -> String {
             .add(outlines(found, &near, name, &ids, factor))
             .add(mark(at, &near, factor))
             .add(frame.border())
-            .add(scale::bar([frame.left, frame.bottom + 16.0], near.scale()))
+            .add(scale::bar([frame.left, frame.bottom + 16.0], near.scale))
             .add(mark(at, &main, factor));
     }
     sheet = sheet
-        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
+        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale))
         .add(legend(factor));
     format!("{sheet}\n")
 }
 
 fn view(frame: Frame, middle: Point2<f64>, fits: f64) -> View {
-    let round = scale::at_most(fits / UNITS_PER_MM, scale::FINE);
-    View::new(frame, middle, UNITS_PER_MM * round)
+    View {
+        frame,
+        middle,
+        scale: UNITS_PER_MM * scale::at_most(fits / UNITS_PER_MM, scale::FINE),
+    }
 }
 
 /// Enlargement of deviations: 1, 2 or 5 times a power of ten, at least 1.
@@ -80,7 +83,7 @@ fn enlarged(at: &Deviation, factor: f64) -> Point2<f64> {
 
 /// A's metal, B's line, and the area between them.
 fn outlines(found: &OutlineDifference, view: &View, id: &str, ids: &Ids, factor: f64) -> Group {
-    let wide = view.frame().grown(MARGIN);
+    let wide = view.frame.grown(MARGIN);
     let spots = |at: &Deviation| [at.point, enlarged(at, factor)].map(|point| view.spot(point));
     let far = |from: Spot, to: Spot| (from[0] - to[0]).hypot(from[1] - to[1]) >= MERGE_WITHIN;
     let mut places: Vec<[Spot; 2]> = Vec::new();
@@ -103,9 +106,7 @@ fn outlines(found: &OutlineDifference, view: &View, id: &str, ids: &Ids, factor:
     places.extend(places.first().copied());
     let lines = [0, 1].map(|k| places.iter().map(|place| place[k]).collect::<Vec<Spot>>());
     let frame = ids.of(&format!("{id}-frame"));
-    let clipped = ClipPath::new()
-        .set("id", frame)
-        .add(view.frame().rectangle());
+    let clipped = ClipPath::new().set("id", frame).add(view.frame.rectangle());
     let mut group = Group::new()
         .set("clip-path", ids.url(&format!("{id}-frame")))
         .add(Definitions::new().add(clipped))
@@ -145,7 +146,7 @@ fn numbers(a: &OutlineGear, teeth: &[u32], view: &View) -> Group {
     shown.dedup();
     shown.iter().fold(Group::new(), |group, tooth| {
         let (sin, cos) = (a.drawn_direction() + a.tooth_angle(f64::from(*tooth))).sin_cos();
-        let radius = a.root_radius() - 24.0 / view.scale();
+        let radius = a.root_radius() - 24.0 / view.scale;
         let [x, y] = view.spot(Point2::new(radius * cos, radius * sin));
         group.add(style.text(&tooth.to_string(), [x, y + style.below_middle()]))
     })

@@ -10,7 +10,7 @@ use crate::kit::{
 };
 use gearlash::contact::Exaggeration;
 use gearlash::gear::Placed;
-use gearlash::pair::Member;
+use gearlash::pair::{Member, Pose};
 use gearlash_files::numbers::{rounded, um};
 use svg::node::element::{ClipPath, Definitions, Group, Path};
 
@@ -25,10 +25,7 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     let main = main_view::view(&scene, MAIN);
     let mut occupied = Occupied::default();
     let mesh = mesh(view, gears, &main, &mut occupied);
-    let mating = [
-        view.drawn_pose().mating().wheel_tooth,
-        view.drawn_pose().mating().pinion_tooth,
-    ];
+    let mating = view.drawn_pose().mating();
     let ([wheel_numbers, pinion_numbers], _) =
         main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
     let mut sheet = blank_sheet(WIDTH, HEIGHT)
@@ -39,8 +36,8 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
         .add(MAIN.border())
         .add(wheel_numbers)
         .add(pinion_numbers);
-    for ((member, tooth), frame) in Member::BOTH.into_iter().zip(mating).zip(INSETS) {
-        sheet = sheet.add(whole_gear(view, gears, member, tooth, frame));
+    for (member, frame) in Member::BOTH.into_iter().zip(INSETS) {
+        sheet = sheet.add(whole_gear(view.drawn_pose(), gears, member, frame));
     }
     let modified = Member::BOTH.map(|member| gears.found(member).profile.is_some());
     format!("{}\n", sheet.add(legend(modified.contains(&true))))
@@ -58,16 +55,15 @@ fn warning(gears: &Exaggeration) -> Group {
 
 /// The mesh zone: metal as exaggerated, perfect outlines dashed over it.
 fn mesh(view: &Snapshot, gears: &Exaggeration, main: &View, occupied: &mut Occupied) -> Group {
-    let wide = main.frame().grown(MARGIN);
+    let wide = main.frame.grown(MARGIN);
     let outline = |placed: &Placed| -> Vec<Spot> {
-        let points = Exaggeration::outline_near(placed, main.middle(), main.reach(), main.chord());
-        let spots: Vec<Spot> = points.iter().map(|point| main.spot(*point)).collect();
-        clip::polygon(&spots, &wide)
+        let points = Exaggeration::outline_near(placed, main.middle, main.reach(), main.chord());
+        clip::polygon(&main.spots(&points), &wide)
     };
     let mut definitions = Definitions::new().add(
         ClipPath::new()
             .set("id", "mesh-frame")
-            .add(main.frame().rectangle()),
+            .add(main.frame.rectangle()),
     );
     let ids = Ids::default();
     let mut metal = Group::new();
@@ -102,40 +98,36 @@ fn ghost_line(points: &[Spot], width: f64) -> Path {
 }
 
 /// A whole gear on the left of `frame`, its deviations on the right.
-fn whole_gear(
-    view: &Snapshot,
-    gears: &Exaggeration,
-    member: Member,
-    tooth: u32,
-    frame: Frame,
-) -> Group {
-    let [drawn, perfect] = gears.placed(view.drawn_pose(), member);
-    let square = Frame {
-        right: frame.left + frame.height(),
-        ..frame
-    };
+fn whole_gear(pose: &Pose, gears: &Exaggeration, member: Member, frame: Frame) -> Group {
+    let tooth = pose.mating().tooth(member);
+    let [drawn, perfect] = gears.placed(pose, member);
+    let right = frame.left + frame.height();
+    let square = Frame { right, ..frame };
     let gear = perfect.as_built().gear();
     let reach = gear.tip_radius() + drawn.as_built().eccentricity();
     let scale = 0.5 * (square.height() - 16.0) / reach;
-    let seen = View::new(square, drawn.axis(), scale);
+    let seen = View {
+        frame: square,
+        middle: drawn.axis(),
+        scale,
+    };
     let name = member.name();
+    let fill = match member {
+        Member::Wheel => WHEEL,
+        Member::Pinion => PINION,
+    };
     let title = TextStyle::new(16.0).bold();
     let title = title.text(&format!("the whole {name}"), [frame.left, frame.top - 9.0]);
     let mut group = Group::new().add(title).add(frame.border());
     for (placed, is_ghost) in [(&drawn, false), (&perfect, true)] {
         let rings = if gear.basic_data().angular_pitch() * gear.tip_radius() * scale < LEAST_TOOTH {
-            vec![gear.tip_radius(), gear.root_radius()]
-                .into_iter()
+            let circles = [gear.tip_radius(), gear.root_radius()];
+            circles
                 .map(|radius| seen.arc(placed.centre(), radius))
-                .collect()
+                .to_vec()
         } else {
             let points = Exaggeration::outline_near(placed, placed.centre(), reach, seen.chord());
-            vec![
-                points
-                    .iter()
-                    .map(|point| seen.spot(*point))
-                    .collect::<Vec<Spot>>(),
-            ]
+            vec![seen.spots(&points)]
         };
         for ring in rings {
             group = group.add(if is_ghost {
@@ -143,14 +135,7 @@ fn whole_gear(
             } else {
                 Path::new()
                     .set("d", path_data(&ring, true))
-                    .set(
-                        "fill",
-                        if member == Member::Wheel {
-                            WHEEL
-                        } else {
-                            PINION
-                        },
-                    )
+                    .set("fill", fill)
                     .set("stroke", INK)
                     .set("stroke-width", "0.90")
             });
@@ -165,17 +150,15 @@ fn whole_gear(
     let found = gears.found(member);
     let (eccentricity, high) = found.eccentricity;
     let flanks = gears.flanks_of(member, tooth);
+    let [size, towards] = if eccentricity > 0.0 {
+        let size = format!("eccentricity {} µm", um(eccentricity, 2));
+        [size, format!("towards tooth {}", rounded(high, 2))]
+    } else {
+        ["no eccentricity".to_owned(), String::new()]
+    };
     let rows = [
-        if eccentricity > 0.0 {
-            format!("eccentricity {} µm", um(eccentricity, 2))
-        } else {
-            "no eccentricity".to_owned()
-        },
-        if eccentricity > 0.0 {
-            format!("towards tooth {}", rounded(high, 2))
-        } else {
-            String::new()
-        },
+        size,
+        towards,
         "flank deviations, µm".to_owned(),
         "(reference circle, + more metal):".to_owned(),
         match found.flanks.map(|mm| um(mm, 2)) {

@@ -38,15 +38,13 @@ pub struct Look<'a> {
 /// by the wheel's.
 pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) -> Gears {
     let (id, ids) = (look.id, look.ids);
-    let frame = view.frame();
+    let frame = &view.frame;
     let wide = frame.grown(MARGIN);
     let names = Member::BOTH.map(|member| format!("{id}-{}", member.name()));
     let metal = Member::BOTH.map(|member| {
-        let outline = scene
-            .placed(member)
-            .outline_near(view.middle(), view.reach(), view.chord());
-        let spots: Vec<Spot> = outline.iter().map(|point| view.spot(*point)).collect();
-        clip::polygon(&spots, &wide)
+        let placed = scene.placed(member);
+        let outline = placed.outline_near(view.middle, view.reach(), view.chord());
+        clip::polygon(&view.spots(&outline), &wide)
     });
     metal.iter().for_each(|polygon| occupied.line(polygon));
     let mut group =
@@ -54,8 +52,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     for contact in scene.contacts() {
         // The gap area ends at whole chords; a finer chord keeps its ends in place.
         let room = scene.room_between(contact, view.chord() / 16.0);
-        let room: Vec<Spot> = room.iter().map(|point| view.spot(*point)).collect();
-        let room = clip::polygon(&room, &wide);
+        let room = clip::polygon(&view.spots(&room), &wide);
         if !room.is_empty() {
             group = group.add(
                 Path::new()
@@ -126,7 +123,7 @@ pub fn lines_over(
     mut group: Group,
     occupied: &mut Occupied,
 ) -> Group {
-    let wide = view.frame().grown(MARGIN);
+    let wide = view.frame.grown(MARGIN);
     for member in Member::BOTH {
         let placed = scene.placed(member);
         let pitch = scene.assembly().operating_pitch_radius(member);

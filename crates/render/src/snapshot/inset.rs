@@ -9,13 +9,13 @@ use crate::kit::{
     self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, UNITS_PER_MM, clip, line, scale,
 };
 use gearlash::contact::{
-    Contact, ContactClass, ContactKind, DrawnContact, FreePlacement, Scene, Status, Touch,
+    Contact, ContactClass, ContactKind, DrawnContact, FreePlacement, Scene, Status,
 };
 use gearlash::gear::{ProfilePart, Side};
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{GearPair, Member};
 use gearlash_files::numbers::um;
-use nalgebra::{Point2, center};
+use nalgebra::center;
 use svg::node::element::{Element, Group, Rectangle};
 
 /// Greatest width of a gap in an inset, units of the sheet. With steps of 2 and 2.5 no gap is drawn narrower than 36, 9 mm of
@@ -40,12 +40,11 @@ pub fn view(contact: &DrawnContact, frame: Frame, main: f64) -> View {
     } else {
         ENLARGEMENT * main
     };
-    let middle: Point2<f64> = center(&contact.on_locked, &contact.on_free);
-    View::new(
+    View {
         frame,
-        middle,
-        UNITS_PER_MM * scale::at_most(wanted / UNITS_PER_MM, scale::ISO_5455),
-    )
+        middle: center(&contact.on_locked, &contact.on_free),
+        scale: UNITS_PER_MM * scale::at_most(wanted / UNITS_PER_MM, scale::ISO_5455),
+    }
 }
 
 /// The enlarged contact with its frame and the gears' names.
@@ -67,7 +66,7 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, ids: &Ids) -> Gr
     let group = Group::new().add(gears.group).add(mark).add(label);
     let names = names(teeth, &gears.metal, view, &mut occupied);
     let group = names.into_iter().fold(group, Group::add);
-    group.add(view.frame().border())
+    group.add(view.frame.border())
 }
 
 /// Names of wheel and pinion with these tooth numbers, each on its own metal where there is room.
@@ -102,7 +101,10 @@ pub fn empty(frame: Frame) -> Rectangle {
 /// The caption of an inset in `frame`.
 pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame: &Frame) -> Group {
     let Frame { left, top, .. } = *frame;
-    let name = capital(side);
+    let name = match side {
+        Side::Right => "Right",
+        Side::Left => "Left",
+    };
     let (first, second) = match contact {
         None => (
             format!("{name} flanks: no contact"),
@@ -135,20 +137,16 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame:
             };
             let pair = scene.assembly().data();
             let edge = pair.and_then(|pair| edge(pair, side, &contact.contact));
-            let touch = |member: Member, touch: &Touch| {
+            let touches = Member::BOTH.map(|member| {
+                let touch = contact.touch(member);
                 let curve = if edge == Some(member) {
                     "undercut edge"
                 } else {
                     touch.curve.name()
                 };
                 format!("{} {} {curve}", member.name(), touch.tooth)
-            };
-            let second = format!(
-                "{} on {}",
-                touch(Member::Wheel, &contact.contact.wheel),
-                touch(Member::Pinion, &contact.contact.pinion)
-            );
-            (first, second)
+            });
+            (first, touches.join(" on "))
         }
     };
     let room = frame.width();
@@ -166,30 +164,20 @@ fn edge(assembly: &GearPair, side: Side, contact: &Contact) -> Option<Member> {
     }
     let above_foot = |member: Member| {
         let gear = assembly.gear(member).gear();
-        let touch = match member {
-            Member::Wheel => &contact.wheel,
-            Member::Pinion => &contact.pinion,
-        };
+        let touch = contact.touch(member);
         let involute = touch.curve == ProfilePart::Involute && gear.is_undercut();
         involute.then_some((member, touch.radius - gear.form_radius()))
     };
-    let touched = Member::BOTH.into_iter();
-    let nearest = touched.filter_map(above_foot);
-    let nearest = nearest.min_by(|a, b| a.1.total_cmp(&b.1));
+    let touched = Member::BOTH.into_iter().filter_map(above_foot);
+    let nearest = touched.min_by(|a, b| a.1.total_cmp(&b.1));
     nearest.map(|(member, _)| member)
 }
 
-fn capital(side: Side) -> &'static str {
-    match side {
-        Side::Right => "Right",
-        Side::Left => "Left",
-    }
-}
-
-/// A free place for `name` on the first `metal` and off the other: as near to the middle as keeps it well clear, or clear at all.
+/// A free place for `name` on the first `metal` and off the other. It is well clear of all that is drawn where that is possible, and of
+/// such places the nearest to the middle.
 fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -> Option<Frame> {
-    let inner = view.frame().grown(-8.0);
-    let middle = view.frame().middle();
+    let inner = view.frame.grown(-8.0);
+    let middle = view.frame.middle();
     let size = kit::room(name, SIZE, middle);
     let (dx, dy) = (0.5 * size.width(), 0.5 * size.height());
     let steps =
@@ -225,27 +213,22 @@ fn contains(polygon: &[Spot], [x, y]: Spot) -> bool {
 /// Connects an inset to its place in the main view.
 #[derive(Debug, Clone, Copy)]
 pub struct Link {
-    /// The area of the inset, or a larger box of its shape where that would be too small to see.
-    shown: Frame,
+    /// The area of the inset in the main view, or a larger box of its shape where that would be too small to see.
+    pub shown: Frame,
     inset: Frame,
 }
 
 impl Link {
     /// Connects the area of `enlarged` to its place in `main`.
     pub fn new(main: &View, enlarged: &View) -> Link {
-        let inset = *enlarged.frame();
-        let half = f64::max(0.5 * inset.width() * main.scale() / enlarged.scale(), 14.0);
-        let [x, y] = main.spot(enlarged.middle());
+        let inset = enlarged.frame;
+        let half = f64::max(0.5 * inset.width() * main.scale / enlarged.scale, 14.0);
+        let [x, y] = main.spot(enlarged.middle);
         let rise = half * inset.height() / inset.width();
         Link {
             shown: Frame::new([x - half, y - rise], [x + half, y + rise]),
             inset,
         }
-    }
-
-    /// The box in the main view.
-    pub fn shown(&self) -> &Frame {
-        &self.shown
     }
 
     /// The box; and `with_leader` a leader from it to the side of the inset. Candidates go from the middle of that side outwards;
@@ -265,10 +248,9 @@ impl Link {
             );
             [[0, 1].map(|i| from[i] + leave * along[i]), to]
         });
-        let is_clear = |leader: &&[Spot; 2]| {
-            !taken
-                .iter()
-                .any(|room| clip::segment(leader[0], leader[1], &room.grown(6.0)).is_some())
+        let is_clear = |[from, to]: &&[Spot; 2]| {
+            let crosses = |room: &Frame| clip::segment(*from, *to, &room.grown(6.0)).is_some();
+            !taken.iter().any(crosses)
         };
         let leader = leaders.iter().find(is_clear).unwrap_or(&leaders[0]);
         shown.add(line(leader, INK, 1.0))

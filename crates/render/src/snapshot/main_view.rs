@@ -5,7 +5,7 @@ use super::view::View;
 use crate::kit::{Frame, Occupied, UNITS_PER_MM, scale};
 use gearlash::contact::Scene;
 use gearlash::gear::Side;
-use gearlash::pair::Member;
+use gearlash::pair::{Mating, Member};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 use svg::node::element::Group;
@@ -35,13 +35,13 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
         include(contact.on_locked);
         include(contact.on_free);
     }
-    for action in Side::BOTH
-        .iter()
-        .filter_map(|side| scene.line_of_action(*side))
-    {
+    for side in Side::BOTH {
+        let Some(action) = scene.line_of_action(side) else {
+            continue;
+        };
         action.path.iter().flatten().copied().for_each(&mut include);
         let contacts = scene.contacts().iter();
-        for contact in contacts.filter(|contact| contact.side == action.side) {
+        for contact in contacts.filter(|contact| contact.side == side) {
             let is_limit = Member::BOTH.map(|m| contact.is_below_form_circle(m));
             let ends = action.ends.into_iter().zip(is_limit);
             // Tangent points of large gears are too far off to justify the smaller scale.
@@ -51,21 +51,21 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
         }
     }
     let fits = f64::min(0.5 * frame.width() / half.x, 0.5 * frame.height() / half.y);
-    View::new(
+    View {
         frame,
         middle,
-        UNITS_PER_MM * scale::at_most(fits / UNITS_PER_MM, scale::FINE),
-    )
+        scale: UNITS_PER_MM * scale::at_most(fits / UNITS_PER_MM, scale::FINE),
+    }
 }
 
 /// Numbers the teeth in view of wheel and pinion, mating ones in bold. Their rooms are added to `occupied` and returned.
 pub fn tooth_numbers(
     scene: &Scene,
     view: &View,
-    mating: [u32; 2],
+    mating: &Mating,
     occupied: &mut Occupied,
 ) -> ([Group; 2], Vec<Frame>) {
-    let numbered = |member, mating| {
+    let gears = Member::BOTH.map(|member| {
         let placed = scene.placed(member);
         let [tip, root] = placed.radii();
         Numbered {
@@ -74,14 +74,9 @@ pub fn tooth_numbers(
             root,
             foot: placed.base_radius().map_or(root, |base| root.min(base)),
             pitch: TAU / f64::from(scene.assembly().teeth(member)),
-            teeth: placed.teeth_near(view.middle(), view.reach()),
-            mating,
+            teeth: placed.teeth_near(view.middle, view.reach()),
+            mating: mating.tooth(member),
         }
-    };
-    let [wheel, pinion] = mating;
-    let gears = [
-        numbered(Member::Wheel, wheel),
-        numbered(Member::Pinion, pinion),
-    ];
+    });
     tooth_numbers::draw(&gears, view, occupied)
 }

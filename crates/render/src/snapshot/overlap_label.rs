@@ -21,10 +21,9 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, occupied: &mut O
     let width = rows.iter().map(|row| STYLE.width(row));
     let width = width.fold(0.0, f64::max) + 12.0;
     let height = 18.0 * rows.len() as f64 + 6.0;
-    let seen: Vec<Spot> = overlap.outline.iter().map(|p| view.spot(*p)).collect();
-    let seen = clip::polygon(&seen, &view.frame().grown(-8.0));
-    let target = interior_point(&seen, view.frame()).unwrap_or(view.spot(contact.on_locked));
-    let Some((room, leader)) = place([width, height], target, view.frame(), occupied) else {
+    let seen = clip::polygon(&view.spots(&overlap.outline), &view.frame.grown(-8.0));
+    let target = interior_point(&seen, &view.frame).unwrap_or(view.spot(contact.on_locked));
+    let Some((room, leader)) = place([width, height], target, &view.frame, occupied) else {
         return Group::new();
     };
     occupied.frame(room);

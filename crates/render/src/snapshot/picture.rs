@@ -52,25 +52,21 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
             insets = insets.add(inset::empty(frame));
             continue;
         };
-        let enlarged = inset::view(contact, frame, main.scale());
+        let enlarged = inset::view(contact, frame, main.scale);
         let link = Link::new(&main, &enlarged);
-        occupied.border(*link.shown());
+        occupied.border(link.shown);
         links.push(link);
         over = over.add(contact_marks::draw(contact, &main, IN_MAIN, &mut occupied));
         insets = insets
             .add(inset::draw(&scene, contact, &enlarged, ids))
             .add(scale::bar(
                 [frame.left, frame.bottom + 16.0],
-                enlarged.scale(),
+                enlarged.scale,
             ));
     }
     let mating = view.drawn_pose().mating();
-    let ([wheel_numbers, pinion_numbers], taken) = main_view::tooth_numbers(
-        &scene,
-        &main,
-        [mating.wheel_tooth, mating.pinion_tooth],
-        &mut occupied,
-    );
+    let ([wheel_numbers, pinion_numbers], taken) =
+        main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
     let links = links.iter().fold(Group::new(), |group, link| {
         group.add(link.draw(&taken, layout.is_sheet))
     });
@@ -96,7 +92,7 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
         .add(insets)
         .add(wheel_numbers)
         .add(pinion_numbers)
-        .add(scale::bar([frame.left, frame.bottom + 16.0], main.scale()))
+        .add(scale::bar([frame.left, frame.bottom + 16.0], main.scale))
         .add(legend);
     (sheet, last)
 }
@@ -107,49 +103,34 @@ fn slots<'s>(
     main: &View,
     layout: &Layout,
 ) -> Vec<(Option<&'s DrawnContact>, Side, Frame)> {
-    let mut sides: Vec<(Option<&DrawnContact>, Side)> = Side::BOTH
-        .into_iter()
-        .map(|side| {
-            (
-                scene.contacts().iter().find(|contact| contact.side == side),
-                side,
-            )
-        })
-        .collect();
-    if let [(Some(first), _), (Some(second), _)] = sides[..]
+    let mut contacts = Side::BOTH.map(|side| {
+        let contact = scene.contacts().iter().find(|contact| contact.side == side);
+        (contact, side)
+    });
+    if let [(Some(first), _), (Some(second), _)] = contacts
         && main.spot(second.on_locked)[1] < main.spot(first.on_locked)[1]
     {
-        sides.reverse();
+        contacts.reverse();
     }
-    sides
-        .into_iter()
-        .zip(layout.insets)
+    let slots = contacts.into_iter().zip(layout.insets);
+    slots
         .map(|((contact, side), frame)| (contact, side, frame))
         .collect()
 }
 
 /// The parts that the legend must explain.
 fn legend_content(scene: &Scene, main: &View) -> Shown {
-    let contacts = scene.contacts();
-    let members = Member::BOTH;
-    let touches = contacts
-        .iter()
-        .flat_map(|m| members.map(|member| m.touch(member)));
+    let is_drawn = scene.assembly().data().is_none();
+    let any = |holds: &dyn Fn(&DrawnContact) -> bool| scene.contacts().iter().any(holds);
+    let touches = scene.contacts().iter().filter(|_| !is_drawn);
+    let touches = touches.flat_map(|m| Member::BOTH.map(|member| m.touch(member)));
     Shown {
         on_paper: true,
-        gap: contacts.iter().any(|contact| contact.gap > 0.0),
+        gap: any(&|contact| contact.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
-        touching: match scene.assembly().data() {
-            Some(_) => touches.filter_map(|touch| touch.curve.part()).collect(),
-            None => Vec::new(),
-        },
-        form: contacts
-            .iter()
-            .any(|m| !contact_bands::below_form(m).is_empty())
-            && scene.assembly().data().is_some(),
-        tangent: contacts
-            .iter()
-            .any(|m| !contact_bands::tangent_points(scene, m, main).is_empty()),
-        outlines: scene.assembly().data().is_none(),
+        touching: touches.filter_map(|touch| touch.curve.part()).collect(),
+        form: !is_drawn && any(&|m| !contact_bands::below_form(m).is_empty()),
+        tangent: any(&|m| !contact_bands::tangent_points(scene, m, main).is_empty()),
+        outlines: is_drawn,
     }
 }

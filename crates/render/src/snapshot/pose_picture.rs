@@ -26,14 +26,8 @@ pub fn pose_picture(
     pose: &PoseResult,
 ) -> Result<String, Error> {
     let section = section(assembly, pose)?;
-    Ok(snapshot(&Snapshot {
-        title,
-        assembly,
-        pose: &pose.pose,
-        material,
-        found: pose.found.as_ref(),
-        section: section.as_ref(),
-    }))
+    let view = Snapshot::of_result(title, assembly, material, pose, section.as_ref());
+    Ok(snapshot(&view))
 }
 
 /// The picture for a page, with ids that begin with `id`. `words` describes it, given the place of the section of helical gears,
@@ -47,13 +41,6 @@ pub(crate) fn pose_picture_in_page(
 ) -> Result<[String; 2], Error> {
     let section = section(assembly, pose)?;
     let words = words(section.as_ref().map(MeshSection::at));
-    let view = Snapshot {
-        title,
-        assembly,
-        pose: &pose.pose,
-        material,
-        found: pose.found.as_ref(),
-        section: section.as_ref(),
-    };
+    let view = Snapshot::of_result(title, assembly, material, pose, section.as_ref());
     Ok([snapshot_in_page(&view, id, &words), words])
 }

@@ -2,7 +2,7 @@
 
 use crate::kit::{Frame, Ids, Spot, TextStyle, WIDTH};
 use gearlash::analysis::study::Material;
-use gearlash::contact::{LostMotion, MeshSection, Scene, Unproven};
+use gearlash::contact::{LostMotion, MeshSection, PoseResult, Scene, Unproven};
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Member, Pose};
 use svg::node::element::{Group, SVG};
@@ -25,6 +25,24 @@ pub struct Snapshot<'a> {
 }
 
 impl<'a> Snapshot<'a> {
+    /// The pose of `result`; `section` as [`Self::section`].
+    pub fn of_result(
+        title: &'a str,
+        assembly: &'a AssembledPair,
+        material: Material,
+        result: &'a PoseResult,
+        section: Option<&'a MeshSection>,
+    ) -> Snapshot<'a> {
+        Snapshot {
+            title,
+            assembly,
+            pose: &result.pose,
+            material,
+            found: result.found.as_ref(),
+            section,
+        }
+    }
+
     /// The drawn gears and contacts.
     pub(crate) fn scene(&self) -> Scene<'a> {
         match (self.section, self.found) {

@@ -36,15 +36,15 @@ pub fn draw(
 ) -> ([Group; 2], Vec<Frame>) {
     let mut groups = [Group::new(), Group::new()];
     let mut taken = Vec::new();
-    let inside = view.frame().grown(-6.0);
+    let inside = view.frame.grown(-6.0);
     for (gear, group) in gears.iter().zip(&mut groups) {
         let Numbered {
             tip, root, foot, ..
         } = *gear;
-        if gear.pitch * root * view.scale() < SIZE {
+        if gear.pitch * root * view.scale < SIZE {
             continue;
         }
-        let below = |radius: f64, lines: f64| radius - lines * SIZE / view.scale();
+        let below = |radius: f64, lines: f64| radius - lines * SIZE / view.scale;
         let rings = [
             below(root, 1.2),
             below(root, 2.4),
@@ -54,8 +54,8 @@ pub fn draw(
         let farther = (0..24).map(|i| below(tip, 0.8 + 0.4 * f64::from(i)));
         let free_room = |there: &(u32, f64), ring: f64, beside: f64, occupied: &Occupied| {
             let (tooth, direction) = *there;
-            let outward = unit(direction);
-            let across = Vector2::new(-outward.y, outward.x) * (beside * SIZE / view.scale());
+            let outward = Vector2::new(direction.cos(), direction.sin());
+            let across = Vector2::new(-outward.y, outward.x) * (beside * SIZE / view.scale);
             let at = gear.centre + ring * outward + across;
             let room = kit::room(&tooth.to_string(), SIZE, view.spot(at));
             (inside.holds(&room) && occupied.is_free(&room)).then_some(room)
@@ -66,10 +66,8 @@ pub fn draw(
         };
         let counts = rings.map(|ring| fitting(ring, occupied));
         let most = counts.into_iter().max();
-        let best = rings
-            .into_iter()
-            .zip(counts)
-            .find(|(_, count)| Some(*count) == most);
+        let mut counted = rings.into_iter().zip(counts);
+        let best = counted.find(|(_, count)| Some(*count) == most);
         for there in &gear.teeth {
             let is_mating = there.0 == gear.mating;
             let on_best = best.and_then(|(ring, _)| free_room(there, ring, 0.0, occupied));
@@ -97,8 +95,4 @@ pub fn centred(content: &str, room: &Frame, size: f64, bold: bool) -> Element {
     let style = TextStyle::new(size).middle();
     let style = if bold { style.bold() } else { style };
     style.text(content, at)
-}
-
-fn unit(angle: f64) -> Vector2<f64> {
-    Vector2::new(angle.cos(), angle.sin())
 }

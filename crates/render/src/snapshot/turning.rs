@@ -22,27 +22,25 @@ pub fn metal(
     let mut definitions = Definitions::new().add(
         ClipPath::new()
             .set("id", "mesh-frame")
-            .add(view.frame().rectangle()),
+            .add(view.frame.rectangle()),
     );
     let ids = Ids::default();
-    let mut turned = Vec::new();
+    let mut gears = Vec::new();
+    let mut outlines = Group::new();
     for (member, fill) in Member::BOTH.into_iter().zip([WHEEL, PINION]) {
         let placed = first.placed(member);
         let turns = turns(scenes, member);
         let axis = view.spot(placed.axis());
-        let frame = view.frame();
+        let frame = &view.frame;
         // Metal that enters the frame during a pitch is at most as far off as its farthest corner moves.
         let far = frame
             .corners()
             .map(|[x, y]| (x - axis[0]).hypot(y - axis[1]));
-        let angle = turns
-            .iter()
-            .fold(0.0, |most, turn| f64::max(most, turn.abs()));
+        let angle = turns.iter().map(|turn| turn.abs()).fold(0.0, f64::max);
         let moved = far.into_iter().fold(0.0, f64::max) * angle;
-        let reach = view.reach() + moved / view.scale();
-        let outline = placed.outline_near(view.middle(), reach, view.chord());
-        let spots: Vec<Spot> = outline.iter().map(|point| view.spot(*point)).collect();
-        let polygon = clip::polygon(&spots, &frame.grown(MARGIN + moved));
+        let reach = view.reach() + moved / view.scale;
+        let outline = placed.outline_near(view.middle, reach, view.chord());
+        let polygon = clip::polygon(&view.spots(&outline), &frame.grown(MARGIN + moved));
         occupied.line(&polygon);
         let motion = || rotation(&turns, times, axis);
         let name = member.name();
@@ -53,19 +51,14 @@ pub fn metal(
                 .add(turning.add(motion())),
         );
         let filled = area(&ids, name).set("fill", fill);
-        let gear = Group::new().add(motion()).add(filled);
+        gears.push(Group::new().add(motion()).add(filled));
         let outline = inner_outline(&ids, name, INK, "2.40");
-        let outline = Group::new().add(motion()).add(outline);
-        turned.push((gear, outline));
+        outlines = outlines.add(Group::new().add(motion()).add(outline));
     }
-    let mut group = Group::new()
+    let group = Group::new()
         .set("clip-path", "url(#mesh-frame)")
         .add(definitions);
-    let mut outlines = Group::new();
-    for (gear, outline) in turned {
-        group = group.add(gear);
-        outlines = outlines.add(outline);
-    }
+    let group = gears.into_iter().fold(group, Group::add);
     group.add(outlines).add(overlap(scenes, times, view))
 }
 
@@ -89,10 +82,8 @@ pub fn turns(scenes: &[Scene], member: Member) -> Vec<f64> {
     let mut turns: Vec<f64> = Vec::new();
     for scene in scenes {
         let direction = |scene: &Scene| {
-            scene
-                .placed(member)
-                .data()
-                .map_or(0.0, |gear| gear.direction(1))
+            let placed = scene.placed(member);
+            placed.data().map_or(0.0, |gear| gear.direction(1))
         };
         let turn = direction(scene) - direction(&scenes[0]);
         let last = turns.last().copied().unwrap_or(0.0);
@@ -103,15 +94,14 @@ pub fn turns(scenes: &[Scene], member: Member) -> Vec<f64> {
 
 /// Time of each step, as a share of the time of the pitch.
 pub fn times(steps: &[PoseResult]) -> Vec<f64> {
-    let fractions = steps.iter().map(|step| step.pose.mating().fraction);
-    let fractions: Vec<f64> = fractions.collect();
-    let (first, last) = (fractions[0], fractions[fractions.len() - 1]);
-    let part = |fraction: &f64| (fraction - first) / (last - first);
-    fractions.iter().map(part).collect()
+    let fraction = |step: &PoseResult| step.pose.mating().fraction;
+    let (first, last) = (fraction(&steps[0]), fraction(&steps[steps.len() - 1]));
+    let part = |step| (fraction(step) - first) / (last - first);
+    steps.iter().map(part).collect()
 }
 
-fn key_times(times: impl Iterator<Item = f64>) -> String {
-    let words: Vec<String> = times.map(|time| fixed(time, 6)).collect();
+fn key_times(times: &[f64]) -> String {
+    let words: Vec<String> = times.iter().map(|time| fixed(*time, 6)).collect();
     words.join(";")
 }
 
@@ -130,7 +120,7 @@ pub fn rotation(turns: &[f64], times: &[f64], axis: Spot) -> AnimateTransform {
         .set("dur", DURATION)
         .set("repeatCount", "indefinite")
         .set("values", values.join(";"))
-        .set("keyTimes", key_times(times.iter().copied()))
+        .set("keyTimes", key_times(times))
 }
 
 /// Values and key times of one coordinate; where other teeth take over, both places at one time.
@@ -144,18 +134,17 @@ pub fn course(spots: &[(Spot, [u32; 2])], times: &[f64], axis: usize) -> [String
         values.push(number(spot[axis]));
         at.push(times[step]);
     }
-    [values.join(";"), key_times(at.into_iter())]
-}
-
-/// Values and key times of an attribute that jumps from step to step.
-pub fn switched<'v>(values: impl Iterator<Item = &'v str>, times: &[f64]) -> [String; 2] {
-    let values: Vec<&str> = values.collect();
-    [values.join(";"), key_times(times.iter().copied())]
+    [values.join(";"), key_times(&at)]
 }
 
 /// Sets an attribute to a new value at each step.
-pub fn jumping(attribute: &str, course: &[String; 2]) -> Animate {
-    motion(attribute, course).set("calcMode", "discrete")
+pub fn jumping<'v>(
+    attribute: &str,
+    values: impl Iterator<Item = &'v str>,
+    times: &[f64],
+) -> Animate {
+    let values: Vec<&str> = values.collect();
+    motion(attribute, &[values.join(";"), key_times(times)]).set("calcMode", "discrete")
 }
 
 /// Moves one coordinate along its course.

@@ -8,38 +8,18 @@ use std::f64::consts::{PI, TAU};
 /// paper, an eighth of the thinnest line.
 pub const CHORD: f64 = 0.05;
 
-/// A frame, the point at its middle, and its scale.
+/// A frame of the sheet and what it shows.
 #[derive(Debug, Clone, Copy)]
 pub struct View {
-    frame: Frame,
-    middle: Point2<f64>,
-    scale: f64,
+    pub frame: Frame,
+    /// The point of the gears at the middle of the frame, mm.
+    pub middle: Point2<f64>,
+    /// Units of the sheet per millimetre of gear.
+    pub scale: f64,
 }
 
 impl View {
-    /// A view of `middle` (mm) in `frame` at `scale` units of the sheet per millimetre.
-    pub fn new(frame: Frame, middle: Point2<f64>, scale: f64) -> View {
-        View {
-            frame,
-            middle,
-            scale,
-        }
-    }
-
-    pub fn frame(&self) -> &Frame {
-        &self.frame
-    }
-
-    pub fn middle(&self) -> Point2<f64> {
-        self.middle
-    }
-
-    /// Units of the sheet per millimetre of gear.
-    pub fn scale(&self) -> f64 {
-        self.scale
-    }
-
-    /// Radius of a disc about [`View::middle`] that contains the frame's content and a margin, mm.
+    /// Radius of a disc about [`Self::middle`] that contains the frame's content and a margin, mm.
     pub fn reach(&self) -> f64 {
         let frame = self.frame.grown(MARGIN);
         0.5 * frame.width().hypot(frame.height()) / self.scale
@@ -53,10 +33,13 @@ impl View {
     /// The place of a point of the gears on the sheet.
     pub fn spot(&self, point: Point2<f64>) -> Spot {
         let from_middle = (point - self.middle) * self.scale;
-        [
-            0.5 * (self.frame.left + self.frame.right) + from_middle.x,
-            0.5 * (self.frame.top + self.frame.bottom) - from_middle.y,
-        ]
+        let [x, y] = self.frame.middle();
+        [x + from_middle.x, y - from_middle.y]
+    }
+
+    /// The places of points on the sheet.
+    pub fn spots(&self, points: &[Point2<f64>]) -> Vec<Spot> {
+        points.iter().map(|point| self.spot(*point)).collect()
     }
 
     /// The arc of a circle that can be in view, as points whose chords cannot be distinguished from it.

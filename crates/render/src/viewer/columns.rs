@@ -187,13 +187,9 @@ fn places(run: &ComparedRun, course: &Course) -> Vec<Option<f64>> {
     poses
         .map(|pose| {
             let mating = pose.simulated.pose.mating();
-            let line = &mut lines[usize::from(is_left(&pose.simulated))];
+            let line = &mut lines[usize::from(mating.flank == Side::Left)];
             let point = line.find(|point| point.mating == *mating)?;
             Some(rounded(point.x, 6))
         })
         .collect()
-}
-
-fn is_left(pose: &PoseResult) -> bool {
-    pose.pose.mating().flank == Side::Left
 }

@@ -88,10 +88,8 @@ pub fn draw(
     let picture = Group::new().set("transform", "scale(1 -1)");
     let picture = gears.into_iter().fold(picture, Group::add);
     let picture = picture.add(overlap).add(centres);
-    let picture = Member::BOTH
-        .map(pitch_circle)
-        .into_iter()
-        .fold(picture, Group::add);
+    let circles = Member::BOTH.map(pitch_circle).into_iter();
+    let picture = circles.fold(picture, Group::add);
     let marks = Side::BOTH.map(|side| marks(assembly, pose, side, precision));
     let picture = marks.into_iter().fold(picture, Group::add);
     let [home, whole] = views(assembly, module);

@@ -1,10 +1,9 @@
 //! One pose for a page that asks for each pose.
 
 use super::mesh::Mesh;
-use super::viewed::{Shown, Viewed};
+use super::viewed::{Shown, Viewed, run_of};
 use crate::kit::dark_style;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
-use gearlash::analysis::simulate::Run;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::contact::PoseResult;
 use gearlash::outline::AssembledPair;
@@ -24,20 +23,11 @@ impl<'a> LivePose<'a> {
         chosen: usize,
         pose: PoseResult,
     ) -> Option<LivePose<'a>> {
-        let (material, assembly) = pairs.get(chosen)?.clone();
-        let run = Run {
-            material,
-            assembly,
-            phase: None,
-            poses: Vec::new(),
-        };
+        let pair = pairs.get(chosen)?.clone();
         Some(LivePose {
             study,
             pairs,
-            run: ComparedRun {
-                run,
-                poses: vec![ComparedPose::from(pose)],
-            },
+            run: run_of(pair, None, ComparedPose::from(pose)),
         })
     }
 
@@ -55,8 +45,7 @@ impl<'a> LivePose<'a> {
 
     /// The picture with its controls, for `mesh.js`.
     pub fn html(&self) -> String {
-        let mesh = self.mesh().map(|mesh| mesh.html(""));
-        let html = mesh.unwrap_or_default();
+        let html = self.mesh().map_or(String::new(), |mesh| mesh.html(""));
         dark_style(&html) + &html
     }
 

@@ -1,11 +1,11 @@
 //! Marks over the metal: axes, tooth numbers, contacts, normals. Strokes keep their width on the screen.
 
-use super::contacts::{normal_degrees, touching};
+use super::contacts::touching;
 use super::precision::{Precision, degrees};
 use super::section::Winding;
 use crate::kit::{ACTION, GREY, INK};
 use gearlash::analysis::compare::ComparedPose;
-use gearlash::contact::{LostMotion, PlacedGear, Status};
+use gearlash::contact::{Contact, LostMotion, PlacedGear, Status};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Member;
@@ -54,8 +54,8 @@ pub fn numbers(
     let centre = gear.centre() - gear.axis();
     let [x, y] = [centre.x, centre.y].map(|value| rounded(value, precision.decimals));
     let at_mate = match member {
-        Member::Wheel => 1.0,
-        Member::Pinion => -1.0,
+        Member::Wheel => radius,
+        Member::Pinion => -radius,
     };
     let wound = section.map(|at| Winding::new(gear, member, at, precision.decimals));
     let group = match wound {
@@ -76,7 +76,7 @@ pub fn numbers(
         let place = format!(
             "rotate({}) translate({} 0) scale(1 -1)",
             degrees(direction - first),
-            at_mate * radius
+            at_mate
         );
         group.add(
             Text::new(tooth.to_string())
@@ -100,11 +100,8 @@ pub fn marks(
         let [x, y] = [contact.point.x, contact.point.y].map(|v| rounded(v, precision.decimals));
         format!("translate({x} {y})")
     });
-    let lost = pose
-        .simulated
-        .proven()
-        .and_then(LostMotion::angle)
-        .map_or(0.0, degrees);
+    let lost = pose.simulated.proven().and_then(LostMotion::angle);
+    let lost = lost.map_or(0.0, degrees);
     let back = match side {
         Side::Right => 0.0,
         Side::Left => -lost,
@@ -112,30 +109,24 @@ pub fn marks(
     let axis = assembly.axis(assembly.free()).x;
     let half = NORMAL * assembly.module();
     let name = side.name();
+    let towards = |contact: Contact| degrees(contact.normal.y.atan2(contact.normal.x));
+    let turned = contact.map_or(0.0, towards);
     let normal = stroke(ACTION, "1.2")
         .set("id", format!("viewer-normal-{name}"))
-        .set(
-            "transform",
-            format!("rotate({})", contact.as_ref().map_or(0.0, normal_degrees)),
-        )
+        .set("transform", format!("rotate({turned})"))
         .set("d", format!("M-{half} 0H{half}"));
-    let dot = |id: &str, open: bool| {
-        let dot = Group::new().set("id", format!("viewer-{id}-{name}")).set(
-            "class",
-            if open {
-                "viewer-dot viewer-open"
-            } else {
-                "viewer-dot"
-            },
-        );
-        dot.add(point(INK, "10").set("transform", place.as_str()))
-            .add(
-                point("white", "6")
-                    .set("transform", place.as_str())
-                    .set("class", "viewer-hole"),
-            )
+    let class = match side {
+        Side::Right => "viewer-dot",
+        Side::Left => "viewer-dot viewer-open",
     };
-    let open = side == Side::Left;
+    let dot = |id: &str| {
+        let hole = point("white", "6").set("transform", place.as_str());
+        Group::new()
+            .set("id", format!("viewer-{id}-{name}"))
+            .set("class", class)
+            .add(point(INK, "10").set("transform", place.as_str()))
+            .add(hole.set("class", "viewer-hole"))
+    };
     // An overlap of some µm is narrower than a pixel at first, so its dots are red and large.
     let class = match pose.simulated.status() {
         Status::Interference => "viewer-overlapping",
@@ -150,8 +141,8 @@ pub fn marks(
     };
     group
         .add(Group::new().set("transform", place.as_str()).add(normal))
-        .add(dot("locked", open))
-        .add(dot("free", open).set("transform", format!("rotate({back} {axis} 0)")))
+        .add(dot("locked"))
+        .add(dot("free").set("transform", format!("rotate({back} {axis} 0)")))
 }
 
 fn stroke(colour: &str, width: &str) -> Path {

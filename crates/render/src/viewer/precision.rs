@@ -38,11 +38,8 @@ impl Precision {
         let module = assembly.module();
         let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear_reach(member));
         let exact = (EXACT / f64::max(wheel, pinion)).log10().floor();
-        let teeth: u32 = Member::BOTH
-            .map(|member| assembly.teeth(member))
-            .iter()
-            .sum();
-        let many = f64::from(teeth) / TEETH;
+        let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
+        let many = f64::from(wheel + pinion) / TEETH;
         Precision {
             chord: module * (CHORD * many.max(1.0).powi(2)).min(COARSEST),
             // Between 0 and 8; `ceil` of a negative is 0.

@@ -2,9 +2,8 @@
 
 use super::contacts::touching;
 use super::viewed::{Shown, Viewed};
-use crate::pose_name::pose_name;
+use crate::pose_name::{phase_name, pose_name};
 use gearlash::analysis::study::Material;
-use gearlash::contact::Status;
 use gearlash::gear::Side;
 use gearlash_files::numbers::{decades, fixed, trimmed, two_digits_up};
 use gearlash_results::ContactRow;
@@ -23,14 +22,13 @@ pub fn run(shown: &Shown) -> String {
         Material::Least => ", least material",
         Material::AsMeasured => "",
     };
-    let phase = run.run.phase;
-    let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
-    let worst_outside_runs = if shown.is_worst_of_cycle {
+    let phase = phase_name(run.run.phase);
+    let worst = if shown.is_worst_of_cycle {
         ", worst of the whole mesh cycle"
     } else {
         ""
     };
-    format!("a = {distance} mm{material}{phase}{worst_outside_runs}")
+    format!("a = {distance} mm{material}{phase}{worst}")
 }
 
 /// The list beside the picture.
@@ -40,47 +38,40 @@ pub fn draw(viewed: &Viewed, number: usize) -> String {
     let mating = pose.simulated.pose.mating();
     let contact = |side| match touching(&pose.simulated, side) {
         None => "none".to_owned(),
-        Some(contact) => format!(
-            "wheel tooth {} on pinion tooth {}, {}",
-            contact.wheel.tooth,
-            contact.pinion.tooth,
-            ContactRow::new(
-                run.run.assembly.data(),
-                side,
-                &pose.simulated.pose,
-                &contact
+        Some(contact) => {
+            let pair = run.run.assembly.data();
+            let row = ContactRow::new(pair, side, &pose.simulated.pose, &contact);
+            format!(
+                "wheel tooth {} on pinion tooth {}, {}",
+                contact.wheel.tooth,
+                contact.pinion.tooth,
+                row.class_words()
             )
-            .class_words()
-        ),
+        }
     };
-    let (j_wt, bound) = (
-        pose.simulated.backlash.map(|j| j * 1e3),
-        pose.simulated
-            .error_bound
-            .map(|bound| two_digits_up(bound * 1e3)),
-    );
+    let j_wt = pose.simulated.backlash.map(|j| j * 1e3);
     let shown = j_wt.map_or("none".to_owned(), |j| format!("{} µm", fixed(j, 3)));
     let full = j_wt.map_or(String::new(), |j| format!("{j}"));
     let title = j_wt.map_or(String::new(), |j| format!("{j} µm"));
+    let bound = pose.simulated.error_bound;
     let bound = bound.map_or("none".to_owned(), |bound| {
-        format!("≤ {} µm", decades(bound))
+        format!("≤ {} µm", decades(two_digits_up(bound * 1e3)))
+    });
+    let of_run = if run.poses.len() > 1 {
+        format!("{} of {}: ", number + 1, run.poses.len())
+    } else {
+        String::new()
+    };
+    let status = pose.simulated.status().name().replace('_', " ");
+    let overlap = j_wt.filter(|um| *um < 0.0);
+    let overlapping = overlap.map_or(String::new(), |um| {
+        let deep = fixed(-um, 1);
+        format!("Teeth overlap by {deep} µm at the red dots: zoom in to see it.")
     });
     let rows = [
         ("run", "Run", self::run(&viewed.shown)),
-        (
-            "pose",
-            "Pose",
-            format!(
-                "{}{}",
-                if run.poses.len() > 1 {
-                    format!("{} of {}: ", number + 1, run.poses.len())
-                } else {
-                    String::new()
-                },
-                pose_name(mating)
-            ),
-        ),
-        ("status", "Status", status(pose.simulated.status())),
+        ("pose", "Pose", of_run + &pose_name(mating)),
+        ("status", "Status", status),
         ("bound", "Error of <i>j</i><sub>wt</sub>", bound),
         ("right", "Right contact", contact(Side::Right)),
         ("left", "Left contact", contact(Side::Left)),
@@ -91,24 +82,7 @@ pub fn draw(viewed: &Viewed, number: usize) -> String {
     format!(
         "<p class=\"viewer-backlash\">Backlash <i>j</i><sub>wt</sub> = <output id=\"viewer-backlash\" aria-live=\"polite\" \
          title=\"{title}\" data-um=\"{full}\">{shown}</output> <span id=\"viewer-overlapping\">{}</span></p>\n<dl class=\"viewer-readout\">\n{}</dl>\n",
-        overlapping(j_wt),
+        overlapping,
         rows.concat()
     )
-}
-
-/// A sentence on an overlap.
-fn overlapping(j_wt_um: Option<f64>) -> String {
-    match j_wt_um {
-        Some(um) if um < 0.0 => {
-            format!(
-                "Teeth overlap by {} µm at the red dots: zoom in to see it.",
-                fixed(-um, 1)
-            )
-        }
-        _ => String::new(),
-    }
-}
-
-fn status(status: Status) -> String {
-    status.name().replace('_', " ")
 }

@@ -3,6 +3,7 @@
 use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::simulate::Run;
+use gearlash::analysis::study::Material;
 use gearlash::contact::{Status, first_least, worst_pose};
 use gearlash::outline::AssembledPair;
 use std::collections::BTreeSet;
@@ -50,26 +51,31 @@ pub fn viewed<'a>(runs: &[Shown<'a>], most: usize, start: [usize; 2]) -> (Vec<Vi
     (runs.collect(), every)
 }
 
+/// A run of one pose.
+pub fn run_of(
+    (material, assembly): (Material, AssembledPair),
+    phase: Option<(u32, u32)>,
+    pose: ComparedPose,
+) -> ComparedRun {
+    ComparedRun {
+        run: Run {
+            material,
+            assembly,
+            phase,
+            poses: Vec::new(),
+        },
+        poses: vec![pose],
+    }
+}
+
 /// A run with the worst pose of the whole mesh cycle, where it is outside the revolutions' runs.
 pub fn worst_outside_runs(analysis: &Analysis) -> Option<ComparedRun> {
     let verdict = analysis.verdict();
     let (extremes, pair, pose) = verdict.worst()?;
-    let curves = &analysis.curves;
-    if curves
-        .iter()
-        .any(|run| number_of(run, pair, pose).is_some())
-    {
-        return None;
-    }
-    Some(ComparedRun {
-        run: Run {
-            material: extremes.material,
-            assembly: pair.clone(),
-            phase: extremes.phase,
-            poses: Vec::new(),
-        },
-        poses: vec![pose.clone()],
-    })
+    let mut curves = analysis.curves.iter();
+    let is_in_runs = curves.any(|run| number_of(run, pair, pose).is_some());
+    let pair = (extremes.material, pair.clone());
+    (!is_in_runs).then(|| run_of(pair, extremes.phase, pose.clone()))
 }
 
 /// The index of `pose` of `pair` in a run.

@@ -26,11 +26,6 @@ impl Column {
             values,
         }
     }
-
-    /// Lengths have six decimals, deviations three.
-    fn decimals(&self) -> usize {
-        if self.name.ends_with("_mm") { 6 } else { 3 }
-    }
 }
 
 /// The column for helical gears only.
@@ -115,7 +110,8 @@ pub fn position_table(gear: &GaugedGear) -> String {
     for tooth in 1..=gear.teeth() {
         let cells = shown.iter().map(|(column, values)| {
             let value = values.get(tooth as usize - 1).copied();
-            ascii(value, column.decimals())
+            let is_length = column.name.ends_with("_mm");
+            ascii(value, if is_length { 6 } else { 3 })
         });
         table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
     }
@@ -127,16 +123,12 @@ pub fn position_table(gear: &GaugedGear) -> String {
 /// # Errors
 /// None: the text is in memory.
 pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
-    let each: Vec<Vec<_>> = gears
-        .iter()
-        .map(|gear| columns(&gear.gauged).collect())
-        .collect();
-    let is_shown = |index: usize| {
-        COLUMNS[index].name != LYING || each.iter().any(|columns| columns[index].1.is_some())
+    let each = gears.iter().map(|gear| columns(&gear.gauged).collect());
+    let each: Vec<Vec<_>> = each.collect();
+    let is_shown = |index: &usize| {
+        COLUMNS[*index].name != LYING || each.iter().any(|columns| columns[*index].1.is_some())
     };
-    let shown: Vec<usize> = (0..COLUMNS.len())
-        .filter(|index| is_shown(*index))
-        .collect();
+    let shown: Vec<usize> = (0..COLUMNS.len()).filter(is_shown).collect();
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = shown.iter().map(|index| COLUMNS[*index].name);
     writer.write_record(["gear", "material", "tooth"].into_iter().chain(names))?;

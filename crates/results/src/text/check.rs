@@ -84,11 +84,9 @@ pub(crate) fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
 
 fn contact(diagnosis: &Diagnosis) -> String {
     let count = &diagnosis.contact;
-    let classes: Vec<String> = count
-        .classes
-        .iter()
-        .map(|(class, poses)| format!("{} {poses}", class.name()))
-        .collect();
+    let classes = count.classes.iter();
+    let classes = classes.map(|(class, poses)| format!("{} {poses}", class.name()));
+    let classes: Vec<String> = classes.collect();
     let mut text = format!("\n{} poses: {}.\n", count.poses(), classes.join(", "));
     if let Some(loss) = &count.loss {
         let worst = &loss.worst;

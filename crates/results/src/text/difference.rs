@@ -10,20 +10,13 @@ use gearlash_files::outlines::ComparedOutlines;
 /// The difference as text on `screen`, judged by `tolerance_um` if there is one.
 pub fn text(compared: &ComparedOutlines, tolerance_um: Option<f64>, screen: &Screen) -> String {
     let [a, b] = &compared.files;
-    let verdict = tolerance_um.map(|tolerance| {
-        if compared.passes(tolerance_um) {
-            (
-                Tone::Good,
-                format!("Agree within {tolerance} µm + error bound"),
-            )
+    let verdict = tolerance_um.map_or(String::new(), |tolerance| {
+        let (tone, words) = if compared.passes(tolerance_um) {
+            (Tone::Good, "Agree within")
         } else {
-            (
-                Tone::Bad,
-                format!("DIFFER by more than {tolerance} µm + error bound"),
-            )
-        }
-    });
-    let verdict = verdict.map_or(String::new(), |(tone, words)| {
+            (Tone::Bad, "DIFFER by more than")
+        };
+        let words = format!("{words} {tolerance} µm + error bound");
         format!("{}: ", screen.toned(tone, &words))
     });
     let title = plain(&format!("A {a} and B {b}"));

@@ -24,10 +24,8 @@ pub fn imported(imported: &Imported, screen: &Screen) -> String {
 
 /// The name and place of a table, and the parts that were left out.
 fn origin(table: &ImportedTable) -> String {
-    let sheet = table
-        .sheet
-        .as_ref()
-        .map(|name| format!(", sheet {:?}", line(name)));
+    let sheet = table.sheet.as_ref();
+    let sheet = sheet.map(|name| format!(", sheet {:?}", line(name)));
     let row = table.header_row.map(|row| match row {
         0 => ", no header".to_owned(),
         row => format!(", header in line {row}"),

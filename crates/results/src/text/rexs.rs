@@ -22,11 +22,8 @@ pub fn text(name: &str, file: &RexsFile, screen: &Screen) -> String {
         let row = [&stage.id.to_string(), &stage.kind, &name, became, what];
         stages.add(row.map(str::to_owned).to_vec());
     }
-    let pairs = file
-        .stages
-        .iter()
-        .filter(|stage| stage.pair.is_ok())
-        .count();
+    let pairs = file.stages.iter().filter(|stage| stage.pair.is_ok());
+    let pairs = pairs.count();
     let mut text = format!(
         "{}: REXS {} of {}, {pairs} of {} stages can be read\n\n",
         plain(name),
@@ -38,10 +35,8 @@ pub fn text(name: &str, file: &RexsFile, screen: &Screen) -> String {
         text += &stages.text(screen);
     }
     if !file.left_out.is_empty() {
-        let each = file
-            .left_out
-            .iter()
-            .map(|(kind, count)| format!("{count} {}", plain(kind)));
+        let each = file.left_out.iter();
+        let each = each.map(|(kind, count)| format!("{count} {}", plain(kind)));
         text += &format!("\nLeft out: {}\n", each.collect::<Vec<_>>().join(", "));
     }
     screen.fold(&text)

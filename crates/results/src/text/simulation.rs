@@ -105,9 +105,8 @@ fn pose_table(runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String 
 }
 
 fn run_table(study: &Study, runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String {
-    let rows = runs
-        .iter()
-        .map(|run| RunRow::new(run, study.bearing_clearance));
+    let rows = runs.iter();
+    let rows = rows.map(|run| RunRow::new(run, study.bearing_clearance));
     let rows: Vec<RunRow> = rows.collect();
     RunRow::columns().table(&rows, RunRow::center_distance, unit, screen)
 }
@@ -137,10 +136,10 @@ const MOST_NAMED: usize = 10;
 fn unproven_note(runs: &[RunTally], screen: &Screen) -> String {
     let poses: usize = runs.iter().map(|run| run.poses).sum();
     let count: usize = runs.iter().map(|run| run.unproven).sum();
-    let of_run = |run| move |pose| (run, pose);
-    let first = runs
-        .iter()
-        .flat_map(|run: &RunTally| run.first_unproven.iter().map(of_run(run)));
+    let first = runs.iter().flat_map(|run| {
+        let poses = run.first_unproven.iter();
+        poses.map(move |pose| (run, pose))
+    });
     if count == 0 {
         return String::new();
     }
@@ -159,10 +158,8 @@ fn unproven_note(runs: &[RunTally], screen: &Screen) -> String {
         );
     }
     if count > MOST_NAMED {
-        text += &format!(
-            "  … and {} more: --format json has all\n",
-            count - MOST_NAMED
-        );
+        let more = count - MOST_NAMED;
+        text += &format!("  … and {more} more: --format json has all\n");
     }
     text
 }

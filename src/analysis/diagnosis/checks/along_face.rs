@@ -55,11 +55,6 @@ impl CheckContext<'_> {
             format!("{} flanks: {}", side.name(), found.join(", "))
         };
         Check {
-            unproven: None,
-            id: "edge_contact",
-            title: "contacts at an end of the face",
-            gear: None,
-            formula: None,
             outlines: Some(share),
             limit: Some(0.0),
             margin: Some(-share),
@@ -70,6 +65,7 @@ impl CheckContext<'_> {
             ),
             details: shares.collect(),
             note: Side::BOTH.map(words).join("; "),
+            ..Check::named("edge_contact", "contacts at an end of the face")
         }
     }
 
@@ -88,22 +84,15 @@ impl CheckContext<'_> {
         let words: Vec<String> = own
             .map(|(.., name, loss)| format!("{name} {} µm", hundredths(*loss)))
             .collect();
+        let details = known.iter().map(|(_, key, _, loss)| (*key, loss * 1e3));
         Some(Check {
-            unproven: None,
-            id: "face_use",
-            title: "least backlash lost along the face",
-            gear: None,
-            formula: None,
             outlines: Some(all),
             limit: Some(without),
             margin: Some(without - all),
-            unit: "mm",
             verdict: Verdict::unless(without < 0.0 || all <= without, Verdict::Warn),
-            details: known
-                .iter()
-                .map(|(_, key, _, loss)| (*key, loss * 1e3))
-                .collect(),
+            details: details.collect(),
             note: words.join(", "),
+            ..Check::named("face_use", "least backlash lost along the face")
         })
     }
 
@@ -113,15 +102,10 @@ impl CheckContext<'_> {
         let face = self.assembly.face();
         let missing = (from - face[0]).max(0.0) + (face[1] - to).max(0.0);
         Some(Check {
-            unproven: None,
-            id: "lead_covers",
-            title: "common face beyond the lead traces",
             gear: Some(member),
             formula: Some(missing),
-            outlines: None,
             limit: Some(0.0),
             margin: Some(-missing),
-            unit: "mm",
             verdict: Verdict::unless(missing <= COVERED_WITHIN, Verdict::Warn),
             details: vec![("traced_from_mm", from), ("traced_to_mm", to)],
             note: if missing <= COVERED_WITHIN {
@@ -132,6 +116,7 @@ impl CheckContext<'_> {
                     face[0], face[1]
                 )
             },
+            ..Check::named("lead_covers", "common face beyond the lead traces")
         })
     }
 
@@ -146,18 +131,13 @@ impl CheckContext<'_> {
             2.0 * self.assembly.left_out() / self.assembly.operating_pressure_angle().cos();
         let margin = WIDTH - left_out;
         Some(Check {
-            unproven: None,
-            id: "tilt",
-            title: "error of sections of leaning axes",
-            gear: None,
             formula: Some(left_out),
-            outlines: None,
             limit: Some(WIDTH),
             margin: Some(margin),
-            unit: "mm",
             verdict: Verdict::unless(margin >= 0.0 && lean <= RECOMMENDED_LEAN, Verdict::Warn),
             details: vec![("lean_rad", lean), ("left_out_um", left_out * 1e3)],
             note: format!("{:.4} µm at {lean:.1e} rad", left_out * 1e3),
+            ..Check::named("tilt", "error of sections of leaning axes")
         })
     }
 }

@@ -4,10 +4,9 @@ use super::context::CheckContext;
 use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analysis::diagnosis::clearance::least_over;
 use crate::analytic::limits;
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::gear::Side;
 use crate::pair::{Mating, Member};
-use std::ops::ControlFlow;
 
 /// Tip thickness below which a tooth counts as too sharp, modules (a rule of design offices; hardened teeth need more).
 const LEAST_TIP: f64 = 0.2;
@@ -26,7 +25,7 @@ impl CheckContext<'_> {
         &self,
         member: Member,
         pitches: &[Mating],
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+        tick: &Tick,
     ) -> Result<Check, Error> {
         let module = self.module();
         let formula = limits::radial_clearance(self.assembly, member);
@@ -52,15 +51,11 @@ impl CheckContext<'_> {
             )
         };
         Ok(Check {
-            unproven: None,
-            id: "radial_clearance",
-            title: "radial clearance of tip, K (9), (10)",
             gear: Some(member),
             formula: Some(formula),
             outlines: found.map(|found| found.distance),
             limit: Some(limit),
             margin: Some(least - limit),
-            unit: "mm",
             verdict,
             details: vec![
                 ("least_modules", least / module),
@@ -87,6 +82,7 @@ impl CheckContext<'_> {
                 });
                 format!("{:.4} module{missed}{teeth}", least / module)
             },
+            ..Check::named("radial_clearance", "radial clearance of tip, K (9), (10)")
         })
     }
 
@@ -112,20 +108,16 @@ impl CheckContext<'_> {
         let least = outlines.map_or(formula, |outlines| outlines.min(formula));
         let limit = LEAST_TIP * self.module();
         Check {
-            unproven: None,
-            id: "tip_thickness",
-            title: "tip thickness; of the thinnest tooth",
             gear: Some(member),
             formula: Some(formula),
             outlines,
             limit: Some(limit),
             margin: Some(least - limit),
-            unit: "mm",
             verdict: Verdict::unless(met(least - limit), Verdict::Warn),
-            details: vec![],
             note: thinnest
                 .filter(|_| outlines != Some(formula))
                 .map_or(String::new(), |tooth| format!("tooth {tooth}")),
+            ..Check::named("tip_thickness", "tip thickness; of the thinnest tooth")
         }
     }
 }

@@ -9,10 +9,9 @@ use crate::analysis::directions::is_open;
 use crate::analysis::extremes::{CycleExtremes, WIDTH};
 use crate::analysis::face_loss::FaceLoss;
 use crate::contact::Status;
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::gear::Gear;
 use crate::pair::{GearPair, Mating, Member};
-use std::ops::ControlFlow;
 
 /// The state of a check whose value is a searched distance.
 pub(super) enum LimitState<T> {
@@ -45,11 +44,7 @@ pub(super) struct CheckContext<'a> {
 
 impl CheckContext<'_> {
     /// Every check, except those known to be met.
-    pub fn checks(
-        &self,
-        searched: &SearchedDistances,
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Vec<Check>, Error> {
+    pub fn checks(&self, searched: &SearchedDistances, tick: &Tick) -> Result<Vec<Check>, Error> {
         let doubt = PoseEvidence::doubt([self.evidence]);
         let of_poses = |check: Check| match &doubt {
             Some(reason) => check.not_proven(reason),

@@ -32,17 +32,12 @@ impl CheckContext<'_> {
             (false, _) => Verdict::Fail,
         };
         Check {
-            unproven: None,
-            id: "non_involute_k8",
-            title: "mate's tip within base tangent, K (8)",
             gear: Some(member),
             formula: Some(limits::tip_tangent(mate)),
             outlines,
             limit: Some(limit),
             margin: Some(margin),
-            unit: "mm",
             verdict,
-            details: vec![],
             note: match (met(margin), verdict) {
                 (false, Verdict::Warn) => {
                     "violated, yet no pose touches below the involute: undercut has removed that metal, or another pair binds first"
@@ -50,6 +45,7 @@ impl CheckContext<'_> {
                 }
                 _ => String::new(),
             },
+            ..Check::named("non_involute_k8", "mate's tip within base tangent, K (8)")
         }
     }
 
@@ -64,21 +60,21 @@ impl CheckContext<'_> {
         let least = [formula, outlines].into_iter().flatten().reduce(f64::min);
         let poses = self.evidence.contact.poses();
         Check {
-            unproven: None,
-            id: "non_involute_form",
-            title: "lowest contact above form circle (radii)",
             gear: Some(member),
             formula,
             outlines,
             limit: Some(form),
             margin: least.map(|least| least - form),
-            unit: "mm",
             verdict: CheckContext::confirmed(margin, below),
             details: vec![
                 ("form_margin_on_line_of_action_mm", margin),
                 ("poses_below_percent", percent(below, poses)),
             ],
             note: self.touched_in(member, poses),
+            ..Check::named(
+                "non_involute_form",
+                "lowest contact above form circle (radii)",
+            )
         }
     }
 

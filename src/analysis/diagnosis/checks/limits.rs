@@ -23,15 +23,10 @@ impl CheckContext<'_> {
         details.extend(nominal.map(|nominal| ("nominal_thickness_mm", nominal)));
         details.extend(zero.map(|zero| ("of_poses_mm", zero.of_poses)));
         Check {
-            unproven: None,
-            id: "zero_backlash_distance",
-            title: "zero-backlash centre distance, K (17)",
-            gear: None,
             formula,
             outlines,
             limit: Some(a),
             margin,
-            unit: "mm",
             verdict: Verdict::unless(margin.is_none_or(met), Verdict::Fail),
             details,
             note: {
@@ -51,6 +46,10 @@ impl CheckContext<'_> {
                 });
                 of_nominal + &worst
             },
+            ..Check::named(
+                "zero_backlash_distance",
+                "zero-backlash centre distance, K (17)",
+            )
         }
     }
 
@@ -60,27 +59,17 @@ impl CheckContext<'_> {
         let thickness = |member| limits::operating_thickness(self.assembly, member);
         let formula = thickness(Member::Wheel) + thickness(Member::Pinion);
         let least = self.evidence.least;
-        let jammed = self
-            .evidence
-            .contact
-            .of_class(|class| class == PoseClass::Jammed);
+        let contact = &self.evidence.contact;
+        let jammed = contact.of_class(|class| class == PoseClass::Jammed);
         let outlines = least.map(|least| pitch - least);
         let margin = pitch - outlines.map_or(formula, |outlines| outlines.max(formula));
         Check {
-            unproven: None,
-            id: "backlash_condition",
-            title: "both teeth within the pitch, K (12), (13)",
-            gear: None,
             formula: Some(formula),
             outlines,
             limit: Some(pitch),
             margin: Some(margin),
-            unit: "mm",
             verdict: Verdict::unless(met(margin) && jammed == 0, Verdict::Fail),
-            details: least
-                .map(|least| ("least_j_wt_um", least * 1e3))
-                .into_iter()
-                .collect(),
+            details: Vec::from_iter(least.map(|least| ("least_j_wt_um", least * 1e3))),
             note: match jammed {
                 0 => least.map_or(String::new(), |least| {
                     format!("least j_wt {} µm", hundredths(least))
@@ -90,6 +79,10 @@ impl CheckContext<'_> {
                     self.evidence.contact.poses()
                 ),
             },
+            ..Check::named(
+                "backlash_condition",
+                "both teeth within the pitch, K (12), (13)",
+            )
         }
     }
 
@@ -110,15 +103,11 @@ impl CheckContext<'_> {
         let edge = fillet.perp(&involute).abs().atan2(fillet.dot(&involute));
         let undercut = gear.is_undercut();
         Check {
-            unproven: None,
-            id: "undercut",
-            title: "involute begins outside base circle",
             gear: Some(member),
             formula: Some(margin),
             outlines: Some(gear.base_radius() * gear.form_roll()),
             limit: Some(0.0),
             margin: Some(margin),
-            unit: "mm",
             verdict: Verdict::unless(met(margin) && !undercut, Verdict::Warn),
             details: vec![
                 ("root_form_diameter_mm", 2.0 * gear.form_radius()),
@@ -136,6 +125,7 @@ impl CheckContext<'_> {
             } else {
                 format!("form diameter {:.4} mm", 2.0 * gear.form_radius())
             },
+            ..Check::named("undercut", "involute begins outside base circle")
         }
     }
 
@@ -149,10 +139,6 @@ impl CheckContext<'_> {
             .and_then(|a| self.assembly.at(a).ok())
             .map(|nominal| limits::contact_ratio(&nominal));
         Check {
-            unproven: None,
-            id: "contact_ratio",
-            title: "contact ratio; between real form circles",
-            gear: None,
             formula: Some(formula),
             outlines: Some(outlines),
             limit: Some(LEAST_CONTACT_RATIO),
@@ -171,6 +157,7 @@ impl CheckContext<'_> {
                 };
                 format!("{nominal:.4} at the nominal zero-backlash centre distance{overlap}")
             }),
+            ..Check::named("contact_ratio", "contact ratio; between real form circles")
         }
     }
 }

@@ -18,11 +18,10 @@ use crate::analysis::compare::ComparedRun;
 use crate::analysis::extremes::CycleExtremes;
 use crate::analysis::study::{Material, RunPlan, Study};
 use crate::contact::ExactKernel;
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::pair::{GearPair, Member};
 use context::{CheckContext, LimitState, SearchedDistances};
 use start::{Start, distinct, matings_of};
-use std::ops::ControlFlow;
 
 pub use start::Searched;
 
@@ -56,10 +55,8 @@ impl Diagnosis {
     /// The most severe verdict.
     pub fn verdict(&self) -> Verdict {
         let checks = self.groups.iter().flat_map(|group| &group.checks);
-        checks
-            .map(|check| check.verdict)
-            .max()
-            .unwrap_or(Verdict::Pass)
+        let worst = checks.map(|check| check.verdict).max();
+        worst.unwrap_or(Verdict::Pass)
     }
 
     /// The checks that fail, each once.
@@ -102,12 +99,13 @@ pub fn diagnose(
     runs: &[ComparedRun],
     extremes: &CycleExtremes,
     step: &mut dyn FnMut(&str) -> Result<(), Error>,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Diagnosis, Error> {
     let evidence: Vec<PoseEvidence> = runs.iter().filter_map(PoseEvidence::of).collect();
     let mut groups: Vec<Group> = Vec::new();
     let mut searched: Vec<(Material, Searched<ZeroDistance>, Searched<Onset>)> = Vec::new();
-    let each = runs.chunk_by(|one, other| same_place(place_of(one), place_of(other)));
+    let place = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.material);
+    let each = runs.chunk_by(|one, other| place(one) == place(other));
     for (group_runs, group) in each.zip(evidence.chunk_by(same_group)) {
         let Some(group) = PoseEvidence::sum(group) else {
             continue;
@@ -168,7 +166,7 @@ pub fn failed_checks(
     study: &Study,
     evidence: &[PoseEvidence],
     cycle: &CycleExtremes,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Vec<CheckName>, Error> {
     let mut failed = Vec::new();
     let mut zeros: Vec<(Material, Searched<ZeroDistance>)> = Vec::new();
@@ -210,13 +208,9 @@ pub fn failed_checks(
         };
         let pitches = || {
             let runs = study.runs()?;
-            let same = |run: &&RunPlan| {
-                same_place(
-                    (run.assembly.center_distance(), run.material),
-                    (assembly.center_distance(), material),
-                )
-            };
-            let runs = runs.iter().filter(same);
+            let here = (assembly.center_distance(), material);
+            let place = |run: &RunPlan| (run.assembly.center_distance(), run.material);
+            let runs = runs.iter().filter(|run| place(run) == here);
             let matings = runs.flat_map(|run| run.matings.iter().copied());
             Ok(pitches(assembly, &distinct(matings)))
         };
@@ -255,19 +249,8 @@ fn cached<T: Clone>(
     Ok(found_now)
 }
 
-/// Centre distance and material.
-type Place = (f64, Material);
-
-fn place_of(run: &ComparedRun) -> Place {
-    (run.run.assembly.center_distance(), run.run.material)
-}
-
-fn same_place(one: Place, other: Place) -> bool {
-    one == other
-}
-
 /// Whether two runs are of one centre distance and material.
 fn same_group(one: &PoseEvidence, other: &PoseEvidence) -> bool {
     let place = |run: &PoseEvidence| (run.assembly.center_distance(), run.material);
-    same_place(place(one), place(other))
+    place(one) == place(other)
 }

@@ -16,23 +16,21 @@ impl CheckContext<'_> {
         let outlines = onset.map(|onset| onset.distance);
         let margin = a - outlines.unwrap_or(formula);
         Check {
-            unproven: None,
-            id: "non_involute_onset",
-            title: "centre distance of first non-involute contact",
-            gear: None,
             formula: Some(formula),
             outlines,
             limit: Some(a),
             margin: Some(margin),
-            unit: "mm",
             verdict: match onset {
                 Some(_) => Verdict::unless(met(margin), Verdict::Fail),
                 None => Verdict::Pass,
             },
-            details: vec![],
             note: onset.map_or("never".to_owned(), |onset| {
                 format!("{}, {}", onset.class.name(), place(&onset.mating))
             }),
+            ..Check::named(
+                "non_involute_onset",
+                "centre distance of first non-involute contact",
+            )
         }
     }
 
@@ -67,10 +65,6 @@ impl CheckContext<'_> {
             }
         }
         Check {
-            unproven: None,
-            id: "off_line_contact",
-            title: "poses that touch off the line of action",
-            gear: None,
             formula: Some(0.0),
             outlines: Some(percent(off, poses)),
             limit: Some(0.0),
@@ -79,6 +73,10 @@ impl CheckContext<'_> {
             verdict,
             details,
             note,
+            ..Check::named(
+                "off_line_contact",
+                "poses that touch off the line of action",
+            )
         }
     }
 }

@@ -36,7 +36,7 @@ const WALLS: [(&[&str], &[&str]); 6] = [
         &["contact"],
         &["metrology", "analytic", "analysis", "gauge"],
     ),
-    (&["population"], &["metrology", "outline", "gauge"]),
+    (&["population"], &["metrology", "gauge"]),
 ];
 
 /// Rooms that know nothing of `population` and `matching`.

@@ -1,7 +1,7 @@
 //! One assembly of a population, and its extremes over the whole mesh cycle.
 
-use crate::analysis::extremes::{WIDTH, extremes_of_phase};
-use crate::contact::{Extreme, Extremes, Status};
+use crate::analysis::extremes::{WIDTH, extremes_of_phase, proven_width};
+use crate::contact::{Extreme, Extremes, Status, is_proven};
 use crate::error::Error;
 use crate::outline::AssembledPair;
 
@@ -137,7 +137,7 @@ impl Assembly {
             at(0.0)
         };
         match found {
-            Ok(found) => Ok(Outcome::of(&found)),
+            Ok(found) => Ok(Outcome::of(&found, proven_width(&self.pair))),
             Err(Error::Gear(_) | Error::Outline(_)) => {
                 Ok(Outcome::without(OutcomeKind::Impossible))
             }
@@ -190,10 +190,12 @@ impl Outcome {
         }
     }
 
-    fn of(found: &Extremes) -> Outcome {
+    /// The outcome of extremes whose brackets are proven within `width`, mm.
+    fn of(found: &Extremes, width: f64) -> Outcome {
+        let is_proven = |extreme: &Extreme| is_proven(extreme.low, extreme.high, width);
         // The safe end of a proven bracket; the attained value of a wide one.
         let value = |extreme: Extreme, safe: f64| {
-            if extreme.is_proven() {
+            if is_proven(&extreme) {
                 safe
             } else {
                 extreme.found
@@ -212,8 +214,7 @@ impl Outcome {
             greatest: found
                 .greatest
                 .map(|greatest| value(greatest, greatest.high)),
-            is_proven: both.iter().any(Option::is_some)
-                && both.iter().flatten().all(|extreme| extreme.is_proven()),
+            is_proven: both.iter().any(Option::is_some) && both.iter().flatten().all(is_proven),
         }
     }
 }
@@ -233,13 +234,14 @@ mod tests {
             mating,
             doubt,
         };
-        Outcome::of(&Extremes {
+        let found = Extremes {
             matings: 1,
             status,
             least: least.map(extreme),
             greatest: greatest.map(extreme),
             lost: None,
-        })
+        };
+        Outcome::of(&found, WIDTH)
     }
 
     /// An outcome without extremes is unproven; a jammed pair is proven if its one extreme is.

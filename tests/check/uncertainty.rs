@@ -147,7 +147,7 @@ fn the_uncertainty_of_helical_pairs_is_that_of_redrawn_inputs() {
     hold(2, 2000, 18.0);
 }
 
-/// Of gears by their data and by the outlines of these: the arms and normals of the same contacts.
+/// Gears by data and their outlines have the same uncertainty. Source: arms and normals of the same contacts.
 #[test]
 fn outlines_have_the_uncertainty_of_their_data() {
     let mut random = Random(44);

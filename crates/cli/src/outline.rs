@@ -18,7 +18,6 @@ use std::process::ExitCode;
 /// gear with runout is beside it), tooth 1 up, numbers clockwise. Flanks are chords within the tolerance of their curves; tip and
 /// root lands are arcs in DXF (bulges) and SVG, chords in CSV. The file's header states the bound. A helical gear gives a
 /// transverse section, turned with the helix.
-/// helical gear it is a transverse section, turned with the helix.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// Pair file or gear file, - for standard input

@@ -47,7 +47,7 @@ pub fn gauge(
         master_teeth,
         steps_per_pitch,
         evaluation: spec.evaluation_radii(),
-        face: spec.face_mm.unwrap_or_default(),
+        face: spec.face().unwrap_or_default(),
         lead_range: spec.lead.as_ref().and_then(|lead| lead.range_mm),
     };
     let gauged = work(py, threads, |tick| {

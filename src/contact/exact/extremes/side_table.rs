@@ -19,6 +19,8 @@ pub(super) struct SideTable {
     /// Places of step 0 at the start of the cycle; the locked one falls by `sense` with each mating.
     first: [i64; 2],
     sense: i64,
+    /// Steps whose half teeth are in reach somewhere in a pitch.
+    steps: Range<i64>,
     /// Steps that can be the tightest, with their least room beside the line of action: that of their involutes, and that of a tip corner
     /// and a fillet.
     pub open: [Vec<(i64, f64, f64)>; PARTS],
@@ -65,6 +67,7 @@ impl SideTable {
             pad,
             first: [places.0 as i64, places.1 as i64],
             sense: side.sense as i64,
+            steps: steps.clone(),
             open: std::array::from_fn(|_| Vec::new()),
             plain: std::array::from_fn(|_| Vec::new()),
             dipping: std::array::from_fn(|_| Vec::new()),
@@ -137,6 +140,18 @@ impl SideTable {
         self.locked[(self.pad + locked + step) as usize]
             + self.free[(self.pad + free - step) as usize]
             + self.per_step * step as f64
+    }
+
+    /// Writes the offset of every step to `offs`, for [`SideTable::among`].
+    pub fn all_offs(&self, places: [i64; 2], offs: &mut Vec<f64>) {
+        offs.clear();
+        offs.extend(self.steps.clone().map(|step| self.off(places, step)));
+    }
+
+    /// The offset of a step among `offs`, those of all steps.
+    #[inline]
+    pub fn among(&self, offs: &[f64], step: i64) -> f64 {
+        offs[(step - self.steps.start) as usize]
     }
 
     /// `κ sense f` at both ends of a part.

@@ -69,6 +69,12 @@ pub(super) struct Bounds {
     pub high: f64,
 }
 
+/// The lesser of two numbers: one instruction, because neither is NaN.
+#[inline]
+fn lesser(one: f64, other: f64) -> f64 {
+    if other < one { other } else { one }
+}
+
 impl Table {
     pub fn new(course: &Course) -> Table {
         let posed = course.posed(0);
@@ -123,61 +129,57 @@ impl Table {
 
     /// Bounds of every part of every mating of `range`, in their order.
     pub fn each(&self, range: Range<u64>, take: &mut dyn FnMut(Bounds)) {
-        let uniform = self.sides.each_ref().map(|side| {
-            let beside = |part| self.beside(side, side.places(0), part, None, (0.0, 0.0));
-            side.is_uniform().then(|| std::array::from_fn(beside))
-        });
-        let uniform: [Option<[[f64; 2]; PARTS]>; 2] = uniform;
-        for mating in range {
-            let shift = self.shifts.at(mating);
-            let places = self.sides.each_ref().map(|side| side.places(mating));
-            let distances = self.distances.as_ref();
-            let distances =
-                distances.map(|distances| [0, 1].map(|k| distances.sides[k].at(mating)));
-            for part in 0..PARTS {
-                let (mut low, mut high) = ([0.0; 2], [0.0; 2]);
-                for (index, (side, places)) in self.sides.iter().zip(places).enumerate() {
-                    let distances = distances.as_ref().map(|distances| &distances[index]);
-                    let [least, most] = match &uniform[index] {
-                        Some(beside) => beside[part],
-                        None => self.beside(side, places, part, distances, (0.0, 0.0)),
-                    };
-                    let drifts = side.drifts(part);
-                    for (end, drift) in drifts.into_iter().enumerate() {
-                        low[end] += least + drift;
-                        high[end] += most + drift;
-                    }
+        let parts = |side: &SideTable| std::array::from_fn(|part| side.drifts(part));
+        let drifts: [[[f64; 2]; PARTS]; 2] = self.sides.each_ref().map(parts);
+        let nominal = self.sides[0].nominal + self.sides[1].nominal;
+        let mut offs = [Vec::new(), Vec::new()];
+        let is_uniform = self.sides.each_ref().map(SideTable::is_uniform);
+        let mut rooms = [[[0.0; 2]; PARTS]; 2];
+        for mating in range.clone() {
+            for (index, side) in self.sides.iter().enumerate() {
+                // Every mating is as the first.
+                if is_uniform[index] && mating > range.start {
+                    continue;
                 }
-                let nominal = self.sides[0].nominal + self.sides[1].nominal;
+                let offs = &mut offs[index];
+                side.all_offs(side.places(mating), offs);
+                let distances = self.distances.as_ref();
+                let distances = distances.map(|distances| distances.sides[index].at(mating));
+                rooms[index] = std::array::from_fn(|part| {
+                    let off = |step: i64, _| side.among(offs, step);
+                    self.rooms(side, part, distances.as_ref(), off)
+                });
+            }
+            let shift = self.shifts.at(mating);
+            for part in 0..PARTS {
                 // All but the steps' own places changes along a straight line, but for the slack.
-                let ends = [0, 1].map(|end| nominal + shift[part + end]);
+                let ends = [0, 1].map(|end| {
+                    nominal + shift[part + end] + (drifts[0][part][end] + drifts[1][part][end])
+                });
+                let [low, high] = [0, 1].map(|bound| rooms[0][part][bound] + rooms[1][part][bound]);
                 take(Bounds {
                     mating,
                     part,
-                    low: (low[0] + ends[0]).min(low[1] + ends[1]) - self.slack[0],
-                    high: (high[0] + ends[0]).max(high[1] + ends[1]) + self.slack[1],
+                    low: low + lesser(ends[0], ends[1]) - self.slack[0],
+                    high: high - lesser(-ends[0], -ends[1]) + self.slack[1],
                 });
             }
         }
     }
 
-    /// Least and greatest room of a side at `places`, beyond `nominal`, the offset `own` and the shift of the centres. The offsets of steps beyond
-    /// `own` are certain up to the part `unsure` of them.
-    fn beside(
+    /// Least and greatest room of a side beyond `nominal` and the shift of the centres. `off` is the offset of a step, at its least (−1) or
+    /// greatest (+1).
+    #[inline]
+    fn rooms(
         &self,
         side: &SideTable,
-        places: [i64; 2],
         part: usize,
         distances: Option<&[f64; PARTS + 1]>,
-        (own, unsure): (f64, f64),
+        off: impl Fn(i64, f64) -> f64,
     ) -> [f64; 2] {
-        let off = |step: i64, sign: f64| {
-            let off = side.off(places, step) - own;
-            off + sign * unsure * off.abs()
-        };
         let plain = side.plain[part].iter();
         let plain = plain.map(|(step, more)| off(*step, -1.0) + more);
-        let mut least = plain.fold(f64::INFINITY, f64::min);
+        let mut least = plain.fold(f64::INFINITY, lesser);
         if !side.dipping[part].is_empty() {
             let shares = match (&self.distances, distances) {
                 (Some(all), Some(ends)) => all.shares([ends[part], ends[part + 1]]),
@@ -186,11 +188,11 @@ impl Table {
             let dipping = side.dipping[part].iter();
             least = dipping
                 .map(|(step, more)| off(*step, -1.0) + more.between(shares))
-                .fold(least, f64::min);
+                .fold(least, lesser);
         }
         let covering = side.covering[part].iter();
         let most = covering.map(|step| off(*step, 1.0));
-        [least, most.fold(f64::INFINITY, f64::min)]
+        [least, most.fold(f64::INFINITY, lesser)]
     }
 
     /// How much more than a step on the line of action a side has in a part of a mating; `None` where no step is open.
@@ -207,8 +209,13 @@ impl Table {
         let step = covering
             .min_by(by_off)
             .or_else(|| table.open[part].first().map(|(step, ..)| *step))?;
-        let beyond = (table.off(places, step), table.unsure);
-        let [least, most] = self.beside(table, places, part, distances.as_ref(), beyond);
+        let own = table.off(places, step);
+        // The offset of another step beyond its own is certain up to a part of it.
+        let beyond = |step: i64, sign: f64| {
+            let off = table.off(places, step) - own;
+            off + sign * table.unsure * off.abs()
+        };
+        let [least, most] = self.rooms(table, part, distances.as_ref(), beyond);
         Some(BesideLine { step, least, most })
     }
 

@@ -141,7 +141,7 @@
 //! let runs: Vec<_> = analysis.all().collect();
 //! let outcome = gearlash::analysis::outcome::Outcome::of(&runs, &[]);
 //! let [least, greatest] = [outcome.least, outcome.greatest].map(|found| found.and_then(|found| found.pose.simulated.j_wt()));
-//! assert!(least > Some(0.0) && least <= greatest && outcome.assembles());
+//! assert!(least > Some(0.0) && least <= greatest && outcome.unproven == 0);
 //! # Ok::<(), gearlash::error::Error>(())
 //! ```
 //!

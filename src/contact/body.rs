@@ -7,7 +7,7 @@
 //! 2. Seen from the centre of the free outline, on one circle of that outline, the locked gear's root circle is wider than
 //!    the free gear's widest space. A free tooth is in it at every rotation.
 //!
-//! Root circles that overlap jam the pair as well, even where a space faces a space ([`root_circles`]).
+//! Root circles that overlap jam the pair as well, even where a space faces a space ([`beside_root_circles`]).
 //!
 //! A tip circle can also reach over the mate's axis, with three or four long teeth and a very small root circle. Then
 //! no pose of the pair can be assembled ([`reaches_over_an_axis`]).
@@ -17,7 +17,7 @@
 //!
 //! Without these conditions a pose can still be jammed; its contacts show that ([`super::LostMotion::status`]).
 
-use super::lost_motion::LostMotion;
+use super::lost_motion::{LostMotion, Status};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
@@ -71,7 +71,7 @@ impl FarFlanks {
     }
 }
 
-/// Whether [`is_solid`] can be true or [`root_circles`] can meet at some pose, which is rare.
+/// Whether [`is_solid`] can be true or root circles can overlap at some pose, which is rare.
 pub(super) fn may_be_solid(assembly: &GearPair) -> bool {
     let locked = assembly.gear(assembly.locked());
     let free = assembly.gear(assembly.free());
@@ -81,23 +81,27 @@ pub(super) fn may_be_solid(assembly: &GearPair) -> bool {
         || nearest - locked.gear().root_radius() < free.reach()
 }
 
-/// The result of a pose whose root circles overlap; `None` where they are apart at every rotation of the free gear.
+/// What was `found` at `pose`, unless root circles overlap: the pose is then jammed.
 ///
 /// Facing half teeth do not show this overlap between two spaces: the half of one space faces the other half of the other one.
 ///
 /// # Errors
-/// [`Error::ContactLost`] if only the runout of the free gear makes them overlap.
-pub(super) fn root_circles(assembly: &GearPair, pose: &Pose) -> Result<Option<LostMotion>, Error> {
+/// [`Error::ContactLost`] if the runout of the free gear alone makes them overlap, and nothing else jams the pose.
+pub(super) fn beside_root_circles(
+    assembly: &GearPair,
+    pose: &Pose,
+    found: LostMotion,
+) -> Result<LostMotion, Error> {
     let [locked, free] = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
     let tooth_1 = assembly.mate_direction(assembly.locked()) + pose.locked_rotation();
     let centre = assembly.axis(assembly.locked()) + locked.displacement(tooth_1);
     let distance = (assembly.axis(assembly.free()) - centre).norm();
     let room = distance - locked.gear().root_radius() - free.gear().root_radius();
-    if room >= free.eccentricity() {
-        return Ok(None);
+    if room >= free.eccentricity() || found.status() == Status::Jammed {
+        return Ok(found);
     }
     if room < -free.eccentricity() {
-        return Ok(Some(LostMotion::JAMMED));
+        return Ok(LostMotion::JAMMED);
     }
     let mating = pose.mating();
     Err(Error::ContactLost {
@@ -183,7 +187,7 @@ fn widest_space(gear: &AsBuilt) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{CutPair, ExactKernel, Status};
+    use crate::contact::{CutPair, ExactKernel};
     use crate::gear::{BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign};
     use crate::pair::Mating;
     use nalgebra::{Point2, Vector2};

@@ -11,7 +11,9 @@ use super::shape::turn;
 use super::teeth::reduced;
 use super::tightest::Touching;
 use crate::contact::Effort;
-use crate::contact::body::{FarFlanks, is_solid, may_be_solid, reaches_over_an_axis, root_circles};
+use crate::contact::body::{
+    FarFlanks, beside_root_circles, is_solid, may_be_solid, reaches_over_an_axis,
+};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
@@ -192,11 +194,6 @@ impl Section {
         if self.blocked {
             return Ok(LostMotion::JAMMED);
         }
-        if let Some(pair) = &self.bodies
-            && let Some(jammed) = root_circles(pair, pose)?
-        {
-            return Ok(jammed);
-        }
         let mating = pose.mating();
         let teeth = (mating.tooth(self.free.mate()), mating.tooth(self.free));
         let rotation = reduced(pose.locked_rotation());
@@ -231,7 +228,11 @@ impl Section {
                 .is_some_and(|pair| is_solid(pair, pose)),
         };
         let result = result.normalised(pose.free_rotation());
-        Ok(result.within(self.right.free.pitch))
+        let result = result.within(self.right.free.pitch);
+        match &self.bodies {
+            Some(pair) => beside_root_circles(pair, pose, result),
+            None => Ok(result),
+        }
     }
 
     fn lost(&self, posed: &PosedFlanks, step: i64, reason: &'static str, pose: &Pose) -> Error {

@@ -4,7 +4,9 @@ use super::chord::CutGear;
 use super::flank_problem::{CutTeeth, FlankProblem};
 use super::search::{FoundTouch, search};
 use crate::contact::Effort;
-use crate::contact::body::{FarFlanks, is_solid, may_be_solid, reaches_over_an_axis, root_circles};
+use crate::contact::body::{
+    FarFlanks, beside_root_circles, is_solid, may_be_solid, reaches_over_an_axis,
+};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
@@ -54,16 +56,14 @@ impl<'a> PolygonKernel<'a> {
         if reaches_over_an_axis(self.teeth.assembly) {
             return Ok(LostMotion::JAMMED);
         }
-        if let Some(jammed) = root_circles(self.teeth.assembly, pose)? {
-            return Ok(jammed);
-        }
         let found = LostMotion {
             right: self.side(pose, Side::Right, effort)?,
             left: self.side(pose, Side::Left, effort)?,
             solid: may_be_solid(self.teeth.assembly) && is_solid(self.teeth.assembly, pose),
         };
         let free = self.teeth.assembly.gear(self.teeth.assembly.free());
-        Ok(found.within(free.gear().basic_data().angular_pitch()))
+        let found = found.within(free.gear().basic_data().angular_pitch());
+        beside_root_circles(self.teeth.assembly, pose, found)
     }
 
     /// The tightest contact of one side.

@@ -354,7 +354,7 @@ mod tests {
             .each_ref()
             .map(|s| Convex::top(s, s.tip_corner().conj()));
         let mut held = 0;
-        for centre in (0..12).map(|k| C::from_polar(3.0, 0.5 * f64::from(k))) {
+        for centre in (0..126).map(|k| C::from_polar(3.0, 0.05 * f64::from(k))) {
             let turned = |by: f64| At {
                 centres: [C::new(50.4, 0.01), turn(0.02 + by) * centre],
                 play: PLAY,

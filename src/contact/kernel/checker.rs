@@ -687,17 +687,23 @@ mod tests {
 
     /// 14 on 23 teeth, both eccentric.
     fn assembly() -> GearPair {
-        let gear = |teeth, face, eccentricity| {
+        eccentric(0.05, 2.0)
+    }
+
+    /// 14 on 23 teeth; the free gear of 14 teeth has this eccentricity, mm, towards `high_tooth`.
+    fn eccentric(eccentricity: f64, high_tooth: f64) -> GearPair {
+        let gear = |teeth, face, eccentricity, high_tooth| {
             let deviations = Deviations {
                 eccentricity,
-                high_tooth: 2.0,
+                high_tooth,
                 ..Deviations::default()
             };
             let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
             AsBuilt::new(gear, face, &deviations).unwrap()
         };
-        let wheel = gear(23, Face::Front, 0.03);
-        GearPair::new(wheel, gear(14, Face::Back, 0.05), 37.3).unwrap()
+        let wheel = gear(23, Face::Front, 0.03, 2.0);
+        let pinion = gear(14, Face::Back, eccentricity, high_tooth);
+        GearPair::new(wheel, pinion, 37.3).unwrap()
     }
 
     fn halves(assembly: &GearPair) -> impl Iterator<Item = Half<'_>> {
@@ -859,6 +865,66 @@ mod tests {
             }
         }
         assert!(held > 1000, "{held}");
+    }
+
+    /// A tip land of an eccentric gear, whose arm may change sign on its way, stays apart where it holds. Source: the reach of the turned piece.
+    #[test]
+    fn a_land_that_holds_stays_apart() {
+        let (mut held, mut changed) = (0, 0);
+        // Tooth 12 is opposite to tooth 5.
+        for high_tooth in (-20..=20).map(|k| 12.0 + 0.01 * f64::from(k)) {
+            let assembly = eccentric(0.8, high_tooth);
+            let free = assembly.free();
+            // Tooth 5 points at the mate.
+            let facing = -assembly.gear(free).tooth_angle(5.0);
+            for side in Side::BOTH {
+                let half = |by: f64| {
+                    let rotation = facing - side.sense() * by;
+                    Half::new(&assembly, free, rotation, side, 5)
+                };
+                for angle in (-100..=100).map(|k| 0.001 * f64::from(k)) {
+                    let n = Vector2::new(f64::cos(angle), f64::sin(angle));
+                    let [near, far] = Side::BOTH
+                        .map(|side| Half::new(&assembly, assembly.locked(), 0.0, side, 3));
+                    let mut pair = Pair {
+                        locked: Tooth { near, far },
+                        free: half(0.0),
+                        axis: assembly.axis(free),
+                        play: 0.3,
+                    };
+                    let one = Separation {
+                        locked_tooth: 3,
+                        free_tooth: 5,
+                        locked: Piece::Top,
+                        free: Piece::Top,
+                        by: Reason::Direction,
+                        normal: n,
+                    };
+                    let room = |pair: &Pair, free: &Half| {
+                        -free.reach(Piece::Top, -n).0 - pair.locked.reach(Piece::Top, n).0
+                    };
+                    pair.locked.near.centre += n * (room(&pair, &pair.free) - 1e-9);
+                    let Some(land) = pair.free.land_ahead(Piece::Top, -n) else {
+                        continue;
+                    };
+                    if !(land.is_here && pair.holds(&one, true)) {
+                        continue;
+                    }
+                    held += 1;
+                    let at_end = half(land.turn).centre;
+                    changed += usize::from(-side.sense() * turns(pair.axis, at_end, n) < 0.0);
+                    let first = room(&pair, &half(0.0));
+                    let turns = (1..=60).map(|k| 0.001 * f64::from(k)).chain([0.15, 0.3]);
+                    let least = turns.map(|by| room(&pair, &half(by)));
+                    let least = least.fold(f64::INFINITY, f64::min);
+                    assert!(
+                        least > first - 1e-12,
+                        "{high_tooth} {side:?} {angle}: {least:e}"
+                    );
+                }
+            }
+        }
+        assert!(held > 1000 && changed > 100, "{held} {changed}");
     }
 
     /// Without a limit of the play, a distance must have an arm above 0.

@@ -81,7 +81,7 @@ pub(super) fn may_be_solid(assembly: &GearPair) -> bool {
         || nearest - locked.gear().root_radius() < free.reach()
 }
 
-/// What was `found` at `pose`, unless root circles overlap: the pose is then jammed.
+/// The result `found` at `pose`, or a jam where root circles overlap.
 ///
 /// Facing half teeth do not show this overlap between two spaces: the half of one space faces the other half of the other one.
 ///

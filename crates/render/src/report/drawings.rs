@@ -6,43 +6,48 @@ use super::phrases::{plain, sentence};
 use super::stated::{high_tooth, runout, single_or_band, thickness};
 use super::table::{Table, cells, columns};
 use gearlash::outline::OutlineGear;
+use gearlash_files::PairFile;
 use gearlash_files::numbers::{bound_um, shortest, trimmed};
 use gearlash_files::outlines::DrawingRead;
 use gearlash_files::spec::{
     CentreName, CentreSpec, EitherGearSpec, GearSpec, OutlineSpec, PointsKind,
 };
 use gearlash_results::drawn_notes;
-use maud::{Markup, html};
+use maud::{Markup, Render, html};
 
 pub(super) fn section(page: &Page) -> Markup {
     let pair = page.report.pair;
-    let spec = &pair.spec;
-    let specs = [&spec.wheel, &spec.pinion];
     let notes = drawn_notes(pair);
-    let columns = columns("name | wheel (1):n | pinion (2):n");
-    let gears = rows(page, specs).into_iter();
-    let gears = gears.map(|(name, [wheel, pinion])| cells![name, wheel, pinion]);
-    let caption = html! { "What was read of each drawing; lengths after its unit is taken in" };
     html! {
         section id="input" {
             h2 { "Drawings and assembly" }
-            (Table::new("Both gears", caption, columns, gears))
+            (gears(pair))
             @for note in notes.lines() { p { (note) } }
             @if notes.lines().count() <= pair.drawings.iter().flatten().count() {
                 p { (if notes.lines().count() > 1 { "No other" } else { "No" }) " outline looks like an involute." }
             }
-            (assembly(page, &spec.assembly))
+            (assembly(page, &pair.spec.assembly))
             @for warning in pair.warnings.iter().chain(&pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
         }
     }
 }
 
+/// Table of both gears of a pair with a drawn one.
+pub(super) fn gears(pair: &PairFile) -> Markup {
+    let columns = columns("name | wheel (1):n | pinion (2):n");
+    let rows = rows(pair).into_iter();
+    let rows = rows.map(|(name, [wheel, pinion])| cells![name, wheel, pinion]);
+    let caption = html! { "What was read of each drawing; lengths after its unit is taken in" };
+    Table::new("Both gears", caption, columns, rows).render()
+}
+
 /// Name and value of each property of both gears.
-fn rows(page: &Page, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String; 2])> {
+fn rows(pair: &PairFile) -> Vec<(&'static str, [String; 2])> {
+    let specs = [&pair.spec.wheel, &pair.spec.pinion];
     let dash = || "–".to_owned();
     let of = |drawing: &dyn Fn(&OutlineSpec, &DrawingRead) -> String,
               data: &dyn Fn(&GearSpec) -> String| {
-        [0, 1].map(|k| match (specs[k], &page.report.pair.drawings[k]) {
+        [0, 1].map(|k| match (specs[k], &pair.drawings[k]) {
             (EitherGearSpec::Outline(spec), Some(read)) => drawing(&spec.outline, read),
             (EitherGearSpec::Data(spec), _) => data(spec),
             (EitherGearSpec::Outline(_), None) => dash(),
@@ -51,7 +56,7 @@ fn rows(page: &Page, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String;
     let drawn = |drawing: &dyn Fn(&OutlineSpec, &DrawingRead) -> String| of(drawing, &|_| dash());
     let gears = |value: fn(&OutlineGear) -> f64| {
         [0, 1].map(|k| {
-            let materials = page.report.pair.study.drawn.iter();
+            let materials = pair.study.drawn.iter();
             let mut values: Vec<String> = materials
                 .map(|(_, wheel, pinion)| trimmed(value([wheel, pinion][k]), 0, 4))
                 .collect();

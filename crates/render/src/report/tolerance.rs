@@ -4,11 +4,10 @@ use super::figures::{collapsed, figure};
 use super::marks::mark;
 use super::page_frame::PageFrame;
 use super::phrases::{j_wt, plain, with_symbols};
-use super::stated;
 use super::table::{Table, cells, columns};
+use super::{drawings, stated};
 use crate::tolerance::Pictures;
 use gearlash::analysis::diagnosis::Verdict;
-use gearlash::pair::Member;
 use gearlash::population::{CONFIDENCE, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS};
 use gearlash_files::numbers::{rounded, shortest};
 use gearlash_files::spec::GearSpec;
@@ -90,9 +89,32 @@ fn result(report: &ToleranceReport) -> Markup {
 
 /// The gears, their assembly, the scatter and the requirement.
 fn input(report: &ToleranceReport) -> Markup {
-    let spec = &report.file.pair.spec;
-    let gears = Member::BOTH.map(|member| spec.data(member));
-    let of = |value: &dyn Fn(&GearSpec) -> String| gears.map(|gear| gear.map(value));
+    let pair = &report.file.pair;
+    let gears = match pair.spec.by_data() {
+        Some(gears) => gears_by_data(gears),
+        None => drawings::gears(pair),
+    };
+    // Specs are plain data, which JSON can always hold.
+    let assembly = serde_json::to_value(&pair.spec.assembly).unwrap_or_default();
+    let scatters = serde_json::to_value(&report.file.tolerance).unwrap_or_default();
+    let required = required(&report.result.about);
+    html! {
+        section id="input" {
+            h2 { "Input" }
+            (gears)
+            (stated_table("Assembly", &assembly))
+            (stated_table("What scatters, [tolerance]", &scatters))
+            p {
+                "Required: "
+                @if required.is_empty() { "nothing beyond that the gears assemble." } @else { (with_symbols(&required)) "." }
+            }
+        }
+    }
+}
+
+/// Table of two gears given by data.
+fn gears_by_data(gears: [&GearSpec; 2]) -> Markup {
+    let of = |value: &dyn Fn(&GearSpec) -> String| gears.map(value);
     let mut rows = vec![
         ("teeth", of(&|gear| gear.teeth.to_string())),
         ("module, mm", of(&|gear| shortest(gear.module_mm))),
@@ -112,30 +134,13 @@ fn input(report: &ToleranceReport) -> Markup {
             of(&|gear| stated::pitch(gear.pitch.as_ref(), false)),
         ),
     ];
-    let mut angles = gears.iter().flatten().map(|gear| gear.helix_angle_deg);
-    if angles.all(|angle| angle.is_none()) {
+    if gears.iter().all(|gear| gear.helix_angle_deg.is_none()) {
         rows.retain(|(name, _)| *name != "helix angle, °");
     }
     let columns = columns(" | wheel | pinion");
     let rows = rows.into_iter();
-    let shown = |value: Option<String>| plain(&value.unwrap_or_default());
-    let rows = rows.map(|(name, [wheel, pinion])| cells![name, shown(wheel), shown(pinion)]);
-    // Specs are plain data, which JSON can always hold.
-    let assembly = serde_json::to_value(&spec.assembly).unwrap_or_default();
-    let scatters = serde_json::to_value(&report.file.tolerance).unwrap_or_default();
-    let required = required(&report.result.about);
-    html! {
-        section id="input" {
-            h2 { "Input" }
-            (Table::new("Gears", html! { "Gears as stated" }, columns, rows))
-            (stated_table("Assembly", &assembly))
-            (stated_table("What scatters, [tolerance]", &scatters))
-            p {
-                "Required: "
-                @if required.is_empty() { "nothing beyond that the gears assemble." } @else { (with_symbols(&required)) "." }
-            }
-        }
-    }
+    let rows = rows.map(|(name, [wheel, pinion])| cells![name, plain(&wheel), plain(&pinion)]);
+    Table::new("Gears", html! { "Gears as stated" }, columns, rows).render()
 }
 
 /// The statements of a table of the pair file.

@@ -93,8 +93,7 @@ pub(super) fn beside_root_circles(
     found: LostMotion,
 ) -> Result<LostMotion, Error> {
     let [locked, free] = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
-    let tooth_1 = assembly.mate_direction(assembly.locked()) + pose.locked_rotation();
-    let centre = assembly.axis(assembly.locked()) + locked.displacement(tooth_1);
+    let centre = placed_locked(assembly, pose).centre();
     let distance = (assembly.axis(assembly.free()) - centre).norm();
     let room = distance - locked.gear().root_radius() - free.gear().root_radius();
     if room >= free.eccentricity() || found.status() == Status::Jammed {
@@ -113,6 +112,13 @@ pub(super) fn beside_root_circles(
     })
 }
 
+/// The locked gear at `pose`.
+fn placed_locked<'a>(assembly: &'a GearPair, pose: &Pose) -> Placed<'a> {
+    let locked = assembly.locked();
+    let tooth_1 = assembly.mate_direction(locked) + pose.locked_rotation();
+    Placed::new(assembly.gear(locked), assembly.axis(locked), tooth_1)
+}
+
 /// Radius about its axis within which a gear is solid at every rotation, mm.
 pub(super) fn solid_radius(gear: &AsBuilt) -> f64 {
     gear.gear().root_radius() - gear.eccentricity()
@@ -124,8 +130,7 @@ pub(super) fn is_solid(assembly: &GearPair, pose: &Pose) -> bool {
     let free = assembly.gear(assembly.free());
     let (tip, root) = (locked.gear().tip_radius(), locked.gear().root_radius());
     let solid = solid_radius(free);
-    let tooth_1 = assembly.mate_direction(assembly.locked()) + pose.locked_rotation();
-    let placed = Placed::new(locked, assembly.axis(assembly.locked()), tooth_1);
+    let placed = placed_locked(assembly, pose);
     let axis = assembly.axis(assembly.free());
     let distance = (axis - placed.centre()).norm();
     let off = free.eccentricity();

@@ -53,17 +53,23 @@ impl<'a> PolygonKernel<'a> {
         pose: &Pose,
         effort: &Effort,
     ) -> Result<LostMotion, Error> {
-        if reaches_over_an_axis(self.teeth.assembly) {
+        let assembly = self.teeth.assembly;
+        if reaches_over_an_axis(assembly) {
             return Ok(LostMotion::JAMMED);
         }
+        let may_be_solid = may_be_solid(assembly);
         let found = LostMotion {
             right: self.side(pose, Side::Right, effort)?,
             left: self.side(pose, Side::Left, effort)?,
-            solid: may_be_solid(self.teeth.assembly) && is_solid(self.teeth.assembly, pose),
+            solid: may_be_solid && is_solid(assembly, pose),
         };
-        let free = self.teeth.assembly.gear(self.teeth.assembly.free());
+        let free = assembly.gear(assembly.free());
         let found = found.within(free.gear().basic_data().angular_pitch());
-        beside_root_circles(self.teeth.assembly, pose, found)
+        if may_be_solid {
+            beside_root_circles(assembly, pose, found)
+        } else {
+            Ok(found)
+        }
     }
 
     /// The tightest contact of one side.

@@ -151,16 +151,14 @@ fn own_distance(pair: &PairFile, file: &Table) -> Option<f64> {
 /// The mean pair of the population at a centre distance, mm: the middle of thickness bands.
 fn own_pair(pair: &PairFile, distance: f64, file: &Table) -> Option<AssembledPair> {
     let study = &pair.study;
-    let made = if study.is_drawn() {
-        let pairs = study.pairs(distance);
-        if study.material_count() > 1 {
-            return file.refuse(
-                "tolerance",
-                "given for a pair with an outline and a band of thickness or flank offset",
-                "state one thickness for each gear",
-            );
-        }
-        pairs.map(|mut pairs| pairs.remove(0).1)
+    let made = if study.material_count() == 1 {
+        study.pairs(distance).map(|mut pairs| pairs.remove(0).1)
+    } else if study.is_drawn() {
+        return file.refuse(
+            "tolerance",
+            "given for a pair with an outline and a band of thickness or flank offset",
+            "state one thickness for each gear",
+        );
     } else {
         let materials = &study.materials;
         let wheel = middle(materials.iter().map(|(_, wheel, _)| wheel));

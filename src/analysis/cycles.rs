@@ -21,9 +21,139 @@ pub const WIDTH: f64 = PROVEN_WIDTH;
 
 /// Width, mm, of a bracket of `j_wt` of `assembly` that counts as proven.
 pub fn proven_width(assembly: &AssembledPair) -> f64 {
+    searched(assembly).width()
+}
+
+/// A pair whose mesh cycle is searched. Gears by data and drawn gears have a kernel each.
+trait SearchedPair {
+    /// [`proven_width`].
+    fn width(&self) -> f64;
+
+    /// The search of `cycle` with the axes where the pair states them, without the losses along the face.
+    fn search(&self, cycle: &Planned) -> Result<Searched, Error>;
+
+    /// One end of `cycle` for this pair, in place of the pair of the cycle.
+    fn end(&self, cycle: &Planned, is_least: bool, effort: &Effort) -> Result<Extremes, Error>;
+
+    /// The extremes over these matings and all directions of a runout without one, in brackets of about `width` mm.
+    fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error>;
+
+    /// Whether wheel and pinion have unlike teeth.
+    fn deviate(&self) -> [bool; 2];
+}
+
+/// `assembly` as its kernel searches it.
+fn searched(assembly: &AssembledPair) -> &dyn SearchedPair {
     match assembly {
-        AssembledPair::Data(_) => PROVEN_WIDTH,
-        AssembledPair::Drawn(_) => PROVEN_WIDTH_DRAWN,
+        AssembledPair::Data(pair) => pair,
+        AssembledPair::Drawn(pair) => pair,
+    }
+}
+
+impl SearchedPair for OutlinePair {
+    fn width(&self) -> f64 {
+        PROVEN_WIDTH_DRAWN
+    }
+
+    fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
+        let kernel = OutlineKernel::new(self);
+        let over = cycle_of_outlines(self, cycle.over());
+        let found = kernel.extremes(self, &over, cycle.ends(), PROVEN_WIDTH_DRAWN);
+        let assembles_from = match cycle.alone {
+            Some(_) => None,
+            None => AssemblesFrom::of_outlines(&kernel, self, &over, &found)?,
+        };
+        Ok(Searched {
+            poses: vec![cycle.poses_of(&found, assembles_from)],
+            found,
+            assembles_from,
+            meshes_to: None,
+            face_loss: None,
+        })
+    }
+
+    fn end(&self, cycle: &Planned, is_least: bool, _: &Effort) -> Result<Extremes, Error> {
+        let over = cycle_of_outlines(self, cycle.over());
+        let ends = [End::of(is_least)];
+        Ok(OutlineKernel::new(self).extremes(self, &over, &ends, PROVEN_WIDTH_DRAWN))
+    }
+
+    fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
+        let (over, width) = (cycle_of_outlines(self, over), width.max(PROVEN_WIDTH_DRAWN));
+        Ok(OutlineKernel::new(self).extremes(self, &over, &End::BOTH, width))
+    }
+
+    fn deviate(&self) -> [bool; 2] {
+        Member::BOTH.map(|member| self.gear(member).unlikeness().is_none())
+    }
+}
+
+impl SearchedPair for GearPair {
+    fn width(&self) -> f64 {
+        PROVEN_WIDTH
+    }
+
+    fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
+        let effort = &cycle.effort(self);
+        let greatest = |pair: &GearPair, kernel: &ExactKernel| {
+            kernel.greatest(pair, cycle.over(), WIDTH, effort)
+        };
+        if is_open(self) {
+            let all = cycle.any_direction(self, effort)?;
+            let [near, far] = &all.ends;
+            let assembles_from = match near {
+                Some((near, nearest)) => cycle.assembles_from(near, nearest, all.off, effort)?,
+                None => None,
+            };
+            let meshes_to = match far {
+                Some((far, farthest)) => {
+                    cycle.meshes_to(far, farthest, all.off, (&greatest, effort))?
+                }
+                None => None,
+            };
+            return Ok(Searched {
+                assembles_from,
+                meshes_to,
+                face_loss: None,
+                found: all.found,
+                poses: all.poses,
+            });
+        }
+        let kernel = ExactKernel::new(self);
+        let found = kernel.extremes_of(self, cycle.over(), WIDTH, effort, cycle.ends())?;
+        let assembles_from = cycle.assembles_from(self, &found, 0.0, effort)?;
+        Ok(Searched {
+            poses: vec![cycle.poses_of(&found, assembles_from)],
+            assembles_from,
+            meshes_to: cycle.meshes_to(self, &found, 0.0, (&greatest, effort))?,
+            face_loss: None,
+            found,
+        })
+    }
+
+    fn end(&self, cycle: &Planned, is_least: bool, effort: &Effort) -> Result<Extremes, Error> {
+        if cycle.open_lean != [0.0; 2] {
+            return Ok(cycle.with(self.clone().into()).search()?.found);
+        }
+        if is_open(self) {
+            return Ok(cycle.any_direction(self, effort)?.found);
+        }
+        let ends = [End::of(is_least)];
+        ExactKernel::new(self).extremes_of(self, cycle.over(), WIDTH, effort, &ends)
+    }
+
+    fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
+        let effort = &Effort::of_extremes(self);
+        if is_open(self) {
+            Ok(any_direction(self, over, &End::BOTH, width, effort)?.found)
+        } else {
+            ExactKernel::new(self).extremes_within(self, over, width, effort)
+        }
+    }
+
+    /// An eccentricity alone, in any direction, keeps all teeth equal.
+    fn deviate(&self) -> [bool; 2] {
+        Member::BOTH.map(|one| self.gear(one).centred().has_different_teeth())
     }
 }
 
@@ -278,62 +408,9 @@ impl Planned {
         }
     }
 
-    /// The extremes with the axes where they are stated, without the losses along the face.
+    /// [`SearchedPair::search`] of its pair.
     fn search_as_stated(&self) -> Result<Searched, Error> {
-        let assembly = match &self.run.assembly {
-            AssembledPair::Data(pair) => pair,
-            AssembledPair::Drawn(pair) => {
-                let kernel = OutlineKernel::new(pair);
-                let cycle = self.outlines(pair);
-                let found = kernel.extremes(pair, &cycle, self.ends(), PROVEN_WIDTH_DRAWN);
-                let assembles_from = if self.alone.is_some() {
-                    None
-                } else {
-                    AssemblesFrom::of_outlines(&kernel, pair, &cycle, &found)?
-                };
-                return Ok(Searched {
-                    poses: vec![self.poses_of(&found, assembles_from)],
-                    found,
-                    assembles_from,
-                    meshes_to: None,
-                    face_loss: None,
-                });
-            }
-        };
-        let effort = &self.effort(assembly);
-        let greatest = |pair: &GearPair, kernel: &ExactKernel| {
-            kernel.greatest(pair, self.over(), WIDTH, effort)
-        };
-        if is_open(assembly) {
-            let all = self.any_direction(assembly, effort)?;
-            let [near, far] = &all.ends;
-            let assembles_from = match near {
-                Some((near, nearest)) => self.assembles_from(near, nearest, all.off, effort)?,
-                None => None,
-            };
-            let meshes_to = match far {
-                Some((far, farthest)) => {
-                    self.meshes_to(far, farthest, all.off, (&greatest, effort))?
-                }
-                None => None,
-            };
-            return Ok(Searched {
-                assembles_from,
-                meshes_to,
-                face_loss: None,
-                found: all.found,
-                poses: all.poses,
-            });
-        }
-        let found = self.cycle(assembly, effort)?;
-        let assembles_from = self.assembles_from(assembly, &found, 0.0, effort)?;
-        Ok(Searched {
-            poses: vec![self.poses_of(&found, assembles_from)],
-            assembles_from,
-            meshes_to: self.meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
-            face_loss: None,
-            found,
-        })
+        searched(&self.run.assembly).search(self)
     }
 
     /// The loss of the least `found` by deviations along the face; `None` for a pair without any.
@@ -363,11 +440,6 @@ impl Planned {
         }
     }
 
-    /// The cycle of a pair with a drawn gear.
-    fn outlines(&self, pair: &OutlinePair) -> OutlineCycle {
-        cycle_of_outlines(pair, (self.first, self.distinct))
-    }
-
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them further apart by it. Backlash grows with the distance,
     /// so no pose in between has less or more.
     pub fn at_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
@@ -386,12 +458,7 @@ impl Planned {
 
     fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
-        let ends = match (assembly, is_least) {
-            (AssembledPair::Data(_), _) => self.ends(),
-            (AssembledPair::Drawn(_), true) => &[End::Least],
-            (AssembledPair::Drawn(_), false) => &[End::Greatest],
-        };
-        let parts = self.parts();
+        let (ends, parts) = (self.ends(), self.parts());
         let there = Planned {
             alone: Some(Alone { ends, parts }),
             ..self.with(assembly.at(assembly.center_distance() + farther)?)
@@ -412,26 +479,7 @@ impl Planned {
         is_least: bool,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        let pair = match pair {
-            AssembledPair::Data(pair) => pair,
-            AssembledPair::Drawn(pair) => {
-                let (kernel, cycle) = (OutlineKernel::new(pair), self.outlines(pair));
-                let ends = [End::of(is_least)];
-                return Ok(kernel.extremes(pair, &cycle, &ends, PROVEN_WIDTH_DRAWN));
-            }
-        };
-        if self.open_lean != [0.0; 2] {
-            return Ok(self.with(pair.clone().into()).search()?.found);
-        }
-        if is_open(pair) {
-            return Ok(self.any_direction(pair, effort)?.found);
-        }
-        let (kernel, over) = (ExactKernel::new(pair), self.over());
-        if is_least {
-            kernel.least(pair, over, WIDTH, effort)
-        } else {
-            kernel.greatest(pair, over, WIDTH, effort)
-        }
+        searched(pair).end(self, is_least, effort)
     }
 
     /// Effort of the search of `assembly`.
@@ -452,11 +500,6 @@ impl Planned {
     /// The extremes to search.
     fn ends(&self) -> &'static [End] {
         self.alone.map_or(&End::BOTH, |alone| alone.ends)
-    }
-
-    /// The extremes of `pair`, whose runout has a direction, over the cycle.
-    fn cycle(&self, pair: &GearPair, effort: &Effort) -> Result<Extremes, Error> {
-        ExactKernel::new(pair).extremes_of(pair, self.over(), WIDTH, effort, self.ends())
     }
 
     /// The extremes of `pair` over the cycle and all directions of its runout.
@@ -566,21 +609,7 @@ pub fn extremes_of_phase(
     width: f64,
 ) -> Result<Extremes, Error> {
     let over = (first_of_phase(phase), distinct(assembly));
-    match assembly {
-        AssembledPair::Data(pair) => {
-            let effort = &Effort::of_extremes(pair);
-            if is_open(pair) {
-                Ok(any_direction(pair, over, &End::BOTH, width, effort)?.found)
-            } else {
-                ExactKernel::new(pair).extremes_within(pair, over, width, effort)
-            }
-        }
-        AssembledPair::Drawn(pair) => {
-            let width = width.max(PROVEN_WIDTH_DRAWN);
-            let cycle = cycle_of_outlines(pair, over);
-            Ok(OutlineKernel::new(pair).extremes(pair, &cycle, &End::BOTH, width))
-        }
-    }
+    searched(assembly).extremes(over, width)
 }
 
 /// The cycle of a pair with a drawn gear: its first mating, and the number of distinct ones.
@@ -638,27 +667,12 @@ pub(super) fn hunting_pitches(assembly: &impl ToothNumbers) -> u64 {
 
 /// Whether the extremes over the cycle depend on the assembly phase. They do not if all teeth of one gear are equal.
 pub(crate) fn phases_differ(assembly: &AssembledPair) -> bool {
-    deviate(assembly) == [true, true]
-}
-
-/// Whether wheel and pinion have unlike teeth.
-fn deviate(assembly: &AssembledPair) -> [bool; 2] {
-    match assembly {
-        AssembledPair::Data(pair) => deviate_of_data(pair),
-        AssembledPair::Drawn(pair) => {
-            Member::BOTH.map(|member| pair.gear(member).unlikeness().is_none())
-        }
-    }
-}
-
-/// Whether wheel and pinion have unequal teeth. An eccentricity alone, in any direction, keeps all teeth equal.
-fn deviate_of_data(assembly: &GearPair) -> [bool; 2] {
-    Member::BOTH.map(|one| assembly.gear(one).centred().has_different_teeth())
+    searched(assembly).deviate() == [true, true]
 }
 
 /// Number of distinct matings; after them every deviation of both gears recurs.
 pub(super) fn distinct(assembly: &AssembledPair) -> u64 {
-    distinct_of(deviate(assembly), assembly)
+    distinct_of(searched(assembly).deviate(), assembly)
 }
 
 /// Matings that differ where wheel and pinion have unlike teeth as stated.

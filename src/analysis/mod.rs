@@ -227,7 +227,7 @@ impl<'a> Analysis<'a> {
             let (turned, cycle) = (&analysis.revolution, &analysis.extremes.each);
             analysis.curves = curves::refined(study, turned, cycle, method, tick)?;
         }
-        if plan.curves && !study.is_drawn() {
+        if plan.curves {
             (progress.stage)("(over the centre distance)");
             let binding = curves::binding(study, analysis.all());
             for followed in curves::followed(study, binding) {

@@ -65,8 +65,12 @@ impl Gears {
         }
     }
 
+    fn has(self, member: Member) -> bool {
+        self == Gears::Both || self == Gears::One(member)
+    }
+
     fn members(self) -> impl Iterator<Item = Member> {
-        let chosen = move |member: &Member| self == Gears::Both || self == Gears::One(*member);
+        let chosen = move |member: &Member| self.has(*member);
         Member::BOTH.into_iter().filter(chosen)
     }
 }
@@ -115,6 +119,16 @@ pub struct Remedies {
     pub changes: Vec<Remedy>,
     /// Why others are missing.
     pub missing: Vec<NoRemedy>,
+}
+
+impl Remedies {
+    /// Adds `changes` of the thickness of `gears`, or that there are none.
+    fn add(&mut self, gears: Gears, changes: Vec<Remedy>) {
+        if changes.is_empty() {
+            self.missing.push(NoRemedy::NoThickness(gears));
+        }
+        self.changes.extend(changes);
+    }
 }
 
 /// The remedies of `study`, if `verdict` says that it does not assemble or misses a requirement; otherwise none.
@@ -173,10 +187,7 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
             if Member::BOTH.into_iter().all(generated) {
                 for gears in Gears::EACH {
                     let changes = search.thickness(pair, gears, &effort())?;
-                    if changes.is_empty() {
-                        found.missing.push(NoRemedy::NoThickness(gears));
-                    }
-                    found.changes.extend(changes);
+                    found.add(gears, changes);
                 }
             } else {
                 found.missing.push(NoRemedy::NotGenerated);
@@ -215,6 +226,22 @@ struct Search<'a> {
     pair: &'a AssembledPair,
     /// 1 if the pair is too tight, −1 if it is too loose.
     sign: f64,
+}
+
+/// A change that thins the teeth of gears. Its variable is the reduction of thickness or of a flank offset from nominal, mm, so
+/// that backlash grows with it.
+struct Thinning<'a> {
+    gears: Gears,
+    /// The present reduction of wheel and pinion with most material.
+    own: [f64; 2],
+    /// A run's pair with the gears at a reduction.
+    moved: &'a dyn Fn(&Planned, f64) -> Option<AssembledPair>,
+    /// The greatest further reduction.
+    most: f64,
+    /// `dj_wt` per reduction of one gear.
+    slope: f64,
+    /// The quantities that state the change, each with the reduction of 1 mm of it.
+    units: &'a [(Change, f64)],
 }
 
 impl Search<'_> {
@@ -260,20 +287,19 @@ impl Search<'_> {
         }))
     }
 
-    /// The remedy by the allowance of `gears` of `pair`; for both gears also by the flank offset.
+    /// The remedies by the allowance of `gears` of `pair`; for both gears also by the flank offset.
     fn thickness(
         &self,
         pair: &GearPair,
         gears: Gears,
         effort: &Effort,
     ) -> Result<Vec<Remedy>, Error> {
-        // The search variable is the reduction of thickness from nominal, so that backlash grows with it.
         let own = Member::BOTH.map(|member| -allowance(self.most(member)));
         let moved = |planned: &Planned, at: f64| {
             let assembly = planned.run.assembly.data()?;
             let [wheel, pinion] = Member::BOTH.map(|member| {
                 let gear = assembly.gear(member);
-                if gears.members().any(|chosen| chosen == member) {
+                if gears.has(member) {
                     gear.varied(own[member as usize] - at, &Deviations::default())
                 } else {
                     Ok(gear.clone())
@@ -283,31 +309,46 @@ impl Search<'_> {
             let pair = self.study.pair(&wheel.ok()?, &pinion.ok()?, distance);
             Some(AssembledPair::from(pair.ok()?))
         };
+        let wheel = self.most(Member::Wheel).gear();
+        let basic_data = wheel.basic_data();
+        let per_allowance = thickness::per_normal_thickness(basic_data);
+        // Two offsets along the normals increase the base tooth thickness like an allowance.
+        let per_offset = thickness::base_from_span(basic_data, 1, 2.0) / per_allowance;
+        let both = [
+            (Change::FlankOffset, per_offset),
+            (Change::ThicknessAllowance, 1.0),
+        ];
+        let thinning = Thinning {
+            gears,
+            own,
+            moved: &moved,
+            most: MOST_THICKNESS * wheel.base_thickness() / per_allowance,
+            slope: per_allowance / pair.operating_pressure_angle().cos(),
+            units: if gears == Gears::Both {
+                &both
+            } else {
+                &both[1..]
+            },
+        };
+        self.thinned(&thinning, effort)
+    }
+
+    /// The remedies by `thinning`.
+    fn thinned(&self, thinning: &Thinning, effort: &Effort) -> Result<Vec<Remedy>, Error> {
+        let Thinning { gears, own, .. } = *thinning;
         let of_each = gears
             .members()
             .map(|member| own[member as usize] * self.sign);
         let start = self.sign * of_each.fold(f64::INFINITY, f64::min);
-        let basic_data = self.most(Member::Wheel).gear().basic_data();
-        let per_allowance = thickness::per_normal_thickness(basic_data);
-        let base = self.most(Member::Wheel).gear().base_thickness();
-        let farthest = start + self.sign * MOST_THICKNESS * base / per_allowance;
-        let count = gears.members().count() as f64;
-        let slope = count * per_allowance / pair.operating_pressure_angle().cos();
-        let Some([fails, fits]) = self.between([start, farthest], &moved, &|_| slope, effort)?
-        else {
+        let range = [start, start + self.sign * thinning.most];
+        let slope = gears.members().count() as f64 * thinning.slope;
+        let moved = thinning.moved;
+        let Some([fails, fits]) = self.between(range, moved, &|_| slope, effort)? else {
             return Ok(Vec::new());
         };
-        // Two offsets along the normals increase the base tooth thickness like an allowance.
-        let per_offset = thickness::base_from_span(basic_data, 1, 2.0) / per_allowance;
         let mut remedies = Vec::new();
-        for (what, unit) in [
-            (Change::FlankOffset, per_offset),
-            (Change::ThicknessAllowance, 1.0),
-        ] {
-            if what == Change::FlankOffset && gears != Gears::Both {
-                continue;
-            }
-            let found = self.rounded(0.0, fits, STEP * unit, &moved, effort)?;
+        for &(what, unit) in thinning.units {
+            let found = self.rounded(0.0, fits, STEP * unit, moved, effort)?;
             let bracket = [-fails.max(fits), -fails.min(fits)];
             remedies.extend(found.map(|found| Remedy {
                 what,
@@ -334,10 +375,7 @@ impl Search<'_> {
         };
         for gears in Gears::EACH {
             let offset = self.flank_offset(pair, own, gears, &effort())?;
-            if offset.is_none() {
-                found.missing.push(NoRemedy::NoThickness(gears));
-            }
-            found.changes.extend(offset);
+            found.add(gears, offset);
         }
         Ok(())
     }
@@ -369,43 +407,31 @@ impl Search<'_> {
         own: [f64; 2],
         gears: Gears,
         effort: &Effort,
-    ) -> Result<Option<Remedy>, Error> {
-        // The search variable is the distance by which the outlines are moved in, so that backlash grows with it.
+    ) -> Result<Vec<Remedy>, Error> {
         let moved = |planned: &Planned, at: f64| {
-            let pair = planned.run.assembly.drawn()?;
-            let [wheel, pinion] = Member::BOTH.map(|member| {
-                let gear = pair.gear(member);
-                if gears.members().any(|chosen| chosen == member) {
-                    let thinner = gear.flank_offset()? - own[member as usize];
-                    gear.with_flank_offset(thinner - at).ok()
-                } else {
-                    Some(gear.clone())
-                }
-            });
-            let moved = OutlinePair::new(wheel?, pinion?, pair.center_distance(), pair.locked());
-            Some(AssembledPair::from(moved.ok()?))
+            let assembly = &planned.run.assembly;
+            let moved =
+                assembly.with_outlines(assembly.center_distance(), |gear, member| {
+                    match gear.flank_offset().filter(|_| gears.has(member)) {
+                        Some(offset) => {
+                            Ok(gear.with_flank_offset(offset - own[member as usize] - at)?)
+                        }
+                        None => Ok(gear.clone()),
+                    }
+                });
+            moved.ok()
         };
-        let of_each = gears
-            .members()
-            .map(|member| -own[member as usize] * self.sign);
-        let start = self.sign * of_each.fold(f64::INFINITY, f64::min);
-        // Flank offsets of both sides change a tooth's thickness.
         let wheel = pair.gear(Member::Wheel);
-        let farthest =
-            start + self.sign * 0.25 * MOST_THICKNESS * wheel.pitch() * wheel.root_radius();
-        let slope = 4.0 * DRAWN_SLOPE * gears.members().count() as f64;
-        let Some([fails, fits]) = self.between([start, farthest], &moved, &|_| slope, effort)?
-        else {
-            return Ok(None);
-        };
-        let found = self.rounded(0.0, fits, STEP, &moved, effort)?;
-        Ok(found.map(|found| Remedy {
-            what: Change::FlankOffset,
+        let thinning = Thinning {
             gears,
-            value: to_step(-found, STEP),
-            present: own,
-            bracket: [-fails.max(fits), -fails.min(fits)],
-        }))
+            own: own.map(|own| -own),
+            moved: &moved,
+            // Flank offsets of both sides change a tooth's thickness.
+            most: 0.25 * MOST_THICKNESS * wheel.pitch() * wheel.root_radius(),
+            slope: 4.0 * DRAWN_SLOPE,
+            units: &[(Change::FlankOffset, 1.0)],
+        };
+        self.thinned(&thinning, effort)
     }
 
     /// The gear with most material.

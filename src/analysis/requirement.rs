@@ -1,7 +1,6 @@
 //! Requirements on a pair.
 
-use crate::analytic::limits::radial_clearance;
-use crate::outline::{AssembledPair, OutlinePair};
+use crate::outline::AssembledPair;
 use crate::pair::{GearPair, Member};
 
 /// Ends of an allowed range; `None`: no limit.
@@ -52,16 +51,18 @@ impl Quantity {
         j_wt: [f64; 2],
         is_max: bool,
     ) -> Option<[f64; 2]> {
-        match (assembly, self) {
-            (AssembledPair::Data(pair), _) => Some(j_wt.map(|j_wt| self.value(pair, j_wt, is_max))),
-            (AssembledPair::Drawn(_), Quantity::OperatingBacklash) => Some(j_wt),
-            (AssembledPair::Drawn(_), Quantity::LostMotion(member)) => {
-                Some(j_wt.map(|j_wt| assembly.angle(member, j_wt)))
+        match self {
+            Quantity::OperatingBacklash => Some(j_wt),
+            Quantity::LostMotion(member) => Some(j_wt.map(|j_wt| assembly.angle(member, j_wt))),
+            Quantity::RadialClearance => {
+                let value = clearance_off_axes(assembly, is_max);
+                let bound = assembly.outline_bound();
+                Some([value - bound, value + bound])
             }
-            (AssembledPair::Drawn(pair), Quantity::RadialClearance) => {
-                Some(drawn_clearance(pair, is_max))
+            _ => {
+                let pair = assembly.data()?;
+                Some(j_wt.map(|j_wt| self.value(pair, j_wt, is_max)))
             }
-            (AssembledPair::Drawn(_), _) => None,
         }
     }
 
@@ -76,10 +77,7 @@ impl Quantity {
             Quantity::RadialBacklash => all.j_r.unwrap_or(f64::INFINITY),
             Quantity::LostMotion(member) => all.angle(member),
             Quantity::RadialClearance => {
-                let both = Member::BOTH;
-                let mean = both.map(|member| radial_clearance(assembly, member));
-                let off = both.map(|member| assembly.gear(member).eccentricity());
-                clearance_off_axes(mean, off, is_max)
+                clearance_off_axes(&AssembledPair::from(assembly.clone()), is_max)
             }
         }
     }
@@ -88,19 +86,12 @@ impl Quantity {
 /// Requirements, each over the whole mesh cycle and at every centre distance and material.
 pub type Requirements = Vec<(Quantity, Limits)>;
 
-/// The least or the greatest radial clearance of a drawn pair, mm, within the uncertainty of the drawings.
-fn drawn_clearance(pair: &OutlinePair, is_max: bool) -> [f64; 2] {
+/// The least radial clearance, mm, of both gears' tips in their mates' roots. Both gears are off their axes in the
+/// worse direction, or with `is_max` in the better one.
+fn clearance_off_axes(assembly: &AssembledPair, is_max: bool) -> f64 {
     let both = Member::BOTH;
-    let ends = both.map(|member| pair.radial_clearance(member)[usize::from(is_max)]);
-    let off = both.map(|member| pair.gear(member).eccentricity());
-    let bound: f64 = both.map(|member| pair.gear(member).bound()).iter().sum();
-    let value = clearance_off_axes(ends, off, is_max);
-    [value - bound, value + bound]
-}
-
-/// The least radial clearance, mm, of both gears' tips in their mates' roots, from those about the geometric centres.
-/// Both gears are off their axes in the worse direction, or with `is_max` in the better one.
-fn clearance_off_axes(centred: [f64; 2], eccentricities: [f64; 2], is_max: bool) -> f64 {
-    let off: f64 = eccentricities.iter().sum();
+    let centred = both.map(|member| assembly.radial_clearance(member)[usize::from(is_max)]);
+    let off = both.map(|member| assembly.eccentricity(member));
+    let off = off[0] + off[1];
     centred[0].min(centred[1]) + if is_max { off } else { -off }
 }

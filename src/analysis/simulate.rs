@@ -1,7 +1,7 @@
 //! Simulation of every run of a study.
 
 use crate::analysis::study::{Material, RunPlan, Study};
-use crate::contact::{CutPair, Method, PoseResult, sweep_blocks, sweep_outlines};
+use crate::contact::{CutPair, Method, PoseResult, sweep_blocks};
 use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
 
@@ -123,19 +123,10 @@ pub fn each_block<E: From<Error>>(
                 ..next
             })
         };
-        match &plan.assembly {
-            AssembledPair::Data(pair) => {
-                let cut = cuts.iter().find(|(material, _)| *material == plan.material);
-                let Some((_, Some(cut))) = cut else {
-                    continue;
-                };
-                sweep_blocks(pair, cut, method, &plan.matings, clearance, tick, each)?;
-            }
-            AssembledPair::Drawn(pair) => {
-                let certify = method != Method::Exact { certify: false };
-                sweep_outlines(pair, certify, &plan.matings, clearance, tick, each)?;
-            }
-        }
+        let cut = cuts.iter().find(|(material, _)| *material == plan.material);
+        let cut = cut.and_then(|(_, cut)| cut.as_ref());
+        let (assembly, matings) = (&plan.assembly, &plan.matings);
+        sweep_blocks(assembly, cut, method, matings, clearance, tick, each)?;
     }
     Ok(())
 }

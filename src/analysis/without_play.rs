@@ -3,6 +3,7 @@
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::error::Error;
+use crate::outline::PlacedGear;
 use crate::pair::Member;
 
 /// Steps of 1 mm to which the distance is rounded up.
@@ -33,17 +34,15 @@ impl WithoutPlay {
     }
 }
 
-/// The centre distance, mm, at which a tip of the first drawn pair of `study` touches a root; `None` for a pair by data.
+/// The centre distance, mm, at which a tip of the first pair of `study` touches a root; `None` for a study without runs.
 ///
 /// # Errors
 /// As [`Study::runs`].
 pub fn tips_on_roots(study: &Study) -> Result<Option<f64>, Error> {
     let runs = study.runs()?;
-    let pair = runs.first().and_then(|run| run.assembly.drawn());
-    Ok(pair.map(|pair| {
-        let touching = |member: Member| {
-            pair.gear(member).tip_radius() + pair.gear(member.mate()).root_radius()
-        };
-        touching(Member::Wheel).max(touching(Member::Pinion))
+    Ok(runs.first().map(|run| {
+        let [wheel, pinion] =
+            Member::BOTH.map(|member| PlacedGear::new(&run.assembly, member, 0.0).radii());
+        (wheel[0] + pinion[1]).max(pinion[0] + wheel[1])
     }))
 }

@@ -15,12 +15,6 @@ pub const RECOMMENDED_CLEARANCE: f64 = 0.25;
 /// Lower limit of the radial clearance, modules (study, section 3).
 pub const LEAST_CLEARANCE: f64 = 0.15;
 
-/// Radial clearance `a − r_a − r_f,mate` of `member`'s tip in its mate's root, mm: K (9), (10).
-pub fn radial_clearance(assembly: &GearPair, member: Member) -> f64 {
-    let mate = assembly.gear(member.mate()).gear();
-    assembly.center_distance() - assembly.gear(member).gear().tip_radius() - mate.root_radius()
-}
-
 /// Length `(r_b1 + r_b2) tan α_wt` of the line of action between the base circles, mm.
 pub fn base_tangent(assembly: &GearPair) -> f64 {
     let base = |member| assembly.gear(member).gear().base_radius();

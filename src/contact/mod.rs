@@ -48,8 +48,7 @@ pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use pose_result::{
     FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose,
 };
-pub use scene::{FreePlacement, LineOfAction, PlacedGear, Scene};
+pub use scene::{FreePlacement, LineOfAction, Scene};
 pub use sweep::{
     BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, POLYGONS_EVERY, sweep, sweep_blocks,
-    sweep_outlines,
 };

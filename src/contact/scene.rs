@@ -5,8 +5,8 @@
 
 use super::overlap::{Overlap, overlaps};
 use super::{DrawnContact, LostMotion, MeshSection, Status};
-use crate::gear::{Gear, Placed, Side};
-use crate::outline::{AssembledPair, OutlinePair};
+use crate::gear::{Gear, Side};
+use crate::outline::{AssembledPair, PlacedGear};
 use crate::pair::{Member, Pose};
 use nalgebra::{Point2, UnitComplex, center};
 
@@ -35,97 +35,13 @@ const FINE: f64 = 1.0 / 2000.0;
 /// Distance around a contact within which its overlap is searched, modules: a tooth is 2.25 deep.
 const REACH: f64 = 3.0;
 
-/// A gear at its position.
-#[derive(Debug, Clone, Copy)]
-pub enum PlacedGear<'a> {
-    /// A gear by its data.
-    Data(Placed<'a>),
-    /// A gear of a drawn pair, at this rotation, rad.
-    Drawn(&'a OutlinePair, Member, f64),
-}
-
-impl<'a> PlacedGear<'a> {
-    /// The gear by its data; `None` for a drawn pair.
-    pub fn data(&self) -> Option<&Placed<'a>> {
-        match self {
-            PlacedGear::Data(placed) => Some(placed),
-            PlacedGear::Drawn(..) => None,
-        }
-    }
-
-    /// Its rotation axis, mm.
-    pub fn axis(&self) -> Point2<f64> {
-        match self {
-            PlacedGear::Data(placed) => placed.axis(),
-            PlacedGear::Drawn(pair, member, _) => pair.axis(*member),
-        }
-    }
-
-    /// Its geometric centre, mm.
-    pub fn centre(&self) -> Point2<f64> {
-        match self {
-            PlacedGear::Data(placed) => placed.centre(),
-            PlacedGear::Drawn(pair, member, rotation) => pair.centre(*member, *rotation),
-        }
-    }
-
-    /// The outline within at least `reach` of `place`, mm, with chords within `chordal_error` mm.
-    pub fn outline_near(
-        &self,
-        place: Point2<f64>,
-        reach: f64,
-        chordal_error: f64,
-    ) -> Vec<Point2<f64>> {
-        match self {
-            PlacedGear::Data(placed) => placed.outline_near(place, reach, chordal_error),
-            PlacedGear::Drawn(pair, member, rotation) => {
-                pair.outline(*member, *rotation, chordal_error)
-            }
-        }
-    }
-
-    /// The teeth within `reach` of `place`, mm, each with its direction from the centre, rad.
-    pub fn teeth_near(&self, place: Point2<f64>, reach: f64) -> Vec<(u32, f64)> {
-        match self {
-            PlacedGear::Data(placed) => {
-                let teeth = placed.teeth_near(place, reach).into_iter();
-                teeth
-                    .map(|tooth| (tooth, placed.direction(tooth)))
-                    .collect()
-            }
-            PlacedGear::Drawn(pair, member, rotation) => {
-                pair.teeth_near(*member, *rotation, place, reach)
-            }
-        }
-    }
-
-    /// Tip and root radius, mm.
-    pub fn radii(&self) -> [f64; 2] {
-        match self {
-            PlacedGear::Data(placed) => {
-                let gear = placed.as_built().gear();
-                [gear.tip_radius(), gear.root_radius()]
-            }
-            PlacedGear::Drawn(pair, member, _) => {
-                let gear = pair.gear(*member);
-                [gear.tip_radius(), gear.root_radius()]
-            }
-        }
-    }
-
-    /// Base radius, mm; `None` for a drawn pair.
-    pub fn base_radius(&self) -> Option<f64> {
-        Some(self.data()?.as_built().gear().base_radius())
-    }
-}
-
 /// The pose as drawn.
 #[derive(Debug, Clone)]
 pub struct Scene<'a> {
     assembly: &'a AssembledPair,
     wheel: PlacedGear<'a>,
     pinion: PlacedGear<'a>,
-    drawn: FreePlacement,
+    free_placement: FreePlacement,
     contacts: Vec<DrawnContact>,
     lost_motion: Option<&'a LostMotion>,
 }
@@ -172,7 +88,7 @@ impl<'a> Scene<'a> {
         assembly: &'a AssembledPair,
         pose: &Pose,
         lost_motion: Option<&'a LostMotion>,
-        (drawn, rotation): (FreePlacement, f64),
+        (free_placement, rotation): (FreePlacement, f64),
     ) -> Scene<'a> {
         let on = |side| lost_motion.and_then(|found| found.on(side));
         let place = |member| {
@@ -181,20 +97,13 @@ impl<'a> Scene<'a> {
             } else {
                 rotation
             };
-            match assembly {
-                AssembledPair::Data(pair) => PlacedGear::Data(Placed::new(
-                    pair.gear(member),
-                    pair.axis(member),
-                    pair.mate_direction(member) + turned,
-                )),
-                AssembledPair::Drawn(pair) => PlacedGear::Drawn(pair, member, turned),
-            }
+            PlacedGear::new(assembly, member, turned)
         };
         Scene {
             assembly,
             wheel: place(Member::Wheel),
             pinion: place(Member::Pinion),
-            drawn,
+            free_placement,
             contacts: Side::BOTH
                 .into_iter()
                 .filter_map(|side| Some(DrawnContact::new(assembly, side, on(side)?, rotation)))
@@ -222,8 +131,8 @@ impl<'a> Scene<'a> {
     }
 
     /// The position in which the free gear is drawn.
-    pub fn drawn(&self) -> FreePlacement {
-        self.drawn
+    pub fn free_placement(&self) -> FreePlacement {
+        self.free_placement
     }
 
     /// The contacts, right first.

@@ -333,76 +333,80 @@ pub fn sweep(
     clearance: f64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<PoseResult>, Error> {
+    let assembly = AssembledPair::from(assembly.clone());
     let mut all = Vec::with_capacity(matings.len());
     let each = &mut |poses: Vec<PoseResult>| {
         all.extend(poses);
         Ok::<(), Error>(())
     };
-    sweep_blocks(assembly, cut, method, matings, clearance, tick, each)?;
+    sweep_blocks(&assembly, Some(cut), method, matings, clearance, tick, each)?;
     Ok(all)
 }
 
 /// Poses that are found before delivery (tuned: 2 MB; blocks of a tenth leave threads idle).
 pub const BLOCK: usize = 4096;
 
-/// [`sweep`] that delivers the poses to `each` in blocks of [`BLOCK`], so that they need not be kept.
+/// [`sweep`] of any pair that delivers the poses to `each` in blocks of [`BLOCK`], so that they need not be kept.
+///
+/// Gears by data are cut for certificates if `cut` is `None`. A drawn gear needs no cut: its drawing is the only curve, and
+/// polygons check every pose unless [`Method::Exact`] is not certified.
 ///
 /// # Errors
 /// As [`sweep`], and of `each`.
 pub fn sweep_blocks<E: From<Error>>(
-    assembly: &GearPair,
-    cut: &CutPair,
+    assembly: &AssembledPair,
+    cut: Option<&CutPair>,
     method: Method,
     matings: &[Mating],
     clearance: f64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
 ) -> Result<(), E> {
-    let apart = |distance: f64| -> Result<GearPair, Error> {
-        Ok(assembly.at(assembly.center_distance() + distance)?)
-    };
-    let moved = if clearance > 0.0 {
-        Some([apart(-clearance)?, apart(clearance)?])
-    } else {
-        None
-    };
-    let here = Solver::new(assembly, cut, method);
-    let ends = moved
-        .as_ref()
-        .map(|ends| ends.each_ref().map(|end| Solver::new(end, cut, method)));
-    each_pose(&here, ends.as_ref(), matings, tick, each)
+    let apart = |distance: f64| assembly.at(assembly.center_distance() + distance);
+    if !(clearance > 0.0) {
+        let here = |here: &dyn FindPose| each_pose(here, None, matings, tick, each);
+        return with_solver(assembly, cut, method, here);
+    }
+    let [near, far] = [apart(-clearance)?, apart(clearance)?];
+    with_solver(assembly, cut, method, |here| {
+        with_solver(&near, cut, method, |near| {
+            with_solver(&far, cut, method, |far| {
+                each_pose(here, Some([near, far]), matings, tick, each)
+            })
+        })
+    })
 }
 
-/// [`sweep_blocks`] for a pair with a drawn gear. With `certify`, polygons check each pose.
-///
-/// # Errors
-/// As [`sweep`], and of `each`.
-pub fn sweep_outlines<E: From<Error>>(
-    pair: &OutlinePair,
-    certify: bool,
-    matings: &[Mating],
-    clearance: f64,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
-) -> Result<(), E> {
-    let apart = |distance: f64| -> Result<OutlinePair, Error> {
-        Ok(pair.at(pair.center_distance() + distance)?)
-    };
-    let moved = if clearance > 0.0 {
-        Some([apart(-clearance)?, apart(clearance)?])
-    } else {
-        None
-    };
-    let kernel = OutlineKernel::new(pair);
-    let kernels = moved
-        .as_ref()
-        .map(|ends| ends.each_ref().map(OutlineKernel::new));
-    let here = OutlineSolver::new(pair, &kernel, certify);
-    let ends = moved.as_ref().zip(kernels.as_ref());
-    let ends = ends.map(|(pairs, kernels)| {
-        [0, 1].map(|end: usize| OutlineSolver::new(&pairs[end], &kernels[end], certify))
-    });
-    each_pose(&here, ends.as_ref(), matings, tick, each)
+/// The result of `then` with the solver of `assembly`, whose gears are `cut`.
+fn with_solver<T>(
+    assembly: &AssembledPair,
+    cut: Option<&CutPair>,
+    method: Method,
+    then: impl FnOnce(&dyn FindPose) -> T,
+) -> T {
+    match assembly {
+        AssembledPair::Data(pair) => {
+            let own;
+            let cut = match cut {
+                Some(cut) => cut,
+                None => {
+                    let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
+                    own = CutPair::for_certificates(wheel, pinion);
+                    &own
+                }
+            };
+            then(&Solver::new(pair, cut, method))
+        }
+        AssembledPair::Drawn(pair) => {
+            let kernel = OutlineKernel::new(pair);
+            let certify = method != Method::Exact { certify: false };
+            then(&OutlineSolver {
+                pair,
+                kernel: &kernel,
+                certifier: certify.then(|| OutlineCertifier::new(&kernel)),
+            })
+        }
+    }
 }
 
 /// The solver of a pair with a drawn gear.
@@ -412,27 +416,14 @@ struct OutlineSolver<'a> {
     certifier: Option<OutlineCertifier<'a>>,
 }
 
-impl<'a> OutlineSolver<'a> {
-    /// The solver of the `pair` of `kernel`.
-    fn new(
-        pair: &'a OutlinePair,
-        kernel: &'a OutlineKernel<'a>,
-        certify: bool,
-    ) -> OutlineSolver<'a> {
-        OutlineSolver {
-            pair,
-            kernel,
-            certifier: certify.then(|| OutlineCertifier::new(kernel)),
-        }
-    }
-}
-
 /// Finds the lost motion at poses of one pair.
 trait FindPose: Sync {
     /// The pose of `mating` and its result. `index` counts the poses of a sweep.
     fn find_at(&self, mating: &Mating, index: usize) -> Result<(Pose, SolvedPose), Error>;
     /// Operating pitch radius of the free gear, mm.
     fn pitch_radius(&self) -> f64;
+    /// The proof by directions of what was found at `pose`, if the method gives one.
+    fn proof_of(&self, pose: &Pose, found: &LostMotion) -> Option<Box<Proof>>;
 }
 
 impl FindPose for Solver<'_> {
@@ -443,6 +434,10 @@ impl FindPose for Solver<'_> {
 
     fn pitch_radius(&self) -> f64 {
         Solver::pitch_radius(self)
+    }
+
+    fn proof_of(&self, pose: &Pose, found: &LostMotion) -> Option<Box<Proof>> {
+        self.proof(pose, found)
     }
 }
 
@@ -475,12 +470,16 @@ impl FindPose for OutlineSolver<'_> {
     fn pitch_radius(&self) -> f64 {
         self.pair.operating_pitch_radius(self.pair.free())
     }
+
+    fn proof_of(&self, _: &Pose, _: &LostMotion) -> Option<Box<Proof>> {
+        None
+    }
 }
 
 /// Delivers to `each` the results of `here` at `matings`, with those at both `ends` of the bearing clearance.
-fn each_pose<S: FindPose, E: From<Error>>(
-    here: &S,
-    ends: Option<&[S; 2]>,
+fn each_pose<E: From<Error>>(
+    here: &dyn FindPose,
+    ends: Option<[&dyn FindPose; 2]>,
     matings: &[Mating],
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
@@ -497,15 +496,16 @@ fn each_pose<S: FindPose, E: From<Error>>(
 }
 
 /// The result of `here` at `mating`, with those at both `ends` of the bearing clearance.
-fn pose_result<S: FindPose>(
-    here: &S,
-    ends: Option<&[S; 2]>,
+fn pose_result(
+    here: &dyn FindPose,
+    ends: Option<[&dyn FindPose; 2]>,
     mating: &Mating,
     index: usize,
 ) -> Result<PoseResult, Error> {
     let (pose, found) = here.find_at(mating, index)?;
-    let backlash = |solver: &S, found: &LostMotion| Some(found.angle()? * solver.pitch_radius());
-    let at_end = |end: &S| -> Result<Result<Option<f64>, Unproven>, Error> {
+    let backlash =
+        |solver: &dyn FindPose, found: &LostMotion| Some(found.angle()? * solver.pitch_radius());
+    let at_end = |end: &dyn FindPose| -> Result<Result<Option<f64>, Unproven>, Error> {
         let (_, found) = end.find_at(mating, index)?;
         Ok(found.lost_motion.map(|found| backlash(end, &found)))
     };
@@ -529,35 +529,29 @@ fn pose_result<S: FindPose>(
 }
 
 impl AssembledPair {
-    /// Lost motion where the teeth of `mating` meet, checked by polygons. For many poses use [`sweep_blocks`] or [`sweep_outlines`].
+    /// Lost motion where the teeth of `mating` meet, by [`Method::Checked`]. For many poses use [`sweep_blocks`].
+    ///
+    /// The result of gears by data keeps its proof by directions.
     ///
     /// # Errors
     /// None for a pose: an unproven one is [`Unproven`] in the result.
     pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
-        match self {
-            AssembledPair::Data(pair) => pair.lost_motion(mating),
-            AssembledPair::Drawn(pair) => {
-                let kernel = OutlineKernel::new(pair);
-                pose_result(&OutlineSolver::new(pair, &kernel, true), None, &mating, 0)
+        with_solver(self, None, Method::Checked, |here| {
+            let mut result = pose_result(here, None, &mating, 0)?;
+            if let Ok(found) = &result.found {
+                result.proof = here.proof_of(&result.pose, found);
             }
-        }
+            Ok(result)
+        })
     }
 }
 
 impl GearPair {
-    /// Lost motion where the teeth of `mating` meet, by [`Method::Checked`]. For many poses use [`sweep`].
-    ///
-    /// A pose that is not proven is [`Unproven`] in the result. The result keeps its proof by directions.
+    /// As [`AssembledPair::lost_motion`].
     ///
     /// # Errors
-    /// As [`sweep`]: none here.
+    /// As [`AssembledPair::lost_motion`].
     pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
-        let cut = CutPair::for_certificates(self.gear(Member::Wheel), self.gear(Member::Pinion));
-        let here = Solver::new(self, &cut, Method::Checked);
-        let mut result = pose_result(&here, None, &mating, 0)?;
-        if let Ok(found) = &result.found {
-            result.proof = here.proof(&result.pose, found);
-        }
-        Ok(result)
+        AssembledPair::from(self.clone()).lost_motion(mating)
     }
 }

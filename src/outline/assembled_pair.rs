@@ -1,5 +1,6 @@
 //! A pair as assembled, with gears given by data or by drawings.
 
+use super::gear::OutlineGear;
 use super::pair::OutlinePair;
 use crate::error::Error;
 use crate::gear::Face;
@@ -51,6 +52,18 @@ impl AssembledPair {
         match self {
             AssembledPair::Data(pair) => pair.center_distance(),
             AssembledPair::Drawn(pair) => pair.center_distance(),
+        }
+    }
+
+    /// The centre distance, mm, at and below which the gears cannot be assembled: base circles overlap, or a drawn gear reaches
+    /// the other's axis.
+    pub fn least_distance(&self) -> f64 {
+        match self {
+            AssembledPair::Data(pair) => {
+                let base = Member::BOTH.map(|member| pair.gear(member).gear().base_radius());
+                base[0] + base[1]
+            }
+            AssembledPair::Drawn(pair) => pair.least_distance(),
         }
     }
 
@@ -117,6 +130,56 @@ impl AssembledPair {
             AssembledPair::Data(pair) => pair.gear(member).reach(),
             AssembledPair::Drawn(pair) => pair.gear(member).reach(),
         }
+    }
+
+    /// Distance of a gear's centre from its axis, mm.
+    pub fn eccentricity(&self, member: Member) -> f64 {
+        match self {
+            AssembledPair::Data(pair) => pair.gear(member).eccentricity(),
+            AssembledPair::Drawn(pair) => pair.gear(member).eccentricity(),
+        }
+    }
+
+    /// The tooth, fractional, towards which a gear's centre is displaced from its axis.
+    pub fn high_tooth(&self, member: Member) -> f64 {
+        match self {
+            AssembledPair::Data(pair) => pair.gear(member).high_tooth(),
+            AssembledPair::Drawn(pair) => pair.gear(member).high_tooth(),
+        }
+    }
+
+    /// Least and greatest radial clearance, mm, of `member`'s tips in its mate's spaces, about the centres of the gears.
+    pub fn radial_clearance(&self, member: Member) -> [f64; 2] {
+        match self {
+            AssembledPair::Data(pair) => [pair.radial_clearance(member); 2],
+            AssembledPair::Drawn(pair) => pair.radial_clearance(member),
+        }
+    }
+
+    /// How far the outlines of both gears together may lie from those stated, mm; 0 for gears by data.
+    pub fn outline_bound(&self) -> f64 {
+        let bound = |pair: &OutlinePair| {
+            let bounds = Member::BOTH.map(|member| pair.gear(member).bound());
+            bounds.iter().sum()
+        };
+        self.drawn().map_or(0.0, bound)
+    }
+
+    /// This pair at another centre distance, mm, its drawn gears replaced by `change` of them.
+    ///
+    /// # Errors
+    /// As [`AssembledPair::at`], and of `change`.
+    pub fn with_outlines(
+        &self,
+        center_distance: f64,
+        change: impl Fn(&OutlineGear, Member) -> Result<OutlineGear, Error>,
+    ) -> Result<AssembledPair, Error> {
+        let Some(pair) = self.drawn() else {
+            return self.at(center_distance);
+        };
+        let gear = |member| change(pair.gear(member), member);
+        let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+        Ok(OutlinePair::new(wheel, pinion, center_distance, pair.locked())?.into())
     }
 
     /// Module of the gears, mm; for a drawn pair that of its operating pitch circles.

@@ -50,6 +50,7 @@ mod of_gear;
 mod offset;
 mod pair;
 mod path;
+mod placed_gear;
 pub mod polygon;
 mod teeth;
 
@@ -61,5 +62,6 @@ pub use gear::{OutlineGear, OutlineReading};
 pub use of_gear::{of_gear, of_section};
 pub use pair::OutlinePair;
 pub use path::PathSegment;
+pub use placed_gear::PlacedGear;
 
 pub(crate) use half::{HalfOutline, HalfPiece};

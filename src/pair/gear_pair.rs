@@ -468,6 +468,12 @@ impl GearPair {
         }
     }
 
+    /// Radial clearance `a − r_a − r_f,mate` of `member`'s tip in its mate's root, mm, with both gears on their axes.
+    pub fn radial_clearance(&self, member: Member) -> f64 {
+        let mate = self.gear(member.mate()).gear();
+        self.center_distance - self.gear(member).gear().tip_radius() - mate.root_radius()
+    }
+
     /// Rotation axis, mm.
     pub fn axis(&self, member: Member) -> Point2<f64> {
         member.axis(self.center_distance)

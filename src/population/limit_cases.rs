@@ -99,9 +99,10 @@ enum Towards {
 /// As [`Assembly::outcome`].
 pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error> {
     let scatters = population.scatters();
-    let has_drawing = population.pair().drawn().is_some();
+    // The worst direction of runout is searched for gears by data alone.
+    let has_directions = population.pair().data().is_some();
     let has_no_limits =
-        |gear: &GearScatter| gear.gears.is_some() || has_drawing && gear.runout.is_some();
+        |gear: &GearScatter| gear.gears.is_some() || !has_directions && gear.runout.is_some();
     if Member::BOTH
         .iter()
         .any(|&member| has_no_limits(scatters.of(member)))
@@ -272,15 +273,15 @@ fn assembly(
         Some(lean) => lean.mean(),
         None => 0.0,
     });
-    let pair: AssembledPair = match population.pair() {
-        AssembledPair::Data(pair) => {
+    let pair: AssembledPair = match population.pair().data() {
+        Some(pair) => {
             let (wheel, pinion) = (gear(pair, Member::Wheel)?, gear(pair, Member::Pinion)?);
             let own = pair.lean();
             let lean = [own[0] + leaning[0], own[1] + leaning[1]];
             let pair = pair.with_gears(wheel, pinion, distance)?;
             pair.with_lean(lean)?.into()
         }
-        AssembledPair::Drawn(pair) => pair.at(distance)?.into(),
+        None => population.pair().at(distance)?,
     };
     Ok(Assembly::new(pair, play, population.phase()))
 }

@@ -9,7 +9,7 @@ use super::scatters::{
 use super::stream::{Draw, Stream};
 use crate::error::{Error, GearError, OutlineError};
 use crate::gear::{AsBuilt, Deviations, Lead, Pitch};
-use crate::outline::{AssembledPair, OutlineGear, OutlinePair};
+use crate::outline::{AssembledPair, OutlineGear};
 use crate::pair::{GearPair, Member};
 
 /// A pair and its scatters.
@@ -127,16 +127,12 @@ impl Population {
         } else {
             self.phase
         };
-        let pair = match &self.pair {
-            AssembledPair::Data(pair) => self.by_data(pair, distance, &stream)?.into(),
-            AssembledPair::Drawn(pair) => {
-                let gear = |member| {
-                    let scatter = self.scatters.of(member);
-                    scatter.displace_outline(pair.gear(member), member, &stream)
-                };
-                let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
-                OutlinePair::new(wheel, pinion, distance, pair.locked())?.into()
-            }
+        let pair = match self.pair.data() {
+            Some(pair) => self.by_data(pair, distance, &stream)?.into(),
+            None => self.pair.with_outlines(distance, |gear, member| {
+                let scatter = self.scatters.of(member);
+                Ok(scatter.displace_outline(gear, member, &stream)?)
+            })?,
         };
         Ok(Assembly::new(pair, play.unwrap_or(self.clearance), phase))
     }

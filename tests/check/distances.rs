@@ -69,7 +69,7 @@ fn radial_clearance_of_eccentric_gears_where_the_phases_allow_it() {
         let assembly = eccentric(distance, [(0.04, 5.0), (0.03, 9.5)], pinion);
         // Tooth 5 reaches the line of centres three quarters of a pitch beyond mating 4,9: half a tooth short of 5,10.
         let found = radial_clearance(&assembly, Member::Wheel, &[mating(4, 9)]).unwrap();
-        let expected = limits::radial_clearance(&assembly, Member::Wheel) - 0.04 - 0.03;
+        let expected = assembly.radial_clearance(Member::Wheel) - 0.04 - 0.03;
         let off = (found.distance - expected).abs();
         assert!(off <= 1e-6, "{off:e}: {found:?}");
         assert_eq!((found.tip_tooth, found.root_tooth), (5, 9));
@@ -83,7 +83,7 @@ fn radial_clearance_of_eccentric_gears_where_the_phases_allow_it() {
     // And the pinion's tooth in the wheel's space.
     let assembly = eccentric(132.4, [(0.04, 5.5), (0.03, 9.0)], 44);
     let found = radial_clearance(&assembly, Member::Pinion, &[mating(5, 9)]).unwrap();
-    let expected = limits::radial_clearance(&assembly, Member::Pinion) - 0.07;
+    let expected = assembly.radial_clearance(Member::Pinion) - 0.07;
     assert!((found.distance - expected).abs() <= 1e-6, "{found:?}");
     // With tips in the roots as well: 130 − 69 − 62.25 mm, less both displacements.
     let jammed = eccentric(130.0, [(0.04, 5.0), (0.03, 9.5)], 44);
@@ -95,7 +95,7 @@ fn radial_clearance_of_eccentric_gears_where_the_phases_allow_it() {
     // Perfect gears: the formula.
     let perfect = eccentric(132.4, [(0.0, 1.0), (0.0, 1.0)], 44);
     let found = radial_clearance(&perfect, Member::Wheel, &[mating(1, 1)]).unwrap();
-    assert!((found.distance - limits::radial_clearance(&perfect, Member::Wheel)).abs() <= 1e-12);
+    assert!((found.distance - perfect.radial_clearance(Member::Wheel)).abs() <= 1e-12);
 }
 
 /// The announced number of ticks equals the actual one.

@@ -33,7 +33,7 @@ fn nominal(wheel: u32, pinion: u32, distance: f64) -> GearPair {
 #[test]
 fn k_8_is_content_where_the_form_circle_is_violated() {
     let assembly = nominal(86, 21, 160.2);
-    let clearance = limits::radial_clearance(&assembly, Member::Wheel);
+    let clearance = assembly.radial_clearance(Member::Wheel);
     assert!((clearance - limits::LEAST_CLEARANCE * 3.0).abs() <= limits::MET_WITHIN);
     let formula = InvolutePair::of(&assembly)
         .circumferential_backlash(160.2)

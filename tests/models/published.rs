@@ -112,7 +112,7 @@ fn thinned_pair(case: &Case) {
     let nominal = case.nominal_pair(distance);
     case.expect_if_printed("eps_alpha", limits::contact_ratio(&nominal));
     let clearance = [Member::Wheel, Member::Pinion]
-        .map(|member| limits::radial_clearance(&nominal, member))
+        .map(|member| nominal.radial_clearance(member))
         .into_iter()
         .fold(f64::INFINITY, f64::min);
     case.expect_if_printed("tip_clearance_min_mm", clearance);
@@ -229,11 +229,11 @@ fn whole_pair(case: &Case) {
     // Which of the two clearances is c_1 does not matter: they are equal, with 2.25 m deep teeth.
     case.expect(
         "tip_clearance_c1_mm",
-        limits::radial_clearance(&assembly, Member::Wheel),
+        assembly.radial_clearance(Member::Wheel),
     );
     case.expect(
         "tip_clearance_c2_mm",
-        limits::radial_clearance(&assembly, Member::Pinion),
+        assembly.radial_clearance(Member::Pinion),
     );
     case.expect(
         "j_wt_mm_LINEARISED",

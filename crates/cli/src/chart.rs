@@ -67,11 +67,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     check_options(args)?;
     let file = studies::pair(&args.pair)?;
     let (study, sources) = (&file.study, &file.sources);
-    if study.is_drawn() && !matches!(args.kind, Kind::Revolution | Kind::Map) {
-        return Err(Error::usage(
-            "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution or map",
-        ));
-    }
     let given = Target::prepare_given(args.output.as_ref(), sources)?;
     let drawn = match args.kind {
         Kind::Revolution | Kind::Difference => DrawnChart::over_teeth(args, study.clone())?,

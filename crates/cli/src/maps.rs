@@ -37,16 +37,17 @@ pub(super) fn is_own(name: &str) -> bool {
     map.is_some_and(|map| materials.iter().any(|material| material.name() == map))
 }
 
-/// A map for each material, at the study's first centre distance: of the contacts, or of the backlash for a drawn pair.
+/// A map for each material, at the study's first centre distance: of the contacts of the checks, or of the backlash of a pair
+/// without checks.
 pub(super) fn of(analysis: &Analysis) -> Result<Vec<DrawnMap>, Error> {
-    if analysis.study.is_drawn() {
-        of_drawn(analysis.study, &analysis.extremes.each)
+    if analysis.diagnosis.groups.is_empty() {
+        of_backlash(analysis.study, &analysis.extremes.each)
     } else {
-        of_data(analysis.study, &analysis.diagnosis)
+        of_contacts(analysis.study, &analysis.diagnosis)
     }
 }
 
-fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Error> {
+fn of_contacts(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Error> {
     let mut drawn: Vec<(&Group, &ZeroDistance)> = Vec::new();
     let mut seen = Vec::new();
     for group in &diagnosis.groups {
@@ -86,8 +87,8 @@ fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Error>
     maps.collect()
 }
 
-/// The backlash maps of a drawn pair with these extremes.
-fn of_drawn(study: &Study, each: &[RunExtremes]) -> Result<Vec<DrawnMap>, Error> {
+/// The backlash maps of a pair with these extremes.
+fn of_backlash(study: &Study, each: &[RunExtremes]) -> Result<Vec<DrawnMap>, Error> {
     let rows = study.material_count() as u64 * u64::from(BACKLASH_MAP_ROWS);
     let progress = Progress::of(rows, "rows of the map");
     let maps = BacklashMap::of_study(study, each, &|| progress.tick())?;

@@ -1,7 +1,8 @@
 //! The poses that `snapshot --animate` and `--exaggerate` draw.
 
 use crate::error::Error;
-use gearlash::contact::{CutPair, Exaggeration, Method, PoseResult, sweep};
+use gearlash::contact::{CutPair, Exaggeration, Method, PoseResult, sweep_blocks};
+use gearlash::outline::AssembledPair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::ops::ControlFlow;
 
@@ -17,9 +18,12 @@ const ROUNDING: f64 = 1e-9;
 
 /// The results at every step through a pitch from `pose` on, both ends included, and at the least and greatest backlash between
 /// them.
-pub(super) fn pitch(assembly: &GearPair, pose: &Pose) -> Result<Vec<PoseResult>, Error> {
-    let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member));
-    let cut = CutPair::for_certificates(wheel, pinion);
+pub(super) fn pitch(assembly: &AssembledPair, pose: &Pose) -> Result<Vec<PoseResult>, Error> {
+    let cut = |pair: &GearPair| {
+        let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
+        CutPair::for_certificates(wheel, pinion)
+    };
+    let cut = assembly.data().map(cut);
     let method = Method::Exact { certify: true };
     let tick = || ControlFlow::Continue(());
     let between = |[from, to]: [f64; 2], steps: u32| {
@@ -30,7 +34,13 @@ pub(super) fn pitch(assembly: &GearPair, pose: &Pose) -> Result<Vec<PoseResult>,
                 ..*pose.mating()
             })
             .collect();
-        sweep(assembly, &cut, method, &matings, 0.0, &tick)
+        let mut found = Vec::new();
+        let each = &mut |poses: Vec<PoseResult>| {
+            found.extend(poses);
+            Ok::<(), Error>(())
+        };
+        sweep_blocks(assembly, cut.as_ref(), method, &matings, 0.0, &tick, each)?;
+        Ok::<Vec<PoseResult>, Error>(found)
     };
     let start = pose.mating().fraction;
     let mut steps = between([start, start + 1.0], STEPS)?;

@@ -100,9 +100,9 @@ fn check(args: &Args, study: &Study) -> Result<(), Error> {
     if args.section.is_some() && !study.is_helical() {
         return Err(Error::usage(SPUR_SECTION));
     }
-    if study.is_drawn() && (args.animate || args.exaggerate.is_some()) {
+    if args.exaggerate.is_some() && study.materials.is_empty() {
         return Err(Error::usage(
-            "--animate and --exaggerate are for gears by their data; leave them out",
+            "--exaggerate is for gears by their data: a drawing states no deviations; leave it out",
         ));
     }
     Ok(())
@@ -119,10 +119,13 @@ fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize),
     };
     let view = Snapshot::of_result(title, assembly, subject.material, pose, section.as_ref());
     Ok(match (pair, args.exaggerate) {
-        (Some(pair), None) if args.animate => {
-            let steps = pitch(pair, &pose.pose)?;
+        _ if args.animate => {
+            let steps = pitch(assembly, &pose.pose)?;
             let unproven = steps.iter().filter(|step| step.is_unproven()).count();
-            let sections = sections(pair, &steps, section.as_ref())?;
+            let sections = match pair {
+                Some(pair) => sections(pair, &steps, section.as_ref())?,
+                None => Vec::new(),
+            };
             let picture = gearlash_render::animation(&view, &steps, &sections);
             (picture, unproven)
         }

@@ -82,11 +82,6 @@ pub(super) fn find(
     distance: Option<f64>,
     material: Option<Material>,
 ) -> Result<Found, Error> {
-    if study.is_drawn() && matches!(wanted, Wanted::LeastOf(_)) {
-        return Err(Error::Usage(format!(
-            "{option}: the kinds of contact are of gears by their data; give --worst alone"
-        )));
-    }
     let study = narrowed(option, study, distance, material)?;
     let (found, failed) = verdict::extremes_and_failed_checks(&study)?;
     let verdict = Verdict::of_study(&study, &found.each, failed);
@@ -104,7 +99,7 @@ pub(super) fn find(
     let Some((material, assembly, pose)) = chosen else {
         return Err(Error::Usage(match wanted {
             Wanted::LeastOf(_) => format!(
-                "{option}: no pose of the pair file has such a contact; `gearlash check` counts the kinds that it has"
+                "{option}: no pose of the pair file has such a contact; `gearlash check` counts the kinds that gears by data have"
             ),
             _ => format!("{option}: no pose is in mesh; there is none to draw"),
         }));

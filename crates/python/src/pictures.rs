@@ -44,16 +44,6 @@ pub fn snapshot(
     drawn.map_err(|reason| error(py, reason))
 }
 
-/// Rejects a chart of `pair` that does not exist for drawn gears.
-fn needs_data(py: Python<'_>, pair: &Pair) -> PyResult<()> {
-    if pair.study().is_drawn() {
-        let reason =
-            "a drawn gear has no module, no involute and no formula: draw the kind \"revolution\"";
-        return Err(error(py, reason));
-    }
-    Ok(())
-}
-
 /// Backlash, or its difference from the formula, over the wheel's teeth at one centre distance.
 #[pyfunction]
 pub fn over_teeth(
@@ -63,9 +53,6 @@ pub fn over_teeth(
     distance: Option<f64>,
     material: Option<&str>,
 ) -> PyResult<String> {
-    if difference {
-        needs_data(py, pair)?;
-    }
     let (named, assembly) = pair.assembly(py, distance, material)?;
     let mut study = curves::with_sweep(pair.study().clone());
     if material.is_some() {
@@ -93,7 +80,6 @@ pub fn over_teeth(
 /// One mating's backlash over the centre distance; without teeth, of the binding mating.
 #[pyfunction]
 pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> PyResult<String> {
-    needs_data(py, pair)?;
     let study = pair.study();
     let searched = match teeth {
         Some(_) => None,

@@ -5,11 +5,11 @@ use crate::error::error;
 use crate::pair::{Pair, mating};
 use gearlash::analysis::compare::compare;
 use gearlash::analysis::simulate::Run;
-use gearlash::contact::{CutPair, Method, PoseResult, sweep_blocks, sweep_outlines};
+use gearlash::contact::{Method, PoseResult, sweep_blocks};
 use gearlash::error::{Error, Tick};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
-use gearlash::pair::{Mating, Member, SweepPlan};
+use gearlash::pair::{Mating, SweepPlan};
 use gearlash_results::{Array, Values, pose_arrays, pose_json};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -162,14 +162,7 @@ fn arrays(
         }
         Ok::<(), Error>(())
     };
-    match pair {
-        AssembledPair::Data(pair) => {
-            let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
-            let cut = CutPair::for_certificates(wheel, pinion);
-            let method = Method::Exact { certify };
-            sweep_blocks(pair, &cut, method, matings, 0.0, tick, each)?;
-        }
-        AssembledPair::Drawn(pair) => sweep_outlines(pair, certify, matings, 0.0, tick, each)?,
-    }
+    let method = Method::Exact { certify };
+    sweep_blocks(pair, None, method, matings, 0.0, tick, each)?;
     Ok(all)
 }

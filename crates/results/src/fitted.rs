@@ -33,7 +33,7 @@ pub fn fitted_sentences(file: &PairFile) -> Vec<String> {
 
 /// Notes on a pair with a drawn gear, one per line; empty for other pairs.
 pub fn drawn_notes(file: &PairFile) -> String {
-    if !file.study.is_drawn() {
+    if file.spec.by_data().is_some() {
         return String::new();
     }
     let left_out = "A drawn gear has no module and no involute: formulas and checks are left out.";

@@ -460,8 +460,7 @@ fn proof(verdict: &Verdict) -> Vec<String> {
 /// The uncertainty of an extreme due to the drawings, mm; `None` for gears by their data, and where it is only rounding.
 fn drawing_bound(extreme: &RunExtreme) -> Option<f64> {
     let bound = extreme.pose.simulated.error_bound?;
-    extreme.assembly.drawn().filter(|_| bound >= 5e-6)?;
-    Some(bound)
+    (extreme.assembly.outline_bound() > 0.0 && bound >= 5e-6).then_some(bound)
 }
 
 /// The least distance that assembles and the greatest in mesh, if the pair fails to assemble or to mesh somewhere; each with
@@ -551,9 +550,12 @@ fn row(
     }
 }
 
-/// The places of contact on the teeth of a drawn pair: `tip on flank`, the wheel's first, for right and left flanks.
+/// The places of contact: `tip on flank`, the wheel's first, for right and left flanks. `None` for gears by data, whose checks
+/// name the contacts.
 fn touched(extreme: &RunExtreme) -> Option<String> {
-    extreme.assembly.drawn()?;
+    if extreme.assembly.data().is_some() {
+        return None;
+    }
     let found = extreme.pose.simulated.proven()?;
     let words = |contact: &Contact| {
         let [wheel, pinion] = [contact.wheel, contact.pinion].map(|touch| touch.curve.name());

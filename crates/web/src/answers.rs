@@ -111,8 +111,7 @@ impl Page {
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
-        let study = &pair.study;
-        let plan = Plan::new(study, METHOD)
+        let plan = Plan::new(&pair.study, METHOD)
             .with_revolution()
             .with_remedies()
             .with_checks();
@@ -122,7 +121,7 @@ impl Page {
         };
         let verdict = analysis.verdict();
         let remedies = RemedyRecords::new(pair, &analysis.remedies);
-        let checks = if study.is_drawn() {
+        let checks = if analysis.diagnosis.groups.is_empty() {
             Value::Null
         } else {
             table(&analysis)
@@ -141,7 +140,7 @@ impl Page {
         json!({
             "verdict": verdict_json(&lines(&verdict)),
             "checks": checks,
-            "remedies": remedies.text(!study.requirements.is_empty()),
+            "remedies": remedies.text(!pair.study.requirements.is_empty()),
             "curve": curve(&analysis, &verdict),
             "start": start,
             "unproven": analysis.unproven(),

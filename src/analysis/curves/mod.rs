@@ -72,8 +72,8 @@ fn with_left_flanks(
     method: Method,
     tick: &Tick,
 ) -> Result<Vec<ComparedRun>, Error> {
-    // Each pose of a drawn pair has both flanks, and no formula distinguishes them.
-    if study.is_drawn() {
+    // Formulas of gears by data distinguish right and left flanks.
+    if study.materials.is_empty() {
         return Ok(runs);
     }
     let mut plans = study.runs()?;

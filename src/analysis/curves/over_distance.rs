@@ -73,7 +73,7 @@ pub fn over_distance(
     let measured: Vec<MeasuredRow> = study.measured.iter().filter(of_teeth).cloned().collect();
     let from = cycle.iter().filter_map(|run| run.assembles_from);
     let assembles_from = from.map(|from| from.high).reduce(f64::max);
-    let distances = grid(study, &measured, assembles_from);
+    let distances = grid(study, &measured, assembles_from)?;
     let mut plans = Vec::new();
     for &a in &distances {
         for (material, assembly) in study.pairs(a)? {
@@ -120,7 +120,7 @@ pub fn over_distance(
         clearance: study.bearing_clearance,
         agreement,
         unproven: runs.iter().map(|run| run.unproven().count()).sum(),
-        two_materials: study.materials.len() > 1,
+        two_materials: study.material_count() > 1,
         assembles_from,
         points: distances.iter().map(point).collect(),
         measured,
@@ -153,36 +153,35 @@ fn poses(
 
 /// Limit of the number of poses of [`over_distance`].
 pub fn over_distance_pose_count(study: &Study) -> u64 {
-    2 * u64::from(STEPS + 2) * study.materials.len() as u64
+    2 * u64::from(STEPS + 2) * study.material_count() as u64
 }
 
 /// Centre distances around those of the study and of `measured`, and up to `reach`, which is one of them. None is so
-/// small that base circles overlap at `a − c`.
-fn grid(study: &Study, measured: &[MeasuredRow], reach: Option<f64>) -> Vec<f64> {
-    let Some((_, wheel, pinion)) = study.materials.first() else {
-        return Vec::new();
-    };
+/// small that the gears cannot be assembled at `a − c`.
+fn grid(study: &Study, measured: &[MeasuredRow], reach: Option<f64>) -> Result<Vec<f64>, Error> {
     let all = || {
         let measured = measured.iter().map(|row| row.center_distance);
         study.center_distances.iter().copied().chain(measured)
     };
     let (Some(first), Some(last)) = (all().reduce(f64::min), all().reduce(f64::max)) else {
-        return Vec::new();
+        return Ok(Vec::new());
     };
-    let module = wheel.gear().basic_data().module();
+    let pairs = study.pairs(last)?;
     let mut margin = MARGIN * (last - first);
     if last == first {
+        let module = pairs.first().map_or(0.0, |(_, pair)| pair.module());
         margin = AROUND * module;
     }
     let last = last.max(reach.unwrap_or(last));
     margin = margin.max(MARGIN * (last - first));
-    let touching = wheel.gear().base_radius() + pinion.gear().base_radius();
-    let possible = |a: &f64| a - study.bearing_clearance > touching;
+    let least = pairs.iter().map(|(_, pair)| pair.least_distance());
+    let least = least.fold(0.0, f64::max);
+    let possible = |a: &f64| a - study.bearing_clearance > least;
     let (from, to) = (first - margin, last + margin);
     let step = (to - from) / f64::from(STEPS);
     let grid = (0..=STEPS).map(|i| from + f64::from(i) * step);
     let mut grid: Vec<f64> = grid.chain(reach).filter(possible).collect();
     grid.sort_by(f64::total_cmp);
     grid.dedup();
-    grid
+    Ok(grid)
 }

@@ -152,8 +152,8 @@ fn limits_of(group: &Group) -> Vec<Limit> {
 
 fn least_clearance(assembly: &GearPair) -> f64 {
     f64::min(
-        limits::radial_clearance(assembly, Member::Wheel),
-        limits::radial_clearance(assembly, Member::Pinion),
+        assembly.radial_clearance(Member::Wheel),
+        assembly.radial_clearance(Member::Pinion),
     )
 }
 

@@ -115,7 +115,12 @@ impl DrawnChart {
     /// One gear's deviations.
     pub fn inspection(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
         let gears = study.materials.first();
-        let (_, wheel, pinion) = gears.ok_or_else(|| Error::usage("the pair file has no gears"))?;
+        let none = || {
+            Error::usage(
+                "--kind inspection is for gears by their data: a drawing states no deviations",
+            )
+        };
+        let (_, wheel, pinion) = gears.ok_or_else(none)?;
         let (name, gear) = match args.gear {
             Some(GearName::Pinion) => ("pinion", pinion),
             Some(GearName::Wheel) | None => ("wheel", wheel),

@@ -258,7 +258,7 @@ pub(crate) fn refuse(file: &Tree) -> Option<()> {
             &key,
             "an outline has no module, no base circle and no line of action, which this command needs",
             format!(
-                "use `gearlash check`, `simulate`, `snapshot`, `chart`, `report` or `gauge` with {}, or give the gear by its data",
+                "use `gearlash check`, `simulate`, `snapshot`, `chart`, `report`, `tolerance` or `gauge` with {}, or give the gear by its data",
                 file.path.display()
             ),
         );

@@ -10,7 +10,7 @@ use gearlash::error::Error;
 use gearlash::gear::thickness::span_from_base;
 use gearlash::gear::{AsBuilt, Flank, Side};
 use gearlash::metrology::Wobble;
-use gearlash::outline::{AssembledPair, OutlineGear};
+use gearlash::outline::AssembledPair;
 use gearlash::pair::Member;
 use gearlash::population::{Assembly, Draw, Sample};
 use serde_json::Value;
@@ -154,14 +154,15 @@ impl ToleranceFile {
     }
 
     /// A gear of a pair with an outline, with its runout.
-    fn with_runout(&self, gear: &OutlineGear, member: Member) -> EitherGearSpec {
+    fn with_runout(&self, pair: &AssembledPair, member: Member) -> EitherGearSpec {
         let mut own = [&self.pair.spec.wheel, &self.pair.spec.pinion][member as usize].clone();
         if self.population.scatters().of(member).runout.is_none() {
             return own;
         }
+        let eccentricity = pair.eccentricity(member);
         let runout = RunoutSpec {
-            total_um: Some(2e3 * gear.eccentricity() / own.scale().unwrap_or(1.0)),
-            high_tooth: (gear.eccentricity() > 0.0).then(|| gear.high_tooth()),
+            total_um: Some(2e3 * eccentricity / own.scale().unwrap_or(1.0)),
+            high_tooth: (eccentricity > 0.0).then(|| pair.high_tooth(member)),
             ..RunoutSpec::default()
         };
         match &mut own {
@@ -173,12 +174,10 @@ impl ToleranceFile {
 
     /// A gear as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
     fn gear_spec(&self, assembly: &Assembly, draw: Draw, member: Member) -> Option<EitherGearSpec> {
-        let gear = match assembly.pair() {
-            AssembledPair::Data(pair) => pair.gear(member),
-            AssembledPair::Drawn(pair) => {
-                return Some(self.with_runout(pair.gear(member), member));
-            }
+        let Some(pair) = assembly.pair().data() else {
+            return Some(self.with_runout(assembly.pair(), member));
         };
+        let gear = pair.gear(member);
         let own = self.pair.spec.data(member)?;
         let measured = &self.measured[member as usize];
         // Finds the drawn whole gear by all but its runout, whose direction can be drawn.

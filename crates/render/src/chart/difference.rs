@@ -69,6 +69,11 @@ pub fn difference(
             let panel = empty(course_axis(course), words);
             return sheet::draw(heading, &details, &[], &[panel]);
         }
+        let mut values = lines().flat_map(|line| &line.points);
+        if values.any(|point| point.simulated_um.is_some()) {
+            let words = "no formula has a value: a drawn gear has no involute, or no two involutes reach each other";
+            return Err(PictureError(words.to_owned()));
+        }
         return Err(PictureError(format!(
             "no pose at centre distance {} mm has both a simulated and an analytic value: jammed or out of mesh",
             course.center_distance

@@ -223,7 +223,7 @@ pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
             face,
         ));
     }
-    if !study.is_drawn() {
+    if least.is_some() {
         rows.push(("α_wt | operating pressure angle | °", angle));
     }
     let each = clearance.each().map(|ends| {

@@ -7,7 +7,7 @@ use gearlash_files::numbers::bound_um;
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
-    let is_drawn = page.report.pair.study.is_drawn();
+    let is_drawn = page.report.pair.spec.by_data().is_none();
     html! {
         section id="method" {
             h2 { "Method and error bound" }

@@ -73,24 +73,25 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     ];
     sections.retain(|(id, _)| *id != "measured" || !report.analysis.measured.is_empty());
     sections.retain(|(id, _)| *id != "face" || face::is_of(&page));
-    let is_drawn = report.pair.study.is_drawn();
-    sections.retain(|(id, _)| !is_drawn || !matches!(*id, "trust" | "checks" | "models"));
+    let has_checks = !report.analysis.diagnosis.groups.is_empty();
+    sections.retain(|(id, _)| has_checks || !matches!(*id, "trust" | "checks" | "models"));
+    let by_data = report.pair.spec.by_data();
     let main = html! {
         (verdict::section(&page))
         (unproven::section(&page))
         (results::section(&page)?)
         (face::section(&page)?)
-        @if !is_drawn {
+        @if has_checks {
             (trust::section(&page))
             (checks::section(&page))
         }
-        @if let Some(gears) = report.pair.spec.by_data() {
+        @if let Some(gears) = by_data {
             (input::section(&page, gears)?)
         } @else {
             (drawings::section(&page))
         }
         (measured::section(&page))
-        @if !is_drawn { (models::section(&page)?) }
+        @if has_checks { (models::section(&page)?) }
         (poses::section(&page))
         (method::section(&page))
     };
@@ -99,10 +100,10 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         file: report.file,
         date: report.date,
         sections: &sections,
-        same: if is_drawn {
-            "The same pair file, drawings and version give the same numbers."
-        } else {
+        same: if by_data.is_some() {
             "The same pair file and version give the same numbers."
+        } else {
+            "The same pair file, drawings and version give the same numbers."
         },
     };
     Ok(page_frame.page(&main))

@@ -29,7 +29,8 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                 (PreEscaped(mesh))
             }
             h3 { "Over the centre distance" }
-            @if page.report.pair.study.is_drawn() { (maps(page)) } @else { (over_distance(page)?) }
+            (over_distance(page)?)
+            @if !page.report.analysis.maps.is_empty() { (maps(page)) }
             h3 { "Each centre distance and material" }
             (materials(page))
             (phases(page))

@@ -119,7 +119,7 @@ fn over_face(view: &Snapshot) -> String {
 /// The contact in which the free gear is drawn.
 fn drawn_contact(scene: &Scene) -> String {
     let free = scene.assembly().free().name();
-    match scene.drawn() {
+    match scene.free_placement() {
         FreePlacement::AtContact(side) => format!(
             "drawn with the {free} turned {} to {}-flank contact",
             match side {

@@ -12,7 +12,6 @@ use gearlash::contact::{
     Contact, ContactClass, ContactKind, DrawnContact, FreePlacement, Scene, Status,
 };
 use gearlash::gear::{ProfilePart, Side};
-use gearlash::outline::AssembledPair;
 use gearlash::pair::{GearPair, Member};
 use gearlash_files::numbers::um;
 use nalgebra::center;
@@ -117,12 +116,12 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame:
             let gap = contact.gap;
             let length = um(gap, 2);
             // In a transverse section the line of action is in that section, and another section can be tighter.
-            let (symbol, here) = match scene.assembly() {
-                AssembledPair::Drawn(_) => ("", " along the normal"),
-                pair if pair.is_helical() => ("j_bt = ", " in this section"),
-                _ => ("j_bn = ", ""),
+            let (symbol, here) = match scene.assembly().data() {
+                None => ("", " along the normal"),
+                Some(pair) if pair.is_helical() => ("j_bt = ", " in this section"),
+                Some(_) => ("j_bn = ", ""),
             };
-            let first = match scene.drawn() {
+            let first = match scene.free_placement() {
                 _ if contact.turn == 0.0 => format!("{name} flanks touch"),
                 FreePlacement::AtContact(_) if gap > 0.0 => {
                     format!("{name} flanks: gap {symbol}{length} µm{here}")

@@ -14,7 +14,7 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, occupied: &mut O
         return Group::new();
     };
     let mut rows = Vec::new();
-    if let FreePlacement::AtContact(_) = scene.drawn() {
+    if let FreePlacement::AtContact(_) = scene.free_placement() {
         rows.push(format!("depth {} µm", um(-contact.along_normal, 2)));
     }
     rows.push(format!("area {} mm²", significant(overlap.area)));

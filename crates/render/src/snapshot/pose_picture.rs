@@ -9,9 +9,9 @@ use gearlash::outline::AssembledPair;
 
 /// The section that is drawn for helical gears.
 fn section(assembly: &AssembledPair, pose: &PoseResult) -> Result<Option<MeshSection>, Error> {
-    match assembly {
-        AssembledPair::Data(pair) => MeshSection::binding(pair, pose),
-        AssembledPair::Drawn(_) => Ok(None),
+    match assembly.data() {
+        Some(pair) => MeshSection::binding(pair, pose),
+        None => Ok(None),
     }
 }
 

@@ -81,11 +81,8 @@ fn overlap(scenes: &[Scene], times: &[f64], view: &View) -> Group {
 pub fn turns(scenes: &[Scene], member: Member) -> Vec<f64> {
     let mut turns: Vec<f64> = Vec::new();
     for scene in scenes {
-        let direction = |scene: &Scene| {
-            let placed = scene.placed(member);
-            placed.data().map_or(0.0, |gear| gear.direction(1))
-        };
-        let turn = direction(scene) - direction(&scenes[0]);
+        let rotation = |scene: &Scene| scene.placed(member).rotation();
+        let turn = rotation(scene) - rotation(&scenes[0]);
         let last = turns.last().copied().unwrap_or(0.0);
         turns.push(turn - TAU * ((turn - last) / TAU).round());
     }

@@ -9,12 +9,10 @@ use super::precision::{Precision, degrees};
 use super::section::{Winding, first};
 use crate::kit::{INK, OVERLAP, PINION, WHEEL};
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
-use gearlash::contact::PlacedGear;
-use gearlash::gear::{Placed, Side};
-use gearlash::outline::AssembledPair;
+use gearlash::gear::Side;
+use gearlash::outline::{AssembledPair, PlacedGear};
 use gearlash::pair::Member;
 use gearlash_files::numbers::rounded;
-use nalgebra::Point2;
 use std::fmt::Write;
 use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
 
@@ -51,7 +49,7 @@ pub fn draw(
     };
     let gear = |(member, fill): (Member, &str)| {
         let outline = metal(member).set("fill", fill).set("stroke", INK);
-        let placed = at_rest(assembly, member);
+        let placed = PlacedGear::new(assembly, member, 0.0);
         Group::new()
             .set("id", format!("viewer-{}", member.name()))
             .set("transform", turn(member))
@@ -109,18 +107,6 @@ pub fn draw(
     format!("{sheet}\n")
 }
 
-/// The gear of `member` at rotation 0.
-fn at_rest(assembly: &AssembledPair, member: Member) -> PlacedGear<'_> {
-    match assembly {
-        AssembledPair::Data(pair) => PlacedGear::Data(Placed::new(
-            pair.gear(member),
-            Point2::origin(),
-            pair.mate_direction(member),
-        )),
-        AssembledPair::Drawn(pair) => PlacedGear::Drawn(pair, member, 0.0),
-    }
-}
-
 /// The outlines, `viewer-wheel-0` and so on; for helical gears in a section.
 fn definitions(
     outlines: &[&AssembledPair],
@@ -132,7 +118,7 @@ fn definitions(
         both.map(move |member| (number, member, *pair))
     });
     gears.fold(Definitions::new(), |definitions, (number, member, pair)| {
-        let placed = at_rest(pair, member);
+        let placed = PlacedGear::new(pair, member, 0.0);
         let scale = format!("scale({})", precision.unit());
         let wound = section.map(|at| Winding::new(&placed, member, at, precision.decimals));
         let outline = match wound {

@@ -2,9 +2,9 @@
 
 use super::contacts::touching;
 use super::precision::{DEGREES, degrees};
-use gearlash::contact::{PlacedGear, PoseResult};
+use gearlash::contact::PoseResult;
 use gearlash::gear::Side;
-use gearlash::outline::AssembledPair;
+use gearlash::outline::{AssembledPair, PlacedGear};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, trimmed};
 use serde::Serialize;

@@ -33,7 +33,7 @@ fn the_points_of_a_contact_lie_on_both_outlines() {
             let lost = lost_motion(&assembly, &at);
             let assembled = assembly.clone().into();
             let scene = Scene::new(&assembled, &at, &lost);
-            assert_eq!(scene.drawn(), FreePlacement::AtContact(flank));
+            assert_eq!(scene.free_placement(), FreePlacement::AtContact(flank));
             for meeting in scene.contacts() {
                 let outline = |member| {
                     scene

@@ -24,7 +24,7 @@ pub fn text(
     let lines = lines(verdict);
     let remedies = remedies.text(!file.study.requirements.is_empty());
     let mut text = heading(&file.study.title, &lines, screen);
-    if file.study.is_drawn() {
+    if diagnosis.groups.is_empty() {
         for sentence in &lines.left_out {
             let _ = writeln!(text, "{sentence}.\n");
         }

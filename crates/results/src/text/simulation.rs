@@ -46,7 +46,8 @@ pub fn simulation(
     if groups.is_empty() {
         text += &listed_note(study);
         text += &run_table(study, runs, unit, screen);
-        let models = if study.is_drawn() { "" } else { MODELS };
+        let has_formulas = runs.iter().any(|run| run.evidence.is_some());
+        let models = if has_formulas { MODELS } else { "" };
         let of = unit::measure(unit);
         text += &screen.paragraphs(&format!(
             "{of}{AT}{models} Negative backlash: interference."

@@ -15,7 +15,7 @@ impl CheckContext<'_> {
     /// Whether `member`'s tips meet the limit for any position of the teeth and any direction of the eccentricities.
     pub(super) fn is_surely_clear(&self, member: Member) -> bool {
         let off = |member| self.assembly.gear(member).eccentricity();
-        let least = limits::radial_clearance(self.assembly, member);
+        let least = self.assembly.radial_clearance(member);
         let least = least - off(member) - off(member.mate());
         met(least - limits::LEAST_CLEARANCE * self.module())
     }
@@ -28,7 +28,7 @@ impl CheckContext<'_> {
         tick: &Tick,
     ) -> Result<Check, Error> {
         let module = self.module();
-        let formula = limits::radial_clearance(self.assembly, member);
+        let formula = self.assembly.radial_clearance(member);
         // Along the face of helical gears the eccentricities have all directions to a tooth: take the worst.
         let off = if self.assembly.is_helical() {
             Member::BOTH.map(|member| self.assembly.gear(member).eccentricity())

@@ -21,11 +21,11 @@ pub const WIDTH: f64 = PROVEN_WIDTH;
 
 /// Width, mm, of a bracket of `j_wt` of `assembly` that counts as proven.
 pub fn proven_width(assembly: &AssembledPair) -> f64 {
-    searched(assembly).width()
+    cycle_pair(assembly).width()
 }
 
 /// A pair whose mesh cycle is searched. Gears by data and drawn gears have a kernel each.
-trait SearchedPair {
+trait CyclePair {
     /// [`proven_width`].
     fn width(&self) -> f64;
 
@@ -43,14 +43,14 @@ trait SearchedPair {
 }
 
 /// `assembly` as its kernel searches it.
-fn searched(assembly: &AssembledPair) -> &dyn SearchedPair {
+fn cycle_pair(assembly: &AssembledPair) -> &dyn CyclePair {
     match assembly {
         AssembledPair::Data(pair) => pair,
         AssembledPair::Drawn(pair) => pair,
     }
 }
 
-impl SearchedPair for OutlinePair {
+impl CyclePair for OutlinePair {
     fn width(&self) -> f64 {
         PROVEN_WIDTH_DRAWN
     }
@@ -88,7 +88,7 @@ impl SearchedPair for OutlinePair {
     }
 }
 
-impl SearchedPair for GearPair {
+impl CyclePair for GearPair {
     fn width(&self) -> f64 {
         PROVEN_WIDTH
     }
@@ -408,9 +408,9 @@ impl Planned {
         }
     }
 
-    /// [`SearchedPair::search`] of its pair.
+    /// [`CyclePair::search`] of its pair.
     fn search_as_stated(&self) -> Result<Searched, Error> {
-        searched(&self.run.assembly).search(self)
+        cycle_pair(&self.run.assembly).search(self)
     }
 
     /// The loss of the least `found` by deviations along the face; `None` for a pair without any.
@@ -479,7 +479,7 @@ impl Planned {
         is_least: bool,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        searched(pair).end(self, is_least, effort)
+        cycle_pair(pair).end(self, is_least, effort)
     }
 
     /// Effort of the search of `assembly`.
@@ -609,7 +609,7 @@ pub fn extremes_of_phase(
     width: f64,
 ) -> Result<Extremes, Error> {
     let over = (first_of_phase(phase), distinct(assembly));
-    searched(assembly).extremes(over, width)
+    cycle_pair(assembly).extremes(over, width)
 }
 
 /// The cycle of a pair with a drawn gear: its first mating, and the number of distinct ones.
@@ -667,12 +667,12 @@ pub(super) fn hunting_pitches(assembly: &impl ToothNumbers) -> u64 {
 
 /// Whether the extremes over the cycle depend on the assembly phase. They do not if all teeth of one gear are equal.
 pub(crate) fn phases_differ(assembly: &AssembledPair) -> bool {
-    searched(assembly).deviate() == [true, true]
+    cycle_pair(assembly).deviate() == [true, true]
 }
 
 /// Number of distinct matings; after them every deviation of both gears recurs.
 pub(super) fn distinct(assembly: &AssembledPair) -> u64 {
-    distinct_of(searched(assembly).deviate(), assembly)
+    distinct_of(cycle_pair(assembly).deviate(), assembly)
 }
 
 /// Matings that differ where wheel and pinion have unlike teeth as stated.

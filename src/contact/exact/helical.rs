@@ -23,6 +23,7 @@
 //! `over_face` takes the tightest of them. Polygons and certificate treat one section at a time (`by_sections`). If an edge can reach a
 //! fillet, or paths of contact are very short, further sections are needed ([`edges`]).
 
+mod directly;
 mod edges;
 mod facing;
 mod leads;
@@ -32,7 +33,7 @@ mod roots;
 mod tests;
 mod turning;
 
-use super::flank_problem::FlankProblem;
+use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::section::{Section, SectionRequest, floor};
 use super::teeth::{Teeth, reduced};
 use crate::contact::Effort;
@@ -41,6 +42,7 @@ use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
 use crate::pair::{GearPair, Member, Pose};
+use directly::Directly;
 use edges::Edges;
 use facing::{Facing, Floors};
 use leads::AlongFace;
@@ -81,6 +83,8 @@ pub(super) struct Helical {
     in_fillets: bool,
     /// Error of each contact by what sections of leaning axes leave out, rad of the free gear.
     left_out: f64,
+    /// How sections are solved that need no search.
+    directly: Option<Box<Directly>>,
 }
 
 impl Helical {
@@ -133,7 +137,9 @@ impl Helical {
         } else {
             0.0
         };
+        let directly = Directly::new(assembly, plane, edges.as_ref()).map(Box::new);
         Helical {
+            directly,
             edges,
             in_fillets,
             left_out,
@@ -202,6 +208,27 @@ impl Helical {
     /// Whether every pair of teeth has line contact over some length, for any direction of the eccentricities.
     pub fn has_line_contact(&self) -> bool {
         shortest_path(&self.assembly) > 0.0
+    }
+
+    /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`. The nominal rotation is at the gap `nominal`.
+    fn places_of_leads(
+        &self,
+        posed: &PosedFlanks,
+        nominal: f64,
+        floor: f64,
+        effort: &Effort,
+    ) -> Vec<f64> {
+        let (assembly, in_fillets) = (&self.assembly, self.in_fillets);
+        let along = AlongFace::new(assembly, posed, nominal, in_fillets, effort);
+        // Leads can hold a pair that the known contact would leave out.
+        let stands = FreeGear {
+            rotation: posed.rotation(if floor.is_finite() { floor } else { nominal }),
+            is_held: false,
+        };
+        let deepest = self.edges.iter().filter(|_| in_fillets);
+        let deepest = deepest.flat_map(|edges| edges.deepest(assembly, posed, stands));
+        let tie = posed.problem.tie;
+        along.places(floor + tie, tie, deepest)
     }
 
     /// Both contacts of `pose`, as `method` finds them in each section, within the common budget `effort`. If one
@@ -337,18 +364,9 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let posed = helical.plane.posed(problem, pose);
         let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
-        let (assembly, in_fillets) = (&helical.assembly, helical.in_fillets);
-        let along = AlongFace::new(assembly, &posed, nominal, in_fillets, self.effort);
         let known = self.over.beyond(side);
         let floor = known.map_or(f64::NEG_INFINITY, |known| nominal - side.sense() * known);
-        // Leads can hold a pair that the known contact would leave out.
-        let stands = FreeGear {
-            rotation: posed.rotation(if floor.is_finite() { floor } else { nominal }),
-            is_held: false,
-        };
-        let deepest = helical.edges.iter().filter(|_| in_fillets);
-        let deepest = deepest.flat_map(|edges| edges.deepest(assembly, &posed, stands));
-        for b in along.places(floor + problem.tie, problem.tie, deepest) {
+        for b in helical.places_of_leads(&posed, nominal, floor, self.effort) {
             self.section(b, None, 0.0)?;
         }
         Ok(())

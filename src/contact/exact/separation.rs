@@ -132,7 +132,7 @@ impl Separation {
     ) -> Separation {
         let problem = posed.problem;
         let pair = posed.pair(step).turned(turns);
-        let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::endless);
+        let arcs = [&problem.locked, &problem.free].map(|teeth| Arc::endless(&teeth.shape));
         let sum = problem.sum();
         let mut gap = near;
         for _ in 0..STEPS {
@@ -173,7 +173,7 @@ impl Separation {
     pub fn turned(posed: &PosedFlanks, step: i64, near: f64, turns: [f64; 2]) -> Separation {
         let problem = posed.problem;
         let pair = posed.pair(step).turned(turns);
-        let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::new);
+        let arcs = [&problem.locked, &problem.free].map(|teeth| Arc::new(&teeth.shape));
         let sum = problem.sum();
         let mut gap = near;
         let (mut between, mut rate) = posed.between(gap);

@@ -41,11 +41,12 @@ use crate::contact::body::solid_radius;
 use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
+use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use directly::Directly;
 use edges::Edges;
 use facing::{Facing, Floors};
-use leads::AlongFace;
+use leads::{AlongFace, MOST_BY_ARMS};
 use profiles::{AlongFlanks, Highest, LEVEL};
 use std::borrow::Cow;
 use turning::FreeGear;
@@ -83,6 +84,8 @@ pub(super) struct Helical {
     in_fillets: bool,
     /// Error of each contact by what sections of leaning axes leave out, rad of the free gear.
     left_out: f64,
+    /// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
+    most_moved: f64,
     /// How sections are solved that need no search.
     directly: Option<Box<Directly>>,
 }
@@ -121,15 +124,24 @@ impl Helical {
         let path = shortest_path(assembly);
         let short = path < SHORTEST * base_pitch;
         let edges = Edges::new(assembly, &plane.right, short);
-        let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
-        let mut edges = edges.filter(|_| assembly.is_helical());
-        if let Some(solver) = plane.solver.as_ref().filter(|_| !assembly.binds_anywhere())
-            && let Some(spread) = spread_on_line(plane, path, base_pitch)
+        let base = assembly.gear(assembly.free()).gear().base_radius();
+        let most_moved = most_moved(assembly);
+        // Flanks in a section differ by their leads and leans, too.
+        let moved = if assembly.deviates_along_face() {
+            MOST_BY_ARMS * most_moved
+        } else {
+            0.0
+        };
+        let mut edges = edges;
+        if let Some(solver) = plane.solver.as_ref().filter(|_| !assembly.is_modified())
+            && let Some(spread) = spread_on_line(plane, path - moved, base_pitch)
         {
             let deepest = [solver.proof.locked_fillet, solver.proof.free_fillet];
+            let spread = (spread + moved / base, assembly.most_shift());
             edges = edges.and_then(|edges| edges.without_fillets(&plane.right, deepest, spread));
         }
-        let base = assembly.gear(assembly.free()).gear().base_radius();
+        let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
+        let edges = edges.filter(|_| assembly.is_helical());
         let left_out = if assembly.leans() {
             (assembly.left_out() + assembly.beyond_ends()) / base
         } else if assembly.is_modified() {
@@ -139,6 +151,7 @@ impl Helical {
         };
         let directly = Directly::new(assembly, plane, edges.as_ref()).map(Box::new);
         Helical {
+            most_moved,
             directly,
             edges,
             in_fillets,
@@ -219,7 +232,13 @@ impl Helical {
         effort: &Effort,
     ) -> Vec<f64> {
         let (assembly, in_fillets) = (&self.assembly, self.in_fillets);
-        let along = AlongFace::new(assembly, posed, nominal, in_fillets, effort);
+        let along = AlongFace::new(
+            assembly,
+            posed,
+            nominal,
+            (self.most_moved, in_fillets),
+            effort,
+        );
         // Leads can hold a pair that the known contact would leave out.
         let stands = FreeGear {
             rotation: posed.rotation(if floor.is_finite() { floor } else { nominal }),
@@ -395,6 +414,39 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         }
         Ok(())
     }
+}
+
+/// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
+fn most_moved(assembly: &GearPair) -> f64 {
+    let wound = assembly
+        .gear(Member::Wheel)
+        .gear()
+        .basic_data()
+        .base_helix_angle()
+        .tan();
+    let of_gear = |member| {
+        let gear = assembly.gear(member);
+        let teeth = if gear.has_one_lead() {
+            1
+        } else {
+            assembly.teeth(member)
+        };
+        let flanks = Side::BOTH.into_iter().flat_map(|side| {
+            let range = move |tooth| {
+                let curve = gear.lead_curve(side, tooth);
+                curve.map_or(0.0, |curve| curve.range())
+            };
+            (1..=teeth).map(range)
+        });
+        let profiles = Side::BOTH
+            .into_iter()
+            .flat_map(|side| gear.deviations(side));
+        let profiles = profiles.map(|[least, most]| least.abs().max(most.abs()));
+        flanks.fold(0.0, f64::max) + profiles.fold(0.0, f64::max)
+    };
+    let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
+    let leaning = assembly.most_shift() + assembly.most_lean() * wound * (reach[0] + reach[1]);
+    of_gear(Member::Wheel) + of_gear(Member::Pinion) + leaning
 }
 
 /// Greatest difference between the places of all flanks, rad of the free gear. `path` is the least path of contact in any section, mm.

@@ -8,8 +8,9 @@ use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Greatest angle, rad, that [`slightly_turned`] takes from its series: the first term left out, the sixth power over 720, is below rounding.
-const SLIGHT: f64 = 4e-3;
+/// Greatest angle, rad, that [`slightly_turned`] takes from its series: the first terms left out, the tenth and eleventh power over their
+/// factorials, are below rounding.
+const SLIGHT: f64 = 0.1;
 
 /// One side of the teeth of a gear: of all, or in a section of those in reach of the mate.
 #[derive(Debug, Clone)]
@@ -264,15 +265,16 @@ impl Teeth {
 }
 
 /// `e^{iα}` of an angle that is usually slight, rad.
-fn slightly_turned(angle: f64) -> C {
+#[inline]
+pub(super) fn slightly_turned(angle: f64) -> C {
     if angle.abs() > SLIGHT {
         return turn(angle);
     }
-    let square = angle * angle;
-    C::new(
-        1.0 - square * (0.5 - square / 24.0),
-        angle * (1.0 - square * (1.0 / 6.0 - square / 120.0)),
-    )
+    let q = angle * angle;
+    let cos = 1.0 - q * (1.0 / 2.0 - q * (1.0 / 24.0 - q * (1.0 / 720.0 - q * (1.0 / 40_320.0))));
+    let sin =
+        1.0 - q * (1.0 / 6.0 - q * (1.0 / 120.0 - q * (1.0 / 5040.0 - q * (1.0 / 362_880.0))));
+    C::new(cos, angle * sin)
 }
 
 /// The place counted to either side of tooth 1, which halves the rounding of its angle.

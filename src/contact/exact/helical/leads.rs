@@ -20,9 +20,8 @@ use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::LeaningFrame;
-use crate::contact::exact::separation::{Separation, lowest_roll};
+use crate::contact::exact::separation::{NearStart, Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
-use crate::gear::ProfilePart;
 use crate::pair::{FacingTeeth, GearPair};
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
@@ -34,7 +33,7 @@ const BESIDE: f64 = 1e-7;
 /// Rounds to the section with a height of a leaning gear: the lean's square is left.
 const ROUNDS_OF_HEIGHTS: usize = 2;
 
-/// Distance of the sections beside each other, mm, that give the rate of leaning axes: the rate is right to a millionth of it.
+/// Distance of the sections beside each other, mm, that give the rate of leaning axes.
 const NEIGHBOUR: f64 = 1e-3;
 
 /// Parts in which a stretch is examined where the leads are hollow, so that the gap may have several maxima (tuned).
@@ -45,7 +44,7 @@ const FIRST_STEP: f64 = 1.0 / 64.0;
 
 /// Greatest effect of a flank's move on the gap of a fillet, against an involute's. Where an edge touches a fillet tightest, the normal passes the
 /// pitch point and the effect is that on an involute. The arms differ beside that place (tuned: twice is more than occurs).
-const MOST_BY_ARMS: f64 = 2.0;
+pub(super) const MOST_BY_ARMS: f64 = 2.0;
 
 /// Limit of steps to the maximum of a stretch. Six to twelve are usual.
 const MOST_STEPS: usize = 60;
@@ -59,12 +58,16 @@ pub(super) struct AlongFace<'a> {
     posed: &'a PosedFlanks<'a>,
     /// Twist of the locked and the free gear in the frame of `posed`, rad/mm.
     twists: [f64; 2],
-    /// The gap at the free gear's nominal rotation.
-    nominal: f64,
+    /// The line of action in the measuring plane, from which touches are searched.
+    start: NearStart,
+    /// The pair of step 0 on it, with endless involutes.
+    first: Separation,
     /// Where axes lean: how the frame changes along the face.
     leaning: Option<LeaningFrame>,
     /// Bound of the lean's effect on a gap of the face, mm along the base tangent.
     most_leaning: f64,
+    /// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
+    most_moved: f64,
     /// Whether tips can touch fillets.
     in_fillets: bool,
     effort: &'a Effort,
@@ -115,8 +118,11 @@ struct Touch {
     gap: f64,
     /// Change of the gap by a turn of the locked and of the free tooth.
     by_turn: [f64; 2],
-    /// Heights of the point over the section, mm, along each gear's own axis.
+    /// Rate of the gap by the moves of both centres along the face, rad per mm.
+    moving: f64,
+    /// Heights of the point over the section, mm, along each gear's own axis, and turns of the flanks by them, rad.
     heights: [f64; 2],
+    turned: [f64; 2],
 }
 
 /// Change of the gap of a `contact` by a turn of the locked and of the free tooth about the centres of their outlines. The points of both teeth
@@ -134,23 +140,43 @@ impl<'a> AlongFace<'a> {
         assembly: &'a GearPair,
         posed: &'a PosedFlanks<'a>,
         nominal: f64,
-        in_fillets: bool,
+        (most_moved, in_fillets): (f64, bool),
         effort: &'a Effort,
     ) -> AlongFace<'a> {
         let members = [assembly.locked(), assembly.free()];
         let gears = members.map(|member| assembly.gear(member));
         let wound = gears[0].gear().basic_data().base_helix_angle().tan();
         let reach = gears[0].reach() + gears[1].reach();
+        effort.spend(LOOK);
+        let first = Separation::endless(posed, 0, nominal);
+        let near = if first.touches { first.gap } else { nominal };
         AlongFace {
             assembly,
             posed,
             twists: members.map(|member| posed.twist(assembly, member)),
-            nominal,
+            start: NearStart::new(posed, near),
+            first,
             leaning: LeaningFrame::new(assembly, posed),
             most_leaning: assembly.most_shift() + assembly.most_lean() * wound * reach,
+            most_moved,
             in_fillets,
             effort,
         }
+    }
+
+    /// Gap and rolls of a step with endless involutes in the measuring plane; those of step 0 tell them to first order. The second order is that of
+    /// the free gear's eccentricity times the square of pitch deviations, below a tie.
+    fn endless(&self, step: i64) -> (f64, [f64; 2]) {
+        let (first, bases) = (&self.first, self.bases());
+        let [own, other] = [0, step].map(|step| self.posed.pair(step));
+        let turns = [
+            other.locked_base - own.locked_base,
+            other.free_base - own.free_base,
+        ];
+        let gap = first.gap - (bases[0] * turns[0] + bases[1] * turns[1]) / first.turning;
+        let rolls = first.rolls();
+        let turned = gap - first.gap;
+        (gap, [rolls[0] - turns[0], rolls[1] - turned - turns[1]])
     }
 
     /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest` has
@@ -161,19 +187,15 @@ impl<'a> AlongFace<'a> {
         tie: f64,
         deepest: impl Iterator<Item = (i64, f64)>,
     ) -> Vec<f64> {
-        let mut found: Vec<Look> = Vec::new();
+        let mut found: Vec<(i64, Look)> = Vec::new();
         let mut best = floor;
         // The tightest on the endless line first: it rules out most others.
         let mut turns = self.assembly.face().map(|b| self.twists[0] * b);
         turns.sort_by(f64::total_cmp);
-        let endless = self.posed.steps_over(turns).map(|step| {
-            self.effort.spend(LOOK);
-            (step, Separation::endless(self.posed, step, self.nominal))
-        });
-        let mut pairs: Vec<PairOfTeeth> = endless
-            .filter(|(_, endless)| endless.touches)
-            .map(|(step, endless)| self.pair(step, &endless, floor - tie))
-            .collect();
+        let steps = self.posed.steps_over(turns);
+        let steps = steps.filter(|_| self.first.touches);
+        let pairs = steps.map(|step| self.pair(step, floor - tie));
+        let mut pairs: Vec<PairOfTeeth> = pairs.collect();
         pairs.extend(deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)));
         if self.assembly.is_modified() {
             // Involutes do not tell where flanks touch whose profiles deviate: see [`super::profiles`].
@@ -187,44 +209,59 @@ impl<'a> AlongFace<'a> {
                 }
                 if let Some(look) = self.greatest(&pair, ends) {
                     best = best.max(look.gap);
-                    found.push(look);
+                    found.push((pair.step, look));
                 }
             }
         }
-        found.retain(|look| look.gap >= best - tie && look.gap > floor);
-        found.sort_by(|one, other| {
+        found.retain(|(_, look)| look.gap >= best - tie && look.gap > floor);
+        found.sort_by(|(_, one), (_, other)| {
             let nearer = one.b.abs().total_cmp(&other.b.abs());
             other.gap.total_cmp(&one.gap).then(nearer)
         });
-        let mut places: Vec<f64> = found.into_iter().map(|look| look.b).collect();
+        let mut places: Vec<f64> = found.iter().map(|(_, look)| look.b).collect();
+        // Of places that are equally tight, the one nearest to the measuring plane is reported.
+        if !floor.is_finite() {
+            let [from, to] = self.assembly.face();
+            let plane = 0f64.clamp(from, to);
+            let ties = |step: i64| {
+                let pair = self.pair(step, floor);
+                let turns = self.turns(&pair, plane);
+                let touch = self.touch(&pair, plane, turns);
+                touch.is_some_and(|touch| touch.gap >= best - tie)
+            };
+            if places.first() != Some(&plane) && found.iter().any(|(step, _)| ties(*step)) {
+                places.insert(0, plane);
+            }
+        }
         places.dedup();
         places
     }
 
-    /// The pair of a step with these endless involutes. Fillets are left out where its gap cannot exceed `floor`.
-    fn pair(&self, step: i64, endless: &Separation, floor: f64) -> PairOfTeeth<'a> {
-        let window = self.on_line(endless);
+    /// The pair of a step. Fillets are left out where its gap cannot exceed `floor`.
+    fn pair(&self, step: i64, floor: f64) -> PairOfTeeth<'a> {
+        let (endless, rolls) = self.endless(step);
+        let window = self.on_line(rolls);
         let teeth = self.posed.facing_teeth(self.assembly, step);
         // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
         let turns = self.twists.map(|twist| twist * window[0]);
         self.effort.spend(LOOK);
-        let nearest = Separation::turned(self.posed, step, self.nominal, turns);
+        let nearest = Separation::beside(self.posed, step, turns, &self.start);
         let most = if nearest.touches {
-            nearest.gap + self.beside(&teeth, &nearest)
+            nearest.gap + self.beside(&nearest)
         } else {
-            endless.gap
+            endless
         };
-        let turned = self.most_moved(&teeth) * self.per_moved();
+        let turned = self.most_moved * self.per_moved();
         let is_below_form = |found: &Separation| !found.touches || found.is_below_form(turned);
-        let mut most = most.min(endless.gap);
+        let mut most = most.min(endless);
         let mut fillets = Fillets::None;
         // From the end of the line on, the gap of a fillet falls. A pair with a line on the face is as tight at that end.
         let may_be_below_form = || {
-            most + self.most_in_fillets(&teeth) > floor
+            most + self.most_in_fillets() > floor
                 && self.assembly.face().iter().any(|b| {
                     let turns = self.twists.map(|twist| twist * b);
                     self.effort.spend(LOOK);
-                    let found = Separation::turned(self.posed, step, self.nominal, turns);
+                    let found = Separation::beside(self.posed, step, turns, &self.start);
                     is_below_form(&found)
                 })
         };
@@ -246,7 +283,7 @@ impl<'a> AlongFace<'a> {
     fn pair_at(&self, step: i64, b: f64, floor: f64) -> Option<PairOfTeeth<'a>> {
         let teeth = self.posed.facing_teeth(self.assembly, step);
         let turned = TurnedTeeth::new(self.posed, step, self.twists.map(|twist| twist * b));
-        let contact = turned.in_fillets(floor - self.most_in_fillets(&teeth), self.effort)?;
+        let contact = turned.in_fillets(floor - self.most_in_fillets(), self.effort)?;
         Some(PairOfTeeth {
             step,
             teeth,
@@ -257,8 +294,8 @@ impl<'a> AlongFace<'a> {
     }
 
     /// Bound of what leads and leans change the gap of a touch in a fillet.
-    fn most_in_fillets(&self, teeth: &FacingTeeth) -> f64 {
-        MOST_BY_ARMS * self.most_moved(teeth) / self.bases()[1]
+    fn most_in_fillets(&self) -> f64 {
+        MOST_BY_ARMS * self.most_moved / self.bases()[1]
     }
 
     /// Turn of both teeth by 1 mm along the base tangent, rad.
@@ -273,25 +310,10 @@ impl<'a> AlongFace<'a> {
         [problem.locked.shape.base, problem.free.shape.base]
     }
 
-    /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
-    fn most_moved(&self, teeth: &FacingTeeth) -> f64 {
-        let leads = teeth.teeth.map(|(gear, tooth)| {
-            let curve = gear.lead_curve(teeth.side, tooth);
-            curve.map_or(0.0, |curve| curve.range())
-        });
-        let profiles = teeth.teeth.map(|(gear, tooth)| {
-            let flank = gear.modification(teeth.side, tooth);
-            let range = gear.profile(teeth.side, tooth).range(ProfilePart::Involute);
-            let own = flank.map_or([0.0; 2], |curve| curve.bounds(range.0, range.1)[0]);
-            own[0].abs().max(own[1].abs())
-        });
-        leads[0] + leads[1] + self.most_leaning + profiles[0] + profiles[1]
-    }
-
     /// Bound of what leads and leans take from the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
-    fn beside(&self, teeth: &FacingTeeth, nearest: &Separation) -> f64 {
+    fn beside(&self, nearest: &Separation) -> f64 {
         let bases = self.bases();
-        let turned = self.most_moved(teeth) * self.per_moved();
+        let turned = self.most_moved * self.per_moved();
         let (rolls, on) = (nearest.rolls(), nearest.rolls_on_arcs());
         // The room of a tip passed by ω grows with ω at most by √(1 + ξ²) ω.
         let passed = [0, 1].map(|k| {
@@ -301,16 +323,16 @@ impl<'a> AlongFace<'a> {
         2.0 * (passed[0] + passed[1]) / bases[1]
     }
 
-    /// The stretch of the face, mm, on which a pair with these endless involutes is on the line of action, up to the slight turns by leads.
+    /// The stretch of the face, mm, on which a pair with these rolls in the measuring plane is on the line of action, up to the slight turns by leads.
     /// Without one, the place nearest to it.
-    fn on_line(&self, endless: &Separation) -> [f64; 2] {
+    fn on_line(&self, rolls: [f64; 2]) -> [f64; 2] {
         let face = self.assembly.face();
         let shapes = [
             &self.posed.problem.locked.shape,
             &self.posed.problem.free.shape,
         ];
         let mut window = [f64::NEG_INFINITY, f64::INFINITY];
-        let rolls = endless.rolls().into_iter().zip(shapes).zip(self.twists);
+        let rolls = rolls.into_iter().zip(shapes).zip(self.twists);
         // Spur gears have the same rolls in every section.
         for ((roll, shape), twist) in rolls.filter(|(_, twist)| *twist != 0.0) {
             let ends = [lowest_roll(shape), shape.tip_roll].map(|end| (roll - end) / twist);
@@ -342,7 +364,7 @@ impl<'a> AlongFace<'a> {
                 return (ends, f64::INFINITY);
             }
             if pair.fillets != Fillets::None {
-                return (ends, pair.most + self.most_in_fillets(&pair.teeth));
+                return (ends, pair.most + self.most_in_fillets());
             }
             let leads = [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]].map(|b| pair.teeth.lead(b));
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
@@ -360,7 +382,16 @@ impl<'a> AlongFace<'a> {
             return Vec::new();
         }
         let face = self.own_face(pair);
-        let section = |k, place| self.section_of(pair, k, place);
+        let ends = [self.assembly.locked(), self.assembly.free()]
+            .map(|member| self.assembly.own_face(member));
+        let section = |k: usize, place: f64| {
+            // Ends of the teeth are ends of the face.
+            if self.leaning.is_none() || ends[k].contains(&place) {
+                place
+            } else {
+                self.section_of(pair, k, place)
+            }
+        };
         let knots = pair.teeth.knots(face, section);
         let all = knots.windows(2).map(|ends| [ends[0], ends[1]]);
         let parts = all.flat_map(|ends| parts(&pair.teeth, ends));
@@ -370,59 +401,68 @@ impl<'a> AlongFace<'a> {
         bounded
     }
 
+    /// Turns of both teeth of a pair by their leads at `b`, mm, without heights, rad.
+    fn turns(&self, pair: &PairOfTeeth, b: f64) -> [f64; 2] {
+        let (leads, bases) = (pair.teeth.leads(b), self.bases());
+        [0, 1].map(|k| -leads[k] / bases[k])
+    }
+
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
     fn look(&self, pair: &PairOfTeeth, b: f64) -> Option<Look> {
         let bases = self.bases();
-        let leads = pair.teeth.leads(b);
-        let turns = [0, 1].map(|k| -leads[k] / bases[k]);
-        let found = self.touch(pair, b, turns, self.nominal)?;
-        // Leads are those at the heights of the touch. Their knots are there too, so that only what is smooth is taken from beside.
-        let teeth = pair
-            .teeth
-            .with_heights(found.heights.map(|height| [height, 1.0]));
-        let mut gap = found.gap;
-        let smooth = if self.leaning.is_some() {
-            let there = teeth.leads(b);
+        let turns = self.turns(pair, b);
+        let found = self.touch(pair, b, turns)?;
+        // Leads rise with heights. Their knots are there too, so that only what is smooth is taken from beside.
+        let (mut rising, mut smooth) = ([1.0; 2], found.moving);
+        let mut twists = self.twists;
+        if let Some(leaning) = &self.leaning {
+            let turned = [0, 1].map(|k| self.twists[k] * (b + NEIGHBOUR) + turns[k]);
+            let at = (pair.step, b + NEIGHBOUR);
+            let (_, _, after) = leaning.undisturbed(self.posed, at, turned, &self.start)?;
             for k in [0, 1] {
-                gap -= found.by_turn[k] * (there[k] - leads[k]) / bases[k];
+                rising[k] += (after.heights[k] - found.heights[k]) / NEIGHBOUR;
+                twists[k] += (after.turns[k] - found.turned[k]) / NEIGHBOUR;
             }
-            let beside = [NEIGHBOUR, -NEIGHBOUR].map(|beside| b + beside);
-            let [after, before] = beside.map(|b| self.touch(pair, b, turns, found.gap));
-            (after?.gap - before?.gap) / (2.0 * NEIGHBOUR)
-        } else {
-            found.by_turn[0] * self.twists[0] + found.by_turn[1] * self.twists[1]
-        };
-        let rates = teeth.rates(b);
-        let rate = |k: usize| -found.by_turn[k] * rates[k] / bases[k];
+        }
+        let heights = [0, 1].map(|k| [found.heights[k] + b * (1.0 - rising[k]), rising[k]]);
+        let rates = pair.teeth.with_heights(heights).rates(b);
+        for k in [0, 1] {
+            smooth += found.by_turn[k] * (twists[k] - rates[k] / bases[k]);
+        }
         Some(Look {
             b,
-            gap,
-            rate: smooth + rate(0) + rate(1),
+            gap: found.gap,
+            rate: smooth,
         })
     }
 
-    /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other. They are turned by `turns`, rad, beside the
-    /// twist. The touch is searched from the gap `near`.
-    fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2], near: f64) -> Option<Touch> {
+    /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other. `turns` has their turns by leads without
+    /// heights, rad.
+    fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2]) -> Option<Touch> {
         self.effort.spend(LOOK);
-        let step = pair.step;
+        let (step, bases) = (pair.step, self.bases());
         let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
-        let (here, near, turns, heights) = match &self.leaning {
-            None => (*self.posed, near, turns, [0.0; 2]),
+        let (here, turns, heights, turned) = match &self.leaning {
+            None => (*self.posed, turns, [0.0; 2], [0.0; 2]),
             Some(leaning) => {
                 // As in a section, heights are those of the touch before they turn the teeth, of involutes and their ends.
-                let (here, near, there) =
-                    leaning.undisturbed(self.posed, (step, b), turns, near)?;
-                let turns = [0, 1].map(|k| turns[k] + there.turns[k]);
-                (here, near, turns, there.heights)
+                let (here, _, there) =
+                    leaning.undisturbed(self.posed, (step, b), turns, &self.start)?;
+                let teeth = pair
+                    .teeth
+                    .with_heights(there.heights.map(|height| [height, 1.0]));
+                let (leads, plain) = (teeth.leads(b), pair.teeth.leads(b));
+                let turns =
+                    [0, 1].map(|k| turns[k] + there.turns[k] - (leads[k] - plain[k]) / bases[k]);
+                (here, turns, there.heights, there.turns)
             }
         };
-        let found = Separation::turned(&here, step, near, turns);
+        let found = Separation::beside(&here, step, turns, &self.start);
         let is_searched = match pair.fillets {
             Fillets::None => false,
             Fillets::BelowForm => {
                 let play = if self.assembly.is_modified() {
-                    self.most_moved(&pair.teeth) * self.per_moved()
+                    self.most_moved * self.per_moved()
                 } else {
                     0.0
                 };
@@ -437,16 +477,36 @@ impl<'a> AlongFace<'a> {
         };
         let teeth = is_searched.then(|| TurnedTeeth::new(&here, step, turns));
         let contact = teeth.and_then(|teeth| teeth.in_fillets(floor, self.effort));
-        let (gap, by_turn) = match &contact {
-            Some(contact) => (contact.gap, by_turn(&here, contact)),
-            None if found.touches && !self.assembly.is_modified() => (found.gap, found.by_turn),
+        let (gap, by_turn, moving) = match &contact {
+            Some(contact) => (
+                contact.gap,
+                by_turn(&here, contact),
+                self.moving_in_fillets(contact),
+            ),
+            None if found.touches && !self.assembly.is_modified() => {
+                let moving = self.leaning.as_ref();
+                let moving = moving.map_or(0.0, |leaning| leaning.rate(&found, &self.start));
+                (found.gap, found.by_turn, -moving / found.turning)
+            }
             None => return None,
         };
         Some(Touch {
             gap,
             by_turn,
+            moving,
             heights,
+            turned,
         })
+    }
+
+    /// Rate of the gap of a `contact` in a fillet by the moves of both centres along the face, rad per mm.
+    fn moving_in_fillets(&self, contact: &CandidateContact) -> f64 {
+        let Some(leaning) = &self.leaning else {
+            return 0.0;
+        };
+        let moves = leaning.moves(turn(contact.gap));
+        let about = (contact.point.conj() * contact.normal).im;
+        (moves.conj() * contact.normal).re / about
     }
 
     /// Both ends of the face of a pair, mm, where the teeth of both gears are in the section where they touch.
@@ -457,33 +517,45 @@ impl<'a> AlongFace<'a> {
         }
         let members = [self.assembly.locked(), self.assembly.free()];
         [0, 1].map(|which| {
-            let ends = [0, 1].map(|k| {
-                let own = self.assembly.own_face(members[k])[which];
-                self.section_of(pair, k, own)
-            });
-            if which == 0 {
-                ends[0].max(ends[1])
-            } else {
-                ends[0].min(ends[1])
+            let own = members.map(|member| self.assembly.own_face(member)[which]);
+            let mut b = face[which];
+            // Each round leaves the lean's part of the last error.
+            for _ in 0..ROUNDS_OF_HEIGHTS {
+                let Some(heights) = self.heights(pair, b) else {
+                    return face[which];
+                };
+                let ends = [0, 1].map(|k| own[k] - heights[k]);
+                b = if which == 0 {
+                    ends[0].max(ends[1])
+                } else {
+                    ends[0].min(ends[1])
+                };
             }
+            b
         })
+    }
+
+    /// Heights of the point over the section at `b`, mm, at which a pair touches there.
+    fn heights(&self, pair: &PairOfTeeth, b: f64) -> Option<[f64; 2]> {
+        let Some(leaning) = &self.leaning else {
+            return Some([0.0; 2]);
+        };
+        self.effort.spend(LOOK);
+        let turns = self.turns(pair, b);
+        let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
+        let found = leaning.undisturbed(self.posed, (pair.step, b), turns, &self.start);
+        found.map(|(_, _, touch)| touch.heights)
     }
 
     /// The section, mm, in which a pair touches at the height `own`, mm, of the gear `k`.
     fn section_of(&self, pair: &PairOfTeeth, k: usize, own: f64) -> f64 {
-        if self.leaning.is_none() {
-            return own;
-        }
-        let bases = self.bases();
         let mut b = own;
         // Each round leaves the lean's part of the last error.
         for _ in 0..ROUNDS_OF_HEIGHTS {
-            let leads = pair.teeth.leads(b);
-            let turns = [0, 1].map(|k| -leads[k] / bases[k]);
-            let Some(touch) = self.touch(pair, b, turns, self.nominal) else {
+            let Some(heights) = self.heights(pair, b) else {
                 return own;
             };
-            b = own - touch.heights[k];
+            b = own - heights[k];
         }
         b
     }

@@ -3,10 +3,12 @@
 //! A section of teeth that deviate along the face differs from the measuring plane by slight turns of its flanks and by the centres of its
 //! outlines. A few teeth of either gear are in reach of the mate. Only these are turned.
 
+use super::direct::DirectSolver;
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::section::Section;
 use super::shape::{C, turn};
 use super::teeth::{Teeth, reduced};
+use crate::gear::{AsBuilt, Side};
 use crate::pair::{GearPair, Leaning, LeaningSide, Member, Pose};
 use std::sync::Arc;
 
@@ -32,13 +34,13 @@ pub(super) struct SectionPlace<'a> {
 }
 
 impl<'a> SectionSide<'a> {
-    /// The side of `problem`, which is that of the measuring plane `section`, at a place. Leaning axes turn the far flanks of teeth only where
-    /// `with_far`. `None` if teeth are in reach of more than one mate.
+    /// The side of `problem`, which is that of the measuring plane `section`, at a place, for its `solver`. Leaning axes turn the far flanks
+    /// of teeth only if a contact may depend on them. `None` if teeth are in reach of more than one mate.
     pub fn new(
         section: &Section,
         problem: &'a FlankProblem,
         place: SectionPlace,
-        with_far: bool,
+        solver: &DirectSolver,
     ) -> Option<SectionSide<'a>> {
         let plane = section.posed(problem, place.here);
         let reach = plane.steps_of_whole_teeth();
@@ -50,6 +52,11 @@ impl<'a> SectionSide<'a> {
         if count >= problem.locked.count().min(problem.free.count()) {
             return None;
         }
+        let shift = place.assembly.most_shift();
+        let with_far = solver.proof.tangents
+            || reach
+                .clone()
+                .any(|step| plane.far_corner_may_reach(solver, step, shift));
         let flanks = FlanksInSection::new(&plane, place, with_far);
         // The far flank of the tooth before the first one ends a root land.
         let turns = (low - 1..=high).map(|step| flanks.turns(step));
@@ -86,6 +93,8 @@ struct FlanksInSection<'a> {
     distance: f64,
     /// Displacements of both outlines at rotation 0.
     offs: (C, C),
+    /// Turns of this flank and of the other one by leads that all teeth of a gear share, rad in the picture.
+    leads: [Option<[f64; 2]>; 2],
     /// Turn of the picture in which the line of centres is the x axis, rad.
     turned: f64,
     /// The teeth of this side of leaning axes, and of the other one if far flanks are needed.
@@ -101,6 +110,11 @@ impl<'a> FlanksInSection<'a> {
         let (assembly, problem) = (place.assembly, plane.problem);
         let members = [assembly.locked(), assembly.free()];
         let side = problem.side;
+        let leads = members.map(|member| {
+            let gear = assembly.gear(member);
+            let turn = |flank| turn_by_lead(gear, flank, 1, place.b);
+            gear.has_one_lead().then(|| [side, side.other()].map(turn))
+        });
         if !assembly.leans() {
             // The eccentricity is constant along the axis, and teeth wind.
             let wound = |member| turn(-plane.twist(assembly, member) * place.b);
@@ -113,6 +127,7 @@ impl<'a> FlanksInSection<'a> {
                     problem.locked_off * wound(members[0]),
                     problem.free_off * wound(members[1]),
                 ),
+                leads,
                 turned: 0.0,
                 leaning: None,
             };
@@ -132,6 +147,7 @@ impl<'a> FlanksInSection<'a> {
             members,
             distance: between.norm(),
             offs: (off(members[0]), off(members[1])),
+            leads,
             turned: mirror * turned,
             leaning: Some((
                 leaning.touching(side),
@@ -146,16 +162,12 @@ impl<'a> FlanksInSection<'a> {
         let (assembly, b, side) = (self.place.assembly, self.place.b, problem.side);
         let (locked, free) = self.plane.places(step);
         let numbers = [problem.locked.number(locked), problem.free.number(free)];
-        let leaning = self.leaning(step);
+        let (leaning, mirror) = (self.leaning(step), self.plane.mirror());
         [0, 1].map(|k| {
             let gear = assembly.gear(self.members[k]);
-            let mirror = self.plane.mirror();
-            [side, side.other()].map(|flank| {
-                let lead = gear.lead(flank, numbers[k], b) - gear.lead(flank, numbers[k], 0.0);
-                let turned = flank.sense() * lead / gear.gear().base_radius();
-                let leaning = leaning[k][usize::from(flank != side)];
-                self.turned + mirror * (turned + leaning)
-            })
+            let lead = |flank| turn_by_lead(gear, flank, numbers[k], b);
+            let leads = self.leads[k].unwrap_or_else(|| [side, side.other()].map(lead));
+            [0, 1].map(|flank| self.turned + mirror * (leads[flank] + leaning[k][flank]))
         })
     }
 
@@ -177,4 +189,10 @@ impl<'a> FlanksInSection<'a> {
             [own[1], far.turns(step + onward)[1]],
         ]
     }
+}
+
+/// Turn of a tooth's flank by its lead from the measuring plane to the section at `b`, rad, counter-clockwise.
+fn turn_by_lead(gear: &AsBuilt, side: Side, tooth: u32, b: f64) -> f64 {
+    let lead = gear.lead(side, tooth, b) - gear.lead(side, tooth, 0.0);
+    side.sense() * lead / gear.gear().base_radius()
 }

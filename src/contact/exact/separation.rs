@@ -314,6 +314,23 @@ impl Separation {
         [0, 1].map(|k| self.rolls[k].clamp(self.arcs[k].form, self.arcs[k].tip))
     }
 
+    /// Room that involutes with ends have more than endless ones where these have `rolls` on the line of action, mm.
+    pub fn room(&self, rolls: [f64; 2], ends: [[f64; 2]; 2]) -> f64 {
+        let room = |k: usize| {
+            let arc = Arc {
+                base: self.arcs[k].base,
+                form: ends[k][0],
+                tip: ends[k][1],
+            };
+            let slight = |angle: f64| {
+                let turned = slightly_turned(angle);
+                (turned.im, turned.re)
+            };
+            arc.base * (rolls[k] - arc.support_by(rolls[k], slight)[0])
+        };
+        room(0) + room(1)
+    }
+
     /// Whether a roll is within `play` of the form circle, or below it.
     pub fn is_below_form(&self, play: f64) -> bool {
         [0, 1]

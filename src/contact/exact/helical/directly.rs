@@ -23,8 +23,6 @@ pub(super) struct Directly {
     solver: DirectSolver,
     /// Both sides of the measuring plane, with all teeth that can reach the mate in any section.
     sides: [FlankProblem; 2],
-    /// Whether contacts may depend on the far flanks of teeth.
-    with_far: bool,
 }
 
 impl Directly {
@@ -46,11 +44,7 @@ impl Directly {
         } else {
             (solver.clone(), [plane.right.clone(), plane.left.clone()])
         };
-        solver.proof.is_direct().then(|| Directly {
-            with_far: solver.proof.tangents || solver.free_off > 0.0,
-            solver,
-            sides,
-        })
+        solver.proof.is_direct().then(|| Directly { solver, sides })
     }
 }
 
@@ -85,7 +79,7 @@ impl Helical {
                 here: &here,
                 b,
             };
-            let at = SectionSide::new(&self.plane, problem, place, directly.with_far)?;
+            let at = SectionSide::new(&self.plane, problem, place, &directly.solver)?;
             let contact = self.plane.contact(&at.posed(), &directly.solver, effort)?;
             let on = |own: Side| {
                 (own == side).then_some(Contact {

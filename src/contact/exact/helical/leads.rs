@@ -22,6 +22,7 @@ use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::LeaningFrame;
 use crate::contact::exact::separation::{NearStart, Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
+use crate::gear::ProfilePart;
 use crate::pair::{FacingTeeth, GearPair};
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
@@ -62,12 +63,14 @@ pub(super) struct AlongFace<'a> {
     start: NearStart,
     /// The pair of step 0 on it, with endless involutes.
     first: Separation,
+    /// Lowest and greatest roll of the locked and the free involute.
+    ends: [[f64; 2]; 2],
     /// Where axes lean: how the frame changes along the face.
     leaning: Option<LeaningFrame>,
     /// Bound of the lean's effect on a gap of the face, mm along the base tangent.
     most_leaning: f64,
     /// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
-    most_moved: f64,
+    most_of_any: f64,
     /// Whether tips can touch fillets.
     in_fillets: bool,
     effort: &'a Effort,
@@ -140,7 +143,7 @@ impl<'a> AlongFace<'a> {
         assembly: &'a GearPair,
         posed: &'a PosedFlanks<'a>,
         nominal: f64,
-        (most_moved, in_fillets): (f64, bool),
+        (most_of_any, in_fillets): (f64, bool),
         effort: &'a Effort,
     ) -> AlongFace<'a> {
         let members = [assembly.locked(), assembly.free()];
@@ -156,9 +159,11 @@ impl<'a> AlongFace<'a> {
             twists: members.map(|member| posed.twist(assembly, member)),
             start: NearStart::new(posed, near),
             first,
+            ends: [&posed.problem.locked, &posed.problem.free]
+                .map(|teeth| [lowest_roll(&teeth.shape), teeth.shape.tip_roll]),
             leaning: LeaningFrame::new(assembly, posed),
             most_leaning: assembly.most_shift() + assembly.most_lean() * wound * reach,
-            most_moved,
+            most_of_any,
             in_fillets,
             effort,
         }
@@ -194,6 +199,8 @@ impl<'a> AlongFace<'a> {
         turns.sort_by(f64::total_cmp);
         let steps = self.posed.steps_over(turns);
         let steps = steps.filter(|_| self.first.touches);
+        let level = self.level(steps.clone()).max(floor - tie);
+        let steps = steps.filter(|step| self.can_reach(*step, level));
         let pairs = steps.map(|step| self.pair(step, floor - tie));
         let mut pairs: Vec<PairOfTeeth> = pairs.collect();
         pairs.extend(deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)));
@@ -237,6 +244,38 @@ impl<'a> AlongFace<'a> {
         places
     }
 
+    /// A gap that a pair of `steps` reaches: that of the tightest on the line of action somewhere on the face, without what its leads may take.
+    fn level(&self, steps: impl Iterator<Item = i64>) -> f64 {
+        let gaps = steps.filter_map(|step| {
+            let (gap, rolls) = self.endless(step);
+            let [from, to] = self.on_line(rolls);
+            // Leads and leans change rolls by less.
+            let play = 2.0 * self.most_of_any * self.per_moved();
+            let is_inside = |k: usize| {
+                let roll = rolls[k] - self.twists[k] * 0.5 * (from + to);
+                roll - play >= self.ends[k][0] && roll + play <= self.ends[k][1]
+            };
+            (is_inside(0) && is_inside(1)).then_some(gap)
+        });
+        gaps.fold(f64::NEG_INFINITY, f64::max) - 2.0 * self.most_of_any / self.bases()[1]
+    }
+
+    /// Whether the gap of a step may exceed `level`: false if the direction of the line of action keeps its teeth apart there.
+    fn can_reach(&self, step: i64, level: f64) -> bool {
+        if self.in_fillets || self.assembly.is_modified() || !level.is_finite() {
+            return true;
+        }
+        let (gap, rolls) = self.endless(step);
+        let [b, _] = self.on_line(rolls);
+        let rolls = [
+            rolls[0] - self.twists[0] * b,
+            rolls[1] + (gap - level) - self.twists[1] * b,
+        ];
+        // Turns of the teeth move either of them by no more than this along the line.
+        let room = self.first.room(rolls, self.ends) + (level - gap) * self.first.turning;
+        room <= 2.0 * self.most_of_any
+    }
+
     /// The pair of a step. Fillets are left out where its gap cannot exceed `floor`.
     fn pair(&self, step: i64, floor: f64) -> PairOfTeeth<'a> {
         let (endless, rolls) = self.endless(step);
@@ -247,17 +286,17 @@ impl<'a> AlongFace<'a> {
         self.effort.spend(LOOK);
         let nearest = Separation::beside(self.posed, step, turns, &self.start);
         let most = if nearest.touches {
-            nearest.gap + self.beside(&nearest)
+            nearest.gap + self.beside(&teeth, &nearest)
         } else {
             endless
         };
-        let turned = self.most_moved * self.per_moved();
+        let turned = self.most_moved(&teeth) * self.per_moved();
         let is_below_form = |found: &Separation| !found.touches || found.is_below_form(turned);
         let mut most = most.min(endless);
         let mut fillets = Fillets::None;
         // From the end of the line on, the gap of a fillet falls. A pair with a line on the face is as tight at that end.
         let may_be_below_form = || {
-            most + self.most_in_fillets() > floor
+            most + self.most_in_fillets(&teeth) > floor
                 && self.assembly.face().iter().any(|b| {
                     let turns = self.twists.map(|twist| twist * b);
                     self.effort.spend(LOOK);
@@ -283,7 +322,7 @@ impl<'a> AlongFace<'a> {
     fn pair_at(&self, step: i64, b: f64, floor: f64) -> Option<PairOfTeeth<'a>> {
         let teeth = self.posed.facing_teeth(self.assembly, step);
         let turned = TurnedTeeth::new(self.posed, step, self.twists.map(|twist| twist * b));
-        let contact = turned.in_fillets(floor - self.most_in_fillets(), self.effort)?;
+        let contact = turned.in_fillets(floor - self.most_in_fillets(&teeth), self.effort)?;
         Some(PairOfTeeth {
             step,
             teeth,
@@ -294,8 +333,8 @@ impl<'a> AlongFace<'a> {
     }
 
     /// Bound of what leads and leans change the gap of a touch in a fillet.
-    fn most_in_fillets(&self) -> f64 {
-        MOST_BY_ARMS * self.most_moved / self.bases()[1]
+    fn most_in_fillets(&self, teeth: &FacingTeeth) -> f64 {
+        MOST_BY_ARMS * self.most_moved(teeth) / self.bases()[1]
     }
 
     /// Turn of both teeth by 1 mm along the base tangent, rad.
@@ -310,10 +349,28 @@ impl<'a> AlongFace<'a> {
         [problem.locked.shape.base, problem.free.shape.base]
     }
 
+    /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
+    fn most_moved(&self, teeth: &FacingTeeth) -> f64 {
+        if !self.assembly.is_modified() {
+            return self.most_of_any;
+        }
+        let leads = teeth.teeth.map(|(gear, tooth)| {
+            let curve = gear.lead_curve(teeth.side, tooth);
+            curve.map_or(0.0, |curve| curve.range())
+        });
+        let profiles = teeth.teeth.map(|(gear, tooth)| {
+            let flank = gear.modification(teeth.side, tooth);
+            let range = gear.profile(teeth.side, tooth).range(ProfilePart::Involute);
+            let own = flank.map_or([0.0; 2], |curve| curve.bounds(range.0, range.1)[0]);
+            own[0].abs().max(own[1].abs())
+        });
+        leads[0] + leads[1] + self.most_leaning + profiles[0] + profiles[1]
+    }
+
     /// Bound of what leads and leans take from the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
-    fn beside(&self, nearest: &Separation) -> f64 {
+    fn beside(&self, teeth: &FacingTeeth, nearest: &Separation) -> f64 {
         let bases = self.bases();
-        let turned = self.most_moved * self.per_moved();
+        let turned = self.most_moved(teeth) * self.per_moved();
         let (rolls, on) = (nearest.rolls(), nearest.rolls_on_arcs());
         // The room of a tip passed by ω grows with ω at most by √(1 + ξ²) ω.
         let passed = [0, 1].map(|k| {
@@ -364,7 +421,7 @@ impl<'a> AlongFace<'a> {
                 return (ends, f64::INFINITY);
             }
             if pair.fillets != Fillets::None {
-                return (ends, pair.most + self.most_in_fillets());
+                return (ends, pair.most + self.most_in_fillets(&pair.teeth));
             }
             let leads = [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]].map(|b| pair.teeth.lead(b));
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
@@ -462,7 +519,7 @@ impl<'a> AlongFace<'a> {
             Fillets::None => false,
             Fillets::BelowForm => {
                 let play = if self.assembly.is_modified() {
-                    self.most_moved * self.per_moved()
+                    self.most_moved(&pair.teeth) * self.per_moved()
                 } else {
                     0.0
                 };
@@ -628,7 +685,9 @@ impl<'a> AlongFace<'a> {
         // Regula falsi, halving the rate of an end that stays (Illinois).
         let mut rates = [low.rate, high.rate];
         for _ in 0..MOST_STEPS {
-            if (high.b - low.b) * low.rate.abs().min(high.rate.abs()) < SETTLED {
+            // The rate falls by this much per mm, and the gap rises from either end by half its square over it.
+            let rate = low.rate.abs().min(high.rate.abs());
+            if (high.b - low.b) * rate * rate < SETTLED * (low.rate - high.rate) {
                 break;
             }
             let share = rates[0] / (rates[0] - rates[1]);

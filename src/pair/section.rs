@@ -53,13 +53,25 @@ impl Pose {
 impl GearPair {
     /// Bound on what flanks that a section keeps beyond the ends of their teeth add to a contact, mm along the base tangent.
     pub(crate) fn beyond_ends(&self) -> f64 {
+        AT_END * (self.steepest_leads() + self.most_lean())
+    }
+
+    /// Bound on what the heights of leaning axes change the leads of a pair of teeth, mm.
+    pub(crate) fn by_heights(&self) -> f64 {
+        if self.leans() {
+            self.most_height() * self.steepest_leads()
+        } else {
+            0.0
+        }
+    }
+
+    /// Bound on the sum of the rates of two leads, mm per mm.
+    fn steepest_leads(&self) -> f64 {
         let height = self.most_height();
         let [from, to] = self.face();
-        let rate = |member| {
-            self.gear(member)
-                .steepest_lead([from - height, to + height])
-        };
-        AT_END * (rate(Member::Wheel) + rate(Member::Pinion) + self.most_lean())
+        let face = [from - height, to + height];
+        let rate = |member| self.gear(member).steepest_lead(face);
+        rate(Member::Wheel) + rate(Member::Pinion)
     }
 }
 
@@ -71,6 +83,8 @@ pub(crate) struct Leaning<'a> {
     pose: &'a Pose,
     /// The section, mm from the measuring plane.
     b: f64,
+    /// Dimensions of both gears, wheel first.
+    gears: [Dimensions; 2],
     /// Places of both axes, mm, wheel first.
     axes: [Vector2<f64>; 2],
     /// Lean of each shaft and of each toothing, mm per mm.
@@ -80,6 +94,17 @@ pub(crate) struct Leaning<'a> {
     centres: [Vector2<f64>; 2],
     /// Both ends of the teeth of each gear, mm from this section.
     faces: [[f64; 2]; 2],
+}
+
+/// Dimensions of a gear.
+#[derive(Clone, Copy)]
+struct Dimensions {
+    /// `r_b`, mm, and `ψ_b`, rad.
+    base: f64,
+    half_base: f64,
+    /// `τ`, rad, and twist, rad/mm.
+    pitch: f64,
+    twist: f64,
 }
 
 /// Turns of the right and left flanks of every tooth, rad, counter-clockwise, tooth 1 first.
@@ -102,6 +127,15 @@ impl<'a> Leaning<'a> {
             assembly,
             pose,
             b,
+            gears: Member::BOTH.map(|member| {
+                let gear = assembly.gear(member).gear();
+                Dimensions {
+                    base: gear.base_radius(),
+                    half_base: gear.half_base_angle(),
+                    pitch: gear.basic_data().angular_pitch(),
+                    twist: gear.basic_data().twist(),
+                }
+            }),
             axes,
             shafts,
             leans: [0, 1].map(|k| shafts[k] + own[k]),
@@ -176,11 +210,9 @@ impl<'a> Leaning<'a> {
 
     /// Direction of a flank in this section without its lean, less that of its tooth's undisturbed centre line, rad.
     fn flank(&self, member: Member, side: Side, tooth: u32) -> f64 {
-        let gear = self.assembly.gear(member);
+        let (gear, own) = (self.assembly.gear(member), &self.gears[member as usize]);
         let lead = gear.lead(side, tooth, self.b) - gear.lead(side, tooth, 0.0);
-        let base = gear.gear();
-        let turned = gear.flank_offset(side, tooth) + side.sense() * lead / base.base_radius();
-        turned + side.sense() * base.half_base_angle()
+        gear.flank_offset(side, tooth) + side.sense() * (lead / own.base + own.half_base)
     }
 
     /// The teeth of `side` on the line of action, with the free gear where the pair nearest to the line of centres touches.
@@ -190,11 +222,11 @@ impl<'a> Leaning<'a> {
         let gears = [locked, free].map(|member| pair.gear(member).gear());
         let mating = pose.mating().tooth(locked);
         let from_line = pose.locked_rotation() + pair.gear(locked).tooth_angle(f64::from(mating));
-        let pitch = gears[0].basic_data().angular_pitch();
+        let pitch = self.gears[locked as usize].pitch;
         let mut touching = LeaningSide {
             leaning: *self,
             side,
-            bases: gears.map(|gear| gear.base_radius()),
+            bases: [locked, free].map(|member| self.gears[member as usize].base),
             rolls: gears.map(|gear| [gear.form_roll(), gear.tip_roll()]),
             length: 0.0,
             tangent: 0.0,
@@ -273,7 +305,7 @@ impl LeaningSide<'_> {
     fn roll(&self, step: i64) -> f64 {
         let (leaning, s) = (&self.leaning, self.side.sense());
         let (pair, locked) = (leaning.assembly, leaning.assembly.locked());
-        let pitch = pair.gear(locked).gear().basic_data().angular_pitch();
+        let pitch = leaning.gears[locked as usize].pitch;
         let tooth = leaning.pose.locked_tooth(pair, step);
         let flank = leaning.flank(locked, self.side, tooth);
         -s * reduced(self.tangent - (self.mating_at + step as f64 * pitch + flank))
@@ -360,21 +392,25 @@ impl Leaning<'_> {
         let (gear, lean) = (self.assembly.gear(member), self.leans[member as usize]);
         let from_axis = point - self.centres[member as usize];
         let square = lean.norm_squared();
-        let (s, base) = (side.sense(), gear.gear().base_radius());
+        let (s, own) = (side.sense(), &self.gears[member as usize]);
         let k = (1.0 + square).sqrt();
         let along = lean.dot(&from_axis);
         // Over this section.
         let height = self.b * (k - 1.0) + along / k;
         let [from, to] = self.faces[member as usize];
         if height < from - AT_END || height > to + AT_END {
-            return -s * TURNED_BACK * gear.gear().basic_data().angular_pitch();
+            return -s * TURNED_BACK * own.pitch;
         }
         if square == 0.0 {
             return 0.0;
         }
-        let lead = gear.lead(side, tooth, self.b + height) - gear.lead(side, tooth, self.b);
+        let lead = if gear.has_leads() {
+            gear.lead(side, tooth, self.b + height) - gear.lead(side, tooth, self.b)
+        } else {
+            0.0
+        };
         let stretch = (1.0 - 1.0 / k) / square * along * normal.dot(&lean);
-        height * gear.gear().basic_data().twist() + s * (lead + stretch) / base
+        height * own.twist + s * (lead + stretch) / own.base
     }
 }
 

@@ -46,7 +46,7 @@ use crate::pair::{GearPair, Member, Pose};
 use directly::Directly;
 use edges::Edges;
 use facing::{Facing, Floors};
-use leads::{AlongFace, MOST_BY_ARMS};
+use leads::{AlongFace, FaceBounds, MOST_BY_ARMS};
 use profiles::{AlongFlanks, Highest, LEVEL};
 use std::borrow::Cow;
 use turning::FreeGear;
@@ -80,12 +80,9 @@ pub(super) struct Helical {
     sections: Vec<(f64, Section)>,
     /// Further places between the sections where an edge may touch tightest.
     edges: Option<Edges>,
-    /// Whether tips can touch fillets.
-    in_fillets: bool,
     /// Error of each contact by what sections of leaning axes leave out, rad of the free gear.
     left_out: f64,
-    /// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
-    most_moved: f64,
+    bounds: FaceBounds,
     /// How sections are solved that need no search.
     directly: Option<Box<Directly>>,
 }
@@ -151,10 +148,13 @@ impl Helical {
         };
         let directly = Directly::new(assembly, plane, edges.as_ref()).map(Box::new);
         Helical {
-            most_moved,
+            bounds: FaceBounds {
+                most_moved,
+                by_heights: assembly.by_heights(),
+                in_fillets,
+            },
             directly,
             edges,
-            in_fillets,
             left_out,
             assembly: assembly.clone(),
             plane: plane.clone(),
@@ -231,14 +231,8 @@ impl Helical {
         floor: f64,
         effort: &Effort,
     ) -> Vec<f64> {
-        let (assembly, in_fillets) = (&self.assembly, self.in_fillets);
-        let along = AlongFace::new(
-            assembly,
-            posed,
-            nominal,
-            (self.most_moved, in_fillets),
-            effort,
-        );
+        let (assembly, in_fillets) = (&self.assembly, self.bounds.in_fillets);
+        let along = AlongFace::new(assembly, posed, nominal, self.bounds, effort);
         // Leads can hold a pair that the known contact would leave out.
         let stands = FreeGear {
             rotation: posed.rotation(if floor.is_finite() { floor } else { nominal }),

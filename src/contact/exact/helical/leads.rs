@@ -50,6 +50,9 @@ pub(super) const MOST_BY_ARMS: f64 = 2.0;
 /// Limit of steps to the maximum of a stretch. Six to twelve are usual.
 const MOST_STEPS: usize = 60;
 
+/// Gap, rad, by which two places are equally tight: some roundings.
+const ROUNDED: f64 = 4e-15;
+
 /// Gap, rad, by which a step to a maximum may still change it: rounding.
 const SETTLED: f64 = 1e-15;
 
@@ -69,11 +72,19 @@ pub(super) struct AlongFace<'a> {
     leaning: Option<LeaningFrame>,
     /// Bound of the lean's effect on a gap of the face, mm along the base tangent.
     most_leaning: f64,
-    /// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
-    most_of_any: f64,
-    /// Whether tips can touch fillets.
-    in_fillets: bool,
+    bounds: FaceBounds,
     effort: &'a Effort,
+}
+
+/// What all teeth of a pair of gears have in common over the face.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FaceBounds {
+    /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
+    pub most_moved: f64,
+    /// Bound of what heights of leaning axes change both leads of a pair, mm.
+    pub by_heights: f64,
+    /// Whether tips can touch fillets.
+    pub in_fillets: bool,
 }
 
 /// A stretch between knots, in several parts where the leads are hollow.
@@ -143,7 +154,7 @@ impl<'a> AlongFace<'a> {
         assembly: &'a GearPair,
         posed: &'a PosedFlanks<'a>,
         nominal: f64,
-        (most_of_any, in_fillets): (f64, bool),
+        bounds: FaceBounds,
         effort: &'a Effort,
     ) -> AlongFace<'a> {
         let members = [assembly.locked(), assembly.free()];
@@ -163,8 +174,7 @@ impl<'a> AlongFace<'a> {
                 .map(|teeth| [lowest_roll(&teeth.shape), teeth.shape.tip_roll]),
             leaning: LeaningFrame::new(assembly, posed),
             most_leaning: assembly.most_shift() + assembly.most_lean() * wound * reach,
-            most_of_any,
-            in_fillets,
+            bounds,
             effort,
         }
     }
@@ -234,10 +244,10 @@ impl<'a> AlongFace<'a> {
                 let pair = self.pair(step, floor);
                 let turns = self.turns(&pair, plane);
                 let touch = self.touch(&pair, plane, turns);
-                touch.is_some_and(|touch| touch.gap >= best - tie)
+                touch.is_some_and(|touch| touch.gap >= best - ROUNDED)
             };
             if places.first() != Some(&plane) && found.iter().any(|(step, _)| ties(*step)) {
-                places.insert(0, plane);
+                places = vec![plane];
             }
         }
         places.dedup();
@@ -250,19 +260,19 @@ impl<'a> AlongFace<'a> {
             let (gap, rolls) = self.endless(step);
             let [from, to] = self.on_line(rolls);
             // Leads and leans change rolls by less.
-            let play = 2.0 * self.most_of_any * self.per_moved();
+            let play = 2.0 * self.bounds.most_moved * self.per_moved();
             let is_inside = |k: usize| {
                 let roll = rolls[k] - self.twists[k] * 0.5 * (from + to);
                 roll - play >= self.ends[k][0] && roll + play <= self.ends[k][1]
             };
             (is_inside(0) && is_inside(1)).then_some(gap)
         });
-        gaps.fold(f64::NEG_INFINITY, f64::max) - 2.0 * self.most_of_any / self.bases()[1]
+        gaps.fold(f64::NEG_INFINITY, f64::max) - 2.0 * self.bounds.most_moved / self.bases()[1]
     }
 
     /// Whether the gap of a step may exceed `level`: false if the direction of the line of action keeps its teeth apart there.
     fn can_reach(&self, step: i64, level: f64) -> bool {
-        if self.in_fillets || self.assembly.is_modified() || !level.is_finite() {
+        if self.bounds.in_fillets || self.assembly.is_modified() || !level.is_finite() {
             return true;
         }
         let (gap, rolls) = self.endless(step);
@@ -273,7 +283,7 @@ impl<'a> AlongFace<'a> {
         ];
         // Turns of the teeth move either of them by no more than this along the line.
         let room = self.first.room(rolls, self.ends) + (level - gap) * self.first.turning;
-        room <= 2.0 * self.most_of_any
+        room <= 2.0 * self.bounds.most_moved
     }
 
     /// The pair of a step. Fillets are left out where its gap cannot exceed `floor`.
@@ -304,7 +314,7 @@ impl<'a> AlongFace<'a> {
                     is_below_form(&found)
                 })
         };
-        if self.in_fillets && (is_below_form(&nearest) || may_be_below_form()) {
+        if self.bounds.in_fillets && (is_below_form(&nearest) || may_be_below_form()) {
             fillets = Fillets::BelowForm;
             let contact = TurnedTeeth::new(self.posed, step, turns).in_fillets(most, self.effort);
             most = contact.map_or(most, |contact| contact.gap);
@@ -352,7 +362,7 @@ impl<'a> AlongFace<'a> {
     /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
     fn most_moved(&self, teeth: &FacingTeeth) -> f64 {
         if !self.assembly.is_modified() {
-            return self.most_of_any;
+            return self.bounds.most_moved;
         }
         let leads = teeth.teeth.map(|(gear, tooth)| {
             let curve = gear.lead_curve(teeth.side, tooth);
@@ -431,10 +441,13 @@ impl<'a> AlongFace<'a> {
             (ends, pair.most + (most + more * most.abs()) / base)
         };
         // Leans move the ends of the face: far pairs are left out before that is known.
-        let leads = pair.teeth.greatest_lead(self.assembly.face()) + self.most_leaning;
+        let leads = pair.teeth.greatest_lead(self.assembly.face());
+        let of_leads = |leads: f64| (leads + more * leads.abs()) / base;
         if is_bound
             && pair.fillets == Fillets::None
-            && pair.most + (leads + more * leads.abs()) / base <= floor
+            && (pair.most + of_leads(leads + self.most_leaning) <= floor
+                || self.most_of_leaning(pair) + of_leads(leads + 2.0 * self.bounds.by_heights)
+                    <= floor)
         {
             return Vec::new();
         }
@@ -462,6 +475,31 @@ impl<'a> AlongFace<'a> {
     fn turns(&self, pair: &PairOfTeeth, b: f64) -> [f64; 2] {
         let (leads, bases) = (pair.teeth.leads(b), self.bases());
         [0, 1].map(|k| -leads[k] / bases[k])
+    }
+
+    /// Bound of the gap of a pair of leaning axes on the face, less what leads add.
+    ///
+    /// Without leads it is linear along the stretch on the line of action, but for a slight concave bend, and falls beyond it against a rate of
+    /// up to the lean. The touch of spur gears is concave over the face.
+    fn most_of_leaning(&self, pair: &PairOfTeeth) -> f64 {
+        if self.leaning.is_none() {
+            return f64::INFINITY;
+        }
+        let base = self.bases()[1];
+        let gap = |b: f64| {
+            let leads = pair.teeth.lead(b) / base;
+            let touch = self.touch(pair, b, self.turns(pair, b));
+            touch.map_or(f64::INFINITY, |touch| touch.gap - leads)
+        };
+        let [from, to] = self.assembly.face();
+        if self.twists[0] == 0.0 {
+            let [low, middle, high] = [from, 0.5 * (from + to), to].map(gap);
+            return middle.max(2.0 * middle - low.min(high));
+        }
+        let [start, end] = pair.window;
+        let wound = (self.twists[0] * self.bases()[0]).powi(2);
+        let most = gap(start).max(gap(end));
+        most + self.assembly.most_lean().powi(2) * self.posed.problem.distance / (wound * base)
     }
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.

@@ -20,9 +20,6 @@ use crate::gear::ProfilePart;
 use crate::pair::GearPair;
 use std::sync::Arc;
 
-/// Greatest turn, rad, of a flank in a section: leads and heights turn it by up to a tenth of that.
-const FAR_TURNS: f64 = 0.02;
-
 /// The data of the quick method besides the teeth.
 #[derive(Debug, Clone)]
 pub(super) struct DirectSolver {
@@ -326,19 +323,18 @@ impl PosedFlanks<'_> {
         (off <= solver.free_off * (2.0 * free_tip + solver.free_off)).then_some(square)
     }
 
-    /// Whether [`PosedFlanks::far_corner_reaches`] may hold in a section whose centres move by up to `shift`, mm.
+    /// Whether [`PosedFlanks::far_corner_reaches`] may hold in a section whose corners move by up to `moved`, mm.
     pub(super) fn far_corner_may_reach(
         &self,
         solver: &DirectSolver,
         step: i64,
-        shift: f64,
+        moved: f64,
     ) -> bool {
         let (place, _) = self.places(step);
         let (locked_teeth, free_tip) = (&self.problem.locked, self.problem.free.shape.tip_radius);
         let point =
             self.centre - self.turned * locked_teeth.direction(place) * locked_teeth.far(place);
-        let turned = FAR_TURNS * (free_tip + locked_teeth.shape.tip_radius);
-        let off = solver.free_off + shift + turned;
+        let off = solver.free_off + moved;
         let beyond = point.norm_sqr() - free_tip * free_tip;
         solver.free_off > 0.0 && beyond.abs() <= off * (2.0 * free_tip + off)
     }

@@ -34,13 +34,14 @@ pub(super) struct SectionPlace<'a> {
 }
 
 impl<'a> SectionSide<'a> {
-    /// The side of `problem`, which is that of the measuring plane `section`, at a place, for its `solver`. Leaning axes turn the far flanks
+    /// The side of `problem`, which is that of the measuring plane `section`, at a place, for its `solver`. Corners of teeth move by up to `moved`, mm,
+    /// from the measuring plane. Leaning axes turn the far flanks
     /// of teeth only if a contact may depend on them. `None` if teeth are in reach of more than one mate.
     pub fn new(
         section: &Section,
         problem: &'a FlankProblem,
         place: SectionPlace,
-        solver: &DirectSolver,
+        (solver, moved): (&DirectSolver, f64),
     ) -> Option<SectionSide<'a>> {
         let plane = section.posed(problem, place.here);
         let reach = plane.steps_of_whole_teeth();
@@ -52,11 +53,10 @@ impl<'a> SectionSide<'a> {
         if count >= problem.locked.count().min(problem.free.count()) {
             return None;
         }
-        let shift = place.assembly.most_shift();
         let with_far = solver.proof.tangents
             || reach
                 .clone()
-                .any(|step| plane.far_corner_may_reach(solver, step, shift));
+                .any(|step| plane.far_corner_may_reach(solver, step, moved));
         let flanks = FlanksInSection::new(&plane, place, with_far);
         // The far flank of the tooth before the first one ends a root land.
         let turns = (low - 1..=high).map(|step| flanks.turns(step));

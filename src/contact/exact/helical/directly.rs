@@ -1,7 +1,7 @@
 //! Pairs that bind anywhere on the face and need no search: each side by itself, from few sections.
 //!
 //! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]), so [`super::leads`] knows the places
-//! of all that can be tightest. The section at the measuring plane shows what has to be exceeded. Where the gears interfere, one section alone
+//! of all that can be tightest. Where the gears interfere, one section alone
 //! can jam; those poses are left to [`Helical::over`].
 
 use super::{Edges, Helical, reduced};
@@ -71,6 +71,8 @@ impl Helical {
         over: &mut OverFace,
     ) -> Option<()> {
         let (assembly, side) = (&self.assembly, problem.side);
+        // Far corners are farther from the centre than the base circle, by less than half.
+        let moved = 2.0 * self.bounds.most_moved + assembly.most_shift();
         let mut section = |b: f64| {
             let here = pose.in_section(assembly, b);
             let place = SectionPlace {
@@ -79,7 +81,7 @@ impl Helical {
                 here: &here,
                 b,
             };
-            let at = SectionSide::new(&self.plane, problem, place, &directly.solver)?;
+            let at = SectionSide::new(&self.plane, problem, place, (&directly.solver, moved))?;
             let contact = self.plane.contact(&at.posed(), &directly.solver, effort)?;
             let on = |own: Side| {
                 (own == side).then_some(Contact {
@@ -95,14 +97,10 @@ impl Helical {
             over.take(b, &here, found);
             over.beyond(side)
         };
-        let [from, to] = assembly.face();
-        let beyond = section(0.0f64.clamp(from, to))?;
         let posed = self.plane.posed(problem, pose);
         let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
-        let floor = nominal - side.sense() * beyond;
-        for b in self.places_of_leads(&posed, nominal, floor, effort) {
-            section(b)?;
-        }
-        Some(())
+        // Without a place that is tight, sections are searched.
+        let places = self.places_of_leads(&posed, nominal, f64::NEG_INFINITY, effort);
+        places.iter().map(|b| section(*b)).last()?.map(|_| ())
     }
 }

@@ -56,6 +56,9 @@ const ROUNDED: f64 = 4e-15;
 /// Gap, rad, by which a step to a maximum may still change it: rounding.
 const SETTLED: f64 = 1e-15;
 
+/// The same for leaning axes, whose rates are those between neighbouring sections. It is a millionth of what their sections leave out, or less.
+const SETTLED_LEANING: f64 = 1e-14;
+
 /// The teeth of one side of a pose over the common face.
 pub(super) struct AlongFace<'a> {
     assembly: &'a GearPair,
@@ -665,7 +668,11 @@ impl<'a> AlongFace<'a> {
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = pair.window.map(inside);
         let low = self.look(pair, start)?;
-        let high = self.look(pair, end)?;
+        let high = if end == start {
+            low
+        } else {
+            self.look(pair, end)?
+        };
         let middle = if self.leaning.is_some() && start < end {
             self.look(pair, 0.5 * (start + end))?
         } else if low.rate > 0.0 {
@@ -720,12 +727,18 @@ impl<'a> AlongFace<'a> {
 
     /// The greatest gap of a step between two places, from which it rises inwards.
     fn between(&self, pair: &PairOfTeeth, mut low: Look, mut high: Look) -> Look {
-        // Regula falsi, halving the rate of an end that stays (Illinois).
+        let settled = if self.leaning.is_some() {
+            SETTLED_LEANING
+        } else {
+            SETTLED
+        };
+        // Regula falsi, halving the rate of an end that stays twice (Illinois).
         let mut rates = [low.rate, high.rate];
+        let mut last_moved = None;
         for _ in 0..MOST_STEPS {
             // The rate falls by this much per mm, and the gap rises from either end by half its square over it.
             let rate = low.rate.abs().min(high.rate.abs());
-            if (high.b - low.b) * rate * rate < SETTLED * (low.rate - high.rate) {
+            if (high.b - low.b) * rate * rate < settled * (low.rate - high.rate) {
                 break;
             }
             let share = rates[0] / (rates[0] - rates[1]);
@@ -733,10 +746,16 @@ impl<'a> AlongFace<'a> {
             let Some(look) = self.look(pair, b) else {
                 break;
             };
-            if look.rate > 0.0 {
-                (low, rates) = (look, [look.rate, 0.5 * rates[1]]);
+            let moved = usize::from(look.rate <= 0.0);
+            if last_moved == Some(moved) {
+                rates[1 - moved] *= 0.5;
+            }
+            rates[moved] = look.rate;
+            last_moved = Some(moved);
+            if moved == 0 {
+                low = look;
             } else {
-                (high, rates) = (look, [0.5 * rates[0], look.rate]);
+                high = look;
             }
         }
         if low.gap >= high.gap { low } else { high }

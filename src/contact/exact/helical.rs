@@ -150,6 +150,7 @@ impl Helical {
         Helical {
             bounds: FaceBounds {
                 most_moved,
+                most_lead: Side::BOTH.map(|side| most_lead(assembly, side)),
                 by_heights: assembly.by_heights(),
                 in_fillets,
             },
@@ -441,6 +442,24 @@ fn most_moved(assembly: &GearPair) -> f64 {
     let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
     let leaning = assembly.most_shift() + assembly.most_lean() * wound * (reach[0] + reach[1]);
     of_gear(Member::Wheel) + of_gear(Member::Pinion) + leaning
+}
+
+/// Greatest sum of the leads of any flanks of a side over the face, less that in the measuring plane, mm.
+fn most_lead(assembly: &GearPair, side: Side) -> f64 {
+    let of_gear = |member| {
+        let gear = assembly.gear(member);
+        let teeth = if gear.has_one_lead() {
+            1
+        } else {
+            assembly.teeth(member)
+        };
+        let most = |tooth| {
+            let [_, most] = gear.lead_bounds(side, tooth, assembly.face())[0];
+            most - gear.lead(side, tooth, 0.0)
+        };
+        (1..=teeth).map(most).fold(f64::NEG_INFINITY, f64::max)
+    };
+    of_gear(Member::Wheel) + of_gear(Member::Pinion)
 }
 
 /// Greatest difference between the places of all flanks, rad of the free gear. `path` is the least path of contact in any section, mm.

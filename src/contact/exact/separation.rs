@@ -456,6 +456,8 @@ impl Trigonometry for Start {
 /// A line of action of many pairs and sections that are near each other: their directions and gaps differ by slight angles.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NearStart {
+    /// The direction and the gap to search from.
+    from: (f64, f64),
     beta: f64,
     gap: f64,
     direction: C,
@@ -467,6 +469,7 @@ impl NearStart {
     pub fn new(posed: &PosedFlanks, gap: f64) -> NearStart {
         let Start { beta, .. } = Start::new(posed, gap);
         NearStart {
+            from: (beta, gap),
             beta,
             gap,
             direction: turn(beta),
@@ -475,10 +478,20 @@ impl NearStart {
     }
 }
 
+impl NearStart {
+    /// This line, with the search from the direction and gap of a touch.
+    pub fn at(&self, found: &Separation) -> NearStart {
+        NearStart {
+            from: (found.beta, found.gap),
+            ..*self
+        }
+    }
+}
+
 impl Trigonometry for NearStart {
     #[inline]
     fn from(&self) -> (f64, f64) {
-        (self.beta, self.gap)
+        self.from
     }
 
     #[inline]

@@ -99,8 +99,17 @@ impl Helical {
         };
         let posed = self.plane.posed(problem, pose);
         let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
+        // Fillets are searched only for what exceeds a known contact.
+        let floor = if self.bounds.in_fillets {
+            let [from, to] = assembly.face();
+            nominal - side.sense() * section(0f64.clamp(from, to))?
+        } else {
+            f64::NEG_INFINITY
+        };
+        for b in self.places_of_leads(&posed, nominal, floor, effort) {
+            section(b)?;
+        }
         // Without a place that is tight, sections are searched.
-        let places = self.places_of_leads(&posed, nominal, f64::NEG_INFINITY, effort);
-        places.iter().map(|b| section(*b)).last()?.map(|_| ())
+        over.beyond(side).map(|_| ())
     }
 }

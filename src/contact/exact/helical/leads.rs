@@ -47,6 +47,9 @@ const FIRST_STEP: f64 = 1.0 / 64.0;
 /// pitch point and the effect is that on an involute. The arms differ beside that place (tuned: twice is more than occurs).
 pub(super) const MOST_BY_ARMS: f64 = 2.0;
 
+/// Roll, rad, beyond the end of an involute that is still on the line of action: some roundings.
+const ON_LINE: f64 = 1e-12;
+
 /// Limit of steps to the maximum of a stretch. Six to twelve are usual.
 const MOST_STEPS: usize = 60;
 
@@ -84,6 +87,8 @@ pub(super) struct AlongFace<'a> {
 pub(super) struct FaceBounds {
     /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
     pub most_moved: f64,
+    /// Greatest sum of the leads of any right flanks, and of any left ones, over the face, less that in the measuring plane, mm.
+    pub most_lead: [f64; 2],
     /// Bound of what heights of leaning axes change both leads of a pair, mm.
     pub by_heights: f64,
     /// Whether tips can touch fillets.
@@ -205,33 +210,35 @@ impl<'a> AlongFace<'a> {
         tie: f64,
         deepest: impl Iterator<Item = (i64, f64)>,
     ) -> Vec<f64> {
-        let mut found: Vec<(i64, Look)> = Vec::new();
-        let mut best = floor;
-        // The tightest on the endless line first: it rules out most others.
-        let mut turns = self.assembly.face().map(|b| self.twists[0] * b);
-        turns.sort_by(f64::total_cmp);
-        let steps = self.posed.steps_over(turns);
-        let steps = steps.filter(|_| self.first.touches);
-        let level = self.level(steps.clone()).max(floor - tie);
-        let steps = steps.filter(|step| self.can_reach(*step, level));
-        let pairs = steps.map(|step| self.pair(step, floor - tie));
-        let mut pairs: Vec<PairOfTeeth> = pairs.collect();
-        pairs.extend(deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)));
-        if self.assembly.is_modified() {
-            // Involutes do not tell where flanks touch whose profiles deviate: see [`super::profiles`].
-            pairs.retain(|pair| pair.fillets != Fillets::None);
-        }
-        pairs.sort_by(|one, other| other.most.total_cmp(&one.most));
-        for pair in pairs {
-            for (ends, most) in self.stretches(&pair, best - tie) {
-                if most <= best - tie {
+        let (mut found, mut best) = (Vec::new(), floor);
+        let mut examine = |pair: &PairOfTeeth, best: &mut f64| {
+            for (ends, most) in self.stretches(pair, *best - tie) {
+                if most <= *best - tie {
                     break;
                 }
-                if let Some(look) = self.greatest(&pair, ends) {
-                    best = best.max(look.gap);
+                if let Some(look) = self.greatest(pair, ends) {
+                    *best = best.max(look.gap);
                     found.push((pair.step, look));
                 }
             }
+        };
+        // What leads and leans may add to a pair on the endless line.
+        let more = self.bounds.most_lead[self.posed.problem.side.index()]
+            + self.bounds.by_heights
+            + self.most_leaning;
+        let more = self.of_moves(more);
+        for (step, endless) in self.steps(floor - tie) {
+            if self.is_plain() && endless + more <= best - tie {
+                continue;
+            }
+            let pair = self.pair(step, floor - tie);
+            // Involutes do not tell where flanks touch whose profiles deviate: see [`super::profiles`].
+            if !self.assembly.is_modified() || pair.fillets != Fillets::None {
+                examine(&pair, &mut best);
+            }
+        }
+        for pair in deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)) {
+            examine(&pair, &mut best);
         }
         found.retain(|(_, look)| look.gap >= best - tie && look.gap > floor);
         found.sort_by(|(_, one), (_, other)| {
@@ -240,7 +247,7 @@ impl<'a> AlongFace<'a> {
         });
         let mut places: Vec<f64> = found.iter().map(|(_, look)| look.b).collect();
         // Of places that are equally tight, the one nearest to the measuring plane is reported.
-        if !floor.is_finite() {
+        if !floor.is_finite() && self.leaning.is_none() {
             let [from, to] = self.assembly.face();
             let plane = 0f64.clamp(from, to);
             let ties = |step: i64| {
@@ -257,6 +264,55 @@ impl<'a> AlongFace<'a> {
         places
     }
 
+    /// Whether no touch is beside the involutes and their ends.
+    fn is_plain(&self) -> bool {
+        !self.bounds.in_fillets && !self.assembly.is_modified()
+    }
+
+    /// Change of a gap by moves of both flanks, mm along the base tangent. A gap of an eccentric free gear changes by up to a little more than
+    /// on a fixed line.
+    fn of_moves(&self, moves: f64) -> f64 {
+        let (base, off) = (self.bases()[1], self.posed.problem.free_off.norm());
+        (moves + off / (base - off) * moves.abs()) / base
+    }
+
+    /// The steps whose gap may exceed `floor`, those first that are likely to be tightest, with the gap of their endless involutes.
+    fn steps(&self, floor: f64) -> Vec<(i64, f64)> {
+        if !self.first.touches {
+            return Vec::new();
+        }
+        let mut turns = self.assembly.face().map(|b| self.twists[0] * b);
+        turns.sort_by(f64::total_cmp);
+        let steps = self.posed.steps_over(turns);
+        let level = self.level(steps.clone()).max(floor);
+        let steps = steps.filter(|step| self.can_reach(*step, level));
+        let mut steps: Vec<(i64, f64, f64)> = steps
+            .map(|step| {
+                let (gap, rolls) = self.endless(step);
+                let [b, _] = self.on_line(rolls);
+                let room = self.first.room(self.rolls_at(rolls, b), self.ends);
+                (step, gap, gap - room / self.bases()[1])
+            })
+            .collect();
+        steps.sort_by(|one, other| other.2.total_cmp(&one.2));
+        steps
+            .into_iter()
+            .map(|(step, gap, _)| (step, gap))
+            .collect()
+    }
+
+    /// Rolls at `b`, mm, of a pair that has these in the measuring plane.
+    fn rolls_at(&self, rolls: [f64; 2], b: f64) -> [f64; 2] {
+        [0, 1].map(|k| rolls[k] - self.twists[k] * b)
+    }
+
+    /// Whether rolls are on both involutes.
+    fn are_on_arcs(&self, rolls: [f64; 2], play: f64) -> bool {
+        [0, 1]
+            .iter()
+            .all(|&k| rolls[k] - play >= self.ends[k][0] && rolls[k] + play <= self.ends[k][1])
+    }
+
     /// A gap that a pair of `steps` reaches: that of the tightest on the line of action somewhere on the face, without what its leads may take.
     fn level(&self, steps: impl Iterator<Item = i64>) -> f64 {
         let gaps = steps.filter_map(|step| {
@@ -264,26 +320,20 @@ impl<'a> AlongFace<'a> {
             let [from, to] = self.on_line(rolls);
             // Leads and leans change rolls by less.
             let play = 2.0 * self.bounds.most_moved * self.per_moved();
-            let is_inside = |k: usize| {
-                let roll = rolls[k] - self.twists[k] * 0.5 * (from + to);
-                roll - play >= self.ends[k][0] && roll + play <= self.ends[k][1]
-            };
-            (is_inside(0) && is_inside(1)).then_some(gap)
+            let middle = self.rolls_at(rolls, 0.5 * (from + to));
+            self.are_on_arcs(middle, play).then_some(gap)
         });
         gaps.fold(f64::NEG_INFINITY, f64::max) - 2.0 * self.bounds.most_moved / self.bases()[1]
     }
 
     /// Whether the gap of a step may exceed `level`: false if the direction of the line of action keeps its teeth apart there.
     fn can_reach(&self, step: i64, level: f64) -> bool {
-        if self.bounds.in_fillets || self.assembly.is_modified() || !level.is_finite() {
+        if !self.is_plain() || !level.is_finite() {
             return true;
         }
         let (gap, rolls) = self.endless(step);
         let [b, _] = self.on_line(rolls);
-        let rolls = [
-            rolls[0] - self.twists[0] * b,
-            rolls[1] + (gap - level) - self.twists[1] * b,
-        ];
+        let rolls = self.rolls_at([rolls[0], rolls[1] + (gap - level)], b);
         // Turns of the teeth move either of them by no more than this along the line.
         let room = self.first.room(rolls, self.ends) + (level - gap) * self.first.turning;
         room <= 2.0 * self.bounds.most_moved
@@ -294,6 +344,15 @@ impl<'a> AlongFace<'a> {
         let (endless, rolls) = self.endless(step);
         let window = self.on_line(rolls);
         let teeth = self.posed.facing_teeth(self.assembly, step);
+        if self.is_plain() && self.are_on_arcs(self.rolls_at(rolls, window[0]), -ON_LINE) {
+            return PairOfTeeth {
+                step,
+                teeth,
+                window,
+                fillets: Fillets::None,
+                most: endless,
+            };
+        }
         // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
         let turns = self.twists.map(|twist| twist * window[0]);
         self.effort.spend(LOOK);
@@ -423,12 +482,8 @@ impl<'a> AlongFace<'a> {
     fn stretches(&self, pair: &PairOfTeeth, floor: f64) -> Vec<([f64; 2], f64)> {
         let problem = self.posed.problem;
         let shapes = [&problem.locked.shape, &problem.free.shape];
-        let base = shapes[1].base;
         // An edge at the form circle stands beyond the endless involute.
         let is_bound = shapes.iter().all(|shape| shape.corners().len() == 1);
-        // A gap of an eccentric free gear changes by up to this much more than on a fixed line.
-        let off = problem.free_off.norm();
-        let more = off / (base - off);
         let bounded = |ends: [f64; 2]| {
             if !is_bound {
                 return (ends, f64::INFINITY);
@@ -441,15 +496,14 @@ impl<'a> AlongFace<'a> {
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
             let most = from.max(to).max(middle) + bend + self.most_leaning;
-            (ends, pair.most + (most + more * most.abs()) / base)
+            (ends, pair.most + self.of_moves(most))
         };
         // Leans move the ends of the face: far pairs are left out before that is known.
         let leads = pair.teeth.greatest_lead(self.assembly.face());
-        let of_leads = |leads: f64| (leads + more * leads.abs()) / base;
         if is_bound
             && pair.fillets == Fillets::None
-            && (pair.most + of_leads(leads + self.most_leaning) <= floor
-                || self.most_of_leaning(pair) + of_leads(leads + 2.0 * self.bounds.by_heights)
+            && (pair.most + self.of_moves(leads + self.most_leaning) <= floor
+                || self.most_of_leaning(pair) + self.of_moves(leads + 2.0 * self.bounds.by_heights)
                     <= floor)
         {
             return Vec::new();
@@ -540,11 +594,11 @@ impl<'a> AlongFace<'a> {
         self.effort.spend(LOOK);
         let (step, bases) = (pair.step, self.bases());
         let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
-        let (here, turns, heights, turned) = match &self.leaning {
-            None => (*self.posed, turns, [0.0; 2], [0.0; 2]),
+        let (here, start, turns, heights, turned) = match &self.leaning {
+            None => (*self.posed, self.start, turns, [0.0; 2], [0.0; 2]),
             Some(leaning) => {
                 // As in a section, heights are those of the touch before they turn the teeth, of involutes and their ends.
-                let (here, _, there) =
+                let (here, undisturbed, there) =
                     leaning.undisturbed(self.posed, (step, b), turns, &self.start)?;
                 let teeth = pair
                     .teeth
@@ -552,10 +606,11 @@ impl<'a> AlongFace<'a> {
                 let (leads, plain) = (teeth.leads(b), pair.teeth.leads(b));
                 let turns =
                     [0, 1].map(|k| turns[k] + there.turns[k] - (leads[k] - plain[k]) / bases[k]);
-                (here, turns, there.heights, there.turns)
+                let start = self.start.at(&undisturbed);
+                (here, start, turns, there.heights, there.turns)
             }
         };
-        let found = Separation::beside(&here, step, turns, &self.start);
+        let found = Separation::beside(&here, step, turns, &start);
         let is_searched = match pair.fillets {
             Fillets::None => false,
             Fillets::BelowForm => {

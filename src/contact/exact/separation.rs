@@ -191,7 +191,53 @@ impl Separation {
         turns: [f64; 2],
         start: &NearStart,
     ) -> Separation {
-        Separation::found(posed, step, turns, start)
+        let Some(line) = Separation::on_endless(posed, step, turns, start) else {
+            return Separation::found(posed, step, turns, start);
+        };
+        // Where both rolls are on their involutes, endless ones touch in the same point.
+        if line.is_on_line([0.0; 2]) {
+            line
+        } else {
+            Separation::found(posed, step, turns, &start.at(&line))
+        }
+    }
+
+    /// The pair on the line of action of endless involutes; `None` without a line.
+    fn on_endless(
+        posed: &PosedFlanks,
+        step: i64,
+        turns: [f64; 2],
+        start: &NearStart,
+    ) -> Option<Separation> {
+        let problem = posed.problem;
+        let pair = posed.pair(step).turned(turns);
+        let arcs = [&problem.locked, &problem.free].map(|teeth| Arc::new(&teeth.shape));
+        let sum = problem.sum();
+        let (_, mut gap) = start.from();
+        for _ in 0..STEPS {
+            let off = posed.free_centre * Trigonometry::gap(start, gap);
+            let (between, rate) = (posed.centre - off, C::new(off.im, -off.re));
+            let all = between.norm_sqr();
+            let square = all - sum * sum;
+            if !(square > 0.0) {
+                break;
+            }
+            let length = square.sqrt();
+            let direction = between * C::new(sum, length) / all;
+            let beta = start.beta + slight_angle(direction * start.direction.conj());
+            let turning = (direction * rate.conj()).im + arcs[1].base;
+            let apart = length
+                - arcs[0].base * (beta - pair.locked_base)
+                - arcs[1].base * (beta - gap - pair.free_base);
+            let step = -apart / turning;
+            gap += step;
+            // After such a step only rounding is left.
+            if step.abs() < SETTLED.0 || rate == C::ZERO {
+                let found = (turning, [1.0; 2]);
+                return Some(Separation::at(posed, &pair, (gap, beta), found, arcs, true));
+            }
+        }
+        None
     }
 
     fn found(
@@ -406,6 +452,17 @@ impl State {
             slopes: [l[1], f[1]],
         }
     }
+}
+
+/// The angle of a unit vector, rad.
+fn slight_angle(unit: C) -> f64 {
+    let sin = unit.im;
+    // The first term left out, 15/336 of the seventh power, is below rounding.
+    if sin.abs() > 5e-3 || unit.re < 0.0 {
+        return sin.atan2(unit.re);
+    }
+    let q = sin * sin;
+    sin * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0)))
 }
 
 /// Where a separation is searched from, and how angles become vectors.

@@ -8,9 +8,9 @@ use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Greatest angle, rad, that [`slightly_turned`] takes from its series: the first terms left out, the tenth and eleventh power over their
+/// Greatest angle, rad, that [`slightly_turned`] takes from its series: the first terms left out, the twelfth and thirteenth power over their
 /// factorials, are below rounding.
-const SLIGHT: f64 = 0.1;
+const SLIGHT: f64 = 0.2;
 
 /// One side of the teeth of a gear: of all, or in a section of those in reach of the mate.
 #[derive(Debug, Clone)]
@@ -271,9 +271,10 @@ pub(super) fn slightly_turned(angle: f64) -> C {
         return turn(angle);
     }
     let q = angle * angle;
-    let cos = 1.0 - q * (1.0 / 2.0 - q * (1.0 / 24.0 - q * (1.0 / 720.0 - q * (1.0 / 40_320.0))));
-    let sin =
-        1.0 - q * (1.0 / 6.0 - q * (1.0 / 120.0 - q * (1.0 / 5040.0 - q * (1.0 / 362_880.0))));
+    // By Horner's rule: each factor is the quotient of two factorials.
+    let series = |factors: [f64; 5]| factors.iter().fold(1.0, |sum, by| 1.0 - q * by * sum);
+    let cos = series([1.0 / 90.0, 1.0 / 56.0, 1.0 / 30.0, 1.0 / 12.0, 1.0 / 2.0]);
+    let sin = series([1.0 / 110.0, 1.0 / 72.0, 1.0 / 42.0, 1.0 / 20.0, 1.0 / 6.0]);
     C::new(cos, angle * sin)
 }
 

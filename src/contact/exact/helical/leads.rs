@@ -20,6 +20,7 @@ use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::LeaningFrame;
+use crate::contact::exact::path::Pair;
 use crate::contact::exact::separation::{NearStart, Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::ProfilePart;
@@ -72,6 +73,7 @@ pub(super) struct AlongFace<'a> {
     start: NearStart,
     /// The pair of step 0 on it, with endless involutes.
     first: Separation,
+    first_pair: Pair,
     /// Lowest and greatest roll of the locked and the free involute.
     ends: [[f64; 2]; 2],
     /// Where axes lean: how the frame changes along the face.
@@ -104,6 +106,18 @@ fn parts(teeth: &FacingTeeth, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64
     let count = if sag > 1e-12 { HOLLOW_PARTS } else { 1 };
     let at = move |part: usize| from + (to - from) * (part as f64 / count as f64);
     (0..count).map(move |part| [at(part), at(part + 1)])
+}
+
+/// A pair of teeth with endless involutes in the measuring plane.
+#[derive(Debug, Clone, Copy)]
+struct EndlessPair {
+    step: i64,
+    gap: f64,
+    rolls: [f64; 2],
+    /// As [`PairOfTeeth::window`].
+    window: [f64; 2],
+    /// Its gap with ends of the involutes, about.
+    about: f64,
 }
 
 /// A pair of teeth, and its step.
@@ -178,6 +192,7 @@ impl<'a> AlongFace<'a> {
             twists: members.map(|member| posed.twist(assembly, member)),
             start: NearStart::new(posed, near),
             first,
+            first_pair: posed.pair(0),
             ends: [&posed.problem.locked, &posed.problem.free]
                 .map(|teeth| [lowest_roll(&teeth.shape), teeth.shape.tip_roll]),
             leaning: LeaningFrame::new(assembly, posed),
@@ -187,19 +202,27 @@ impl<'a> AlongFace<'a> {
         }
     }
 
-    /// Gap and rolls of a step with endless involutes in the measuring plane; those of step 0 tell them to first order. The second order is that of
-    /// the free gear's eccentricity times the square of pitch deviations, below a tie.
-    fn endless(&self, step: i64) -> (f64, [f64; 2]) {
+    /// The pair of a step with endless involutes; that of step 0 tells it to first order. The second order is that of the free gear's eccentricity
+    /// times the square of pitch deviations, below a tie.
+    fn endless(&self, step: i64) -> EndlessPair {
         let (first, bases) = (&self.first, self.bases());
-        let [own, other] = [0, step].map(|step| self.posed.pair(step));
+        let (own, other) = (&self.first_pair, self.posed.pair(step));
         let turns = [
             other.locked_base - own.locked_base,
             other.free_base - own.free_base,
         ];
-        let gap = first.gap - (bases[0] * turns[0] + bases[1] * turns[1]) / first.turning;
+        let turned = -(bases[0] * turns[0] + bases[1] * turns[1]) / first.turning;
         let rolls = first.rolls();
-        let turned = gap - first.gap;
-        (gap, [rolls[0] - turns[0], rolls[1] - turned - turns[1]])
+        let rolls = [rolls[0] - turns[0], rolls[1] - turned - turns[1]];
+        let (gap, window) = (first.gap + turned, self.on_line(rolls));
+        let room = first.room(self.rolls_at(rolls, window[0]), self.ends);
+        EndlessPair {
+            step,
+            gap,
+            rolls,
+            window,
+            about: gap - room / bases[1],
+        }
     }
 
     /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest` has
@@ -227,11 +250,11 @@ impl<'a> AlongFace<'a> {
             + self.bounds.by_heights
             + self.most_leaning;
         let more = self.of_moves(more);
-        for (step, endless) in self.steps(floor - tie) {
-            if self.is_plain() && endless + more <= best - tie {
+        for endless in self.steps(floor - tie) {
+            if self.is_plain() && endless.gap + more <= best - tie {
                 continue;
             }
-            let pair = self.pair(step, floor - tie);
+            let pair = self.pair(&endless, floor - tie);
             // Involutes do not tell where flanks touch whose profiles deviate: see [`super::profiles`].
             if !self.assembly.is_modified() || pair.fillets != Fillets::None {
                 examine(&pair, &mut best);
@@ -251,7 +274,7 @@ impl<'a> AlongFace<'a> {
             let [from, to] = self.assembly.face();
             let plane = 0f64.clamp(from, to);
             let ties = |step: i64| {
-                let pair = self.pair(step, floor);
+                let pair = self.pair(&self.endless(step), floor);
                 let turns = self.turns(&pair, plane);
                 let touch = self.touch(&pair, plane, turns);
                 touch.is_some_and(|touch| touch.gap >= best - ROUNDED)
@@ -276,29 +299,19 @@ impl<'a> AlongFace<'a> {
         (moves + off / (base - off) * moves.abs()) / base
     }
 
-    /// The steps whose gap may exceed `floor`, those first that are likely to be tightest, with the gap of their endless involutes.
-    fn steps(&self, floor: f64) -> Vec<(i64, f64)> {
+    /// The steps whose gap may exceed `floor`, those first that are likely to be tightest.
+    fn steps(&self, floor: f64) -> Vec<EndlessPair> {
         if !self.first.touches {
             return Vec::new();
         }
         let mut turns = self.assembly.face().map(|b| self.twists[0] * b);
         turns.sort_by(f64::total_cmp);
         let steps = self.posed.steps_over(turns);
-        let level = self.level(steps.clone()).max(floor);
-        let steps = steps.filter(|step| self.can_reach(*step, level));
-        let mut steps: Vec<(i64, f64, f64)> = steps
-            .map(|step| {
-                let (gap, rolls) = self.endless(step);
-                let [b, _] = self.on_line(rolls);
-                let room = self.first.room(self.rolls_at(rolls, b), self.ends);
-                (step, gap, gap - room / self.bases()[1])
-            })
-            .collect();
-        steps.sort_by(|one, other| other.2.total_cmp(&one.2));
-        steps
-            .into_iter()
-            .map(|(step, gap, _)| (step, gap))
-            .collect()
+        let mut pairs: Vec<EndlessPair> = steps.map(|step| self.endless(step)).collect();
+        let level = self.level(&pairs).max(floor);
+        pairs.retain(|pair| self.can_reach(pair, level));
+        pairs.sort_by(|one, other| other.about.total_cmp(&one.about));
+        pairs
     }
 
     /// Rolls at `b`, mm, of a pair that has these in the measuring plane.
@@ -313,36 +326,39 @@ impl<'a> AlongFace<'a> {
             .all(|&k| rolls[k] - play >= self.ends[k][0] && rolls[k] + play <= self.ends[k][1])
     }
 
-    /// A gap that a pair of `steps` reaches: that of the tightest on the line of action somewhere on the face, without what its leads may take.
-    fn level(&self, steps: impl Iterator<Item = i64>) -> f64 {
-        let gaps = steps.filter_map(|step| {
-            let (gap, rolls) = self.endless(step);
-            let [from, to] = self.on_line(rolls);
-            // Leads and leans change rolls by less.
-            let play = 2.0 * self.bounds.most_moved * self.per_moved();
-            let middle = self.rolls_at(rolls, 0.5 * (from + to));
-            self.are_on_arcs(middle, play).then_some(gap)
+    /// A gap that one of `pairs` reaches: that of the tightest on the line of action somewhere on the face, without what its leads may take.
+    fn level(&self, pairs: &[EndlessPair]) -> f64 {
+        // Leads and leans change rolls by less.
+        let play = 2.0 * self.bounds.most_moved * self.per_moved();
+        let gaps = pairs.iter().filter_map(|pair| {
+            let [from, to] = pair.window;
+            let middle = self.rolls_at(pair.rolls, 0.5 * (from + to));
+            self.are_on_arcs(middle, play).then_some(pair.gap)
         });
         gaps.fold(f64::NEG_INFINITY, f64::max) - 2.0 * self.bounds.most_moved / self.bases()[1]
     }
 
-    /// Whether the gap of a step may exceed `level`: false if the direction of the line of action keeps its teeth apart there.
-    fn can_reach(&self, step: i64, level: f64) -> bool {
+    /// Whether the gap of a pair may exceed `level`: false if the direction of the line of action keeps its teeth apart there.
+    fn can_reach(&self, pair: &EndlessPair, level: f64) -> bool {
         if !self.is_plain() || !level.is_finite() {
             return true;
         }
-        let (gap, rolls) = self.endless(step);
-        let [b, _] = self.on_line(rolls);
-        let rolls = self.rolls_at([rolls[0], rolls[1] + (gap - level)], b);
+        let rolls = [pair.rolls[0], pair.rolls[1] + (pair.gap - level)];
+        let rolls = self.rolls_at(rolls, pair.window[0]);
         // Turns of the teeth move either of them by no more than this along the line.
-        let room = self.first.room(rolls, self.ends) + (level - gap) * self.first.turning;
+        let room = self.first.room(rolls, self.ends) + (level - pair.gap) * self.first.turning;
         room <= 2.0 * self.bounds.most_moved
     }
 
     /// The pair of a step. Fillets are left out where its gap cannot exceed `floor`.
-    fn pair(&self, step: i64, floor: f64) -> PairOfTeeth<'a> {
-        let (endless, rolls) = self.endless(step);
-        let window = self.on_line(rolls);
+    fn pair(&self, endless: &EndlessPair, floor: f64) -> PairOfTeeth<'a> {
+        let &EndlessPair {
+            step,
+            gap: endless,
+            rolls,
+            window,
+            ..
+        } = endless;
         let teeth = self.posed.facing_teeth(self.assembly, step);
         if self.is_plain() && self.are_on_arcs(self.rolls_at(rolls, window[0]), -ON_LINE) {
             return PairOfTeeth {

@@ -181,6 +181,22 @@ impl Helical {
         (section, pose.in_section(&self.assembly, b))
     }
 
+    /// As [`Helical::section_at`], for its teeth alone: those out of reach may be left out.
+    fn section_of_teeth<'a>(
+        &self,
+        pose: &Pose,
+        b: f64,
+        kept: Option<&'a Section>,
+    ) -> (Cow<'a, Section>, Pose) {
+        if kept.is_none() || self.assembly.leans() {
+            let here = pose.in_section(&self.assembly, b);
+            if let Some(section) = self.section_in_reach(pose, &here, b) {
+                return (Cow::Owned(section), here);
+            }
+        }
+        self.section_at(pose, b, kept)
+    }
+
     /// Calls `each` for every kept section at `pose`, and for those at the `further` places, with the pose there and the place, mm.
     ///
     /// # Errors
@@ -192,14 +208,14 @@ impl Helical {
         mut each: impl FnMut(&Section, &Pose, f64) -> Result<(), E>,
     ) -> Result<(), E> {
         for (b, section) in &self.sections {
-            let (section, here) = self.section_at(pose, *b, Some(section));
+            let (section, here) = self.section_of_teeth(pose, *b, Some(section));
             each(&section, &here, *b)?;
         }
         let is_kept = |place: &f64| self.places().any(|b| b == *place);
         let mut further: Vec<f64> = further.filter(|place| !is_kept(place)).collect();
         further.dedup();
         for b in further {
-            let (section, here) = self.section_at(pose, b, None);
+            let (section, here) = self.section_of_teeth(pose, b, None);
             each(&section, &here, b)?;
         }
         Ok(())

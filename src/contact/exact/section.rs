@@ -109,6 +109,15 @@ impl Section {
         Section::of(pair, problems, self.envelopes.clone(), outer)
     }
 
+    /// The section with these flanks of both sides, right first.
+    pub fn with_sides(&self, [right, left]: [FlankProblem; 2]) -> Section {
+        Section {
+            right,
+            left,
+            ..self.clone()
+        }
+    }
+
     /// One of its sides.
     pub fn side(&self, side: Side) -> &FlankProblem {
         match side {

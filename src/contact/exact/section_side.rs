@@ -34,14 +34,14 @@ pub(super) struct SectionPlace<'a> {
 }
 
 impl<'a> SectionSide<'a> {
-    /// The side of `problem`, which is that of the measuring plane `section`, at a place, for its `solver`. Corners of teeth move by up to `moved`, mm,
-    /// from the measuring plane. Leaning axes turn the far flanks
-    /// of teeth only if a contact may depend on them. `None` if teeth are in reach of more than one mate.
+    /// The side of `problem`, which is that of the measuring plane `section`, at a place. Leaning axes turn the far flanks of teeth where their
+    /// corners may touch: `corners` has the solver of a contact, and the greatest move of corners from the measuring plane, mm. Without it they
+    /// are always turned. `None` if teeth are in reach of more than one mate.
     pub fn new(
         section: &Section,
         problem: &'a FlankProblem,
         place: SectionPlace,
-        (solver, moved): (&DirectSolver, f64),
+        corners: Option<(&DirectSolver, f64)>,
     ) -> Option<SectionSide<'a>> {
         let plane = section.posed(problem, place.here);
         let reach = plane.steps_of_whole_teeth();
@@ -53,10 +53,10 @@ impl<'a> SectionSide<'a> {
         if count >= problem.locked.count().min(problem.free.count()) {
             return None;
         }
-        let with_far = solver.proof.tangents
-            || reach
-                .clone()
-                .any(|step| plane.far_corner_may_reach(solver, step, moved));
+        let with_far = corners.is_none_or(|(solver, moved)| {
+            let may_reach = |step| plane.far_corner_may_reach(solver, step, moved);
+            solver.proof.tangents || reach.clone().any(may_reach)
+        });
         let flanks = FlanksInSection::new(&plane, place, with_far);
         // The far flank of the tooth before the first one ends a root land.
         let turns = (low - 1..=high).map(|step| flanks.turns(step));
@@ -77,6 +77,11 @@ impl<'a> SectionSide<'a> {
         );
         let problem = problem.in_section(flanks.distance, flanks.offs, teeth);
         Some(SectionSide { plane, problem })
+    }
+
+    /// The flanks alone.
+    pub fn into_problem(self) -> FlankProblem {
+        self.problem
     }
 
     /// Its teeth at the pose.

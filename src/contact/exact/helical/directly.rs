@@ -61,6 +61,22 @@ impl Helical {
         (angle > bound).then_some(found)
     }
 
+    /// The section at `b`, mm, at the pose `here`, with the teeth in reach alone; `pose` is that of the measuring plane. `None` where sections are
+    /// searched.
+    pub(super) fn section_in_reach(&self, pose: &Pose, here: &Pose, b: f64) -> Option<Section> {
+        let directly = self.directly.as_ref()?;
+        let place = SectionPlace {
+            assembly: &self.assembly,
+            whole: pose,
+            here,
+            b,
+        };
+        let side = |problem| SectionSide::new(&self.plane, problem, place, None);
+        let [right, left] = directly.sides.each_ref().map(side);
+        let sides = [right?.into_problem(), left?.into_problem()];
+        Some(self.plane.with_sides(sides))
+    }
+
     /// Adds the contact of one side.
     fn side_directly(
         &self,
@@ -81,7 +97,8 @@ impl Helical {
                 here: &here,
                 b,
             };
-            let at = SectionSide::new(&self.plane, problem, place, (&directly.solver, moved))?;
+            let at =
+                SectionSide::new(&self.plane, problem, place, Some((&directly.solver, moved)))?;
             let contact = self.plane.contact(&at.posed(), &directly.solver, effort)?;
             let on = |own: Side| {
                 (own == side).then_some(Contact {

@@ -1,8 +1,7 @@
 //! Pairs that bind anywhere on the face and need no search: each side by itself, from few sections.
 //!
-//! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]), so [`super::leads`] knows the places
-//! of all that can be tightest. Where the gears interfere, one section alone
-//! can jam; those poses are left to [`Helical::over`].
+//! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]). So [`super::leads`] knows the places of
+//! all that can be tightest. Where the gears interfere, one section alone can jam. Those poses are left to [`Helical::over`].
 
 use super::{Edges, Helical, reduced};
 use crate::contact::Effort;

@@ -2,8 +2,8 @@
 
 use gearlash::contact::CutPair;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Modification,
-    Pitch, Relief, Side, Trace, thickness,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Lead,
+    Modification, Pitch, Relief, Side, Trace, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use gearlash::population::{GearScatter, Population, Scatter, Scatters};
@@ -24,6 +24,14 @@ fn deviated(teeth: u32, face: Face) -> AsBuilt {
 }
 
 fn deviating(gear: Gear, face: Face, profiles: [Modification; 2]) -> AsBuilt {
+    let further = Deviations {
+        profiles,
+        ..Deviations::default()
+    };
+    deviating_further(gear, face, further)
+}
+
+fn deviating_further(gear: Gear, face: Face, further: Deviations) -> AsBuilt {
     let teeth = gear.basic_data().teeth();
     let list = |start: u32| -> Vec<f64> {
         (0..teeth)
@@ -34,8 +42,7 @@ fn deviating(gear: Gear, face: Face, profiles: [Modification; 2]) -> AsBuilt {
         pitch: Some(Pitch::from_cumulative(&list(17), &list(443))),
         eccentricity: 0.010,
         high_tooth: 5.5,
-        profiles,
-        ..Deviations::default()
+        ..further
     };
     AsBuilt::new(gear, face, &deviations).unwrap()
 }
@@ -88,6 +95,71 @@ pub(super) fn helical() -> GearPair {
     // ε_β = b sin β/(π m_n), ISO 21771.
     let width = 1.3 * std::f64::consts::PI * 3.0 / 15f64.to_radians().sin();
     helical_of([44, 44], width)
+}
+
+/// Deviations along the face.
+#[derive(Clone, Copy, Default)]
+pub(super) struct AlongFace {
+    pub helical: bool,
+    /// Whether leads have a slope of a few µm and a crown of 5 µm.
+    pub leads: bool,
+    /// Whether a lead of 33 points is added to these, a wave of 2 µm with noise.
+    pub trace: bool,
+    /// Lean of the pinion's shaft, mm per mm.
+    pub lean: f64,
+}
+
+/// The 44/44 pair, spur on a face of 40 mm or helical as [`helical`], with deviations along the face.
+pub(super) fn along_face(kind: AlongFace) -> GearPair {
+    let angle = 15f64.to_radians();
+    let (width, cos) = if kind.helical {
+        (1.3 * std::f64::consts::PI * 3.0 / angle.sin(), angle.cos())
+    } else {
+        (40.0, 1.0)
+    };
+    let half = 0.5 * width;
+    let lead = |slope: f64| {
+        if !kind.leads {
+            return Lead::default();
+        }
+        let point = |k: u32| {
+            let share = f64::from(k) / 32.0;
+            let noise = 0.0003 * (f64::from(k * 7919 % 1000) / 500.0 - 1.0);
+            (width * share - half, 0.002 * (6.0 * share).sin() + noise)
+        };
+        let trace = Trace {
+            tooth: None,
+            points: (0..33).map(point).collect(),
+        };
+        Lead {
+            face: [-half, half],
+            range: [-0.9 * half, 0.9 * half],
+            slope,
+            crowning: 0.005,
+            traces: kind.trace.then_some(trace).into_iter().collect(),
+            ..Lead::default()
+        }
+    };
+    let build = |hand, face, slopes: [f64; 2]| {
+        let data = BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap();
+        let data = if kind.helical {
+            data.with_helix(angle, hand).unwrap()
+        } else {
+            data
+        };
+        let further = Deviations {
+            leads: slopes.map(lead),
+            ..Deviations::default()
+        };
+        let gear = Gear::nominal(GearDesign::standard(data)).unwrap();
+        deviating_further(gear, face, further)
+    };
+    let wheel = build(Hand::Right, Face::Front, [0.006, -0.004]);
+    let pinion = build(Hand::Left, Face::Back, [0.002, -0.001]);
+    let distance = 132.0 / cos + 0.1;
+    let pair = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
+    let pair = pair.with_face([-half, half]).unwrap();
+    pair.with_lean([kind.lean, -0.7 * kind.lean]).unwrap()
 }
 
 /// A helical 27/51 pair, 15°, on a face of 50 mm.

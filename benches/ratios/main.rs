@@ -13,7 +13,10 @@ use gearlash::gear::Face;
 use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, of_gear};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use gearlash::population::{Draw, Run};
-use gears::{cut, drawing, helical, modified, pair, poses, traced, wide_face, with_runouts};
+use gears::{
+    AlongFace, along_face, cut, drawing, helical, modified, pair, poses, traced, wide_face,
+    with_runouts,
+};
 use nalgebra::Point2;
 use newcomer::newcomer;
 use std::hint::black_box;
@@ -184,6 +187,23 @@ fn main() {
     let over_face = exact(&helical()) / exact_wild;
     let what = "helical 44/44, overlap ratio 1.3, over the spur pose";
     row(what, over_face, "", "≤ 2.5");
+    for (what, helical, lean, wanted) in [
+        ("spur", false, 0.0, "≤ 1.5"),
+        ("helical", true, 0.0, "≤ 10"),
+        ("leaning spur", false, 3e-4, "≤ 12"),
+        ("leaning helical", true, 3e-4, "≤ 12"),
+    ] {
+        for (beside, trace, wanted) in [("", false, wanted), (" and trace", true, "")] {
+            let pair = along_face(AlongFace {
+                helical,
+                leads: true,
+                trace,
+                lean,
+            });
+            let what = format!("{what} 44/44 with slopes, crowns{beside}, over the spur pose");
+            row(&what, exact(&pair) / exact_wild, "", wanted);
+        }
+    }
     let (wheel, pinion) = (modified(44, Face::Front), modified(44, Face::Back));
     let profiled = GearPair::with_locked(wheel, pinion, 132.1, Member::Wheel).unwrap();
     let what = "exact, 44/44 deviated, eccentric, modified profiles";

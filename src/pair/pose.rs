@@ -54,6 +54,11 @@ impl Mating {
         }
     }
 
+    /// Steps, counter-clockwise, from the tooth that faces `flank` to the tooth that faces the `other` flank of the same tooth.
+    pub(crate) fn steps_between(&self, flank: Side, other: Side) -> i64 {
+        self.steps_to(other) - self.steps_to(flank)
+    }
+
     /// Steps, counter-clockwise, from the tooth that faces this mating's flank to the tooth that faces `flank` of the same tooth.
     ///
     /// The tooth facing a front-left flank is clockwise of the tooth facing the front-right flank.
@@ -219,6 +224,13 @@ impl Pose {
         } else {
             self.free_rotation
         }
+    }
+
+    /// The locked gear's tooth `steps` counter-clockwise of the mating's tooth.
+    pub(crate) fn locked_tooth(&self, assembly: &GearPair, steps: i64) -> u32 {
+        let locked = assembly.locked();
+        let tooth = self.mating.tooth(locked);
+        assembly.gear(locked).counter_clockwise(tooth, steps)
     }
 
     /// The free gear's tooth that faces flank `side` of the locked tooth `steps` counter-clockwise of the mating's tooth.

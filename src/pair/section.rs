@@ -21,7 +21,7 @@
 //! by `½ g² ρ` along the base tangent, with `ρ ≤ T/4`: [`GearPair::left_out`].
 
 use super::{GearPair, Member, Pose, lens_half};
-use crate::gear::{AsBuilt, Side};
+use crate::gear::Side;
 use nalgebra::{Rotation2, Vector2};
 use std::f64::consts::PI;
 
@@ -42,11 +42,9 @@ impl Pose {
         if !assembly.leans() {
             return (pair, pose);
         }
-        let [x, y] = assembly.lean().map(|rate| rate * b);
-        let between = Vector2::new(assembly.center_distance() + x, y);
-        let turned = between.y.atan2(between.x);
-        let pair = pair.with_axes_turned(between.norm(), -turned);
-        let leaning = Leaning::new(assembly, self, &pair, &pose, (b, turned));
+        let leaning = Leaning::new(assembly, self, &pose, b);
+        let between = leaning.between();
+        let pair = pair.with_axes_turned(between.norm(), -between.y.atan2(between.x));
         let [wheel, pinion] = leaning.turns();
         (pair.with_flanks_turned(wheel, pinion), pose)
     }
@@ -55,221 +53,154 @@ impl Pose {
 impl GearPair {
     /// Bound on what flanks that a section keeps beyond the ends of their teeth add to a contact, mm along the base tangent.
     pub(crate) fn beyond_ends(&self) -> f64 {
+        AT_END * (self.steepest_leads() + self.most_lean())
+    }
+
+    /// Bound on what the heights of leaning axes change the leads of a pair of teeth, mm.
+    pub(crate) fn by_heights(&self) -> f64 {
+        if self.leans() {
+            self.most_height() * self.steepest_leads()
+        } else {
+            0.0
+        }
+    }
+
+    /// Bound on the sum of the rates of two leads, mm per mm.
+    fn steepest_leads(&self) -> f64 {
         let height = self.most_height();
         let [from, to] = self.face();
-        let rate = |member| {
-            self.gear(member)
-                .steepest_lead([from - height, to + height])
-        };
-        AT_END * (rate(Member::Wheel) + rate(Member::Pinion) + self.most_lean())
+        let face = [from - height, to + height];
+        let rate = |member| self.gear(member).steepest_lead(face);
+        rate(Member::Wheel) + rate(Member::Pinion)
     }
 }
 
-/// The line of action of one side in a section.
-struct LineOfAction<'a> {
-    /// The locked gear.
-    gear: &'a AsBuilt,
-    side: Side,
-    /// Base radii of the locked and the free gear, mm.
-    bases: [f64; 2],
-    /// `T`, mm.
-    length: f64,
-    /// Direction of its tangent point on the locked base circle, rad.
-    tangent: f64,
-    /// Step from the mating's locked tooth to that nearest to the line of centres.
-    nearest: i64,
-    /// The mating's locked tooth, and its direction without deviations, rad.
-    mating: u32,
-    mating_at: f64,
-}
-
-impl LineOfAction<'_> {
-    /// Roll of the locked tooth of a step on the line, rad.
-    fn roll(&self, step: i64) -> f64 {
-        let (gear, s) = (self.gear, self.side.sense());
-        let tooth = gear.counter_clockwise(self.mating, step);
-        let centre = self.mating_at + step as f64 * gear.gear().basic_data().angular_pitch();
-        let flank =
-            centre + gear.flank_offset(self.side, tooth) + s * gear.gear().half_base_angle();
-        -s * reduced(self.tangent - flank)
-    }
-}
-
-/// Both gears in a section of leaning axes.
+/// Both gears in a section of leaning axes, in the picture of the measuring plane.
 #[derive(Clone, Copy)]
-struct Leaning<'a> {
-    pair: &'a GearPair,
+pub(crate) struct Leaning<'a> {
+    assembly: &'a GearPair,
+    /// The pose in the section.
     pose: &'a Pose,
-    /// Lean of each shaft and of each toothing in the picture of the section, mm per mm, wheel first.
+    /// The section, mm from the measuring plane.
+    b: f64,
+    /// Dimensions of both gears, wheel first.
+    gears: [Dimensions; 2],
+    /// Places of both axes, mm, wheel first.
     axes: [Vector2<f64>; 2],
+    /// Lean of each shaft and of each toothing, mm per mm.
+    shafts: [Vector2<f64>; 2],
     leans: [Vector2<f64>; 2],
-    /// Centre of each outline, mm, wheel first.
+    /// Centre of each outline, mm.
     centres: [Vector2<f64>; 2],
     /// Both ends of the teeth of each gear, mm from this section.
     faces: [[f64; 2]; 2],
-    /// The section, mm from the measuring plane.
-    b: f64,
+}
+
+/// Dimensions of a gear.
+#[derive(Clone, Copy)]
+struct Dimensions {
+    /// `r_b`, mm, and `ψ_b`, rad.
+    base: f64,
+    half_base: f64,
+    /// `τ`, rad, and twist, rad/mm.
+    pitch: f64,
+    twist: f64,
 }
 
 /// Turns of the right and left flanks of every tooth, rad, counter-clockwise, tooth 1 first.
 type Turns = [Vec<f64>; 2];
 
 impl<'a> Leaning<'a> {
-    fn new(
-        assembly: &GearPair,
-        whole: &Pose,
-        pair: &'a GearPair,
-        pose: &'a Pose,
-        (b, turned): (f64, f64),
-    ) -> Leaning<'a> {
-        let back = Rotation2::new(-turned);
-        let axes = [Vector2::zeros(), back * Vector2::from(assembly.lean())];
-        let leans = Member::BOTH.map(|member| {
-            let tooth_1 = whole.rotation(assembly, member) + assembly.mate_direction(member);
-            axes[member as usize] + back * assembly.gear(member).lean(tooth_1)
-        });
+    /// The section of `assembly` at `b`, mm, with the gears at `whole`, which is `pose` in the section.
+    pub fn new(assembly: &'a GearPair, whole: &Pose, pose: &'a Pose, b: f64) -> Leaning<'a> {
+        let lean = Vector2::from(assembly.lean());
+        let shafts = [Vector2::zeros(), lean];
+        let axes = Member::BOTH.map(|member| assembly.axis(member).coords);
+        let axes = [axes[0], axes[1] + b * lean];
+        let tooth_1 = |member| whole.rotation(assembly, member) + assembly.mate_direction(member);
+        let own = Member::BOTH.map(|member| assembly.gear(member).lean(tooth_1(member)));
         let centres = Member::BOTH.map(|member| {
-            let tooth_1 = pose.rotation(pair, member) + pair.mate_direction(member);
-            pair.axis(member).coords + pair.gear(member).displacement(tooth_1)
+            let plane = assembly.gear(member).displacement(tooth_1(member));
+            axes[member as usize] + plane + b * own[member as usize]
         });
         Leaning {
-            pair,
+            assembly,
             pose,
+            b,
+            gears: Member::BOTH.map(|member| {
+                let gear = assembly.gear(member).gear();
+                Dimensions {
+                    base: gear.base_radius(),
+                    half_base: gear.half_base_angle(),
+                    pitch: gear.basic_data().angular_pitch(),
+                    twist: gear.basic_data().twist(),
+                }
+            }),
             axes,
-            leans,
+            shafts,
+            leans: [0, 1].map(|k| shafts[k] + own[k]),
             centres,
             faces: Member::BOTH.map(|member| assembly.own_face(member).map(|end| end - b)),
-            b,
         }
+    }
+
+    /// From the wheel's axis to the pinion's, mm.
+    pub fn between(&self) -> Vector2<f64> {
+        self.axes[1] - self.axes[0]
+    }
+
+    /// From its axis to the centre of a gear's outline, mm.
+    pub fn displacement(&self, member: Member) -> Vector2<f64> {
+        self.centres[member as usize] - self.axes[member as usize]
     }
 
     /// Turns of the flanks of the wheel and of the pinion.
     fn turns(&self) -> [Turns; 2] {
-        let [mut wheel, mut pinion] = Member::BOTH.map(|member| {
-            let teeth = self.pair.teeth(member) as usize;
+        let mut turns = Member::BOTH.map(|member| {
+            let teeth = self.assembly.teeth(member) as usize;
             [vec![0.0; teeth], vec![0.0; teeth]]
         });
-        for side in Side::BOTH {
-            let index = side.index();
-            self.turn(side, [&mut wheel[index], &mut pinion[index]]);
-        }
-        [wheel, pinion]
-    }
-
-    /// These gears with the free one where the pair of a step touches on `line`.
-    fn at_contact(&self, line: &LineOfAction, step: i64) -> Leaning<'a> {
-        let (pair, free, side) = (self.pair, self.pair.free(), line.side);
-        let mate = (line.length - line.bases[0] * line.roll(step)) / line.bases[1];
-        // θ_T = θ_0 − s ξ on either gear.
-        let wanted = line.tangent + PI + side.sense() * mate;
-        let facing = self.pose.facing_tooth(pair, side, step);
-        let gear = pair.gear(free);
-        let tooth_1 = pair.mate_direction(free) + self.pose.rotation(pair, free);
-        let flank = tooth_1
-            + gear.tooth_angle(f64::from(facing))
-            + gear.flank_offset(side, facing)
-            + side.sense() * gear.gear().half_base_angle();
-        let beyond = reduced(wanted - flank);
-        let index = free as usize;
-        let mut here = *self;
-        here.centres[index] = pair.axis(free).coords + gear.displacement(tooth_1 + beyond);
-        here.leans[index] =
-            self.axes[index] + Rotation2::new(beyond) * (self.leans[index] - self.axes[index]);
-        here
-    }
-
-    /// The line of action of `side`.
-    fn line(&self, side: Side) -> LineOfAction<'_> {
-        let (pair, pose) = (self.pair, self.pose);
-        let (locked, free) = (pair.locked(), pair.free());
-        let bases = [locked, free].map(|member| pair.gear(member).gear().base_radius());
-        let sum = bases[0] + bases[1];
-        let between = self.centre(free) - self.centre(locked);
-        let length = (between.norm_squared() - sum * sum).max(0.0).sqrt();
-        let gear = pair.gear(locked);
-        let mating = pose.mating().tooth(locked);
-        let from_line = pose.locked_rotation() + gear.tooth_angle(f64::from(mating));
-        let pitch = gear.gear().basic_data().angular_pitch();
-        LineOfAction {
-            gear,
-            side,
-            bases,
-            length,
-            tangent: between.y.atan2(between.x) - side.sense() * length.atan2(sum),
-            nearest: -(from_line / pitch).round() as i64,
-            mating,
-            mating_at: pair.mate_direction(locked) + from_line,
-        }
-    }
-
-    /// Adds the turns of the flanks of `side` of both gears.
-    fn turn(&self, side: Side, turns: [&mut Vec<f64>; 2]) {
-        let (pair, pose) = (self.pair, self.pose);
-        let (locked, free) = (pair.locked(), pair.free());
-        let gears = [locked, free].map(|member| pair.gear(member));
-        let pose_line = self.line(side);
-        let (bases, nearest, mating) = (pose_line.bases, pose_line.nearest, pose_line.mating);
-        let s = side.sense();
-        let [locked_turns, free_turns] = match locked {
-            Member::Wheel => turns,
-            Member::Pinion => {
-                let [wheel, pinion] = turns;
-                [pinion, wheel]
-            }
-        };
-        let rolls = gears.map(|gear| [gear.gear().form_roll(), gear.gear().tip_roll()]);
-        let teeth = gears.map(|gear| gear.gear().basic_data().teeth());
+        let (pair, pose) = (self.assembly, self.pose);
+        let members = [pair.locked(), pair.free()];
+        let teeth = members.map(|member| pair.teeth(member));
         let most_steps = (i64::from(teeth[0].max(teeth[1])) / 2).min(self.steps_in_reach());
-        // From the line of centres outwards: the first facing of a tooth is the one that can touch.
-        let mut is_turned = teeth.map(|teeth| vec![false; teeth as usize]);
-        let steps = (0..=2 * most_steps).map(|k| if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 });
-        for step in steps.map(|step| nearest + step) {
-            let tooth = gears[0].counter_clockwise(mating, step);
-            let facing = pose.facing_tooth(pair, side, step);
-            let here = self.at_contact(&pose_line, step);
-            let line = here.line(side);
-            let length = line.length;
-            let direction = Vector2::new(line.tangent.cos(), line.tangent.sin());
-            let normal = s * Vector2::new(-direction.y, direction.x);
-            let mates = rolls[1].map(|roll| (length - bases[1] * roll) / bases[0]);
-            let (least, most) = (rolls[0][0].max(mates[1]), rolls[0][1].min(mates[0]));
-            let roll = line.roll(step);
-            let mate = (length - bases[0] * roll) / bases[1];
-            let corner = corner(roll, [least, most], rolls);
-            // P = C + r_b E (1 ± iξ); a corner lies on its own tangent, turned back by what its roll is beyond it.
-            let at = |member: Member, k: usize, from: Vector2<f64>, beyond: f64, roll: f64| {
-                let turn = Rotation2::new(s * beyond);
-                let (direction, normal) = (turn * from, turn * normal);
-                let outward = if k == 0 { normal } else { -normal };
-                here.centre(member) + bases[k] * (direction + roll * outward)
-            };
-            let point = match corner {
-                None => at(locked, 0, direction, 0.0, roll),
-                Some((0, end)) => at(locked, 0, direction, roll - end, end),
-                Some((_, end)) => at(free, 1, -direction, mate - end, end),
-            };
-            let own = [(locked, tooth, normal), (free, facing, -normal)];
-            for (k, (member, tooth, normal)) in own.into_iter().enumerate() {
-                let place = tooth as usize - 1;
-                if !std::mem::replace(&mut is_turned[k][place], true) {
-                    let turned = here.turn_of(member, side, tooth, point, normal);
-                    if k == 0 {
-                        locked_turns[place] = turned;
-                    } else {
-                        free_turns[place] = turned;
+        for side in Side::BOTH {
+            let touching = self.touching(side);
+            // From the line of centres outwards: the first facing of a tooth is the one that can touch.
+            let mut is_turned = teeth.map(|teeth| vec![false; teeth as usize]);
+            let steps = (0..=2 * most_steps).map(|k| if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 });
+            for step in steps.map(|step| touching.nearest + step) {
+                let numbers = [
+                    pose.locked_tooth(pair, step),
+                    pose.facing_tooth(pair, side, step),
+                ];
+                let turned = touching.turns(step);
+                for k in [0, 1] {
+                    let place = numbers[k] as usize - 1;
+                    if !std::mem::replace(&mut is_turned[k][place], true) {
+                        turns[members[k] as usize][side.index()][place] = turned[k];
                     }
                 }
             }
         }
+        turns
     }
 
     /// Steps from the pair nearest to the line of centres to the last that can reach each other.
     fn steps_in_reach(&self) -> i64 {
-        let distance = self.pair.center_distance();
-        let reach = Member::BOTH.map(|member| self.pair.gear(member).reach());
+        let distance = self.between().norm();
+        let reach = Member::BOTH.map(|member| {
+            let tip = self.assembly.gear(member).gear().tip_radius();
+            tip + self.displacement(member).norm()
+        });
         let steps = Member::BOTH.map(|member| {
             let [own, mate] = [reach[member as usize], reach[1 - member as usize]];
-            let pitch = self.pair.gear(member).gear().basic_data().angular_pitch();
+            let pitch = self
+                .assembly
+                .gear(member)
+                .gear()
+                .basic_data()
+                .angular_pitch();
             let half = lens_half(own, mate, distance).unwrap_or(0.0);
             (half / pitch).ceil() as i64
         });
@@ -277,8 +208,176 @@ impl<'a> Leaning<'a> {
         steps[0].max(steps[1]) + 2
     }
 
-    fn centre(&self, member: Member) -> Vector2<f64> {
-        self.centres[member as usize]
+    /// Direction of a flank in this section without its lean, less that of its tooth's undisturbed centre line, rad.
+    fn flank(&self, member: Member, side: Side, tooth: u32) -> f64 {
+        let (gear, own) = (self.assembly.gear(member), &self.gears[member as usize]);
+        let lead = gear.lead(side, tooth, self.b) - gear.lead(side, tooth, 0.0);
+        gear.flank_offset(side, tooth) + side.sense() * (lead / own.base + own.half_base)
+    }
+
+    /// The teeth of `side` on the line of action, with the free gear where the pair nearest to the line of centres touches.
+    pub fn touching(&self, side: Side) -> LeaningSide<'a> {
+        let (pair, pose) = (self.assembly, self.pose);
+        let (locked, free) = (pair.locked(), pair.free());
+        let gears = [locked, free].map(|member| pair.gear(member).gear());
+        let mating = pose.mating().tooth(locked);
+        let from_line = pose.locked_rotation() + pair.gear(locked).tooth_angle(f64::from(mating));
+        let pitch = self.gears[locked as usize].pitch;
+        let mut touching = LeaningSide {
+            leaning: *self,
+            side,
+            bases: [locked, free].map(|member| self.gears[member as usize].base),
+            rolls: gears.map(|gear| [gear.form_roll(), gear.tip_roll()]),
+            length: 0.0,
+            tangent: 0.0,
+            direction: Vector2::zeros(),
+            nearest: -(from_line / pitch).round() as i64,
+            mating_at: pair.mate_direction(locked) + from_line,
+            free_turned: 0.0,
+            free_moves: self.displacement(free) != Vector2::zeros()
+                || self.leans[free as usize] != self.shafts[free as usize],
+        };
+        touching.set_line();
+        if touching.free_moves {
+            touching.turn_free();
+            touching.set_line();
+        }
+        touching
+    }
+}
+
+/// The teeth of one side in a section of leaning axes, on the line of action.
+pub(crate) struct LeaningSide<'a> {
+    leaning: Leaning<'a>,
+    side: Side,
+    /// Base radii and ends of the involutes of the locked and the free gear, mm and rad.
+    bases: [f64; 2],
+    rolls: [[f64; 2]; 2],
+    /// `T`, mm.
+    length: f64,
+    /// Direction of its tangent point on the locked base circle, rad, and as a vector.
+    tangent: f64,
+    direction: Vector2<f64>,
+    /// Step from the mating's locked tooth to that nearest to the line of centres.
+    nearest: i64,
+    /// Direction of the mating's locked tooth without deviations, rad.
+    mating_at: f64,
+    /// Rotation of the free gear from nominal to where the nearest pair touches, rad.
+    free_turned: f64,
+    /// Whether the free outline is off its axis, or leans on its shaft.
+    free_moves: bool,
+}
+
+impl LeaningSide<'_> {
+    fn members(&self) -> [Member; 2] {
+        [self.leaning.assembly.locked(), self.leaning.assembly.free()]
+    }
+
+    fn set_line(&mut self) {
+        let [locked, free] = self
+            .members()
+            .map(|member| self.leaning.centres[member as usize]);
+        let (between, sum) = (free - locked, self.bases[0] + self.bases[1]);
+        let square = between.norm_squared();
+        self.length = (square - sum * sum).max(0.0).sqrt();
+        let beside = -self.side.sense() * self.length;
+        self.tangent = between.y.atan2(between.x) + beside.atan2(sum);
+        let turned = Vector2::new(
+            between.x * sum - between.y * beside,
+            between.y * sum + between.x * beside,
+        );
+        self.direction = turned / square;
+    }
+
+    /// Turns the free gear to where the pair nearest to the line of centres touches.
+    fn turn_free(&mut self) {
+        let roll = self.roll(self.nearest);
+        self.free_turned = self.free_turn(self.nearest, roll);
+        let (leaning, turned) = (&mut self.leaning, Rotation2::new(self.free_turned));
+        let free = leaning.assembly.free() as usize;
+        let off = leaning.centres[free] - leaning.axes[free];
+        leaning.centres[free] = leaning.axes[free] + turned * off;
+        leaning.leans[free] =
+            leaning.shafts[free] + turned * (leaning.leans[free] - leaning.shafts[free]);
+    }
+
+    /// Roll of the locked flank of a step on the line, rad.
+    fn roll(&self, step: i64) -> f64 {
+        let (leaning, s) = (&self.leaning, self.side.sense());
+        let (pair, locked) = (leaning.assembly, leaning.assembly.locked());
+        let pitch = leaning.gears[locked as usize].pitch;
+        let tooth = leaning.pose.locked_tooth(pair, step);
+        let flank = leaning.flank(locked, self.side, tooth);
+        -s * reduced(self.tangent - (self.mating_at + step as f64 * pitch + flank))
+    }
+
+    /// Roll of the free flank on the line, rad, whose mate has the roll `roll`.
+    fn mate(&self, roll: f64) -> f64 {
+        (self.length - self.bases[0] * roll) / self.bases[1]
+    }
+
+    /// Rotation of the free gear from nominal to where the pair of a step touches, rad; `roll` is that of its locked flank.
+    fn free_turn(&self, step: i64, roll: f64) -> f64 {
+        let leaning = &self.leaning;
+        let (pair, free) = (leaning.assembly, leaning.assembly.free());
+        let facing = leaning.pose.facing_tooth(pair, self.side, step);
+        let flank = pair.mate_direction(free)
+            + leaning.pose.rotation(pair, free)
+            + pair.gear(free).tooth_angle(f64::from(facing))
+            + leaning.flank(free, self.side, facing);
+        // θ_T = θ_0 − s ξ on either gear.
+        let wanted = self.tangent + PI + self.side.sense() * self.mate(roll);
+        reduced(wanted - flank)
+    }
+
+    /// Turns of the locked and the free flank of a step from the mating's locked tooth, rad.
+    pub fn turns(&self, step: i64) -> [f64; 2] {
+        let (mut leaning, s, side) = (self.leaning, self.side.sense(), self.side);
+        let (pair, bases, rolls) = (leaning.assembly, self.bases, self.rolls);
+        let [locked, free] = self.members();
+        let numbers = [
+            leaning.pose.locked_tooth(pair, step),
+            leaning.pose.facing_tooth(pair, side, step),
+        ];
+        let roll = self.roll(step);
+        let mate = self.mate(roll);
+        if self.free_moves {
+            // Pairs touch at rotations that differ by deviations.
+            leaning.turn_free_slightly(self.free_turn(step, roll) - self.free_turned);
+        }
+        let mates = rolls[1].map(|roll| (self.length - bases[1] * roll) / bases[0]);
+        let (least, most) = (rolls[0][0].max(mates[1]), rolls[0][1].min(mates[0]));
+        let normal = s * Vector2::new(-self.direction.y, self.direction.x);
+        // P = C + r_b E (1 ± iξ); a corner lies on its own tangent, turned back by what its roll is beyond it.
+        let at = |member: Member, k: usize, beyond: f64, roll: f64| {
+            let sense = if k == 0 { 1.0 } else { -1.0 };
+            let point = bases[k] * sense * (self.direction + roll * normal);
+            let point = if beyond == 0.0 {
+                point
+            } else {
+                Rotation2::new(s * beyond) * point
+            };
+            leaning.centres[member as usize] + point
+        };
+        let point = match corner(roll, [least, most], rolls) {
+            None => at(locked, 0, 0.0, roll),
+            Some((0, end)) => at(locked, 0, roll - end, end),
+            Some((_, end)) => at(free, 1, mate - end, end),
+        };
+        [
+            leaning.turn_of(locked, side, numbers[0], point, normal),
+            leaning.turn_of(free, side, numbers[1], point, -normal),
+        ]
+    }
+}
+
+impl Leaning<'_> {
+    /// Turns the free gear by a slight angle, rad.
+    fn turn_free_slightly(&mut self, angle: f64) {
+        let free = self.assembly.free() as usize;
+        let across = |v: Vector2<f64>| angle * Vector2::new(-v.y, v.x);
+        self.leans[free] += across(self.leans[free] - self.shafts[free]);
+        self.centres[free] += across(self.centres[free] - self.axes[free]);
     }
 
     /// Turn of a tooth's flank that touches at `point` with the outward `normal`.
@@ -290,24 +389,28 @@ impl<'a> Leaning<'a> {
         point: Vector2<f64>,
         normal: Vector2<f64>,
     ) -> f64 {
-        let (gear, lean) = (self.pair.gear(member), self.leans[member as usize]);
-        let from_axis = point - self.centre(member);
+        let (gear, lean) = (self.assembly.gear(member), self.leans[member as usize]);
+        let from_axis = point - self.centres[member as usize];
         let square = lean.norm_squared();
-        let (s, base) = (side.sense(), gear.gear().base_radius());
+        let (s, own) = (side.sense(), &self.gears[member as usize]);
         let k = (1.0 + square).sqrt();
         let along = lean.dot(&from_axis);
         // Over this section.
         let height = self.b * (k - 1.0) + along / k;
         let [from, to] = self.faces[member as usize];
         if height < from - AT_END || height > to + AT_END {
-            return -s * TURNED_BACK * gear.gear().basic_data().angular_pitch();
+            return -s * TURNED_BACK * own.pitch;
         }
         if square == 0.0 {
             return 0.0;
         }
-        let lead = gear.lead(side, tooth, height) - gear.lead(side, tooth, 0.0);
+        let lead = if gear.has_leads() {
+            gear.lead(side, tooth, self.b + height) - gear.lead(side, tooth, self.b)
+        } else {
+            0.0
+        };
         let stretch = (1.0 - 1.0 / k) / square * along * normal.dot(&lean);
-        height * gear.gear().basic_data().twist() + s * (lead + stretch) / base
+        height * own.twist + s * (lead + stretch) / own.base
     }
 }
 

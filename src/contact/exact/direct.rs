@@ -119,12 +119,35 @@ impl DirectSolver {
         DirectSolver::of(problem, assembly, envelopes, problem)
     }
 
+    /// The solver for all sections of leaning axes, whose outlines stand further off their axes than those of `problem`.
+    pub fn over_leans(
+        problem: &FlankProblem,
+        assembly: &GearPair,
+        envelopes: Envelopes,
+    ) -> Option<DirectSolver> {
+        let shift = assembly.most_shift();
+        let [from, to] = assembly.face();
+        let wobble = assembly.gear(assembly.free()).wobble() * from.abs().max(to.abs());
+        DirectSolver::with_offs(problem, assembly, envelopes, problem, [shift, wobble])
+    }
+
     /// The solver for `modified`, whose profiles deviate from those of `problem` and `assembly`.
     pub fn of(
         problem: &FlankProblem,
         assembly: &GearPair,
         envelopes: Envelopes,
         modified: &FlankProblem,
+    ) -> Option<DirectSolver> {
+        DirectSolver::with_offs(problem, assembly, envelopes, modified, [0.0; 2])
+    }
+
+    /// As [`DirectSolver::of`], with outlines up to `more` mm further off their axes.
+    fn with_offs(
+        problem: &FlankProblem,
+        assembly: &GearPair,
+        envelopes: Envelopes,
+        modified: &FlankProblem,
+        more: [f64; 2],
     ) -> Option<DirectSolver> {
         let locked_gear = assembly.gear(assembly.locked());
         let free_gear = assembly.gear(assembly.free());
@@ -136,14 +159,14 @@ impl DirectSolver {
             free: &problem.free.shape,
             locked_teeth: &modified.locked,
             free_teeth: &modified.free,
-            locked_off: locked_gear.eccentricity(),
-            free_off: free_gear.eccentricity(),
+            locked_off: locked_gear.eccentricity() + more[0],
+            free_off: free_gear.eccentricity() + more[1],
             distance: problem.distance,
         };
         Some(DirectSolver {
             proof: setting.prove()?,
             free_off: setting.free_off,
-            outmost: free_gear.reach(),
+            outmost: free_gear.reach() + more[1],
             variation: TangentVariation::new(problem, setting.locked_off, setting.free_off)?,
             envelopes,
         })
@@ -298,6 +321,22 @@ impl PosedFlanks<'_> {
         // |ρ² − r²| ≤ e (2r + e) on a circle that is e off its axis.
         let off = (square - free_tip * free_tip).abs();
         (off <= solver.free_off * (2.0 * free_tip + solver.free_off)).then_some(square)
+    }
+
+    /// Whether [`PosedFlanks::far_corner_reaches`] may hold in a section whose corners move by up to `moved`, mm.
+    pub(super) fn far_corner_may_reach(
+        &self,
+        solver: &DirectSolver,
+        step: i64,
+        moved: f64,
+    ) -> bool {
+        let (place, _) = self.places(step);
+        let (locked_teeth, free_tip) = (&self.problem.locked, self.problem.free.shape.tip_radius);
+        let point =
+            self.centre - self.turned * locked_teeth.direction(place) * locked_teeth.far(place);
+        let off = solver.free_off + moved;
+        let beyond = point.norm_sqr() - free_tip * free_tip;
+        solver.free_off > 0.0 && beyond.abs() <= off * (2.0 * free_tip + off)
     }
 
     /// Examines a corner of the free gear that the envelope does not reliably show clear.

@@ -83,6 +83,54 @@ impl FlankProblem {
         }
     }
 
+    /// The problem in a section with these teeth, a centre distance, mm, and displacements of both outlines at rotation 0. The window stays: it is
+    /// that of all sections.
+    pub fn in_section(
+        &self,
+        distance: f64,
+        (locked_off, free_off): (C, C),
+        (locked, free): (Arc<Teeth>, Arc<Teeth>),
+    ) -> FlankProblem {
+        let mut problem = FlankProblem {
+            window: self.window.map(|(low, high)| {
+                (
+                    low + self.locked.farthest - locked.farthest,
+                    high + locked.deepest - self.locked.deepest,
+                )
+            }),
+            locked,
+            free,
+            locked_off,
+            free_off,
+            distance,
+            pitch_point: self.pitch_point * (distance / self.distance),
+            ..*self
+        };
+        problem.tie = problem.tie_at(distance);
+        problem
+    }
+
+    /// This problem with all teeth that can reach the mate in any section, where axes lean.
+    pub fn over_leans(&self, assembly: &GearPair) -> FlankProblem {
+        let (locked, free) = (
+            assembly.gear(assembly.locked()),
+            assembly.gear(assembly.free()),
+        );
+        // The nearest centres have the widest lens.
+        let shift = assembly.most_shift();
+        let nearest = self.distance - 2.0 * shift;
+        let more = 2.0 * shift / (nearest - free.reach());
+        FlankProblem {
+            window: window_half(locked, free, nearest).map(|half| {
+                (
+                    -half - more - self.locked.farthest,
+                    half + more + self.locked.deepest,
+                )
+            }),
+            ..self.clone()
+        }
+    }
+
     fn of(assembly: &GearPair, side: Side, teeth: (Arc<Teeth>, Arc<Teeth>)) -> FlankProblem {
         let (locked, free) = (
             assembly.gear(assembly.locked()),
@@ -144,6 +192,7 @@ impl FlankProblem {
             turned,
             centre: C::from(self.distance) - turned * self.locked_off,
             ahead: reduced(mirror * rotation + self.locked.angle(locked_place)),
+            onward: steps,
             locked_place,
             free_place,
             origin,
@@ -217,6 +266,8 @@ pub(in crate::contact) struct PosedFlanks<'a> {
     pub centre: C,
     /// Angle of the locked tooth of step 0 from the line of centres, rad.
     pub ahead: f64,
+    /// Steps from the mating's locked tooth to that of step 0.
+    pub onward: i64,
     locked_place: usize,
     free_place: usize,
     /// Direction of the free half tooth of step 0 at rotation 0, from which gaps count, and its offset.
@@ -290,7 +341,7 @@ impl<'a> PosedFlanks<'a> {
         }
     }
 
-    /// These places for the teeth of `problem`, which differ only in their offsets.
+    /// These places for the teeth of `problem`, which differ only in their offsets and centres.
     pub fn of<'b>(&self, problem: &'b FlankProblem) -> PosedFlanks<'b> {
         let origin = problem.free.direction(self.free_place);
         PosedFlanks {
@@ -299,8 +350,9 @@ impl<'a> PosedFlanks<'a> {
             free_offset: problem.free.offset(self.free_place),
             free_centre: problem.free_off * origin.conj(),
             turned: self.turned,
-            centre: self.centre,
+            centre: C::from(problem.distance) - self.turned * problem.locked_off,
             ahead: self.ahead,
+            onward: self.onward,
             locked_place: self.locked_place,
             free_place: self.free_place,
         }

@@ -23,6 +23,7 @@
 //! `over_face` takes the tightest of them. Polygons and certificate treat one section at a time (`by_sections`). If an edge can reach a
 //! fillet, or paths of contact are very short, further sections are needed ([`edges`]).
 
+mod directly;
 mod edges;
 mod facing;
 mod leads;
@@ -32,7 +33,7 @@ mod roots;
 mod tests;
 mod turning;
 
-use super::flank_problem::FlankProblem;
+use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::section::{Section, SectionRequest, floor};
 use super::teeth::{Teeth, reduced};
 use crate::contact::Effort;
@@ -40,10 +41,12 @@ use crate::contact::body::solid_radius;
 use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
+use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
+use directly::Directly;
 use edges::Edges;
 use facing::{Facing, Floors};
-use leads::AlongFace;
+use leads::{AlongFace, FaceBounds, MOST_BY_ARMS};
 use profiles::{AlongFlanks, Highest, LEVEL};
 use std::borrow::Cow;
 use turning::FreeGear;
@@ -77,10 +80,11 @@ pub(super) struct Helical {
     sections: Vec<(f64, Section)>,
     /// Further places between the sections where an edge may touch tightest.
     edges: Option<Edges>,
-    /// Whether tips can touch fillets.
-    in_fillets: bool,
     /// Error of each contact by what sections of leaning axes leave out, rad of the free gear.
     left_out: f64,
+    bounds: FaceBounds,
+    /// How sections are solved that need no search.
+    directly: Option<Box<Directly>>,
 }
 
 impl Helical {
@@ -117,15 +121,24 @@ impl Helical {
         let path = shortest_path(assembly);
         let short = path < SHORTEST * base_pitch;
         let edges = Edges::new(assembly, &plane.right, short);
-        let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
-        let mut edges = edges.filter(|_| assembly.is_helical());
-        if let Some(solver) = plane.solver.as_ref().filter(|_| !assembly.binds_anywhere())
-            && let Some(spread) = spread_on_line(plane, path, base_pitch)
+        let base = assembly.gear(assembly.free()).gear().base_radius();
+        let most_moved = most_moved(assembly);
+        // Flanks in a section differ by their leads and leans, too.
+        let moved = if assembly.deviates_along_face() {
+            MOST_BY_ARMS * most_moved
+        } else {
+            0.0
+        };
+        let mut edges = edges;
+        if let Some(solver) = plane.solver.as_ref().filter(|_| !assembly.is_modified())
+            && let Some(spread) = spread_on_line(plane, path - moved, base_pitch)
         {
             let deepest = [solver.proof.locked_fillet, solver.proof.free_fillet];
+            let spread = (spread + moved / base, assembly.most_shift());
             edges = edges.and_then(|edges| edges.without_fillets(&plane.right, deepest, spread));
         }
-        let base = assembly.gear(assembly.free()).gear().base_radius();
+        let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
+        let edges = edges.filter(|_| assembly.is_helical());
         let left_out = if assembly.leans() {
             (assembly.left_out() + assembly.beyond_ends()) / base
         } else if assembly.is_modified() {
@@ -133,9 +146,16 @@ impl Helical {
         } else {
             0.0
         };
+        let directly = Directly::new(assembly, plane, edges.as_ref()).map(Box::new);
         Helical {
+            bounds: FaceBounds {
+                most_moved,
+                most_lead: Side::BOTH.map(|side| most_lead(assembly, side)),
+                by_heights: assembly.by_heights(),
+                in_fillets,
+            },
+            directly,
             edges,
-            in_fillets,
             left_out,
             assembly: assembly.clone(),
             plane: plane.clone(),
@@ -161,6 +181,22 @@ impl Helical {
         (section, pose.in_section(&self.assembly, b))
     }
 
+    /// As [`Helical::section_at`], for its teeth alone: those out of reach may be left out.
+    fn section_of_teeth<'a>(
+        &self,
+        pose: &Pose,
+        b: f64,
+        kept: Option<&'a Section>,
+    ) -> (Cow<'a, Section>, Pose) {
+        if kept.is_none() || self.assembly.leans() {
+            let here = pose.in_section(&self.assembly, b);
+            if let Some(section) = self.section_in_reach(pose, &here, b) {
+                return (Cow::Owned(section), here);
+            }
+        }
+        self.section_at(pose, b, kept)
+    }
+
     /// Calls `each` for every kept section at `pose`, and for those at the `further` places, with the pose there and the place, mm.
     ///
     /// # Errors
@@ -172,14 +208,14 @@ impl Helical {
         mut each: impl FnMut(&Section, &Pose, f64) -> Result<(), E>,
     ) -> Result<(), E> {
         for (b, section) in &self.sections {
-            let (section, here) = self.section_at(pose, *b, Some(section));
+            let (section, here) = self.section_of_teeth(pose, *b, Some(section));
             each(&section, &here, *b)?;
         }
         let is_kept = |place: &f64| self.places().any(|b| b == *place);
         let mut further: Vec<f64> = further.filter(|place| !is_kept(place)).collect();
         further.dedup();
         for b in further {
-            let (section, here) = self.section_at(pose, b, None);
+            let (section, here) = self.section_of_teeth(pose, b, None);
             each(&section, &here, b)?;
         }
         Ok(())
@@ -202,6 +238,27 @@ impl Helical {
     /// Whether every pair of teeth has line contact over some length, for any direction of the eccentricities.
     pub fn has_line_contact(&self) -> bool {
         shortest_path(&self.assembly) > 0.0
+    }
+
+    /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`. The nominal rotation is at the gap `nominal`.
+    fn places_of_leads(
+        &self,
+        posed: &PosedFlanks,
+        nominal: f64,
+        floor: f64,
+        effort: &Effort,
+    ) -> Vec<f64> {
+        let (assembly, in_fillets) = (&self.assembly, self.bounds.in_fillets);
+        let along = AlongFace::new(assembly, posed, nominal, self.bounds, effort);
+        // Leads can hold a pair that the known contact would leave out.
+        let stands = FreeGear {
+            rotation: posed.rotation(if floor.is_finite() { floor } else { nominal }),
+            is_held: false,
+        };
+        let deepest = self.edges.iter().filter(|_| in_fillets);
+        let deepest = deepest.flat_map(|edges| edges.deepest(assembly, posed, stands));
+        let tie = posed.problem.tie;
+        along.places(floor + tie, tie, deepest)
     }
 
     /// Both contacts of `pose`, as `method` finds them in each section, within the common budget `effort`. If one
@@ -337,18 +394,9 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let posed = helical.plane.posed(problem, pose);
         let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
-        let (assembly, in_fillets) = (&helical.assembly, helical.in_fillets);
-        let along = AlongFace::new(assembly, &posed, nominal, in_fillets, self.effort);
         let known = self.over.beyond(side);
         let floor = known.map_or(f64::NEG_INFINITY, |known| nominal - side.sense() * known);
-        // Leads can hold a pair that the known contact would leave out.
-        let stands = FreeGear {
-            rotation: posed.rotation(if floor.is_finite() { floor } else { nominal }),
-            is_held: false,
-        };
-        let deepest = helical.edges.iter().filter(|_| in_fillets);
-        let deepest = deepest.flat_map(|edges| edges.deepest(assembly, &posed, stands));
-        for b in along.places(floor + problem.tie, problem.tie, deepest) {
+        for b in helical.places_of_leads(&posed, nominal, floor, self.effort) {
             self.section(b, None, 0.0)?;
         }
         Ok(())
@@ -377,6 +425,57 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         }
         Ok(())
     }
+}
+
+/// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
+fn most_moved(assembly: &GearPair) -> f64 {
+    let wound = assembly
+        .gear(Member::Wheel)
+        .gear()
+        .basic_data()
+        .base_helix_angle()
+        .tan();
+    let of_gear = |member| {
+        let gear = assembly.gear(member);
+        let teeth = if gear.has_one_lead() {
+            1
+        } else {
+            assembly.teeth(member)
+        };
+        let flanks = Side::BOTH.into_iter().flat_map(|side| {
+            let range = move |tooth| {
+                let curve = gear.lead_curve(side, tooth);
+                curve.map_or(0.0, |curve| curve.range())
+            };
+            (1..=teeth).map(range)
+        });
+        let profiles = Side::BOTH
+            .into_iter()
+            .flat_map(|side| gear.deviations(side));
+        let profiles = profiles.map(|[least, most]| least.abs().max(most.abs()));
+        flanks.fold(0.0, f64::max) + profiles.fold(0.0, f64::max)
+    };
+    let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
+    let leaning = assembly.most_shift() + assembly.most_lean() * wound * (reach[0] + reach[1]);
+    of_gear(Member::Wheel) + of_gear(Member::Pinion) + leaning
+}
+
+/// Greatest sum of the leads of any flanks of a side over the face, less that in the measuring plane, mm.
+fn most_lead(assembly: &GearPair, side: Side) -> f64 {
+    let of_gear = |member| {
+        let gear = assembly.gear(member);
+        let teeth = if gear.has_one_lead() {
+            1
+        } else {
+            assembly.teeth(member)
+        };
+        let most = |tooth| {
+            let [_, most] = gear.lead_bounds(side, tooth, assembly.face())[0];
+            most - gear.lead(side, tooth, 0.0)
+        };
+        (1..=teeth).map(most).fold(f64::NEG_INFINITY, f64::max)
+    };
+    of_gear(Member::Wheel) + of_gear(Member::Pinion)
 }
 
 /// Greatest difference between the places of all flanks, rad of the free gear. `path` is the least path of contact in any section, mm.

@@ -4,8 +4,8 @@
 //! place along the face. The search of the tightest place uses them, and so do the bounds of extremes.
 
 use super::flank_problem::PosedFlanks;
-use super::separation::Separation;
-use super::shape::{C, turn};
+use super::separation::{NearStart, Separation};
+use super::shape::C;
 use crate::contact::gap::dot;
 use crate::pair::{GearPair, Member};
 
@@ -62,9 +62,9 @@ impl LeaningFrame {
         })
     }
 
-    /// Leans of the locked and of the free toothing at a gap.
-    pub fn leans(&self, gap: f64) -> [C; 2] {
-        [self.locked, self.free_shaft + self.free_centre * turn(gap)]
+    /// Leans of the locked and of the free toothing; `turned` is `e^{iμ}` of the gap.
+    pub fn leans(&self, turned: C) -> [C; 2] {
+        [self.locked, self.free_shaft + self.free_centre * turned]
     }
 
     /// The teeth of `posed` with the centres of the section at `b`, mm.
@@ -76,36 +76,54 @@ impl LeaningFrame {
     }
 
     /// The teeth of `posed` with the centres of the section at `b`, mm, the gap of the pair of `step` there, and its touch from which heights
-    /// count. The teeth are turned by `turns`, rad, without the heights, and touch near the gap `near`. `None` where they do not face each other.
+    /// count. The teeth are turned by `turns`, rad, without the heights, and touch near `start`. `None` where they do not face each other.
     pub fn undisturbed<'a>(
         &self,
         posed: &PosedFlanks<'a>,
         (step, b): (i64, f64),
         turns: [f64; 2],
-        near: f64,
-    ) -> Option<(PosedFlanks<'a>, f64, LeaningTouch)> {
+        start: &NearStart,
+    ) -> Option<(PosedFlanks<'a>, Separation, LeaningTouch)> {
         let here = self.at(posed, b);
-        let found = Separation::turned(&here, step, near, turns);
+        let found = Separation::beside(&here, step, turns, start);
         found
             .touches
-            .then(|| (here, found.gap, self.touch(b, &here, &found)))
+            .then(|| (here, found, self.touch(b, &here, &found, start)))
+    }
+
+    /// Rate of the room `s` of a touch by the moves of both centres, mm per mm along the face.
+    pub fn rate(&self, found: &Separation, start: &NearStart) -> f64 {
+        let moves = self.moves(found.gap_turned(start));
+        (found.direction_turned(start, 0.0) * moves.conj()).im
+    }
+
+    /// Move of the locked centre against the free one, mm per mm along the face; `turned` is `e^{iμ}` of the gap.
+    pub fn moves(&self, turned: C) -> C {
+        self.locked_centre - self.free_centre * turned
     }
 
     /// The teeth of a section at `b`, mm, `here` with its centres, that touch as `found` says.
-    pub fn touch(&self, b: f64, here: &PosedFlanks, found: &Separation) -> LeaningTouch {
+    pub fn touch(
+        &self,
+        b: f64,
+        here: &PosedFlanks,
+        found: &Separation,
+        start: &NearStart,
+    ) -> LeaningTouch {
         let problem = here.problem;
         let bases = [problem.locked.shape.base, problem.free.shape.base];
-        let centres = [here.centre, here.free_centre * turn(found.gap)];
+        let turned = found.gap_turned(start);
+        let centres = [here.centre, here.free_centre * turned];
         let (rolls, on) = (found.rolls(), found.rolls_on_arcs());
         // The gear whose corner touches; on the line of action either has the point.
         let k = usize::from(on[0] == rolls[0] && on[1] != rolls[1]);
         // E = ∓e^{iβ}, turned back to the corner's own tangent: P = C + r_b E (1 − iξ).
         let sign = if k == 0 { -1.0 } else { 1.0 };
-        let e = sign * turn(found.direction() - rolls[k] + on[k]);
+        let e = sign * found.direction_turned(start, on[k] - rolls[k]);
         let point = centres[k] + e * C::new(1.0, -on[k]) * bases[k];
-        let e = -turn(found.direction());
+        let e = -found.direction_turned(start, 0.0);
         let normal = C::new(e.im, -e.re);
-        let leans = self.leans(found.gap);
+        let leans = self.leans(turned);
         let mut touch = LeaningTouch {
             heights: [0.0; 2],
             turns: [0.0; 2],

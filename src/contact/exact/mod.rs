@@ -39,6 +39,7 @@ mod report;
 mod search;
 mod search_free_proof;
 mod section;
+mod section_side;
 mod separation;
 mod shape;
 mod tangent;
@@ -127,7 +128,10 @@ impl ExactKernel {
                 let jam = None;
                 Ok(FoundOverFace { lost_motion, jam })
             }
-            Some(helical) => helical.over(pose, effort, Section::lost_motion),
+            Some(helical) => match helical.directly(pose, effort) {
+                Some(found) => Ok(found),
+                None => helical.over(pose, effort, Section::lost_motion),
+            },
         }
     }
 

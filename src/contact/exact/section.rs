@@ -109,6 +109,15 @@ impl Section {
         Section::of(pair, problems, self.envelopes.clone(), outer)
     }
 
+    /// The section with these flanks of both sides, right first.
+    pub fn with_sides(&self, [right, left]: [FlankProblem; 2]) -> Section {
+        Section {
+            right,
+            left,
+            ..self.clone()
+        }
+    }
+
     /// One of its sides.
     pub fn side(&self, side: Side) -> &FlankProblem {
         match side {
@@ -200,9 +209,7 @@ impl Section {
         let turned = turn(rotation);
         let contact = |problem: &FlankProblem| -> Result<Option<Contact>, Error> {
             let posed = problem.posed(pose, teeth, rotation, turned);
-            let steps = posed.steps();
-            let steps = (steps.end - steps.start).max(0) as u64;
-            request.effort.spend(SIDE + STEP * steps);
+            spend(&posed, request.effort);
             if request.effort.is_spent() {
                 return Err(self.lost(&posed, 0, SPENT, pose));
             }
@@ -235,6 +242,23 @@ impl Section {
         }
     }
 
+    /// The contact of `posed`, teeth of one side in a section of this pair, that needs no search; `None` without one or without effort.
+    pub(super) fn contact(
+        &self,
+        posed: &PosedFlanks,
+        solver: &DirectSolver,
+        effort: &Effort,
+    ) -> Option<Contact> {
+        spend(posed, effort);
+        let request = SideRequest {
+            effort,
+            floor: f64::NEG_INFINITY,
+        };
+        let found = direct::touching(posed, Some(solver), request).ok()?;
+        let touching = found.filter(|_| !effort.is_spent())?;
+        Some(report::contact(posed, &touching, self.free))
+    }
+
     fn lost(&self, posed: &PosedFlanks, step: i64, reason: &'static str, pose: &Pose) -> Error {
         let (locked_place, free_place) = posed.places(step);
         let locked = posed.problem.locked.number(locked_place);
@@ -251,6 +275,13 @@ impl Section {
             reason,
         }
     }
+}
+
+/// Charges the teeth of one side.
+fn spend(posed: &PosedFlanks, effort: &Effort) {
+    let steps = posed.steps();
+    let steps = (steps.end - steps.start).max(0) as u64;
+    effort.spend(SIDE + STEP * steps);
 }
 
 /// The reason of a contact lost because its pose has no effort left.

@@ -25,6 +25,7 @@ use super::flank_problem::PosedFlanks;
 use super::line::Line;
 use super::path::Pair;
 use super::shape::{C, HalfToothShape, turn};
+use super::teeth::slightly_turned;
 use std::f64::consts::PI;
 
 /// Limit of Newton steps (3 to 6 are usual).
@@ -64,12 +65,17 @@ impl Arc {
 
     /// `q` and its derivatives.
     fn support(&self, roll: f64) -> [f64; 3] {
+        self.support_by(roll, f64::sin_cos)
+    }
+
+    #[inline]
+    fn support_by(&self, roll: f64, sin_cos: impl Fn(f64) -> (f64, f64)) -> [f64; 3] {
         let end = roll.clamp(self.form, self.tip);
         let beyond = roll - end;
         if beyond == 0.0 {
             return [roll, 1.0, 0.0];
         }
-        let (sin, cos) = beyond.sin_cos();
+        let (sin, cos) = sin_cos(beyond);
         [end * cos + sin, cos - end * sin, -end * cos - sin]
     }
 
@@ -109,6 +115,8 @@ pub(super) struct Separation {
     pub by_turn: [f64; 2],
     /// Its derivative by the rotation of the locked gear.
     pub slope: f64,
+    /// Derivative of `s` by the gap, mm.
+    pub turning: f64,
     /// Whether it is the touch itself; otherwise only a rotation at which they are apart.
     pub touches: bool,
     beta: f64,
@@ -132,7 +140,7 @@ impl Separation {
     ) -> Separation {
         let problem = posed.problem;
         let pair = posed.pair(step).turned(turns);
-        let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::endless);
+        let arcs = [&problem.locked, &problem.free].map(|teeth| Arc::endless(&teeth.shape));
         let sum = problem.sum();
         let mut gap = near;
         for _ in 0..STEPS {
@@ -157,6 +165,7 @@ impl Separation {
             gap: f64::INFINITY,
             by_turn: [f64::NAN; 2],
             slope: 0.0,
+            turning: f64::NAN,
             touches: false,
             beta: f64::NAN,
             rolls: [f64::NAN; 2],
@@ -171,15 +180,83 @@ impl Separation {
 
     /// Like [`Separation::new`], with the locked and the free tooth turned by `turns`, rad, about their own centres.
     pub fn turned(posed: &PosedFlanks, step: i64, near: f64, turns: [f64; 2]) -> Separation {
+        Separation::found(posed, step, turns, &Start::new(posed, near))
+    }
+
+    /// Like [`Separation::turned`], found from a direction and a gap that may be those of another pair or section.
+    #[inline]
+    pub fn beside(
+        posed: &PosedFlanks,
+        step: i64,
+        turns: [f64; 2],
+        start: &NearStart,
+    ) -> Separation {
+        let Some(line) = Separation::on_endless(posed, step, turns, start) else {
+            return Separation::found(posed, step, turns, start);
+        };
+        // Where both rolls are on their involutes, endless ones touch in the same point.
+        if line.is_on_line([0.0; 2]) {
+            line
+        } else {
+            Separation::found(posed, step, turns, &start.at(&line))
+        }
+    }
+
+    /// The pair on the line of action of endless involutes; `None` without a line.
+    fn on_endless(
+        posed: &PosedFlanks,
+        step: i64,
+        turns: [f64; 2],
+        start: &NearStart,
+    ) -> Option<Separation> {
         let problem = posed.problem;
         let pair = posed.pair(step).turned(turns);
-        let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::new);
+        let arcs = [&problem.locked, &problem.free].map(|teeth| Arc::new(&teeth.shape));
         let sum = problem.sum();
-        let mut gap = near;
-        let (mut between, mut rate) = posed.between(gap);
-        let start = (between.norm_sqr() - sum * sum).max(0.0).sqrt();
-        let mut beta = between.im.atan2(between.re) + start.atan2(sum);
-        let mut state = State::new(&arcs, &pair, between, rate, beta, gap);
+        let (_, mut gap) = start.from();
+        for _ in 0..STEPS {
+            let off = posed.free_centre * Trigonometry::gap(start, gap);
+            let (between, rate) = (posed.centre - off, C::new(off.im, -off.re));
+            let all = between.norm_sqr();
+            let square = all - sum * sum;
+            if !(square > 0.0) {
+                break;
+            }
+            let length = square.sqrt();
+            let direction = between * C::new(sum, length) / all;
+            let beta = start.beta + slight_angle(direction * start.direction.conj());
+            let turning = (direction * rate.conj()).im + arcs[1].base;
+            let apart = length
+                - arcs[0].base * (beta - pair.locked_base)
+                - arcs[1].base * (beta - gap - pair.free_base);
+            let step = -apart / turning;
+            gap += step;
+            // After such a step only rounding is left.
+            if step.abs() < SETTLED.0 || rate == C::ZERO {
+                let found = (turning, [1.0; 2]);
+                return Some(Separation::at(posed, &pair, (gap, beta), found, arcs, true));
+            }
+        }
+        None
+    }
+
+    fn found(
+        posed: &PosedFlanks,
+        step: i64,
+        turns: [f64; 2],
+        start: &impl Trigonometry,
+    ) -> Separation {
+        let problem = posed.problem;
+        let pair = posed.pair(step).turned(turns);
+        let arcs = [&problem.locked, &problem.free].map(|teeth| Arc::new(&teeth.shape));
+        let sum = problem.sum();
+        let (mut beta, mut gap) = start.from();
+        let at = |gap: f64| {
+            let off = posed.free_centre * start.gap(gap);
+            (posed.centre - off, C::new(off.im, -off.re))
+        };
+        let (mut between, mut rate) = at(gap);
+        let mut state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
         let (mut touches, mut is_settled) = (false, false);
         let mut last = (0.0f64, 0.0);
         for _ in 0..STEPS {
@@ -196,8 +273,8 @@ impl Separation {
             let step = -state.apart / state.turning;
             beta += turned;
             gap += step;
-            (between, rate) = posed.between(gap);
-            state = State::new(&arcs, &pair, between, rate, beta, gap);
+            (between, rate) = at(gap);
+            state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
             if step.abs() < SETTLED.0 && newton.abs() < SETTLED.1 {
                 (touches, is_settled) = (state.bend < LEVEL * sum, true);
                 break;
@@ -210,8 +287,8 @@ impl Separation {
             }
             let step = -state.apart / state.turning;
             gap += step;
-            (between, rate) = posed.between(gap);
-            state = State::new(&arcs, &pair, between, rate, beta, gap);
+            (between, rate) = at(gap);
+            state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
             is_settled = step.abs() < SETTLED.0 && state.turning > 0.0;
         }
         // The remainder of `s` is rounding, and is put on the safe side for both bounds.
@@ -250,11 +327,22 @@ impl Separation {
             gap,
             by_turn: [0, 1].map(|k| -arcs[k].base * slopes[k] / turning),
             slope: -along / turning,
+            turning,
             touches,
             beta,
             rolls: [beta - pair.locked_base, beta - gap - pair.free_base],
             arcs,
         }
+    }
+
+    /// `e^{iβ}` of the separating direction turned by `angle`, rad.
+    pub fn direction_turned(&self, start: &NearStart, angle: f64) -> C {
+        start.direction(self.beta + angle)
+    }
+
+    /// `e^{iμ}` of the gap.
+    pub fn gap_turned(&self, start: &NearStart) -> C {
+        Trigonometry::gap(start, self.gap)
     }
 
     /// The separating direction `β`, rad.
@@ -270,6 +358,23 @@ impl Separation {
     /// These rolls, or those of the ends of the involutes beyond which they are.
     pub fn rolls_on_arcs(&self) -> [f64; 2] {
         [0, 1].map(|k| self.rolls[k].clamp(self.arcs[k].form, self.arcs[k].tip))
+    }
+
+    /// Room that involutes with ends have more than endless ones where these have `rolls` on the line of action, mm.
+    pub fn room(&self, rolls: [f64; 2], ends: [[f64; 2]; 2]) -> f64 {
+        let room = |k: usize| {
+            let arc = Arc {
+                base: self.arcs[k].base,
+                form: ends[k][0],
+                tip: ends[k][1],
+            };
+            let slight = |angle: f64| {
+                let turned = slightly_turned(angle);
+                (turned.im, turned.re)
+            };
+            arc.base * (rolls[k] - arc.support_by(rolls[k], slight)[0])
+        };
+        room(0) + room(1)
     }
 
     /// Whether a roll is within `play` of the form circle, or below it.
@@ -327,18 +432,18 @@ struct State {
 }
 
 impl State {
+    #[inline]
     fn new(
         [locked, free]: &[Arc; 2],
         pair: &Pair,
-        between: C,
-        rate: C,
-        beta: f64,
-        gap: f64,
+        (between, rate): (C, C),
+        (beta, gap): (f64, f64),
+        by: &impl Trigonometry,
     ) -> State {
-        let direction = turn(beta);
+        let direction = by.direction(beta);
         let seen = direction * between.conj();
-        let l = locked.support(beta - pair.locked_base);
-        let f = free.support(beta - gap - pair.free_base);
+        let l = locked.support_by(beta - pair.locked_base, |angle| by.sin_cos(angle));
+        let f = free.support_by(beta - gap - pair.free_base, |angle| by.sin_cos(angle));
         State {
             apart: seen.im - locked.base * l[0] - free.base * f[0],
             tilt: seen.re - locked.base * l[1] - free.base * f[1],
@@ -346,6 +451,120 @@ impl State {
             turning: (direction * rate.conj()).im + free.base * f[1],
             slopes: [l[1], f[1]],
         }
+    }
+}
+
+/// The angle of a unit vector, rad.
+fn slight_angle(unit: C) -> f64 {
+    let sin = unit.im;
+    // The first term left out, 15/336 of the seventh power, is below rounding.
+    if sin.abs() > 5e-3 || unit.re < 0.0 {
+        return sin.atan2(unit.re);
+    }
+    let q = sin * sin;
+    sin * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0)))
+}
+
+/// Where a separation is searched from, and how angles become vectors.
+trait Trigonometry {
+    /// The direction `β` and the gap to start from.
+    fn from(&self) -> (f64, f64);
+    /// `e^{iβ}` of a direction.
+    fn direction(&self, beta: f64) -> C;
+    /// `e^{iμ}` of a gap.
+    fn gap(&self, gap: f64) -> C;
+    fn sin_cos(&self, angle: f64) -> (f64, f64);
+}
+
+/// A line of action at a gap.
+struct Start {
+    beta: f64,
+    gap: f64,
+}
+
+impl Start {
+    fn new(posed: &PosedFlanks, gap: f64) -> Start {
+        let (between, _) = posed.between(gap);
+        let sum = posed.problem.sum();
+        let length = (between.norm_sqr() - sum * sum).max(0.0).sqrt();
+        let beta = between.im.atan2(between.re) + length.atan2(sum);
+        Start { beta, gap }
+    }
+}
+
+impl Trigonometry for Start {
+    fn from(&self) -> (f64, f64) {
+        (self.beta, self.gap)
+    }
+
+    fn direction(&self, beta: f64) -> C {
+        turn(beta)
+    }
+
+    fn gap(&self, gap: f64) -> C {
+        turn(gap)
+    }
+
+    fn sin_cos(&self, angle: f64) -> (f64, f64) {
+        angle.sin_cos()
+    }
+}
+
+/// A line of action of many pairs and sections that are near each other: their directions and gaps differ by slight angles.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NearStart {
+    /// The direction and the gap to search from.
+    from: (f64, f64),
+    beta: f64,
+    gap: f64,
+    direction: C,
+    turned: C,
+}
+
+impl NearStart {
+    /// The line of action of `posed` at a gap.
+    pub fn new(posed: &PosedFlanks, gap: f64) -> NearStart {
+        let Start { beta, .. } = Start::new(posed, gap);
+        NearStart {
+            from: (beta, gap),
+            beta,
+            gap,
+            direction: turn(beta),
+            turned: turn(gap),
+        }
+    }
+}
+
+impl NearStart {
+    /// This line, with the search from the direction and gap of a touch.
+    pub fn at(&self, found: &Separation) -> NearStart {
+        NearStart {
+            from: (found.beta, found.gap),
+            ..*self
+        }
+    }
+}
+
+impl Trigonometry for NearStart {
+    #[inline]
+    fn from(&self) -> (f64, f64) {
+        self.from
+    }
+
+    #[inline]
+    fn direction(&self, beta: f64) -> C {
+        self.direction * slightly_turned(beta - self.beta)
+    }
+
+    #[inline]
+    fn gap(&self, gap: f64) -> C {
+        self.turned * slightly_turned(gap - self.gap)
+    }
+
+    #[inline]
+    fn sin_cos(&self, angle: f64) -> (f64, f64) {
+        let turned = slightly_turned(angle);
+        (turned.im, turned.re)
     }
 }
 
@@ -358,6 +577,7 @@ mod tests {
             gap: 0.0,
             by_turn: [0.0; 2],
             slope: 0.0,
+            turning: bases[1],
             touches: true,
             beta: 0.0,
             rolls,

@@ -6,32 +6,48 @@
 use super::shape::{C, HalfToothShape, turn};
 use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
-/// One side of all teeth of a gear.
+/// Greatest angle, rad, that [`slightly_turned`] takes from its series: the first terms left out, the twelfth and thirteenth power over their
+/// factorials, are below rounding.
+const SLIGHT: f64 = 0.2;
+
+/// One side of the teeth of a gear: of all, or in a section of those in reach of the mate.
 #[derive(Debug, Clone)]
 pub(in crate::contact) struct Teeth {
     /// The half tooth without profile deviations.
-    pub shape: HalfToothShape,
+    pub shape: Arc<HalfToothShape>,
     /// The half teeth with profile deviations, and the index of each place into them.
-    modified: Option<Box<(Vec<HalfToothShape>, Vec<u32>)>>,
+    modified: Option<Arc<(Vec<HalfToothShape>, Vec<u32>)>>,
     /// `τ`.
     pub pitch: f64,
     /// Sign with which tooth numbers increase in this frame.
     ascending: i64,
-    /// Rotation of each half from its undisturbed place, rad.
-    offsets: Vec<f64>,
-    /// Direction of each half tooth's centre line, offset included.
-    directions: Vec<C>,
-    /// Far corner of each tip land, where the tooth's other flank begins, in the frame of this half tooth.
-    far: Vec<C>,
-    /// End of each root land: the middle of the space as built.
-    root_ends: Vec<f64>,
+    /// `z`.
+    count: i64,
+    /// The place of the first half.
+    first: usize,
+    /// The halves of the first and the following places.
+    halves: Vec<Half>,
     /// Least and greatest offset.
     pub extremes: (f64, f64),
     /// Greatest angle of a far corner from its tooth's undisturbed centre line.
     pub farthest: f64,
     /// Greatest angle of a root land's end from its tooth's undisturbed centre line, to the other side.
     pub deepest: f64,
+}
+
+/// One half tooth.
+#[derive(Debug, Clone, Copy)]
+struct Half {
+    /// Rotation from its undisturbed place, rad.
+    offset: f64,
+    /// Direction of its tooth's centre line, offset included.
+    direction: C,
+    /// Far corner of its tip land, where the tooth's other flank begins, in the frame of this half tooth.
+    far: C,
+    /// End of its root land: the middle of the space as built.
+    root_end: f64,
 }
 
 impl Teeth {
@@ -53,17 +69,16 @@ impl Teeth {
             let shapes = (0..gear.shapes(side)).map(|of| shape(gear.shape(side, of)));
             let places =
                 (0..i64::from(count)).map(|place| gear.shape_of(side, number(place)) as u32);
-            Box::new((shapes.collect(), places.collect()))
+            Arc::new((shapes.collect(), places.collect()))
         });
         let mut teeth = Teeth {
-            shape: shape(Profile::new(gear.gear())),
+            shape: Arc::new(shape(Profile::new(gear.gear()))),
             modified,
             pitch,
             ascending,
-            offsets: Vec::with_capacity(count as usize),
-            directions: Vec::with_capacity(count as usize),
-            far: Vec::with_capacity(count as usize),
-            root_ends: Vec::with_capacity(count as usize),
+            count: i64::from(count),
+            first: 0,
+            halves: Vec::with_capacity(count as usize),
             extremes: (0.0, 0.0),
             farthest: f64::NEG_INFINITY,
             deepest: f64::NEG_INFINITY,
@@ -80,20 +95,67 @@ impl Teeth {
             if last.0 != far - offset {
                 last = (far - offset, turn(far - offset) * teeth.shape.tip_radius);
             }
-            teeth.far.push(last.1);
             let root_end = gear.root_end(side, tooth);
             teeth.deepest = teeth.deepest.max(root_end - offset);
-            teeth.root_ends.push(root_end);
-            teeth.offsets.push(offset);
-            teeth
-                .directions
-                .push(turn(centred(place, count) * pitch + offset));
+            teeth.halves.push(Half {
+                offset,
+                direction: turn(centred(place, count) * pitch + offset),
+                far: last.1,
+                root_end,
+            });
         }
-        teeth.extremes = teeth.offsets.iter().fold(
-            (f64::INFINITY, f64::NEG_INFINITY),
-            |(least, most), &offset| (least.min(offset), most.max(offset)),
-        );
+        teeth.set_extremes();
         teeth
+    }
+
+    fn set_extremes(&mut self) {
+        self.extremes = self
+            .halves
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), half| {
+                (least.min(half.offset), most.max(half.offset))
+            });
+    }
+
+    /// The halves of `count` places from `first` in a section that turns the flanks slightly. `turns` has the turns, rad in this frame, of this
+    /// flank and of the other flank of the teeth from one before the first place on. All halves must be known here.
+    pub fn in_section(&self, first: usize, turns: &[[f64; 2]]) -> Teeth {
+        let (start, _) = self.shape.range(ProfilePart::Root);
+        let mut most = 0.0f64;
+        let halves = turns.windows(2).enumerate().map(|(nth, turns)| {
+            let [[_, across], [own, other]] = [turns[0], turns[1]];
+            let half = &self.halves[self.beside(first, nth as i64)];
+            most = most.max(own.abs()).max(other.abs()).max(across.abs());
+            Half {
+                offset: half.offset + own,
+                direction: half.direction * slightly_turned(own),
+                far: half.far * slightly_turned(other - own),
+                // The space ends at the other flank of the tooth before.
+                root_end: (half.root_end - 0.5 * (across - own)).max(start),
+            }
+        });
+        let halves = halves.collect();
+        let mut teeth = Teeth {
+            shape: Arc::clone(&self.shape),
+            modified: self.modified.clone(),
+            first,
+            halves,
+            farthest: self.farthest + most,
+            deepest: self.deepest + 2.0 * most,
+            ..*self
+        };
+        teeth.set_extremes();
+        teeth
+    }
+
+    #[inline]
+    fn half(&self, place: usize) -> &Half {
+        let nth = if place >= self.first {
+            place - self.first
+        } else {
+            place + self.count as usize - self.first
+        };
+        &self.halves[nth]
     }
 
     /// The half tooth at a place.
@@ -127,7 +189,7 @@ impl Teeth {
 
     /// `z`.
     pub fn count(&self) -> i64 {
-        self.offsets.len() as i64
+        self.count
     }
 
     /// The place `steps` counter-clockwise of tooth number `tooth`.
@@ -171,35 +233,49 @@ impl Teeth {
         let steps = if self.ascending > 0 || place == 0 {
             place
         } else {
-            self.offsets.len() - place
+            self.count as usize - place
         };
         steps as u32 + 1
     }
 
     /// Angle of a place from tooth 1, in (−π, π].
     pub fn angle(&self, place: usize) -> f64 {
-        centred(place as i64, self.offsets.len() as u32) * self.pitch
+        centred(place as i64, self.count as u32) * self.pitch
     }
 
     #[inline]
     pub fn offset(&self, place: usize) -> f64 {
-        self.offsets[place]
+        self.half(place).offset
     }
 
     #[inline]
     pub fn direction(&self, place: usize) -> C {
-        self.directions[place]
+        self.half(place).direction
     }
 
     /// The far corner of the tip land, in the frame of the half tooth.
     pub fn far(&self, place: usize) -> C {
-        self.far[place]
+        self.half(place).far
     }
 
     /// Where the root land ends, its parameter.
     pub fn root_end(&self, place: usize) -> f64 {
-        self.root_ends[place]
+        self.half(place).root_end
     }
+}
+
+/// `e^{iα}` of an angle that is usually slight, rad.
+#[inline]
+pub(super) fn slightly_turned(angle: f64) -> C {
+    if angle.abs() > SLIGHT {
+        return turn(angle);
+    }
+    let q = angle * angle;
+    // By Horner's rule: each factor is the quotient of two factorials.
+    let series = |factors: [f64; 5]| factors.iter().fold(1.0, |sum, by| 1.0 - q * by * sum);
+    let cos = series([1.0 / 90.0, 1.0 / 56.0, 1.0 / 30.0, 1.0 / 12.0, 1.0 / 2.0]);
+    let sin = series([1.0 / 110.0, 1.0 / 72.0, 1.0 / 42.0, 1.0 / 20.0, 1.0 / 6.0]);
+    C::new(cos, angle * sin)
 }
 
 /// The place counted to either side of tooth 1, which halves the rounding of its angle.
@@ -270,10 +346,7 @@ mod tests {
     #[test]
     fn a_tooth_takes_48_bytes_a_side() {
         let (_, teeth) = teeth(Face::Front, Side::Right);
-        let bytes = 2 * size_of_val(teeth.offsets.as_slice())
-            + 2 * size_of_val(teeth.directions.as_slice());
-        assert_eq!(teeth.far.len(), teeth.directions.len());
-        assert_eq!(teeth.root_ends.len(), teeth.offsets.len());
+        let bytes = size_of_val(teeth.halves.as_slice());
         assert_eq!(bytes, 17 * 48);
     }
 

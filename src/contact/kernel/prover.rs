@@ -100,7 +100,7 @@ impl Prover {
         let shapes = [&problem.locked.shape, &problem.free.shape];
         let distance = assembly.center_distance();
         let tips = gears.map(|gear| gear.gear().tip_radius());
-        let forms = shapes.map(HalfToothShape::form_radius);
+        let forms = shapes.map(|shape| shape.form_radius());
         let rooted = shapes.map(|shape| shape.root_radius);
         // Less by a rounding: a part that is nearly reached is also examined.
         let off = gears[0].eccentricity() + gears[1].eccentricity() + assembly.most_shift();

@@ -32,7 +32,7 @@ use super::over::Over;
 use crate::contact::cycle_search::{Cell, CycleCells};
 use crate::contact::effort::Effort;
 use crate::contact::exact::leaning::LeaningFrame;
-use crate::contact::exact::separation::Separation;
+use crate::contact::exact::separation::{NearStart, Separation};
 use crate::contact::exact::shape::turn;
 use crate::contact::exact::{Doubt, End, ExactKernel};
 use crate::contact::gap::dot;
@@ -338,12 +338,13 @@ impl<'a> SideCell<'a> {
             return Some(Separation::turned(&posed.flanks, step, near, turns));
         };
         self.over.effort.spend(LEANING_STEP);
-        let (here, near, touch) = frames[end].undisturbed(&posed.flanks, (step, b), turns, near)?;
+        let start = NearStart::new(&posed.flanks, near);
+        let (here, _, touch) = frames[end].undisturbed(&posed.flanks, (step, b), turns, &start)?;
         let turns = [0, 1].map(|k| {
             let lead = teeth.leads(b + touch.heights[k])[k];
             twists[k] * b + touch.turns[k] - lead / bases[k]
         });
-        Some(Separation::turned(&here, step, near, turns))
+        Some(Separation::beside(&here, step, turns, &start))
     }
 
     /// The gears, locked and free.
@@ -432,10 +433,11 @@ impl<'a> SideCell<'a> {
         if !found.touches {
             return None;
         }
-        let touch = frame.touch(b, &here, &found);
+        let start = NearStart::new(&here, found.gap);
+        let touch = frame.touch(b, &here, &found, &start);
         let (rolls, [locked, free]) = (found.rolls(), touch.turns);
         let direction = turn(found.direction());
-        let leans = frame.leans(found.gap);
+        let leans = frame.leans(turn(found.gap));
         // Towards the locked gear's tangent point; towards that of the free gear is opposite.
         let winding = |k: usize| bases[k] * twists[k] * dot(leans[k], -direction);
         Some(OnLine {

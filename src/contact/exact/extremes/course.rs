@@ -109,7 +109,7 @@ impl<'a> Course<'a> {
                 Side::Right => 1.0,
                 Side::Left => -1.0,
             };
-            let shapes = [&problem.locked.shape, &problem.free.shape];
+            let shapes = [&*problem.locked.shape, &*problem.free.shape];
             let least = problem.distance - off[0] - off[1];
             let proof = kernel.section.solver.as_ref().map(|solver| solver.proof);
             let reached = proof.map(|proof| {

@@ -182,7 +182,7 @@ impl<'a> Over<'a> {
         // Endless involutes have no more room, except by the part below the form rolls. The table knows how much less they have.
         let problem = self.side.problem;
         let endless = self.endless_separations(step);
-        let forms = [&problem.locked.shape, &problem.free.shape].map(lowest_roll);
+        let forms = [&problem.locked, &problem.free].map(|teeth| lowest_roll(&teeth.shape));
         let short = endless[0].short(&endless[1], self.plays(), forms);
         let prolonged = self.endless(&endless, beside.max(-short)).within(None);
         rooms.push(match self.off_line_of_action(&self.ends, &found) {

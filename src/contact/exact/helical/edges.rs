@@ -59,12 +59,12 @@ impl Edges {
     }
 
     /// These edges without the fillets, if no tip touches a fillet as tightly as a pair on the line of action. The flanks of all teeth
-    /// differ by `spread`, rad of the free gear. `deepest` is the least `γ` of each fillet that a tip reaches.
+    /// differ by `spread`, rad of the free gear, and centres move by `shift`, mm. `deepest` is the least `γ` of each fillet that a tip reaches.
     pub fn without_fillets(
         self,
         problem: &FlankProblem,
         deepest: [Option<f64>; 2],
-        spread: f64,
+        (spread, shift): (f64, f64),
     ) -> Option<Edges> {
         let shapes = [&problem.locked.shape, &problem.free.shape];
         let reached = [self.on_locked, self.on_free];
@@ -74,7 +74,7 @@ impl Edges {
                 tip: shapes[1 - k],
                 per_free: problem.per_free_base * [shapes[1].base, shapes[0].base][k],
             };
-            let off = problem.locked_off.norm() + problem.free_off.norm();
+            let off = problem.locked_off.norm() + problem.free_off.norm() + shift;
             let distances = [problem.distance - off, problem.distance + off];
             !reached[k] || deepest[k].is_some_and(|least| room().exceeds(spread, distances, least))
         });

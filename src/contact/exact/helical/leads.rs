@@ -20,7 +20,8 @@ use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::LeaningFrame;
-use crate::contact::exact::separation::{Separation, lowest_roll};
+use crate::contact::exact::path::Pair;
+use crate::contact::exact::separation::{NearStart, Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::ProfilePart;
 use crate::pair::{FacingTeeth, GearPair};
@@ -34,7 +35,7 @@ const BESIDE: f64 = 1e-7;
 /// Rounds to the section with a height of a leaning gear: the lean's square is left.
 const ROUNDS_OF_HEIGHTS: usize = 2;
 
-/// Distance of the sections beside each other, mm, that give the rate of leaning axes: the rate is right to a millionth of it.
+/// Distance of the sections beside each other, mm, that give the rate of leaning axes.
 const NEIGHBOUR: f64 = 1e-3;
 
 /// Parts in which a stretch is examined where the leads are hollow, so that the gap may have several maxima (tuned).
@@ -45,13 +46,22 @@ const FIRST_STEP: f64 = 1.0 / 64.0;
 
 /// Greatest effect of a flank's move on the gap of a fillet, against an involute's. Where an edge touches a fillet tightest, the normal passes the
 /// pitch point and the effect is that on an involute. The arms differ beside that place (tuned: twice is more than occurs).
-const MOST_BY_ARMS: f64 = 2.0;
+pub(super) const MOST_BY_ARMS: f64 = 2.0;
+
+/// Roll, rad, beyond the end of an involute that is still on the line of action: some roundings.
+const ON_LINE: f64 = 1e-12;
 
 /// Limit of steps to the maximum of a stretch. Six to twelve are usual.
 const MOST_STEPS: usize = 60;
 
+/// Gap, rad, by which two places are equally tight: some roundings.
+const ROUNDED: f64 = 4e-15;
+
 /// Gap, rad, by which a step to a maximum may still change it: rounding.
 const SETTLED: f64 = 1e-15;
+
+/// The same for leaning axes, whose rates are those between neighbouring sections. It is a millionth of what their sections leave out, or less.
+const SETTLED_LEANING: f64 = 1e-14;
 
 /// The teeth of one side of a pose over the common face.
 pub(super) struct AlongFace<'a> {
@@ -59,15 +69,32 @@ pub(super) struct AlongFace<'a> {
     posed: &'a PosedFlanks<'a>,
     /// Twist of the locked and the free gear in the frame of `posed`, rad/mm.
     twists: [f64; 2],
-    /// The gap at the free gear's nominal rotation.
-    nominal: f64,
+    /// The line of action in the measuring plane, from which touches are searched.
+    start: NearStart,
+    /// The pair of step 0 on it, with endless involutes.
+    first: Separation,
+    first_pair: Pair,
+    /// Lowest and greatest roll of the locked and the free involute.
+    ends: [[f64; 2]; 2],
     /// Where axes lean: how the frame changes along the face.
     leaning: Option<LeaningFrame>,
     /// Bound of the lean's effect on a gap of the face, mm along the base tangent.
     most_leaning: f64,
-    /// Whether tips can touch fillets.
-    in_fillets: bool,
+    bounds: FaceBounds,
     effort: &'a Effort,
+}
+
+/// What all teeth of a pair of gears have in common over the face.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FaceBounds {
+    /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
+    pub most_moved: f64,
+    /// Greatest sum of the leads of any right flanks, and of any left ones, over the face, less that in the measuring plane, mm.
+    pub most_lead: [f64; 2],
+    /// Bound of what heights of leaning axes change both leads of a pair, mm.
+    pub by_heights: f64,
+    /// Whether tips can touch fillets.
+    pub in_fillets: bool,
 }
 
 /// A stretch between knots, in several parts where the leads are hollow.
@@ -79,6 +106,18 @@ fn parts(teeth: &FacingTeeth, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64
     let count = if sag > 1e-12 { HOLLOW_PARTS } else { 1 };
     let at = move |part: usize| from + (to - from) * (part as f64 / count as f64);
     (0..count).map(move |part| [at(part), at(part + 1)])
+}
+
+/// A pair of teeth with endless involutes in the measuring plane.
+#[derive(Debug, Clone, Copy)]
+struct EndlessPair {
+    step: i64,
+    gap: f64,
+    rolls: [f64; 2],
+    /// As [`PairOfTeeth::window`].
+    window: [f64; 2],
+    /// Its gap with ends of the involutes, about.
+    about: f64,
 }
 
 /// A pair of teeth, and its step.
@@ -115,8 +154,11 @@ struct Touch {
     gap: f64,
     /// Change of the gap by a turn of the locked and of the free tooth.
     by_turn: [f64; 2],
-    /// Heights of the point over the section, mm, along each gear's own axis.
+    /// Rate of the gap by the moves of both centres along the face, rad per mm.
+    moving: f64,
+    /// Heights of the point over the section, mm, along each gear's own axis, and turns of the flanks by them, rad.
     heights: [f64; 2],
+    turned: [f64; 2],
 }
 
 /// Change of the gap of a `contact` by a turn of the locked and of the free tooth about the centres of their outlines. The points of both teeth
@@ -134,22 +176,52 @@ impl<'a> AlongFace<'a> {
         assembly: &'a GearPair,
         posed: &'a PosedFlanks<'a>,
         nominal: f64,
-        in_fillets: bool,
+        bounds: FaceBounds,
         effort: &'a Effort,
     ) -> AlongFace<'a> {
         let members = [assembly.locked(), assembly.free()];
         let gears = members.map(|member| assembly.gear(member));
         let wound = gears[0].gear().basic_data().base_helix_angle().tan();
         let reach = gears[0].reach() + gears[1].reach();
+        effort.spend(LOOK);
+        let first = Separation::endless(posed, 0, nominal);
+        let near = if first.touches { first.gap } else { nominal };
         AlongFace {
             assembly,
             posed,
             twists: members.map(|member| posed.twist(assembly, member)),
-            nominal,
+            start: NearStart::new(posed, near),
+            first,
+            first_pair: posed.pair(0),
+            ends: [&posed.problem.locked, &posed.problem.free]
+                .map(|teeth| [lowest_roll(&teeth.shape), teeth.shape.tip_roll]),
             leaning: LeaningFrame::new(assembly, posed),
             most_leaning: assembly.most_shift() + assembly.most_lean() * wound * reach,
-            in_fillets,
+            bounds,
             effort,
+        }
+    }
+
+    /// The pair of a step with endless involutes; that of step 0 tells it to first order. The second order is that of the free gear's eccentricity
+    /// times the square of pitch deviations, below a tie.
+    fn endless(&self, step: i64) -> EndlessPair {
+        let (first, bases) = (&self.first, self.bases());
+        let (own, other) = (&self.first_pair, self.posed.pair(step));
+        let turns = [
+            other.locked_base - own.locked_base,
+            other.free_base - own.free_base,
+        ];
+        let turned = -(bases[0] * turns[0] + bases[1] * turns[1]) / first.turning;
+        let rolls = first.rolls();
+        let rolls = [rolls[0] - turns[0], rolls[1] - turned - turns[1]];
+        let (gap, window) = (first.gap + turned, self.on_line(rolls));
+        let room = first.room(self.rolls_at(rolls, window[0]), self.ends);
+        EndlessPair {
+            step,
+            gap,
+            rolls,
+            window,
+            about: gap - room / bases[1],
         }
     }
 
@@ -161,62 +233,154 @@ impl<'a> AlongFace<'a> {
         tie: f64,
         deepest: impl Iterator<Item = (i64, f64)>,
     ) -> Vec<f64> {
-        let mut found: Vec<Look> = Vec::new();
-        let mut best = floor;
-        // The tightest on the endless line first: it rules out most others.
-        let mut turns = self.assembly.face().map(|b| self.twists[0] * b);
-        turns.sort_by(f64::total_cmp);
-        let endless = self.posed.steps_over(turns).map(|step| {
-            self.effort.spend(LOOK);
-            (step, Separation::endless(self.posed, step, self.nominal))
-        });
-        let mut pairs: Vec<PairOfTeeth> = endless
-            .filter(|(_, endless)| endless.touches)
-            .map(|(step, endless)| self.pair(step, &endless, floor - tie))
-            .collect();
-        pairs.extend(deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)));
-        if self.assembly.is_modified() {
-            // Involutes do not tell where flanks touch whose profiles deviate: see [`super::profiles`].
-            pairs.retain(|pair| pair.fillets != Fillets::None);
-        }
-        pairs.sort_by(|one, other| other.most.total_cmp(&one.most));
-        for pair in pairs {
-            for (ends, most) in self.stretches(&pair, best - tie) {
-                if most <= best - tie {
+        let (mut found, mut best) = (Vec::new(), floor);
+        let mut examine = |pair: &PairOfTeeth, best: &mut f64| {
+            for (ends, most) in self.stretches(pair, *best - tie) {
+                if most <= *best - tie {
                     break;
                 }
-                if let Some(look) = self.greatest(&pair, ends) {
-                    best = best.max(look.gap);
-                    found.push(look);
+                if let Some(look) = self.greatest(pair, ends) {
+                    *best = best.max(look.gap);
+                    found.push((pair.step, look));
                 }
             }
+        };
+        // What leads and leans may add to a pair on the endless line.
+        let more = self.bounds.most_lead[self.posed.problem.side.index()]
+            + self.bounds.by_heights
+            + self.most_leaning;
+        let more = self.of_moves(more);
+        for endless in self.steps(floor - tie) {
+            if self.is_plain() && endless.gap + more <= best - tie {
+                continue;
+            }
+            let pair = self.pair(&endless, floor - tie);
+            // Involutes do not tell where flanks touch whose profiles deviate: see [`super::profiles`].
+            if !self.assembly.is_modified() || pair.fillets != Fillets::None {
+                examine(&pair, &mut best);
+            }
         }
-        found.retain(|look| look.gap >= best - tie && look.gap > floor);
-        found.sort_by(|one, other| {
+        for pair in deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)) {
+            examine(&pair, &mut best);
+        }
+        found.retain(|(_, look)| look.gap >= best - tie && look.gap > floor);
+        found.sort_by(|(_, one), (_, other)| {
             let nearer = one.b.abs().total_cmp(&other.b.abs());
             other.gap.total_cmp(&one.gap).then(nearer)
         });
-        let mut places: Vec<f64> = found.into_iter().map(|look| look.b).collect();
+        let mut places: Vec<f64> = found.iter().map(|(_, look)| look.b).collect();
+        // Of places that are equally tight, the one nearest to the measuring plane is reported.
+        if !floor.is_finite() && self.leaning.is_none() {
+            let [from, to] = self.assembly.face();
+            let plane = 0f64.clamp(from, to);
+            let ties = |step: i64| {
+                let pair = self.pair(&self.endless(step), floor);
+                let turns = self.turns(&pair, plane);
+                let touch = self.touch(&pair, plane, turns);
+                touch.is_some_and(|touch| touch.gap >= best - ROUNDED)
+            };
+            if places.first() != Some(&plane) && found.iter().any(|(step, _)| ties(*step)) {
+                places = vec![plane];
+            }
+        }
         places.dedup();
         places
     }
 
-    /// The pair of a step with these endless involutes. Fillets are left out where its gap cannot exceed `floor`.
-    fn pair(&self, step: i64, endless: &Separation, floor: f64) -> PairOfTeeth<'a> {
-        let window = self.on_line(endless);
+    /// Whether no touch is beside the involutes and their ends.
+    fn is_plain(&self) -> bool {
+        !self.bounds.in_fillets && !self.assembly.is_modified()
+    }
+
+    /// Change of a gap by moves of both flanks, mm along the base tangent. A gap of an eccentric free gear changes by up to a little more than
+    /// on a fixed line.
+    fn of_moves(&self, moves: f64) -> f64 {
+        let (base, off) = (self.bases()[1], self.posed.problem.free_off.norm());
+        (moves + off / (base - off) * moves.abs()) / base
+    }
+
+    /// The steps whose gap may exceed `floor`, those first that are likely to be tightest.
+    fn steps(&self, floor: f64) -> Vec<EndlessPair> {
+        if !self.first.touches {
+            return Vec::new();
+        }
+        let mut turns = self.assembly.face().map(|b| self.twists[0] * b);
+        turns.sort_by(f64::total_cmp);
+        let steps = self.posed.steps_over(turns);
+        let mut pairs: Vec<EndlessPair> = steps.map(|step| self.endless(step)).collect();
+        let level = self.level(&pairs).max(floor);
+        pairs.retain(|pair| self.can_reach(pair, level));
+        pairs.sort_by(|one, other| other.about.total_cmp(&one.about));
+        pairs
+    }
+
+    /// Rolls at `b`, mm, of a pair that has these in the measuring plane.
+    fn rolls_at(&self, rolls: [f64; 2], b: f64) -> [f64; 2] {
+        [0, 1].map(|k| rolls[k] - self.twists[k] * b)
+    }
+
+    /// Whether rolls are on both involutes.
+    fn are_on_arcs(&self, rolls: [f64; 2], play: f64) -> bool {
+        [0, 1]
+            .iter()
+            .all(|&k| rolls[k] - play >= self.ends[k][0] && rolls[k] + play <= self.ends[k][1])
+    }
+
+    /// A gap that one of `pairs` reaches: that of the tightest on the line of action somewhere on the face, without what its leads may take.
+    fn level(&self, pairs: &[EndlessPair]) -> f64 {
+        // Leads and leans change rolls by less.
+        let play = 2.0 * self.bounds.most_moved * self.per_moved();
+        let gaps = pairs.iter().filter_map(|pair| {
+            let [from, to] = pair.window;
+            let middle = self.rolls_at(pair.rolls, 0.5 * (from + to));
+            self.are_on_arcs(middle, play).then_some(pair.gap)
+        });
+        gaps.fold(f64::NEG_INFINITY, f64::max) - 2.0 * self.bounds.most_moved / self.bases()[1]
+    }
+
+    /// Whether the gap of a pair may exceed `level`: false if the direction of the line of action keeps its teeth apart there.
+    fn can_reach(&self, pair: &EndlessPair, level: f64) -> bool {
+        if !self.is_plain() || !level.is_finite() {
+            return true;
+        }
+        let rolls = [pair.rolls[0], pair.rolls[1] + (pair.gap - level)];
+        let rolls = self.rolls_at(rolls, pair.window[0]);
+        // Turns of the teeth move either of them by no more than this along the line.
+        let room = self.first.room(rolls, self.ends) + (level - pair.gap) * self.first.turning;
+        room <= 2.0 * self.bounds.most_moved
+    }
+
+    /// The pair of a step. Fillets are left out where its gap cannot exceed `floor`.
+    fn pair(&self, endless: &EndlessPair, floor: f64) -> PairOfTeeth<'a> {
+        let &EndlessPair {
+            step,
+            gap: endless,
+            rolls,
+            window,
+            ..
+        } = endless;
         let teeth = self.posed.facing_teeth(self.assembly, step);
+        if self.is_plain() && self.are_on_arcs(self.rolls_at(rolls, window[0]), -ON_LINE) {
+            return PairOfTeeth {
+                step,
+                teeth,
+                window,
+                fillets: Fillets::None,
+                most: endless,
+            };
+        }
         // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
         let turns = self.twists.map(|twist| twist * window[0]);
         self.effort.spend(LOOK);
-        let nearest = Separation::turned(self.posed, step, self.nominal, turns);
+        let nearest = Separation::beside(self.posed, step, turns, &self.start);
         let most = if nearest.touches {
             nearest.gap + self.beside(&teeth, &nearest)
         } else {
-            endless.gap
+            endless
         };
         let turned = self.most_moved(&teeth) * self.per_moved();
         let is_below_form = |found: &Separation| !found.touches || found.is_below_form(turned);
-        let mut most = most.min(endless.gap);
+        let mut most = most.min(endless);
         let mut fillets = Fillets::None;
         // From the end of the line on, the gap of a fillet falls. A pair with a line on the face is as tight at that end.
         let may_be_below_form = || {
@@ -224,11 +388,11 @@ impl<'a> AlongFace<'a> {
                 && self.assembly.face().iter().any(|b| {
                     let turns = self.twists.map(|twist| twist * b);
                     self.effort.spend(LOOK);
-                    let found = Separation::turned(self.posed, step, self.nominal, turns);
+                    let found = Separation::beside(self.posed, step, turns, &self.start);
                     is_below_form(&found)
                 })
         };
-        if self.in_fillets && (is_below_form(&nearest) || may_be_below_form()) {
+        if self.bounds.in_fillets && (is_below_form(&nearest) || may_be_below_form()) {
             fillets = Fillets::BelowForm;
             let contact = TurnedTeeth::new(self.posed, step, turns).in_fillets(most, self.effort);
             most = contact.map_or(most, |contact| contact.gap);
@@ -275,6 +439,9 @@ impl<'a> AlongFace<'a> {
 
     /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
     fn most_moved(&self, teeth: &FacingTeeth) -> f64 {
+        if !self.assembly.is_modified() {
+            return self.bounds.most_moved;
+        }
         let leads = teeth.teeth.map(|(gear, tooth)| {
             let curve = gear.lead_curve(teeth.side, tooth);
             curve.map_or(0.0, |curve| curve.range())
@@ -301,16 +468,16 @@ impl<'a> AlongFace<'a> {
         2.0 * (passed[0] + passed[1]) / bases[1]
     }
 
-    /// The stretch of the face, mm, on which a pair with these endless involutes is on the line of action, up to the slight turns by leads.
+    /// The stretch of the face, mm, on which a pair with these rolls in the measuring plane is on the line of action, up to the slight turns by leads.
     /// Without one, the place nearest to it.
-    fn on_line(&self, endless: &Separation) -> [f64; 2] {
+    fn on_line(&self, rolls: [f64; 2]) -> [f64; 2] {
         let face = self.assembly.face();
         let shapes = [
             &self.posed.problem.locked.shape,
             &self.posed.problem.free.shape,
         ];
         let mut window = [f64::NEG_INFINITY, f64::INFINITY];
-        let rolls = endless.rolls().into_iter().zip(shapes).zip(self.twists);
+        let rolls = rolls.into_iter().zip(shapes).zip(self.twists);
         // Spur gears have the same rolls in every section.
         for ((roll, shape), twist) in rolls.filter(|(_, twist)| *twist != 0.0) {
             let ends = [lowest_roll(shape), shape.tip_roll].map(|end| (roll - end) / twist);
@@ -331,12 +498,8 @@ impl<'a> AlongFace<'a> {
     fn stretches(&self, pair: &PairOfTeeth, floor: f64) -> Vec<([f64; 2], f64)> {
         let problem = self.posed.problem;
         let shapes = [&problem.locked.shape, &problem.free.shape];
-        let base = shapes[1].base;
         // An edge at the form circle stands beyond the endless involute.
         let is_bound = shapes.iter().all(|shape| shape.corners().len() == 1);
-        // A gap of an eccentric free gear changes by up to this much more than on a fixed line.
-        let off = problem.free_off.norm();
-        let more = off / (base - off);
         let bounded = |ends: [f64; 2]| {
             if !is_bound {
                 return (ends, f64::INFINITY);
@@ -349,18 +512,29 @@ impl<'a> AlongFace<'a> {
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
             let most = from.max(to).max(middle) + bend + self.most_leaning;
-            (ends, pair.most + (most + more * most.abs()) / base)
+            (ends, pair.most + self.of_moves(most))
         };
         // Leans move the ends of the face: far pairs are left out before that is known.
-        let leads = pair.teeth.greatest_lead(self.assembly.face()) + self.most_leaning;
+        let leads = pair.teeth.greatest_lead(self.assembly.face());
         if is_bound
             && pair.fillets == Fillets::None
-            && pair.most + (leads + more * leads.abs()) / base <= floor
+            && (pair.most + self.of_moves(leads + self.most_leaning) <= floor
+                || self.most_of_leaning(pair) + self.of_moves(leads + 2.0 * self.bounds.by_heights)
+                    <= floor)
         {
             return Vec::new();
         }
         let face = self.own_face(pair);
-        let section = |k, place| self.section_of(pair, k, place);
+        let ends = [self.assembly.locked(), self.assembly.free()]
+            .map(|member| self.assembly.own_face(member));
+        let section = |k: usize, place: f64| {
+            // Ends of the teeth are ends of the face.
+            if self.leaning.is_none() || ends[k].contains(&place) {
+                place
+            } else {
+                self.section_of(pair, k, place)
+            }
+        };
         let knots = pair.teeth.knots(face, section);
         let all = knots.windows(2).map(|ends| [ends[0], ends[1]]);
         let parts = all.flat_map(|ends| parts(&pair.teeth, ends));
@@ -370,54 +544,89 @@ impl<'a> AlongFace<'a> {
         bounded
     }
 
+    /// Turns of both teeth of a pair by their leads at `b`, mm, without heights, rad.
+    fn turns(&self, pair: &PairOfTeeth, b: f64) -> [f64; 2] {
+        let (leads, bases) = (pair.teeth.leads(b), self.bases());
+        [0, 1].map(|k| -leads[k] / bases[k])
+    }
+
+    /// Bound of the gap of a pair of leaning axes on the face, less what leads add.
+    ///
+    /// Without leads it is linear along the stretch on the line of action, but for a slight concave bend, and falls beyond it against a rate of
+    /// up to the lean. The touch of spur gears is concave over the face.
+    fn most_of_leaning(&self, pair: &PairOfTeeth) -> f64 {
+        if self.leaning.is_none() {
+            return f64::INFINITY;
+        }
+        let base = self.bases()[1];
+        let gap = |b: f64| {
+            let leads = pair.teeth.lead(b) / base;
+            let touch = self.touch(pair, b, self.turns(pair, b));
+            touch.map_or(f64::INFINITY, |touch| touch.gap - leads)
+        };
+        let [from, to] = self.assembly.face();
+        if self.twists[0] == 0.0 {
+            let [low, middle, high] = [from, 0.5 * (from + to), to].map(gap);
+            return middle.max(2.0 * middle - low.min(high));
+        }
+        let [start, end] = pair.window;
+        let wound = (self.twists[0] * self.bases()[0]).powi(2);
+        let most = gap(start).max(gap(end));
+        most + self.assembly.most_lean().powi(2) * self.posed.problem.distance / (wound * base)
+    }
+
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
     fn look(&self, pair: &PairOfTeeth, b: f64) -> Option<Look> {
         let bases = self.bases();
-        let leads = pair.teeth.leads(b);
-        let turns = [0, 1].map(|k| -leads[k] / bases[k]);
-        let found = self.touch(pair, b, turns, self.nominal)?;
-        // Leads are those at the heights of the touch. Their knots are there too, so that only what is smooth is taken from beside.
-        let teeth = pair
-            .teeth
-            .with_heights(found.heights.map(|height| [height, 1.0]));
-        let mut gap = found.gap;
-        let smooth = if self.leaning.is_some() {
-            let there = teeth.leads(b);
+        let turns = self.turns(pair, b);
+        let found = self.touch(pair, b, turns)?;
+        // Leads rise with heights. Their knots are there too, so that only what is smooth is taken from beside.
+        let (mut rising, mut smooth) = ([1.0; 2], found.moving);
+        let mut twists = self.twists;
+        if let Some(leaning) = &self.leaning {
+            let turned = [0, 1].map(|k| self.twists[k] * (b + NEIGHBOUR) + turns[k]);
+            let at = (pair.step, b + NEIGHBOUR);
+            let (_, _, after) = leaning.undisturbed(self.posed, at, turned, &self.start)?;
             for k in [0, 1] {
-                gap -= found.by_turn[k] * (there[k] - leads[k]) / bases[k];
+                rising[k] += (after.heights[k] - found.heights[k]) / NEIGHBOUR;
+                twists[k] += (after.turns[k] - found.turned[k]) / NEIGHBOUR;
             }
-            let beside = [NEIGHBOUR, -NEIGHBOUR].map(|beside| b + beside);
-            let [after, before] = beside.map(|b| self.touch(pair, b, turns, found.gap));
-            (after?.gap - before?.gap) / (2.0 * NEIGHBOUR)
-        } else {
-            found.by_turn[0] * self.twists[0] + found.by_turn[1] * self.twists[1]
-        };
-        let rates = teeth.rates(b);
-        let rate = |k: usize| -found.by_turn[k] * rates[k] / bases[k];
+        }
+        let heights = [0, 1].map(|k| [found.heights[k] + b * (1.0 - rising[k]), rising[k]]);
+        let rates = pair.teeth.with_heights(heights).rates(b);
+        for k in [0, 1] {
+            smooth += found.by_turn[k] * (twists[k] - rates[k] / bases[k]);
+        }
         Some(Look {
             b,
-            gap,
-            rate: smooth + rate(0) + rate(1),
+            gap: found.gap,
+            rate: smooth,
         })
     }
 
-    /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other. They are turned by `turns`, rad, beside the
-    /// twist. The touch is searched from the gap `near`.
-    fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2], near: f64) -> Option<Touch> {
+    /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other. `turns` has their turns by leads without
+    /// heights, rad.
+    fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2]) -> Option<Touch> {
         self.effort.spend(LOOK);
-        let step = pair.step;
+        let (step, bases) = (pair.step, self.bases());
         let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
-        let (here, near, turns, heights) = match &self.leaning {
-            None => (*self.posed, near, turns, [0.0; 2]),
+        let (here, start, turns, heights, turned) = match &self.leaning {
+            None => (*self.posed, self.start, turns, [0.0; 2], [0.0; 2]),
             Some(leaning) => {
                 // As in a section, heights are those of the touch before they turn the teeth, of involutes and their ends.
-                let (here, near, there) =
-                    leaning.undisturbed(self.posed, (step, b), turns, near)?;
-                let turns = [0, 1].map(|k| turns[k] + there.turns[k]);
-                (here, near, turns, there.heights)
+                let (here, undisturbed, there) =
+                    leaning.undisturbed(self.posed, (step, b), turns, &self.start)?;
+                let teeth = pair
+                    .teeth
+                    .with_heights(there.heights.map(|height| [height, 1.0]));
+                let (leads, plain) = (teeth.leads(b), pair.teeth.leads(b));
+                let turns =
+                    [0, 1].map(|k| turns[k] + there.turns[k] - (leads[k] - plain[k]) / bases[k]);
+                let start = self.start.at(&undisturbed);
+                (here, start, turns, there.heights, there.turns)
             }
         };
-        let found = Separation::turned(&here, step, near, turns);
+        let found = Separation::beside(&here, step, turns, &start);
         let is_searched = match pair.fillets {
             Fillets::None => false,
             Fillets::BelowForm => {
@@ -437,16 +646,36 @@ impl<'a> AlongFace<'a> {
         };
         let teeth = is_searched.then(|| TurnedTeeth::new(&here, step, turns));
         let contact = teeth.and_then(|teeth| teeth.in_fillets(floor, self.effort));
-        let (gap, by_turn) = match &contact {
-            Some(contact) => (contact.gap, by_turn(&here, contact)),
-            None if found.touches && !self.assembly.is_modified() => (found.gap, found.by_turn),
+        let (gap, by_turn, moving) = match &contact {
+            Some(contact) => (
+                contact.gap,
+                by_turn(&here, contact),
+                self.moving_in_fillets(contact),
+            ),
+            None if found.touches && !self.assembly.is_modified() => {
+                let moving = self.leaning.as_ref();
+                let moving = moving.map_or(0.0, |leaning| leaning.rate(&found, &self.start));
+                (found.gap, found.by_turn, -moving / found.turning)
+            }
             None => return None,
         };
         Some(Touch {
             gap,
             by_turn,
+            moving,
             heights,
+            turned,
         })
+    }
+
+    /// Rate of the gap of a `contact` in a fillet by the moves of both centres along the face, rad per mm.
+    fn moving_in_fillets(&self, contact: &CandidateContact) -> f64 {
+        let Some(leaning) = &self.leaning else {
+            return 0.0;
+        };
+        let moves = leaning.moves(turn(contact.gap));
+        let about = (contact.point.conj() * contact.normal).im;
+        (moves.conj() * contact.normal).re / about
     }
 
     /// Both ends of the face of a pair, mm, where the teeth of both gears are in the section where they touch.
@@ -457,33 +686,45 @@ impl<'a> AlongFace<'a> {
         }
         let members = [self.assembly.locked(), self.assembly.free()];
         [0, 1].map(|which| {
-            let ends = [0, 1].map(|k| {
-                let own = self.assembly.own_face(members[k])[which];
-                self.section_of(pair, k, own)
-            });
-            if which == 0 {
-                ends[0].max(ends[1])
-            } else {
-                ends[0].min(ends[1])
+            let own = members.map(|member| self.assembly.own_face(member)[which]);
+            let mut b = face[which];
+            // Each round leaves the lean's part of the last error.
+            for _ in 0..ROUNDS_OF_HEIGHTS {
+                let Some(heights) = self.heights(pair, b) else {
+                    return face[which];
+                };
+                let ends = [0, 1].map(|k| own[k] - heights[k]);
+                b = if which == 0 {
+                    ends[0].max(ends[1])
+                } else {
+                    ends[0].min(ends[1])
+                };
             }
+            b
         })
+    }
+
+    /// Heights of the point over the section at `b`, mm, at which a pair touches there.
+    fn heights(&self, pair: &PairOfTeeth, b: f64) -> Option<[f64; 2]> {
+        let Some(leaning) = &self.leaning else {
+            return Some([0.0; 2]);
+        };
+        self.effort.spend(LOOK);
+        let turns = self.turns(pair, b);
+        let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
+        let found = leaning.undisturbed(self.posed, (pair.step, b), turns, &self.start);
+        found.map(|(_, _, touch)| touch.heights)
     }
 
     /// The section, mm, in which a pair touches at the height `own`, mm, of the gear `k`.
     fn section_of(&self, pair: &PairOfTeeth, k: usize, own: f64) -> f64 {
-        if self.leaning.is_none() {
-            return own;
-        }
-        let bases = self.bases();
         let mut b = own;
         // Each round leaves the lean's part of the last error.
         for _ in 0..ROUNDS_OF_HEIGHTS {
-            let leads = pair.teeth.leads(b);
-            let turns = [0, 1].map(|k| -leads[k] / bases[k]);
-            let Some(touch) = self.touch(pair, b, turns, self.nominal) else {
+            let Some(heights) = self.heights(pair, b) else {
                 return own;
             };
-            b = own - touch.heights[k];
+            b = own - heights[k];
         }
         b
     }
@@ -498,7 +739,11 @@ impl<'a> AlongFace<'a> {
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = pair.window.map(inside);
         let low = self.look(pair, start)?;
-        let high = self.look(pair, end)?;
+        let high = if end == start {
+            low
+        } else {
+            self.look(pair, end)?
+        };
         let middle = if self.leaning.is_some() && start < end {
             self.look(pair, 0.5 * (start + end))?
         } else if low.rate > 0.0 {
@@ -553,10 +798,18 @@ impl<'a> AlongFace<'a> {
 
     /// The greatest gap of a step between two places, from which it rises inwards.
     fn between(&self, pair: &PairOfTeeth, mut low: Look, mut high: Look) -> Look {
-        // Regula falsi, halving the rate of an end that stays (Illinois).
+        let settled = if self.leaning.is_some() {
+            SETTLED_LEANING
+        } else {
+            SETTLED
+        };
+        // Regula falsi, halving the rate of an end that stays twice (Illinois).
         let mut rates = [low.rate, high.rate];
+        let mut last_moved = None;
         for _ in 0..MOST_STEPS {
-            if (high.b - low.b) * low.rate.abs().min(high.rate.abs()) < SETTLED {
+            // The rate falls by this much per mm, and the gap rises from either end by half its square over it.
+            let rate = low.rate.abs().min(high.rate.abs());
+            if (high.b - low.b) * rate * rate < settled * (low.rate - high.rate) {
                 break;
             }
             let share = rates[0] / (rates[0] - rates[1]);
@@ -564,10 +817,16 @@ impl<'a> AlongFace<'a> {
             let Some(look) = self.look(pair, b) else {
                 break;
             };
-            if look.rate > 0.0 {
-                (low, rates) = (look, [look.rate, 0.5 * rates[1]]);
+            let moved = usize::from(look.rate <= 0.0);
+            if last_moved == Some(moved) {
+                rates[1 - moved] *= 0.5;
+            }
+            rates[moved] = look.rate;
+            last_moved = Some(moved);
+            if moved == 0 {
+                low = look;
             } else {
-                (high, rates) = (look, [0.5 * rates[0], look.rate]);
+                high = look;
             }
         }
         if low.gap >= high.gap { low } else { high }

@@ -21,7 +21,7 @@ pub(super) fn tips_on_roots(
 ) {
     let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
     let ends = tip_ends(posed);
-    let middles = [locked, free].map(Edge::middle);
+    let middles = [locked, free].map(|shape| Edge::middle(shape));
     let roots = [
         Edge::root_end(locked, |step| posed.locked(step)),
         Edge::root_end(free, |step| posed.free(step)),

@@ -1,0 +1,131 @@
+//! Pairs that bind anywhere on the face and need no search: each side by itself, from few sections.
+//!
+//! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]). So [`super::leads`] knows the places of
+//! all that can be tightest. Where the gears interfere, one section alone can jam. Those poses are left to [`Helical::over`].
+
+use super::{Edges, Helical, reduced};
+use crate::contact::Effort;
+use crate::contact::body::FarFlanks;
+use crate::contact::exact::direct::DirectSolver;
+use crate::contact::exact::flank_problem::FlankProblem;
+use crate::contact::exact::section::Section;
+use crate::contact::exact::section_side::{SectionPlace, SectionSide};
+use crate::contact::lost_motion::{Contact, LostMotion};
+use crate::contact::over_face::{FoundOverFace, OverFace};
+use crate::gear::Side;
+use crate::pair::{GearPair, Pose};
+
+/// The data of a pair whose sections need no search.
+#[derive(Debug, Clone)]
+pub(super) struct Directly {
+    /// The solver of all sections.
+    solver: DirectSolver,
+    /// Both sides of the measuring plane, with all teeth that can reach the mate in any section.
+    sides: [FlankProblem; 2],
+}
+
+impl Directly {
+    /// `None` if a section of `assembly`, whose measuring plane is `plane`, may need a search.
+    pub fn new(assembly: &GearPair, plane: &Section, edges: Option<&Edges>) -> Option<Directly> {
+        let is_plain = assembly.binds_anywhere()
+            && !assembly.is_modified()
+            && plane.bodies.is_none()
+            && !plane.blocked
+            && plane.far_flanks == FarFlanks::Clear
+            && edges.is_none_or(|edges| !edges.jams && !edges.short);
+        let solver = plane.solver.as_ref().filter(|_| is_plain)?;
+        let (solver, sides) = if assembly.leans() {
+            let envelopes = solver.envelopes.clone();
+            (
+                DirectSolver::over_leans(&plane.right, assembly, envelopes)?,
+                [&plane.right, &plane.left].map(|side| side.over_leans(assembly)),
+            )
+        } else {
+            (solver.clone(), [plane.right.clone(), plane.left.clone()])
+        };
+        solver.proof.is_direct().then(|| Directly { solver, sides })
+    }
+}
+
+impl Helical {
+    /// Both contacts of `pose`; `None` where [`Helical::over`] has to find them.
+    pub fn directly(&self, pose: &Pose, effort: &Effort) -> Option<FoundOverFace> {
+        let directly = self.directly.as_ref()?;
+        let mut over = OverFace::default();
+        for problem in &directly.sides {
+            self.side_directly(directly, problem, pose, effort, &mut over)?;
+        }
+        let found = over.found(pose.free_rotation(), self.plane.free_pitch());
+        let (angle, bound) = found.lost_motion.angle().zip(found.lost_motion.error())?;
+        (angle > bound).then_some(found)
+    }
+
+    /// The section at `b`, mm, at the pose `here`, with the teeth in reach alone; `pose` is that of the measuring plane. `None` where sections are
+    /// searched.
+    pub(super) fn section_in_reach(&self, pose: &Pose, here: &Pose, b: f64) -> Option<Section> {
+        let directly = self.directly.as_ref()?;
+        let place = SectionPlace {
+            assembly: &self.assembly,
+            whole: pose,
+            here,
+            b,
+        };
+        let side = |problem| SectionSide::new(&self.plane, problem, place, None);
+        let [right, left] = directly.sides.each_ref().map(side);
+        let sides = [right?.into_problem(), left?.into_problem()];
+        Some(self.plane.with_sides(sides))
+    }
+
+    /// Adds the contact of one side.
+    fn side_directly(
+        &self,
+        directly: &Directly,
+        problem: &FlankProblem,
+        pose: &Pose,
+        effort: &Effort,
+        over: &mut OverFace,
+    ) -> Option<()> {
+        let (assembly, side) = (&self.assembly, problem.side);
+        // Far corners are farther from the centre than the base circle, by less than half.
+        let moved = 2.0 * self.bounds.most_moved + assembly.most_shift();
+        let mut section = |b: f64| {
+            let here = pose.in_section(assembly, b);
+            let place = SectionPlace {
+                assembly,
+                whole: pose,
+                here: &here,
+                b,
+            };
+            let at =
+                SectionSide::new(&self.plane, problem, place, Some((&directly.solver, moved)))?;
+            let contact = self.plane.contact(&at.posed(), &directly.solver, effort)?;
+            let on = |own: Side| {
+                (own == side).then_some(Contact {
+                    error: contact.error + self.left_out,
+                    ..contact
+                })
+            };
+            let found = LostMotion {
+                right: on(Side::Right),
+                left: on(Side::Left),
+                solid: false,
+            };
+            over.take(b, &here, found);
+            over.beyond(side)
+        };
+        let posed = self.plane.posed(problem, pose);
+        let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
+        // Fillets are searched only for what exceeds a known contact.
+        let floor = if self.bounds.in_fillets {
+            let [from, to] = assembly.face();
+            nominal - side.sense() * section(0f64.clamp(from, to))?
+        } else {
+            f64::NEG_INFINITY
+        };
+        for b in self.places_of_leads(&posed, nominal, floor, effort) {
+            section(b)?;
+        }
+        // Without a place that is tight, sections are searched.
+        over.beyond(side).map(|_| ())
+    }
+}

@@ -240,14 +240,15 @@ impl Helical {
         shortest_path(&self.assembly) > 0.0
     }
 
-    /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`. The nominal rotation is at the gap `nominal`.
+    /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`, and the tightest gap. The nominal rotation is
+    /// at the gap `nominal`.
     fn places_of_leads(
         &self,
         posed: &PosedFlanks,
         nominal: f64,
         floor: f64,
         effort: &Effort,
-    ) -> Vec<f64> {
+    ) -> (Vec<f64>, f64) {
         let (assembly, in_fillets) = (&self.assembly, self.bounds.in_fillets);
         let along = AlongFace::new(assembly, posed, nominal, self.bounds, effort);
         // Leads can hold a pair that the known contact would leave out.
@@ -396,7 +397,8 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
         let known = self.over.beyond(side);
         let floor = known.map_or(f64::NEG_INFINITY, |known| nominal - side.sense() * known);
-        for b in helical.places_of_leads(&posed, nominal, floor, self.effort) {
+        let (places, _) = helical.places_of_leads(&posed, nominal, floor, self.effort);
+        for b in places {
             self.section(b, None, 0.0)?;
         }
         Ok(())

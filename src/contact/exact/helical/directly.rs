@@ -122,10 +122,12 @@ impl Helical {
         } else {
             f64::NEG_INFINITY
         };
-        for b in self.places_of_leads(&posed, nominal, floor, effort) {
+        let (places, tightest) = self.places_of_leads(&posed, nominal, floor, effort);
+        for b in places {
             section(b)?;
         }
-        // Without a place that is tight, sections are searched.
-        over.beyond(side).map(|_| ())
+        // Without a place that is tight, or with a contact tighter than those of `places`, sections are searched.
+        let gap = nominal - side.sense() * over.beyond(side)?;
+        (gap <= tightest + problem.tie + self.left_out).then_some(())
     }
 }

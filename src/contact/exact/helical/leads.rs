@@ -226,13 +226,13 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest` has
-    /// the steps and places at which edges touch fillets tightest without leads and leans.
+    /// the steps and places at which edges touch fillets tightest without leads and leans. The second result is the tightest gap, or `floor`.
     pub fn places(
         &self,
         floor: f64,
         tie: f64,
         deepest: impl Iterator<Item = (i64, f64)>,
-    ) -> Vec<f64> {
+    ) -> (Vec<f64>, f64) {
         let (mut found, mut best) = (Vec::new(), floor);
         let mut examine = |pair: &PairOfTeeth, best: &mut f64| {
             for (ends, most) in self.stretches(pair, *best - tie) {
@@ -284,7 +284,7 @@ impl<'a> AlongFace<'a> {
             }
         }
         places.dedup();
-        places
+        (places, best)
     }
 
     /// Whether no touch is beside the involutes and their ends.

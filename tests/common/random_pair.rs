@@ -181,12 +181,12 @@ impl Case {
     }
 }
 
-fn face() -> impl Strategy<Value = Face> {
-    prop_oneof![Just(Face::Front), Just(Face::Back)]
+fn face() -> BoxedStrategy<Face> {
+    prop_oneof![Just(Face::Front), Just(Face::Back)].boxed()
 }
 
 /// Ordinary deviations times `rough`; at 30 a runout of two thirds of the tooth depth and pitches off by a tenth.
-fn recipe(teeth: Range<u32>, rough: f64) -> impl Strategy<Value = Recipe> {
+fn recipe(teeth: Range<u32>, rough: f64) -> BoxedStrategy<Recipe> {
     teeth
         .prop_flat_map(move |teeth| {
             let up_to = |um: f64| -um * rough..um * rough;
@@ -211,19 +211,21 @@ fn recipe(teeth: Range<u32>, rough: f64) -> impl Strategy<Value = Recipe> {
                 per_tooth_um,
             },
         )
+        .boxed()
 }
 
 /// Play of −0.05 to +0.1 modules: from interference to ordinary backlash, with contact on the line of action.
-pub fn case() -> impl Strategy<Value = Case> {
+pub fn case() -> BoxedStrategy<Case> {
     any_case(17..90, 1.0, -0.05..0.1)
 }
 
 /// Undercut teeth, runout of the order of the tooth depth, half out of mesh or jammed.
-pub fn rough_case() -> impl Strategy<Value = Case> {
+pub fn rough_case() -> BoxedStrategy<Case> {
     any_case(6..60, 30.0, -0.3..1.0)
 }
 
-fn any_case(teeth: Range<u32>, rough: f64, radial_play: Range<f64>) -> impl Strategy<Value = Case> {
+/// Boxed: each binary would else build the runner of property tests for every shape of strategy.
+fn any_case(teeth: Range<u32>, rough: f64, radial_play: Range<f64>) -> BoxedStrategy<Case> {
     let locked = prop_oneof![Just(Member::Wheel), Just(Member::Pinion)];
     let flank = prop_oneof![Just(Side::Right), Just(Side::Left)];
     let fraction = prop_oneof![Just(0.0), -1.0..1.0, -3.0..3.0];
@@ -253,4 +255,5 @@ fn any_case(teeth: Range<u32>, rough: f64, radial_play: Range<f64>) -> impl Stra
                 }
             },
         )
+        .boxed()
 }

@@ -7,6 +7,7 @@
 //! | `@ SOURCE [FILE]` | copies a file of the repository, or the files of a folder |
 //! | `~ FILE: FROM => TO` | replaces the first FROM by TO for the next command alone; an empty FROM is the end of the file |
 //! | `^ LINK TARGET` | makes a symbolic link |
+//! | `& LINK TARGET` | makes a hard link |
 //! | `$ ARGUMENTS` | runs gearlash; `NAME=VALUE` before the command sets a variable; `cat FILE` prints a file |
 //! | `$ ARGUMENTS ? KEY…` | stores of printed JSON the values below these keys; of a picture or page the texts, of a table the lines that hold one of them, `_` for a blank |
 //! | `$! ARGUMENTS` | stores no standard output |
@@ -269,6 +270,10 @@ fn played(text: &str) -> String {
             "^" => {
                 let (link, target) = words.split_once(' ').expect(line);
                 symlink(target, session.at(link)).unwrap();
+            }
+            "&" => {
+                let (link, target) = words.split_once(' ').expect(line);
+                fs::hard_link(session.at(target), session.at(link)).unwrap();
             }
             "$" => out += &session.run(words, true),
             "$!" => out += &session.run(words, false),

@@ -1,5 +1,4 @@
-//! Faults of a pair file before its first line, and a measured file in other notations. `tests/corpus/bad` holds the other bad
-//! files.
+//! Faults of a pair file before its first line. `tests/corpus/bad` holds the other bad files.
 
 use gearlash_files::read;
 use std::fs;
@@ -28,24 +27,4 @@ fn what_is_no_text_is_refused() {
         found.contains("has 16.0 MiB, allowed is up to 16 MiB"),
         "{found}"
     );
-}
-
-/// Sources may be left out; a German Excel writes semicolons and commas.
-#[test]
-fn measured_rows_may_be_written_in_other_ways() {
-    const ROWS: &str = "center_distance_mm,wheel_tooth,pinion_tooth,measured_right_um,\
-measured_left_um,predicted_min_um,predicted_max_um,source\n75.2,1,1,150,155,140,160,rig\n";
-    let folder = TempDir::new().unwrap();
-    let path = folder.path().join("pair.toml");
-    let gear = |teeth| format!("teeth = {teeth}\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n");
-    let (wheel, pinion) = (gear(20), gear(30));
-    let text = format!("[wheel]\n{wheel}[pinion]\n{pinion}[measured]\nfile = \"rig.csv\"\n");
-    fs::write(&path, text).unwrap();
-    let columns = |row: &str| row.rsplit_once(',').unwrap().0.to_owned() + "\n";
-    let without: String = ROWS.lines().map(columns).collect();
-    let german = ROWS.replace(',', ";").replace('.', ",");
-    for rows in [ROWS, &without, &german] {
-        fs::write(folder.path().join("rig.csv"), rows).unwrap();
-        assert_eq!(read(&path).unwrap().study.measured.len(), 1, "{rows}");
-    }
 }

@@ -248,30 +248,22 @@ fn sixteen_million_commas_within_200_megabytes() {
     let commas = vec![b','; 16 * MIB];
     let keys = "pitch = { kind = \"single\", file = \"p.csv\" }";
     let gear = pair(44, keys);
-    let message = refused(
-        "pitch",
-        ("p.csv", &commas),
-        ("pair.toml", gear.as_bytes()),
-        200,
-    );
-    assert!(message.contains("has some 16777216 cells"), "{message}");
     let rig = pair(44, "").replace("[sweep]\nmating = [[1, 1]]", "[measured]\nfile = \"p.csv\"");
-    let message = refused(
-        "rig",
-        ("p.csv", &commas),
-        ("pair.toml", rig.as_bytes()),
-        200,
-    );
-    assert!(message.contains("has some 16777216 cells"), "{message}");
     // One record over many lines: line ends in quotes count as cells.
-    let quoted = "\"a\n\",".repeat(3_000_000);
-    let message = refused(
-        "rig",
-        ("p.csv", quoted.as_bytes()),
-        ("pair.toml", rig.as_bytes()),
-        300,
-    );
-    assert!(message.contains("has some 6000000 cells"), "{message}");
+    let quoted = "\"a\n\",".repeat(3_000_000).into_bytes();
+    for (pair, table, most_mb, cells) in [
+        (&gear, &commas, 200, "has some 16777216 cells"),
+        (&rig, &commas, 200, "has some 16777216 cells"),
+        (&rig, &quoted, 300, "has some 6000000 cells"),
+    ] {
+        let message = refused(
+            cells,
+            ("p.csv", table),
+            ("pair.toml", pair.as_bytes()),
+            most_mb,
+        );
+        assert!(message.contains(cells), "{message}");
+    }
 }
 
 #[test]
@@ -282,53 +274,38 @@ fn pair_files() {
         "{{{}\"z\":1}}",
         numbered(1_200_000, &|i| format!("\"k{i}\":1,"))
     );
-    let cases: [(&str, String, &str); 12] = [
-        ("p.json", "[".repeat(16 * MIB), "recursion limit"),
+    let (many, list) = ("keys and values", |of: &str, n: usize| of.repeat(n));
+    let toml = [
         (
-            "p.toml",
             format!("a={}", "[".repeat(15 * MIB)),
             "keys and values, allowed are up to 500000",
         ),
-        ("p.toml", format!("a={}", "[".repeat(400_000)), "recurse"),
+        (format!("a={}", "[".repeat(400_000)), "recurse"),
+        (format!("a=[{}]", list("[],", 5_000_000)), many),
+        (format!("a=[{}]", list("0,", 7_000_000)), many),
         (
-            "p.toml",
-            format!("a=[{}]", "[],".repeat(5_000_000)),
-            "keys and values",
-        ),
-        (
-            "p.json",
-            format!("{{\"a\":[{}0]}}", "[],".repeat(5_000_000)),
-            "unknown key",
-        ),
-        (
-            "p.toml",
-            format!("a=[{}]", "0,".repeat(7_000_000)),
-            "keys and values",
-        ),
-        (
-            "p.json",
-            format!("{{\"a\":[{}0]}}", "0,".repeat(8_000_000)),
-            "unknown key",
-        ),
-        (
-            "p.toml",
             format!("{}=1", "a.".repeat(100_000) + "a"),
             "recursion limit",
         ),
-        ("p.toml", "[[a]]\n".repeat(2_700_000), "keys and values"),
+        ("[[a]]\n".repeat(2_700_000), many),
+        (format!("a = \"{}\"", "x".repeat(15 * MIB)), "unknown key"),
+        (numbered(1_200_000, &|i| format!("k{i}=1\n")), many),
+    ];
+    let json = [
+        ("[".repeat(16 * MIB), "recursion limit"),
         (
-            "p.toml",
-            format!("a = \"{}\"", "x".repeat(15 * MIB)),
+            format!("{{\"a\":[{}0]}}", list("[],", 5_000_000)),
             "unknown key",
         ),
         (
-            "p.toml",
-            numbered(1_200_000, &|i| format!("k{i}=1\n")),
-            "keys and values",
+            format!("{{\"a\":[{}0]}}", list("0,", 8_000_000)),
+            "unknown key",
         ),
-        ("p.json", json_keys, "more than 1000 keys in one table"),
+        (json_keys, "more than 1000 keys in one table"),
     ];
-    for (name, text, says) in cases {
+    let toml = toml.map(|(text, says)| ("p.toml", text, says));
+    let json = json.map(|(text, says)| ("p.json", text, says));
+    for (name, text, says) in toml.into_iter().chain(json) {
         let message = refused(says, ("x", b""), (name, text.as_bytes()), 500);
         assert!(message.contains(says), "{says:?} in {message}");
     }

@@ -121,14 +121,7 @@ fn memory_does_not_grow_with_the_poses() {
         return;
     }
     let mut run = command(256 << 10);
-    let text = output(run.args([
-        "simulate",
-        "large.toml",
-        "--no-certify",
-        "--format",
-        "csv",
-        "-o",
-        "results",
-    ]));
+    let text =
+        output(run.args("simulate large.toml --no-certify --format csv -o results".split(' ')));
     assert_eq!(text.lines().count(), 1 + 425 * 240);
 }

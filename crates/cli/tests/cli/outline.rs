@@ -1,4 +1,4 @@
-//! `outline`: a gear as measured as DXF, SVG and CSV, compared with closed forms of its curves.
+//! `outline`: a gear as measured as DXF, SVG and CSV, compared with closed forms of its curves. `tests/sessions/outline.txt` holds small ones.
 
 mod deviated;
 
@@ -243,23 +243,6 @@ fn a_space_that_is_closed_at_its_root_ends_where_its_fillets_cross() {
         at < before && at <= after && at > root + 1e-4
     });
     assert_eq!(valleys.count(), 3);
-}
-
-#[test]
-fn small_outlines() {
-    let folder = empty_folder();
-    let file = folder.path().join("small.toml");
-    let text = "title = \"small\"\n[gear]\nteeth = 6\nmodule_mm = 1.0\npressure_angle_deg = 20.0\nprofile_shift = 0.3\n\
-                runout = { total_um = 100 }\n";
-    std::fs::write(&file, text).unwrap();
-    for format in ["dxf", "svg", "csv"] {
-        let text = outline(
-            folder.path(),
-            &file,
-            &["--format", format, "--tolerance-um", "200"],
-        );
-        insta::assert_snapshot!(format!("small_{format}"), text);
-    }
 }
 
 /// A section of a right-hand gear at `b` is that of the measuring plane, turned by `b tan β/r` clockwise seen from the front. It

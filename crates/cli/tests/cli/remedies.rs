@@ -171,18 +171,9 @@ fn a_drawn_pair_gets_the_distance_of_its_data() {
     std::fs::write(folder.path().join("pair.toml"), PRINTED).unwrap();
     for gear in ["wheel", "pinion"] {
         let file = format!("{gear}.dxf");
-        let words = [
-            "outline",
-            "pair.toml",
-            "--gear",
-            gear,
-            "--format",
-            "dxf",
-            "--tolerance-um",
-            "0.1",
-            "-o",
-            &file,
-        ];
+        let words =
+            format!("outline pair.toml --gear {gear} --format dxf --tolerance-um 0.1 -o {file}");
+        let words: Vec<&str> = words.split(' ').collect();
         let (code, _, message) = run(folder.path(), &words);
         assert_eq!(code, Some(0), "{message}");
     }

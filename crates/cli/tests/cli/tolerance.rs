@@ -58,12 +58,17 @@ fn the_worst_assemblies_are_pair_files_that_reproduce_them() {
     pair(folder.path());
     let (_, text, _) = tolerance(folder.path(), "tolerance pair.toml -o o --format json");
     let result: Value = serde_json::from_str(&text).unwrap();
+    check_worst(folder.path(), &result);
+}
+
+/// `simulate` finds the ten worst assemblies of the folder `o` as the run did.
+pub fn check_worst(folder: &Path, result: &Value) {
     let worst = result["worst"].as_array().unwrap();
     assert_eq!(worst.len(), 10);
     for one in worst {
         let file = format!("o/{}", one["file"].as_str().unwrap());
         // Exit 1: it does not meet the requirement.
-        let (_, text, _) = run(folder.path(), &["simulate", &file, "--format", "json"]);
+        let (_, text, _) = run(folder, &["simulate", &file, "--format", "json"]);
         let simulated: Value = serde_json::from_str(&text).unwrap();
         // With play in the bearings: pressed together, and pulled apart.
         let found = &simulated["extremes"][0]["with_bearing_clearance"];

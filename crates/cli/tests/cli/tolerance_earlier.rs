@@ -42,64 +42,34 @@ fn names_that_are_no_text_are_taken_as_they_are() {
         (top.path(), Path::new(here.file_name().unwrap())),
         (top.path(), &here),
     ] {
-        let run = |arguments: &[&OsStr], wanted: i32| {
-            let output = gearlash(working).args(arguments).output().unwrap();
+        // Words with an @ are files and folders there.
+        let run = |words: &str, last: &Path| {
+            let mut command = gearlash(working);
+            for word in words.split(' ') {
+                match word.strip_prefix('@') {
+                    Some(name) => command.arg(start.join(name)),
+                    None => command.arg(word),
+                };
+            }
+            let output = command.arg(last).output().unwrap();
             let message = String::from_utf8(output.stderr).unwrap();
-            assert_eq!(output.status.code(), Some(wanted), "{message}");
+            assert_eq!(output.status.code(), Some(0), "{message}");
             String::from_utf8(output.stdout).unwrap()
         };
-        let at = |name: &str| start.join(name).into_os_string();
-        let word = |text: &'static str| OsStr::new(text);
-        let rows = start.join(OsStr::from_bytes(b"r\xe4.csv"));
-        run(
-            &[
-                word("tolerance"),
-                &at("pair.toml"),
-                word("--assemblies"),
-                word("30"),
-                word("-o"),
-                &at("o"),
-                word("--rows"),
-                rows.as_os_str(),
-            ],
-            0,
-        );
-        assert_eq!(
-            std::fs::read_to_string(here.join(OsStr::from_bytes(b"r\xe4.csv")))
-                .unwrap()
-                .lines()
-                .count(),
-            32
-        );
-        run(
-            &[
-                word("tolerance"),
-                &at("pair.toml"),
-                word("--assemblies"),
-                word("30"),
-                word("-o"),
-                &at("o"),
-                word("--from-rows"),
-                rows.as_os_str(),
-            ],
-            0,
-        );
-        std::fs::remove_file(here.join(OsStr::from_bytes(b"r\xe4.csv"))).unwrap();
+        let name = OsStr::from_bytes(b"r\xe4.csv");
+        let rows = start.join(name);
+        let tolerance = "tolerance @pair.toml --assemblies 30 -o @o";
+        run(&format!("{tolerance} --rows"), &rows);
+        let text = std::fs::read_to_string(here.join(name)).unwrap();
+        assert_eq!(text.lines().count(), 32);
+        run(&format!("{tolerance} --from-rows"), &rows);
+        std::fs::remove_file(here.join(name)).unwrap();
         // All three wheels are drawn.
         let result = std::fs::read_to_string(here.join("o/result.json")).unwrap();
         assert!(result.contains("which wheel"), "{result}");
         let printed = run(
-            &[
-                word("match"),
-                &at("wide.toml"),
-                word("--wheels"),
-                &at("w"),
-                word("--pinions"),
-                &at("p"),
-                word("-o"),
-                &at("matched"),
-            ],
-            0,
+            "match @wide.toml --wheels @w --pinions @p -o",
+            &start.join("matched"),
         );
         assert!(printed.starts_with("2 of 2 pairs"), "{printed}");
         let matrix = std::fs::read_to_string(here.join("matched/matrix.csv")).unwrap();

@@ -1,7 +1,7 @@
 //! Helical pairs in `gearlash tolerance` and `match`: each assembly as `simulate` finds it over the same face, and spur pairs where the helix angle
 //! goes to 0.
 
-use super::tolerance::tolerance;
+use super::tolerance::{check_worst, tolerance};
 use super::*;
 
 const HELIX: &str = "helix_angle_deg = 21\nhand = \"right\"\nface_mm = [-20, 30]\n";
@@ -52,21 +52,7 @@ fn a_helical_population_is_what_simulate_finds_pair_by_pair() {
     assert_eq!(code, Some(0), "{message}");
     let result: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(result["outcomes"]["clear"], 12, "{result}");
-    let worst = result["worst"].as_array().unwrap();
-    assert_eq!(worst.len(), 10);
-    for one in worst {
-        let file = format!("o/{}", one["file"].as_str().unwrap());
-        let (_, text, message) = run(here, &["simulate", &file, "--format", "json"]);
-        let simulated: Value = serde_json::from_str(&text).expect(&message);
-        let found = &simulated["extremes"][0]["with_bearing_clearance"];
-        for (key, end) in [("least_um", "least"), ("greatest_um", "greatest")] {
-            let (value, wanted) = (um(&found[end]["pose"]["j_wt_um"]), um(&one[key]));
-            assert!(
-                (value - wanted).abs() < 2e-3,
-                "{file} {key}: {value} {wanted}"
-            );
-        }
-    }
+    check_worst(here, &result);
 }
 
 /// The worst case of a helical pair with runout: no drawn assembly lies beyond it, and between perfect flanks it is that of any face. Source: between
@@ -151,7 +137,7 @@ fn a_helix_angle_that_goes_to_0_gives_the_spur_population() {
     }
 }
 
-/// Two wheels and two pinions: the marked phase as `simulate` finds it; a gear of the other hand, or another face, is reported.
+/// Two wheels and two pinions: the marked phase as `simulate` finds it. `tests/sessions/along_face.txt` has gears of another hand or face.
 #[test]
 fn helical_gears_are_matched_over_their_face() {
     let folder = empty_folder();
@@ -220,39 +206,4 @@ fn helical_gears_are_matched_over_their_face() {
             );
         }
     }
-    let third = file("wheel", "");
-    for (from, to, wanted) in [
-        (
-            "\"right\"",
-            "\"left\"",
-            "3.toml: gear: hand is another than wheel.hand of the pair file",
-        ),
-        (
-            "[-20, 30]",
-            "[-20, 31]",
-            "3.toml: gear: face_mm is another than wheel.face_mm of the pair file",
-        ),
-        (
-            "= 21",
-            "= 20",
-            "gear.helix_angle_deg = 20: wheel.helix_angle_deg of the pair file is 21",
-        ),
-    ] {
-        std::fs::write(w.join("3.toml"), third.replace(from, to)).unwrap();
-        let (code, _, message) = run(here, &words);
-        assert!(code == Some(2) && message.contains(wanted), "{message}");
-    }
-    // Gears that are drawn as a whole are checked, too.
-    std::fs::write(w.join("3.toml"), third.replace("\"right\"", "\"left\"")).unwrap();
-    let text = pair().split("[tolerance.wheel]").next().unwrap().to_owned()
-        + "[tolerance.wheel]\ngears = \"w/*.toml\"\n";
-    std::fs::write(here.join("drawn.toml"), &text).unwrap();
-    let (code, _, message) = run(here, &["tolerance", "drawn.toml", "-o", "t"]);
-    assert!(
-        code == Some(2) && message.contains("hand is another than wheel.hand"),
-        "{message}"
-    );
-    std::fs::remove_file(w.join("3.toml")).unwrap();
-    let (code, _, message) = run(here, &["tolerance", "drawn.toml", "-o", "t"]);
-    assert_eq!(code, Some(0), "{message}");
 }

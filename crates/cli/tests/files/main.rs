@@ -3,7 +3,6 @@
 #![cfg(target_os = "linux")]
 
 mod failures;
-mod inputs;
 mod kills;
 mod links;
 mod population;

@@ -1,4 +1,5 @@
-//! The files of a run replace those of an earlier run; other files in the folder stay.
+//! The files of a run replace those of an earlier run; other files in the folder stay. `tests/sessions/inputs_kept.txt` holds
+//! what is refused.
 
 use super::*;
 use std::os::unix::fs::MetadataExt;
@@ -49,31 +50,6 @@ fn files_of_others_stay() {
     assert_eq!(numbers(), before);
     assert!(at("mine").is_dir());
     assert!(temporary(folder.path()).is_empty());
-}
-
-#[test]
-fn the_working_folder_can_hold_the_results() {
-    let folder = folder();
-    let here = folder.path().join("here");
-    std::fs::create_dir(&here).unwrap();
-    assert!(run(&here, "simulate ../p.toml -o .").status.success());
-    assert!(here.join("result.json").is_file());
-}
-
-/// A folder of a result's name: it is reported before any file is replaced.
-#[test]
-fn a_folder_in_the_place_of_a_file_leaves_the_old_set() {
-    let folder = folder();
-    assert!(simulate(folder.path(), "results").status.success());
-    let csv = folder.path().join("results/result.csv");
-    std::fs::remove_file(&csv).unwrap();
-    std::fs::create_dir(&csv).unwrap();
-    let before = contents(&folder.path().join("results"));
-    change(folder.path(), "[37.3]");
-    let output = simulate(folder.path(), "results");
-    assert_eq!(output.status.code(), Some(2));
-    assert!(stderr_of(&output).contains("results/result.csv: cannot be written: is a directory"));
-    assert!(contents(&folder.path().join("results")) == before);
 }
 
 /// Many runs at once: every file is whole and of one of them.

@@ -149,15 +149,7 @@ fn one_signal_ends_the_writing_of_large_results_at_once() {
 fn one_signal_ends_a_write_that_waits() {
     let folder = big();
     let mut command = gearlash(folder.path());
-    command.args([
-        "simulate",
-        "big.toml",
-        "--no-certify",
-        "--format",
-        "csv",
-        "--center-distance",
-        "434.3",
-    ]);
+    command.args("simulate big.toml --no-certify --format csv --center-distance 434.3".split(' '));
     let mut child = command
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -187,14 +179,8 @@ fn a_second_signal_ends_at_once() {
     }
     let folder = big();
     let mut command = Command::new("strace");
-    command.args([
-        "-f",
-        "-qq",
-        "-o",
-        "/dev/null",
-        "-e",
-        "inject=rmdir,unlink:delay_enter=5000000:when=2+",
-    ]);
+    command
+        .args("-f -qq -o /dev/null -e inject=rmdir,unlink:delay_enter=5000000:when=2+".split(' '));
     command.arg(env!("CARGO_BIN_EXE_gearlash"));
     command.args(["simulate", "big.toml", "-o", "deep/results"]);
     command

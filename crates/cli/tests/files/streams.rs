@@ -1,4 +1,4 @@
-//! Standard output and standard error that accept nothing.
+//! Standard output and standard error that accept nothing, or are a file that was read.
 
 use super::*;
 use std::fs::File;
@@ -91,5 +91,26 @@ fn a_full_or_closed_standard_error_changes_nothing() {
         let script = format!("{} {words} 2>&-", env!("CARGO_BIN_EXE_gearlash"));
         let output = closed.args(["-c", &script]).output().unwrap();
         assert_eq!(output.status.code(), usual.status.code(), "{words}");
+    }
+}
+
+/// `>> pair.toml` would append to it; `cat` refuses that, too.
+#[test]
+fn streams_do_not_go_into_a_file_that_was_read() {
+    let folder = folder();
+    let before = contents(folder.path());
+    for redirected in ["p.toml >>", "- < p.toml >>", "p.toml 2>>"] {
+        let script = format!(
+            "{} simulate --format json {redirected} p.toml",
+            env!("CARGO_BIN_EXE_gearlash")
+        );
+        let mut command = Command::new("sh");
+        command.current_dir(folder.path()).args(["-c", &script]);
+        assert_eq!(command.status().unwrap().code(), Some(2), "{redirected}");
+        let after = contents(folder.path());
+        // Standard error is still appended there; the old content stays.
+        let kept = after[Path::new("p.toml")].starts_with(&before[Path::new("p.toml")]);
+        assert!(kept, "{redirected}");
+        assert!(redirected.contains("2>>") || after == before);
     }
 }

@@ -121,13 +121,11 @@ fn report_and_gauge_grade_alike() {
     );
     std::fs::write(folder.path().join("p.toml"), pair).unwrap();
     let mut command = assert_cmd::Command::cargo_bin("gearlash").unwrap();
-    let page = stdout(command.current_dir(folder.path()).args([
-        "report",
-        "p.toml",
-        "-o",
-        "-",
-        "--no-certify",
-    ]));
+    let page = stdout(
+        command
+            .current_dir(folder.path())
+            .args("report p.toml -o - --no-certify".split(' ')),
+    );
     let quick = [
         "p.toml",
         "--format",

@@ -22,17 +22,9 @@ fn read(all: &Value, gauge: &str, list: &str) -> Vec<(u64, f64)> {
 fn draw(folder: &Path, name: &str) {
     let (_, ending) = name.rsplit_once('.').unwrap();
     let mut command = Command::cargo_bin("gearlash").unwrap();
-    let outline = [
-        "outline",
-        "one.toml",
-        "--tolerance-um",
-        "0.1",
-        "--format",
-        ending,
-        "-o",
-        name,
-    ];
-    command.current_dir(folder).args(outline).assert().success();
+    let words = format!("outline one.toml --tolerance-um 0.1 --format {ending} -o {name}");
+    command.current_dir(folder).args(words.split(' '));
+    command.assert().success();
 }
 
 /// Source: the gauge on the gear itself. Each anvil and each flank of a space moves by 0.1 µm at most. A pin touches flanks at
@@ -41,18 +33,8 @@ fn draw(folder: &Path, name: &str) {
 fn a_drawing_reads_as_the_gear_it_was_drawn_from() {
     const TOLERANCE: f64 = 1e-4;
     let folder = folder();
-    let sizes = [
-        "--span-teeth",
-        "3",
-        "--pin-mm",
-        "5.25",
-        "--material",
-        "most",
-    ];
-    let gear = json(
-        folder.path(),
-        &[&["one.toml", "--steps-per-pitch", "1"], &sizes[..]].concat(),
-    );
+    let words = "one.toml --steps-per-pitch 1 --span-teeth 3 --pin-mm 5.25 --material most";
+    let gear = json(folder.path(), &words.split(' ').collect::<Vec<_>>());
     for name in ["drawn.dxf", "drawn.svg", "drawn.csv"] {
         draw(folder.path(), name);
         let mut arguments = vec![name, "--span", "3", "--pin", "5.25"];

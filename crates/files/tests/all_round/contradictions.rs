@@ -5,6 +5,14 @@ use super::*;
 use proptest::test_runner::TestRunner;
 use std::f64::consts::TAU;
 
+/// One warning, with these words.
+fn check_one(warnings: &[String], words: &str) {
+    assert!(
+        warnings.len() == 1 && warnings[0].contains(words),
+        "{words}: {warnings:?}"
+    );
+}
+
 #[test]
 fn a_reversed_left_flank_is_reported() {
     let [right, left] = Dice(TestRunner::deterministic()).real(44, 0.5);
@@ -16,16 +24,10 @@ fn a_reversed_left_flank_is_reported() {
         ("material", &left, "numbers"),
     ] {
         let warnings = pair(&pitch(sense, &right, left)).warnings;
-        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        check_one(&warnings, &format!("write sense = \"{other}\""));
         assert!(
             warnings[0].starts_with("wheel.pitch.left_um: "),
-            "{}",
-            warnings[0]
-        );
-        assert!(
-            warnings[0].contains(&format!("write sense = \"{other}\"")),
-            "{}",
-            warnings[0]
+            "{warnings:?}"
         );
     }
 }
@@ -53,10 +55,7 @@ fn spans_say_which_sign_is_meant() {
     };
     assert_eq!(with_spans("numbers", &turned), [""; 0]);
     let warnings = with_spans("numbers", &left);
-    assert!(
-        warnings.len() == 1 && warnings[0].contains("write sense = \"material\""),
-        "{warnings:?}"
-    );
+    check_one(&warnings, "write sense = \"material\"");
 }
 
 #[test]
@@ -97,10 +96,7 @@ fn thickness_that_is_said_twice() {
         ));
         match words {
             None => assert_eq!(study.warnings, [""; 0]),
-            Some(words) => {
-                assert_eq!(study.warnings.len(), 1, "{:?}", study.warnings);
-                assert!(study.warnings[0].contains(words), "{}", study.warnings[0]);
-            }
+            Some(words) => check_one(&study.warnings, words),
         }
     }
 }
@@ -182,10 +178,7 @@ fn thickness_that_the_spans_do_not_show() {
     };
     assert_eq!(with(&per_tooth), [""; 0]);
     let warnings = with(&negative(&per_tooth));
-    assert!(
-        warnings.len() == 1 && warnings[0].contains("the spans contradict it"),
-        "{warnings:?}"
-    );
+    check_one(&warnings, "the spans contradict it");
 }
 
 fn about_axis(list: &[String], words: &str) -> usize {

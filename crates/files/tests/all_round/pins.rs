@@ -1,6 +1,6 @@
 //! Dimensions over pins between displaced flanks, found by rolling both flanks until one circle touches both.
 
-use super::common::random_pair::case;
+use super::random_pair::case;
 use super::*;
 use gearlash::gear::{Face, thickness};
 use nalgebra::{Complex, Matrix2, Vector2};

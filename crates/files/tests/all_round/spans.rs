@@ -1,6 +1,6 @@
 //! Spans predicted from the places of the flanks give these places back.
 
-use super::common::random_pair::{Recipe, case};
+use super::random_pair::{Recipe, case};
 use super::*;
 use gearlash::gear::{Face, thickness};
 use proptest::prelude::*;

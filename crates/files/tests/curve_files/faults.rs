@@ -1,20 +1,9 @@
-//! Units, angles and missing values. `tests/sessions/curve_faults.txt` holds the messages of wrong files.
+//! The number of missing values. `tests/sessions/curve_imports.txt` and `curve_faults.txt` hold what else is read and what is refused.
 
 use super::made::Made;
-use super::{message, pair, read_with};
+use super::{pair, read_with};
 
-const PITCH: &str = "pitch = { kind = \"single\", file = \"gear.mka\" }";
 const TRACE: &str = "profile = { trace = { file = \"gear.mka\" } }";
-
-/// A helix angle of 0, stated for both flanks, is that of a spur gear.
-#[test]
-fn a_spur_gear_may_state_its_helix_angle() {
-    let text = Made::new(17).text().replace(
-        "17  Außenverzahnung",
-        "17\r\n 26 :Schrägungswinkel.......: 0.0000  0.0000",
-    );
-    assert!(read_with(text.as_bytes(), &pair(17, PITCH)).is_ok());
-}
 
 /// The deviations of the left trace as read with another `UNDEFINED`.
 fn left_trace(text: &str) -> Vec<f64> {
@@ -45,44 +34,4 @@ fn the_undefined_number_is_no_threshold() {
     // With fewer digits than in the preamble.
     let short = text.replace("\r\n-2147483.648 ", "\r\n-2147484 ");
     assert_eq!(left_trace(&short), all);
-}
-
-/// The tables of pitch know the number of the preamble, too.
-#[test]
-fn the_undefined_number_in_a_table_of_pitch() {
-    let text = Made::new(17).text();
-    let text = text.replace("UNDEFINED -2147483.648", "UNDEFINED -8888.0");
-    let row = text.lines().find(|line| line.starts_with("  4  ")).unwrap();
-    let fp = row.split_whitespace().nth(1).unwrap();
-    let text = text.replacen(row, &row.replacen(fp, "-8888.0", 1), 1);
-    let message = message(&text, 17, PITCH);
-    assert_eq!(message.lines().count(), 1, "{message}");
-    assert!(
-        message.contains("-8888.0 stands for a value that was not measured, as UNDEFINED"),
-        "{message}"
-    );
-}
-
-#[test]
-fn angles_are_in_degrees() {
-    let text = Made::new(17).text();
-    for (unit, good) in [
-        ("deg", true),
-        ("Grad", true),
-        ("rad", false),
-        ("gon", false),
-        ("", false),
-    ] {
-        let text = text.replace("ANGLE degrees", &format!("ANGLE {unit}"));
-        match read_with(text.as_bytes(), &pair(17, PITCH)) {
-            Ok(_) => assert!(good, "{unit}"),
-            Err(_) => {
-                let message = message(&text, 17, PITCH);
-                assert!(
-                    !good && message.contains("allowed is degrees"),
-                    "{unit}: {message}"
-                );
-            }
-        }
-    }
 }

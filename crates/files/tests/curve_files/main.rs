@@ -1,7 +1,6 @@
 //! Curve files `.mka` and value files `.mew` of a P40. No real one is public: these are MADE, by the small writer of [`made`].
 
 mod faults;
-mod imported;
 mod made;
 mod mutants;
 
@@ -25,14 +24,6 @@ fn read_with(table: &[u8], text: &str) -> Result<PairFile, Vec<Problem>> {
 fn good(made: &Made, keys: &str) -> PairFile {
     let read = read_with(made.text().as_bytes(), &pair(made.teeth, keys));
     read.unwrap_or_else(|problems| panic!("{problems:#?}"))
-}
-
-fn message(table: &str, teeth: u32, keys: &str) -> String {
-    let problems = read_with(table.as_bytes(), &pair(teeth, keys)).unwrap_err();
-    let message = problems
-        .iter()
-        .map(|p| p.reason.split("gear.mka: ").last().unwrap_or("").to_owned());
-    message.collect::<Vec<_>>().join("\n")
 }
 
 /// Lost motion at every mating, rad.

@@ -104,7 +104,7 @@ fn entities_seen_from_behind_are_mirrored() {
         "dxf",
         &dxf(&[polyline(true, &vertices, " 210 0 220 0 230 -1")]),
     );
-    check_through(&back, &[[-5.0, -2.5], [-10.0, 0.0], [-10.0, 10.0]]);
+    check_through(&back, &points("-5.0 -2.5, -10.0 0.0, -10.0 10.0"));
     let mirrored: Vec<PathSegment> = front.segments.iter().map(PathSegment::mirrored).collect();
     for (found, expected) in back.segments.iter().zip(&mirrored) {
         assert!((found.at(0.3) - expected.at(0.3)).norm() < 1e-14);
@@ -209,10 +209,7 @@ fn units_are_those_of_the_header_or_stated() {
         (13, Unit::Um, 0.001),
     ] {
         let stated = drawn("dxf", &in_units(Some(code), &circle), &Options::default()).unwrap();
-        let given = Options {
-            unit: Some(unit),
-            ..Options::default()
-        };
+        let given = stated_in(unit);
         for drawing in [
             drawn("dxf", &in_units(Some(code), &circle), &given).unwrap(),
             drawn("dxf", &in_units(None, &circle), &given).unwrap(),
@@ -241,16 +238,7 @@ fn a_mixed_outline_and_its_bore() {
     assert_eq!((teeth.name.as_str(), bore.name.as_str()), ("TEETH", "BORE"));
     check_through(
         teeth,
-        &[
-            [10.0, 0.0],
-            [12.0, 1.0],
-            [14.0, 3.0],
-            [9.0, 8.0],
-            [5.0, 9.0],
-            [0.0, 8.0],
-            [-5.0, 0.0],
-            [2.5, -3.75],
-        ],
+        &points("10.0 0.0, 12.0 1.0, 14.0 3.0, 9.0 8.0, 5.0 9.0, 0.0 8.0, -5.0 0.0, 2.5 -3.75"),
     );
     assert_eq!(
         drawing.remarks,

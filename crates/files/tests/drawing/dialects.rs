@@ -1,124 +1,7 @@
-//! Drawings as programs write them. Each shows one gear: m = 2 mm, 20°, 16 teeth, whose span over three teeth an independent program measures as 15.1524 mm.
+//! What programs write into drawings: blocks, units, clones. `tests/sessions/dialects.txt` has whole drawings of one gear.
 
 use super::*;
-use gearlash::gauge::gauge_outline;
-use gearlash::gear::Face;
-use gearlash::outline::{OutlineGear, OutlineReading};
-use gearlash_files::drawing::Repeat;
-use gearlash_files::outlines::OutlineOptions;
 use made::{in_units, line, lines};
-use std::fs;
-
-/// Span over three teeth of the gear in a drawing, mm.
-fn span(name: &str, options: &Options) -> f64 {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/drawing/dialects")
-        .join(name);
-    let drawing = read(&path, &fs::read(&path).unwrap(), options);
-    let drawing = drawing.unwrap_or_else(|error| panic!("{name}: {error}"));
-    check_sound(&drawing);
-    let [one] = &drawing.loops[..] else {
-        panic!("{name}: {} loops", drawing.loops.len());
-    };
-    let reading = OutlineReading {
-        centre: Point2::origin(),
-        face: Face::Front,
-        teeth: Some(16),
-        first_tooth: None,
-        bound: one.bound_mm,
-    };
-    let gear = OutlineGear::new(&one.segments, &reading).unwrap();
-    gauge_outline(&gear, Some(3), None).spans.unwrap().mean()
-}
-
-/// Inkscape and OpenJSCAD write a z at each vertex, FreeCAD noise of 1e-9 in z, CAD programs place blocks.
-#[test]
-fn drawings_of_many_programs_show_one_gear() {
-    for (name, expected) in [
-        // Half a unit of the last digit.
-        ("z_noise.dxf", 15.1524),
-        ("lwpolyline.dxf", 15.1524),
-        ("lwpolyline_inkscape.dxf", 15.1524),
-        ("insert.dxf", 15.1524),
-        ("insert_scaled.dxf", 30.305),
-    ] {
-        let found = span(name, &Options::default());
-        assert!(
-            (found - expected).abs() < if expected > 20.0 { 5e-4 } else { 5e-5 },
-            "{name}: {found}"
-        );
-    }
-}
-
-/// One tooth as a list of points, and all points with a z between blanks, are the gear that is drawn whole.
-#[test]
-fn one_tooth_and_blanks_show_the_gear_of_the_whole_drawing() {
-    let whole = span("gear_16.dxf", &Options::default());
-    let tooth = Options {
-        repeat: Some(Repeat {
-            teeth: 16,
-            centre: Point2::origin(),
-        }),
-        ..in_mm()
-    };
-    // The lists have eight decimals.
-    assert!((span("one_tooth.csv", &tooth) - whole).abs() < 1e-6);
-    assert!((span("curve_xyz.txt", &in_mm()) - whole).abs() < 1e-6);
-    let error = read(
-        Path::new("tooth.csv"),
-        &fs::read(
-            Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/drawing/dialects/one_tooth.csv"),
-        )
-        .unwrap(),
-        &Options {
-            repeat: Some(Repeat {
-                teeth: 40,
-                centre: Point2::origin(),
-            }),
-            ..in_mm()
-        },
-    );
-    let error = error.unwrap_err().to_string();
-    assert!(error.contains("one of 40 teeth has 9.000°"), "{error}");
-}
-
-/// The named one of several outlines is read: 16 teeth round the origin, 24 about (40, 0). Source: the drawing of the first gear
-/// alone.
-#[test]
-fn one_of_several_outlines_is_chosen() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/drawing/dialects/two_gears.dxf");
-    let chosen = |options: OutlineOptions| {
-        let read = gearlash_files::read_drawing(&path, &options);
-        let gears = read.map_err(|error| error.lines().join("\n"))?;
-        let (_, gear) = &gears.gears[0].drawn[0];
-        let span = gauge_outline(gear, Some(3), None).spans.unwrap().mean();
-        Ok::<_, String>((gear.teeth(), span))
-    };
-    let at = OutlineOptions::default();
-    let fit = OutlineOptions {
-        center: Some("fit"),
-        ..at
-    };
-    let (teeth, span_3) = chosen(at).unwrap();
-    assert_eq!(teeth, 16);
-    assert!((span_3 - span("gear_16.dxf", &Options::default())).abs() < 1e-6);
-    let number = |number| OutlineOptions {
-        number: Some(number),
-        ..fit
-    };
-    let at_mm = |at| OutlineOptions {
-        at_mm: Some(at),
-        ..fit
-    };
-    assert_eq!(chosen(number(1)).unwrap(), (teeth, span_3));
-    assert_eq!(chosen(number(2)).unwrap().0, 24);
-    assert_eq!(chosen(at_mm([41.0, -2.0])), chosen(number(2)));
-    for options in [fit, number(3), at_mm([500.0, 0.0])] {
-        let error = chosen(options).unwrap_err();
-        assert!(error.contains("1 from (13.4166, -1.4982)"), "{error}");
-        assert!(error.contains("2 from (18.5672, -1.6990)"), "{error}");
-    }
-}
 
 /// `blocks` and `entities` as sections of a DXF in mm.
 fn with_blocks(blocks: &[(&str, Vec<String>)], entities: &[String]) -> String {
@@ -163,38 +46,20 @@ fn blocks_are_placed() {
             .remove(0)
     };
     // The top of the arc, (1, 2), and the middle of the chord, (1, 0).
-    for (insert, points) in [
-        ("INSERT 8 TEETH 2 HALF 10 5 20 7", [[6.0, 9.0], [6.0, 7.0]]),
-        (
-            "INSERT 8 TEETH 2 HALF 10 5 20 7 50 90",
-            [[3.0, 8.0], [5.0, 8.0]],
-        ),
-        (
-            "INSERT 8 TEETH 2 HALF 10 5 20 7 41 3 42 3",
-            [[8.0, 13.0], [8.0, 7.0]],
-        ),
-        (
-            "INSERT 8 TEETH 2 HALF 10 5 20 7 41 -1",
-            [[4.0, 9.0], [4.0, 7.0]],
-        ),
-        (
-            "INSERT 8 TEETH 2 HALF 10 5 20 7 210 0 220 0 230 -1",
-            [[-6.0, 9.0], [-6.0, 7.0]],
-        ),
+    for (insert, images) in [
+        ("HALF 10 5 20 7", "6 9, 6 7"),
+        ("HALF 10 5 20 7 50 90", "3 8, 5 8"),
+        ("HALF 10 5 20 7 41 3 42 3", "8 13, 8 7"),
+        ("HALF 10 5 20 7 41 -1", "4 9, 4 7"),
+        ("HALF 10 5 20 7 210 0 220 0 230 -1", "-6 9, -6 7"),
         // Half an ellipse.
-        (
-            "INSERT 8 TEETH 2 HALF 10 0 20 0 41 1 42 3",
-            [[1.0, 6.0], [1.0, 0.0]],
-        ),
+        ("HALF 10 0 20 0 41 1 42 3", "1 6, 1 0"),
         // Inner: (1, 2) to 2·(−2, 1) + (10, 0) = (6, 2), (1, 0) to (10, 2); outer: reversed in y, moved.
-        (
-            "INSERT 8 TEETH 2 OUTER 10 1 20 1 42 -1",
-            [[7.0, -1.0], [11.0, -1.0]],
-        ),
+        ("OUTER 10 1 20 1 42 -1", "7 -1, 11 -1"),
     ] {
-        let one = loop_of(insert);
+        let one = loop_of(&format!("INSERT 8 TEETH 2 {insert}"));
         assert_eq!(one.name, "TEETH");
-        check_through(&one, &points);
+        check_through(&one, &points(images));
     }
     let row = with_blocks(
         &blocks,

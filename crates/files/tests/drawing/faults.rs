@@ -20,10 +20,7 @@ fn faults<'a>(ending: &str, made: impl IntoIterator<Item = (&'a str, String)>) -
 fn units_are_never_guessed() {
     let circle = ["CIRCLE 10 0 20 0 40 2".to_owned()];
     let none = Options::default();
-    let inch = Options {
-        unit: Some(Unit::Inch),
-        ..Options::default()
-    };
+    let inch = stated_in(Unit::Inch);
     insta::assert_snapshot!(
         [
             fault("dxf", &in_units(None, &circle), &none),

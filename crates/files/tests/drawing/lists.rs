@@ -14,14 +14,9 @@ fn a_list_is_read_as_it_is_written() {
         "# units = \"mm\"\nx_mm,y_mm\n0.5, 1\n7.25, 2\n7.25, 2\n3, 9.125\n0.5, 1\n",
         "# unit: cm\n0.05,0.1\n0.725,0.2\n0.3,0.9125\n",
     ] {
-        let options = Options {
-            unit: None,
-            ..Options::default()
-        };
-        let options = if text.starts_with("x,") {
-            in_mm()
-        } else {
-            options
+        let options = match text.starts_with("x,") {
+            true => in_mm(),
+            false => Options::default(),
         };
         let drawing = drawn("csv", text, &options).unwrap();
         assert_eq!(drawing.loops.len(), 1);
@@ -48,12 +43,7 @@ fn the_smooth_curve_has_no_kink_and_no_jump_of_curvature() {
         [4.0, -7.0],
     ];
     let text: String = points.iter().map(|[x, y]| format!("{x},{y}\n")).collect();
-    let options = Options {
-        smooth: true,
-        ..in_mm()
-    };
-    let drawing = drawn("csv", &text, &options).unwrap();
-    let segments = &drawing.loops[0].segments;
+    let segments = smooth(&text);
     assert_eq!(segments.len(), points.len());
     for index in 0..points.len() {
         let (PathSegment::Cubic(a), PathSegment::Cubic(b)) =
@@ -87,17 +77,8 @@ fn the_smooth_curve_through_a_circle_is_round() {
                 )
             })
             .collect();
-        let drawing = drawn(
-            "csv",
-            &text,
-            &Options {
-                smooth: true,
-                ..in_mm()
-            },
-        )
-        .unwrap();
         let at = |segment: &PathSegment| (segment.at(0.5).coords.norm() - 20.0).abs();
-        drawing.loops[0].segments.iter().map(at).fold(0.0, f64::max)
+        smooth(&text).iter().map(at).fold(0.0, f64::max)
     };
     let (coarse, fine) = (off(40), off(80));
     assert!((coarse / fine - 16.0).abs() < 0.5, "{coarse:e} {fine:e}");
@@ -108,14 +89,5 @@ fn the_smooth_curve_through_a_circle_is_round() {
 /// Three points are enough for both.
 #[test]
 fn three_points_are_an_outline() {
-    let options = Options {
-        smooth: true,
-        ..in_mm()
-    };
-    assert_eq!(
-        drawn("csv", "0,0\n5,0\n0,5\n", &options).unwrap().loops[0]
-            .segments
-            .len(),
-        3
-    );
+    assert_eq!(smooth("0,0\n5,0\n0,5\n").len(), 3);
 }

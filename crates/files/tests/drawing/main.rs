@@ -33,10 +33,27 @@ fn drawn(ending: &str, text: &str, options: &Options) -> Result<Drawing, Drawing
 
 /// In mm.
 fn in_mm() -> Options {
+    stated_in(Unit::Mm)
+}
+
+fn stated_in(unit: Unit) -> Options {
     Options {
-        unit: Some(Unit::Mm),
+        unit: Some(unit),
         ..Options::default()
     }
+}
+
+/// The smooth curve through a list in mm.
+fn smooth(text: &str) -> Vec<PathSegment> {
+    let options = Options {
+        smooth: true,
+        ..in_mm()
+    };
+    drawn("csv", text, &options)
+        .unwrap()
+        .loops
+        .remove(0)
+        .segments
 }
 
 /// The one loop of `text` in mm.
@@ -82,6 +99,16 @@ fn distance(one: &DrawnPath, point: [f64; 2]) -> f64 {
         at(0.5 * (low + high))
     };
     one.segments.iter().map(of).fold(f64::INFINITY, f64::min)
+}
+
+/// Points written as `x y, x y`.
+fn points(text: &str) -> Vec<[f64; 2]> {
+    let number = |word: &str| word.parse().unwrap();
+    let point = |pair: &str| {
+        let (x, y) = pair.trim().split_once(' ').unwrap();
+        [number(x), number(y)]
+    };
+    text.split(',').map(point).collect()
 }
 
 /// Checks that each of `points` lies on the loop within its bound and rounding.

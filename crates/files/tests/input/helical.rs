@@ -2,7 +2,7 @@
 
 use super::*;
 use gearlash::contact::ExactKernel;
-use gearlash::gear::Hand;
+use gearlash::gear::{Gear, Hand};
 use gearlash::pair::Pose;
 
 const HELICAL: &str = r#"
@@ -24,6 +24,12 @@ face_mm = [-5, 40]
 center_distance_mm = 78
 "#;
 
+/// A gear as it runs.
+fn built(file: &PairFile, member: Member) -> Gear {
+    let run = file.study.runs().unwrap().remove(0);
+    run.assembly.data().unwrap().gear(member).gear().clone()
+}
+
 /// The common face is what both have; radii are of the transverse module `m_n/cos β`.
 #[test]
 fn hand_and_face_are_read() {
@@ -31,13 +37,8 @@ fn hand_and_face_are_read() {
     assert_eq!(file.study.face, [-5.0, 15.0]);
     let run = &file.study.runs().unwrap()[0];
     assert_eq!(run.assembly.data().unwrap().face(), [-5.0, 15.0]);
-    let data = run
-        .assembly
-        .data()
-        .unwrap()
-        .gear(Member::Wheel)
-        .gear()
-        .basic_data();
+    let wheel = built(&file, Member::Wheel);
+    let data = wheel.basic_data();
     assert_eq!(data.hand(), Some(Hand::Left));
     let radius = 30.0 / f64::to_radians(15.0).cos();
     assert!((data.reference_radius() - radius).abs() < 1e-13);
@@ -210,48 +211,25 @@ fn a_dimension_is_over_balls_or_over_pins() {
         [pinion]\nteeth = 51\nmodule_mm = 4.5\npressure_angle_deg = 20\nhelix_angle_deg = 21\nhand = \"left\"\nface_width_mm = 50\n\
         [assembly]\ncenter_distance_mm = 190\n";
     let gear = |over: &str| study(&GEAR.replace("OVER", over));
-    for (over, kind) in [
-        (
-            "{ pin_mm = 9, kind = \"ball\", mm = 147.07716569057362 }",
-            "ball",
-        ),
-        (
-            "{ pin_mm = 9, kind = \"pin\", mm = 147.3111662932581 }",
-            "pin",
-        ),
-        (
-            "{ pin_mm = 9, kind = \"pin\", mm = [147.3111662932581, 147.3111662932581], space = [1, 9] }",
-            "pin",
-        ),
-        (
-            "{ pin_mm = 9, kind = \"ball\", mm = [147.07716569057362, 147.07716569057362], space = [1, 9] }",
-            "ball",
-        ),
+    let (ball, pin) = ("147.07716569057362", "147.3111662932581");
+    for (kind, mm) in [
+        ("ball", ball.to_owned()),
+        ("pin", pin.to_owned()),
+        ("pin", format!("[{pin}, {pin}], space = [1, 9]")),
+        ("ball", format!("[{ball}, {ball}], space = [1, 9]")),
     ] {
+        let over = &format!("{{ pin_mm = 9, kind = \"{kind}\", mm = {mm} }}");
         let file = gear(over);
-        let run = &file.study.runs().unwrap()[0];
-        let wheel = run.assembly.data().unwrap().gear(Member::Wheel).gear();
+        let wheel = built(&file, Member::Wheel);
         let nominal = wheel.design().nominal_base_thickness();
         assert!((wheel.base_thickness() - nominal).abs() < 1e-9, "{over}");
-        let echo = serde_json::to_value(&file.spec.wheel.data().unwrap().thickness).unwrap();
-        assert_eq!(echo["over_pins"]["kind"], kind, "{over}");
+        let thickness = &echo(&file)["wheel"]["thickness"];
+        assert_eq!(thickness["over_pins"]["kind"], kind, "{over}");
     }
-    let other = gear("{ pin_mm = 9, kind = \"pin\", mm = 147.07716569057362 }");
-    let thin = other.study.runs().unwrap()[0]
-        .assembly
-        .data()
-        .unwrap()
-        .gear(Member::Wheel)
-        .gear()
-        .base_thickness();
-    let ball = gear("{ pin_mm = 9, kind = \"ball\", mm = 147.07716569057362 }");
-    let right = ball.study.runs().unwrap()[0]
-        .assembly
-        .data()
-        .unwrap()
-        .gear(Member::Wheel)
-        .gear()
-        .base_thickness();
+    let [thin, right] = ["pin", "ball"].map(|kind| {
+        let over = format!("{{ pin_mm = 9, kind = \"{kind}\", mm = 147.07716569057362 }}");
+        built(&gear(&over), Member::Wheel).base_thickness()
+    });
     assert!(thin < right - 0.05, "{thin} {right}");
 }
 
@@ -266,19 +244,8 @@ fn of_a_spur_gear_balls_and_pins_are_the_same() {
         );
     let read = |kind: &str| {
         let file = study(&spur.replace("KIND", kind));
-        let base = file.study.runs().unwrap()[0]
-            .assembly
-            .data()
-            .unwrap()
-            .gear(Member::Wheel)
-            .gear()
-            .base_thickness();
-        (
-            base,
-            serde_json::to_value(&file.spec.wheel.data().unwrap().thickness).unwrap()["over_pins"]
-                ["kind"]
-                .clone(),
-        )
+        let kind = echo(&file)["wheel"]["thickness"]["over_pins"]["kind"].clone();
+        (built(&file, Member::Wheel).base_thickness(), kind)
     };
     let (none, echo) = read("");
     assert!(echo.is_null());

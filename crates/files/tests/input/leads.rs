@@ -1,4 +1,4 @@
-//! Lead deviations as they are read. `tests/corpus/bad/lead-*.toml` holds what is refused.
+//! Lead deviations as they are read. `tests/corpus/bad/lead-*.toml` holds what is refused, `tests/sessions/along_face.txt` what is warned of.
 
 use super::*;
 use gearlash::contact::ExactKernel;
@@ -31,17 +31,22 @@ fn spur(wheel: &str, pinion: &str) -> PairFile {
     study(&SPUR.replace("WHEEL", wheel).replace("PINION", pinion))
 }
 
-/// `j_bt` of the first pair at a mating of these teeth, µm.
-pub(super) fn j_bt(file: &PairFile, (wheel_tooth, pinion_tooth): (u32, u32), flank: Side) -> f64 {
-    let run = &file.study.runs().unwrap()[0];
-    let pair = run.assembly.data().unwrap();
-    let mating = Mating {
+/// These teeth a fifth of a pitch on.
+pub(super) fn mating((wheel_tooth, pinion_tooth): (u32, u32), flank: Side) -> Mating {
+    Mating {
         wheel_tooth,
         pinion_tooth,
         flank,
         fraction: 0.2,
-    };
-    let lost = ExactKernel::new(pair).lost_motion(&Pose::new(pair, mating));
+    }
+}
+
+/// `j_bt` of the first pair at a mating of these teeth, µm.
+pub(super) fn j_bt(file: &PairFile, teeth: (u32, u32), flank: Side) -> f64 {
+    let run = &file.study.runs().unwrap()[0];
+    let pair = run.assembly.data().unwrap();
+    let pose = Pose::new(pair, mating(teeth, flank));
+    let lost = ExactKernel::new(pair).lost_motion(&pose);
     1e3 * lost.unwrap().angle().unwrap() * pair.gear(Member::Pinion).gear().base_radius()
 }
 
@@ -206,24 +211,23 @@ fn the_echo_of_leads_states_every_convention() {
     let spur = spur("lead = { helix_slope_um = -4, crowning_um = 3 }", "");
     for file in [&helical, &spur] {
         assert!(!file.warnings.is_empty());
-        let again = read_as("pair.json", serde_json::to_string(&file.spec).unwrap());
+        let again = read_as("pair.json", echo(file).to_string());
         assert_eq!(again.study, file.study);
         assert_eq!(again.spec, file.spec);
         assert_eq!(again.warnings, [""; 0]);
     }
-    let lead = serde_json::to_value(&spur.spec.wheel.data().unwrap().lead).unwrap();
+    let lead = &echo(&spur)["wheel"]["lead"];
     let expected = serde_json::json!({
         "helix_slope_um": "4 l", "crowning_um": 3.0, "zero_mm": 10.0, "range_mm": [1.0, 19.0],
         "over": "range", "from": "reference", "axis": "own",
     });
-    assert_eq!(lead, expected);
-    let pinion = helical.spec.pinion.data().unwrap().lead.clone().unwrap();
-    let trace = serde_json::to_value(pinion.flanks.left.unwrap().trace).unwrap();
+    assert_eq!(*lead, expected);
+    let trace = &echo(&helical)["pinion"]["lead"]["left"]["trace"];
     // Heights from the far end of 45 mm.
     let expected = serde_json::json!({
         "from_reference_face_mm": [1.0, 36.0, 44.0], "deviation_um": [2.0, 1.0, -3.0], "direction": "transverse",
     });
-    assert_eq!(trace, expected);
+    assert_eq!(*trace, expected);
 }
 
 /// A reading normal to the teeth is cos β_b of the deviation in the transverse section.
@@ -239,45 +243,6 @@ fn normal_deviations_become_transverse_ones() {
     for (found, stated) in found.iter().zip([3.0, 0.0, -4.0]) {
         assert!((found - stated / base.cos()).abs() < 1e-12);
     }
-}
-
-/// Each convention that matters and is not stated, once a gear.
-#[test]
-fn open_conventions_are_warned_of() {
-    let keys = |file: &PairFile| -> Vec<String> {
-        let key = |warning: &String| warning.split(':').next().unwrap().to_owned();
-        file.warnings.iter().map(key).collect()
-    };
-    let faces = ["face_mm = [-12, 18]", "face_mm = [-5, 40]"];
-    let helical = helical(faces[0], faces[1]);
-    let expected = [
-        "wheel.lead.over",
-        "wheel.lead.from",
-        "wheel.lead.axis",
-        "pinion.lead.over",
-        "pinion.lead.zero_mm",
-        "pinion.lead.trace.direction",
-    ];
-    assert_eq!(keys(&helical), expected);
-    let spur = spur(
-        "lead = { right = { helix_slope_um = 4 }, left = { helix_slope_um = 0.002 }, over = \"face\" }",
-        "lead = { end_relief = { um = 9, length_mm = 4 } }",
-    );
-    let expected = [
-        "wheel.lead.right.helix_slope_um",
-        "wheel.lead.left.helix_slope_um",
-    ];
-    assert_eq!(keys(&spur), expected, "{:#?}", spur.warnings);
-    assert!(
-        spur.warnings[0].contains("counts as right-hand"),
-        "{:#?}",
-        spur.warnings
-    );
-    assert!(
-        spur.warnings[1].contains("if mm were meant"),
-        "{:#?}",
-        spur.warnings
-    );
 }
 
 /// A table of traces is the same lists, in JSON byte for byte.
@@ -318,7 +283,7 @@ fn a_table_of_traces_is_the_same_as_lists() {
             remarks.contains("traces of 2 of 36 right flanks"),
             "{remarks}"
         );
-        texts.push(serde_json::to_string(&read.spec).unwrap());
+        texts.push(echo(&read).to_string());
     }
     assert_eq!(texts[0], texts[1]);
     assert_eq!(texts[0], texts[2]);

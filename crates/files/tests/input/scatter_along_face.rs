@@ -3,17 +3,9 @@
 
 use super::leads::SPUR;
 use super::*;
-use gearlash::analysis::extremes::extremes;
-use gearlash::contact::Method;
-use gearlash::population::{OutcomeKind, Tally};
 use gearlash_files::read_text;
-use gearlash_files::tolerance::{ToleranceFile, ToleranceResult, ToleranceRun, read_tolerance};
+use gearlash_files::tolerance::ToleranceResult;
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
-
-fn go() -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
 
 /// The spur pair with these keys of `[wheel]`, `[pinion]` and `[assembly]`, and `[tolerance]`.
 fn text([wheel, pinion, assembly]: [&str; 3], tolerance: &str) -> String {
@@ -24,30 +16,19 @@ fn text([wheel, pinion, assembly]: [&str; 3], tolerance: &str) -> String {
     )
 }
 
-fn file(text: &str) -> Result<ToleranceFile, String> {
-    let folder = TempDir::new().unwrap();
-    let path = folder.path().join("pair.toml");
-    fs::write(&path, text).unwrap();
-    read_tolerance(&path).map_err(|error| error.to_string())
-}
-
 fn result(text: &str) -> ToleranceResult {
-    let file = file(text).unwrap_or_else(|error| panic!("{error}"));
-    let run = ToleranceRun::new(&file, Path::new("pair.toml"), None, None).unwrap();
-    let count = run.assemblies();
-    let mut tally = Tally::default();
-    for row in run.rows(1..count + 1, &go).unwrap() {
-        assert_eq!(row.kind, OutcomeKind::Clear);
-        tally.count(&row, count).unwrap();
-    }
-    run.result(tally, &go).unwrap()
+    let folder = folder(&[("pair.toml", text)]);
+    drawn_from(&folder.path().join("pair.toml")).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Least `j_wt` over all poses, µm.
 fn least(text: &str) -> f64 {
     let file = read_text(Path::new("pair"), text).unwrap_or_else(|error| panic!("{error}"));
-    let found = extremes(&file.study, Method::Exact { certify: false }, &go).unwrap();
-    1e3 * found.each[0].least.as_ref().unwrap().found()
+    1e3 * of_study(&file.study).each[0]
+        .least
+        .as_ref()
+        .unwrap()
+        .found()
 }
 
 fn plain() -> f64 {
@@ -161,53 +142,5 @@ fn the_worst_assemblies_state_what_was_drawn() {
         let losses = found.worst.iter().map(|worst| worst.least_mm.unwrap());
         let spread = losses.clone().fold(f64::MIN, f64::max) - losses.fold(f64::MAX, f64::min);
         assert!(spread > 1e-4, "{spread}");
-    }
-}
-
-#[test]
-fn what_the_keys_refer_to_must_be_stated() {
-    let axes = "misalignment = { in_plane_um = { sigma = 3 } }\n";
-    let slope = "[tolerance.wheel]\nlead = { slope_um = { sigma = 3 } }\n";
-    let trace = |tooth| {
-        format!("{{ tooth = {tooth}, from_reference_face_mm = [0, 20], deviation_um = [0, 1] }}")
-    };
-    let traces = [1, 10, 19, 28].map(trace);
-    let cases = [
-        (text([""; 3], axes), "given without assembly.misalignment, to whose length it refers"),
-        (
-            text(["", "", "misalignment = { over_mm = 50, at_mm = 5 }"], axes),
-            "given beside a centre distance that holds off the wheel's measuring plane",
-        ),
-        (
-            text([""; 3], slope).replacen("face_mm = [-10, 10]\n", "", 1),
-            "wheel.face_width_mm: missing, expected the face width, or face_mm = [from, to] from the measuring plane: lead, wobble or axes scatter",
-        ),
-        (
-            text([""; 3], "[tolerance.wheel]\ngears = \"w.toml\"\nwobble_um = { max = 3 }\n"),
-            "tolerance.wheel.gears = \"w.toml\": given together with wobble_um",
-        ),
-        (
-            text([""; 3], "[tolerance.wheel]\nwobble_um = { max = 3, sigma = 1 }\n"),
-            "tolerance.wheel.wobble_um",
-        ),
-        (
-            text(
-                [
-                    &format!(
-                        "helix_angle_deg = 20\nhand = \"right\"\nlead = {{ axis = \"datum\", right = {{ trace = [{}] }} }}",
-                        traces.join(", ")
-                    ),
-                    "helix_angle_deg = 20\nhand = \"left\"",
-                    "",
-                ],
-                "[tolerance.wheel]\nrunout = { scatter = \"rayleigh\", scale_um = 5 }\n",
-            )
-            .replace("60.2", "64"),
-            "given beside helical leads about the datum axis",
-        ),
-    ];
-    for (text, wanted) in cases {
-        let error = file(&text).unwrap_err();
-        assert!(error.contains(wanted), "{error}\nwanted: {wanted}");
     }
 }

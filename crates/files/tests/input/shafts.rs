@@ -1,13 +1,10 @@
 //! Shafts that are not parallel, as they are read. Expected values are closed forms to first order: `sin α_wt |θ| b` in the plane of the axes,
-//! `cos α_wt |θ| b` out of it.
+//! `cos α_wt |θ| b` out of it. `tests/sessions/along_face.txt` holds what is warned of and refused.
 
-use super::leads::{SPUR, j_bt};
+use super::leads::{SPUR, j_bt, mating};
 use super::*;
-use gearlash::analysis::extremes::extremes;
-use gearlash::contact::Method;
 use gearlash::gear::{Side, involute::inv};
-use gearlash::pair::{Mating, Pose};
-use std::ops::ControlFlow;
+use gearlash::pair::Pose;
 
 /// The spur pair of 20 mm, face to face over `face`, with these keys of the wheel and of `[assembly]`.
 fn spur(face: [f64; 2], wheel: &str, assembly: &str) -> PairFile {
@@ -105,21 +102,6 @@ fn the_distance_holds_where_it_is_stated() {
     }
 }
 
-#[test]
-fn a_great_lean_and_an_open_place_are_warnings() {
-    let warnings = |keys: &str| spur(CENTRED, "", keys).warnings.join("\n");
-    let found = warnings(&lean(10.0, 0.0, ""));
-    assert!(
-        found.contains("assembly.misalignment.at_mm: not stated"),
-        "{found}"
-    );
-    assert!(found.contains("changes by 1.00 µm every 10 mm"), "{found}");
-    assert_eq!(warnings(&lean(10.0, 0.0, ", at_mm = 0")), "");
-    assert_eq!(warnings(&lean(0.0, 10.0, "")), "");
-    let found = warnings(&lean(0.0, 600.0, ""));
-    assert!(found.contains("lean by 0.0060 mm per mm"), "{found}");
-}
-
 /// At other distances, as `--center-distance` asks for, the axes lean as before.
 #[test]
 fn other_distances_keep_the_lean() {
@@ -160,7 +142,11 @@ fn shoulder(um: f64, tooth: f64, face: &str) -> String {
 /// runs out by 5 µm leans as much.
 #[test]
 fn wobble_brings_the_far_end_nearer() {
-    for (name, teeth, face) in [("wheel", 36.0, [0.0, 20.0]), ("pinion", 24.0, [-20.0, 0.0])] {
+    for (member, teeth, face) in [
+        (Member::Wheel, 36.0, [0.0, 20.0]),
+        (Member::Pinion, 24.0, [-20.0, 0.0]),
+    ] {
+        let name = member.name();
         let plain = j_bt(&with_runout(face, name, ""), (1, 1), Side::Right);
         let loss =
             |runout: &str| plain - j_bt(&with_runout(face, name, runout), (1, 1), Side::Right);
@@ -168,18 +154,7 @@ fn wobble_brings_the_far_end_nearer() {
         let file = with_runout(face, name, "");
         let run = &file.study.runs().unwrap()[0];
         let pair = run.assembly.data().unwrap();
-        let mating = Mating {
-            wheel_tooth: 1,
-            pinion_tooth: 1,
-            flank: Side::Right,
-            fraction: 0.2,
-        };
-        let member = if name == "wheel" {
-            Member::Wheel
-        } else {
-            Member::Pinion
-        };
-        let pose = Pose::new(pair, mating);
+        let pose = Pose::new(pair, mating((1, 1), Side::Right));
         let gear = pair.gear(member);
         let ascending = gear.face().ascending() * gear.gear().basic_data().angular_pitch();
         let towards = 1.0 + (-pose.rotation(pair, member) / ascending).rem_euclid(teeth);
@@ -195,11 +170,7 @@ fn wobble_brings_the_far_end_nearer() {
             let found = loss(&towards);
             // The free gear takes its wobble with it from its right contact to its left one: cos α_wt of 2 µm by that turn.
             let turn = 1e-3 * (plain - found) / gear.gear().base_radius();
-            let turned = if name == "pinion" {
-                skew(2.0) * turn
-            } else {
-                0.0
-            };
+            let turned = f64::from(member == Member::Pinion) * skew(2.0) * turn;
             let off = found - nearer(2.0) - turned;
             assert!(off.abs() < 2e-4, "{towards}: {found}");
             let found = loss(&away);
@@ -240,31 +211,6 @@ fn an_eccentric_helical_gear_does_not_wobble() {
     }
 }
 
-#[test]
-fn a_shoulder_says_the_way_it_looks() {
-    let file = with_runout(
-        CENTRED,
-        "wheel",
-        "runout = { total_um = 0, face_runout = { um = 5, diameter_mm = 50, high_tooth = 1 } }",
-    );
-    let warnings = file.warnings.join("\n");
-    assert!(
-        warnings.contains("wheel.runout.face_runout.face: not stated"),
-        "{warnings}"
-    );
-    assert_eq!(
-        file.spec
-            .wheel
-            .data()
-            .unwrap()
-            .runout
-            .face_runout
-            .unwrap()
-            .face,
-        Some(gearlash_files::spec::TeethEnd::Reference)
-    );
-}
-
 /// Sources: the derivatives of the closed forms, at the ends of the face.
 #[test]
 fn uncertain_leads_and_shafts_widen_the_result() {
@@ -284,10 +230,7 @@ fn uncertain_leads_and_shafts_widen_the_result() {
     for (uncertain, at, expected) in cases {
         let keys = format!("{}\n[uncertainty]\n{uncertain}", lean(0.0, 0.0, at));
         let file = spur(CENTRED, "", &keys);
-        let found = extremes(&file.study, Method::Exact { certify: false }, &|| {
-            ControlFlow::Continue(())
-        })
-        .unwrap();
+        let found = of_study(&file.study);
         let least = found.each[0].least.as_ref().unwrap();
         let stated = file.study.uncertainty.unwrap();
         let um = 1e3 * stated.of(&least.assembly, &least.pose.simulated).unwrap();
@@ -301,10 +244,7 @@ fn uncertain_leads_and_shafts_widen_the_result() {
 /// The least and the greatest `j_wt` of the whole cycle, within the bearings where they have clearance, as µm on the base circles: attained, and their
 /// bounds.
 fn of_cycle(file: &PairFile) -> [(f64, [f64; 2]); 2] {
-    let found = extremes(&file.study, Method::Exact { certify: false }, &|| {
-        ControlFlow::Continue(())
-    })
-    .unwrap();
+    let found = of_study(&file.study);
     let run = &found.each[0];
     let ends = match &run.bearings {
         Some(play) => [&play.pressed.extreme, &play.apart.extreme],
@@ -480,27 +420,5 @@ fn leads_about_the_bore_contain_the_wobble() {
     assert!(
         warnings.contains("the stated wobble counts, 4.00 µm off it"),
         "{warnings}"
-    );
-}
-
-#[test]
-fn what_cannot_be_is_refused_at_its_key() {
-    let refused = |keys: &str| {
-        let folder = TempDir::new().unwrap();
-        let path = folder.path().join("pair.toml");
-        let text = SPUR.replace("WHEEL", "").replace("PINION", "");
-        let keys = format!("center_distance_mm = 60.2\n{keys}");
-        fs::write(&path, text.replace("center_distance_mm = 60.2", &keys)).unwrap();
-        read(&path).unwrap_err().to_string()
-    };
-    let found = refused("misalignment = { in_plane_um = { max = -10 }, over_mm = 100 }");
-    assert!(
-        found.contains("assembly.misalignment.in_plane_um.max = -10: below 0"),
-        "{found}"
-    );
-    let found = refused("bearing_clearance_mm = { wheel = [0.005, 0.01], pinion = 0.005 }");
-    assert!(
-        found.contains("assembly.bearing_clearance_mm.at_mm: missing"),
-        "{found}"
     );
 }

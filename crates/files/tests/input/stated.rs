@@ -121,7 +121,7 @@ fn a_transverse_system_is_that_of_the_transverse_section() {
     assert!((gear.root_radius() - root).abs() < 1e-12);
     assert!((gear.tip_radius() - 33.3).abs() < 1e-12);
     // The echo states the normal section.
-    let echo = study(&toml::to_string(&file.spec).unwrap());
+    let echo = study(&toml::to_string(&echo(&file)).unwrap());
     assert_eq!(echo.spec, file.spec);
 }
 

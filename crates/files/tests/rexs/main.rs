@@ -1,7 +1,5 @@
 //! Gearbox models (REXS). The models are made, from the public grammar of the format.
 
-mod generated;
-mod helical;
 mod left_out;
 mod mutations;
 mod oracle;
@@ -33,10 +31,4 @@ fn pair(file: &RexsFile, stage: i32) -> toml::Table {
     let pair = file.stage(stage).unwrap().pair.as_ref();
     let pair = pair.unwrap_or_else(|why| panic!("{stage}: {why}"));
     pair.pair_file.parse().unwrap()
-}
-
-/// Why a stage is left out.
-fn why(file: &RexsFile, stage: i32) -> String {
-    let pair = &file.stage(stage).unwrap().pair;
-    pair.as_ref().err().unwrap().clone()
 }

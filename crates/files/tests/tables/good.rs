@@ -31,14 +31,14 @@ fn pitch_of_every_layout_is_that_of_the_lists() {
         "protocol.txt",
     ] {
         assert!(
-            from_file(name, &fixture(name), "cumulative") == expected,
+            is_same(&from_file(name, &fixture(name), "cumulative"), &expected),
             "{name}"
         );
     }
     let [left, right] = protocol(&fixture("protocol.txt"), 44, 1).unwrap();
     let expected = inline("single", &column(&right, 0), &column(&left, 0));
     let found = from_file("protocol.txt", &fixture("protocol.txt"), "single");
-    assert_eq!(found, expected);
+    assert!(is_same(&found, &expected));
 }
 
 /// Delimiters, marks, line ends, encodings, order of rows and columns, blank lines.
@@ -77,7 +77,7 @@ fn the_writing_does_not_matter() {
     ];
     for (index, other) in others.iter().enumerate() {
         assert!(
-            from_file("pitch.csv", other, "cumulative") == expected,
+            is_same(&from_file("pitch.csv", other, "cumulative"), &expected),
             "{index}"
         );
     }
@@ -104,9 +104,12 @@ fn lengths_with_three_decimals() {
             read_with("s.txt", table.as_bytes(), &pair(44, &keys))
         };
         let found = read(&format!(", decimal = {sign:?}")).unwrap();
-        assert!(found == expected, "{separator:?} {sign}");
+        assert!(is_same(&found, &expected), "{separator:?} {sign}");
         // Nothing else is possible: no span has 50 m.
-        assert!(read("").unwrap() == expected, "{separator:?} {sign}");
+        assert!(
+            is_same(&read("").unwrap(), &expected),
+            "{separator:?} {sign}"
+        );
         // The other sign is an error, line by line, never a thousandfold length.
         let other = if sign == "," { "." } else { "," };
         let problems = read(&format!(", decimal = {other:?}")).unwrap_err();
@@ -115,18 +118,6 @@ fn lengths_with_three_decimals() {
             "{problems:#?}"
         );
     }
-}
-
-#[test]
-fn thickness_from_a_file_is_that_of_the_list() {
-    let rows = delimited(&fixture("thickness.csv"), 44, &[["thickness", "dicke"]]).unwrap();
-    let file = pair(44, "thickness.per_tooth_um = { file = \"thickness.csv\" }");
-    let list = pair(
-        44,
-        &format!("thickness.per_tooth_um = {:?}", column(&rows, 0)),
-    );
-    let found = read_with("thickness.csv", &fixture("thickness.csv"), &file).unwrap();
-    assert_eq!(found, read_with("unused", b"", &list).unwrap());
 }
 
 /// The cosine of an eccentric gear: e and the high tooth come back but for e³/r², which a first-order cosine leaves out (a reading is
@@ -178,7 +169,7 @@ fn no_runout_needs_no_high_tooth() {
     let keys = "runout = { file = \"r.csv\", at = \"tooth\" }";
     let study = read_with("r.csv", table.as_bytes(), &pair(44, keys)).unwrap();
     assert_eq!(
-        serde_json::to_value(&study.spec.wheel.data().unwrap().runout).unwrap(),
+        echo(&study)["wheel"]["runout"],
         serde_json::json!({ "total_um": 0.0 })
     );
 }
@@ -190,8 +181,8 @@ fn the_echo_of_tables_read_back_gives_the_same_study() {
     assert_eq!(study.warnings.len(), 2, "{:#?}", study.warnings);
     let folder = TempDir::new().unwrap();
     let path = folder.path().join("inspected_44x44.json");
-    fs::write(&path, serde_json::to_string(&study.spec).unwrap()).unwrap();
+    fs::write(&path, echo(&study).to_string()).unwrap();
     let mut again = read_pair(&path).unwrap();
     again.warnings.clone_from(&study.warnings);
-    assert!(again == study);
+    assert!(is_same(&again, &study));
 }

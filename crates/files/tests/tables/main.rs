@@ -12,9 +12,10 @@ mod readings;
 mod sheets;
 mod shop_books;
 mod workbooks;
+mod written_book;
 
-use crate::mutant;
 use crate::pair_with_table::pair;
+use crate::{echo, is_same, mutant};
 use gearlash_files::{PairFile, Problem, read};
 use std::fs;
 use std::path::Path;
@@ -38,7 +39,7 @@ fn read_pair(path: &Path) -> Result<PairFile, Vec<Problem>> {
 
 /// The values of a list of the wheel as understood.
 fn echoed(study: &PairFile, table: &str, list: &str) -> Vec<f64> {
-    let wheel = serde_json::to_value(&study.spec.wheel).unwrap();
-    let list = wheel[table][list].as_array().unwrap();
+    let echo = echo(study);
+    let list = echo["wheel"][table][list].as_array().unwrap();
     list.iter().map(|value| value.as_f64().unwrap()).collect()
 }

@@ -22,44 +22,17 @@ pub fn count() -> usize {
     })
 }
 
-/// Typing mistakes and losses, including a line end of old Macs, NUL, half of a UTF-8 character and a byte order mark.
-const GARBAGE: &[&[u8]] = &[
-    b"0",
-    b"7",
-    b"-",
-    b"+",
-    b".",
-    b",",
-    b";",
-    b"\t",
-    b" ",
-    b"\"",
-    b"\n",
-    b"\r",
-    b"\0",
-    b"e",
-    b"x",
-    b"nan",
-    b"inf",
-    b"1e9",
-    b"#",
-    b"\xc3",
-    b"\xff",
-    b"\xef\xbb\xbf",
-    b"(mm)",
-    b"1,234",
-    b"1.234.5",
-    b"\n\n",
-    b"0x1",
-    b"1_0",
-];
+/// Typing mistakes and losses between bars, including a line end of old Macs, NUL, half of a UTF-8 character and a byte order mark.
+const GARBAGE: &[u8] =
+    b"0|7|-|+|.|,|;|\t| |\"|\n|\r|\0|e|x|nan|inf|1e9|#|\xc3|\xff|\xef\xbb\xbf|(mm)|1,234|1.234.5|\n\n|0x1|1_0";
 
 /// `table` with one mistake in it.
 pub fn mutant(table: &[u8], choice: &mut Choice) -> Vec<u8> {
     let mut lines: Vec<&[u8]> = table.split_inclusive(|&byte| byte == b'\n').collect();
     let (a, b) = (choice.below(lines.len()), choice.below(lines.len()));
     let at = choice.below(table.len());
-    let garbage = GARBAGE[choice.below(GARBAGE.len())];
+    let garbage: Vec<&[u8]> = GARBAGE.split(|&byte| byte == b'|').collect();
+    let garbage = garbage[choice.below(garbage.len())];
     match choice.below(11) {
         0 => {
             lines.remove(a);

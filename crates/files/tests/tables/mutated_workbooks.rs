@@ -4,53 +4,23 @@ use super::*;
 use formats::{others, pitch_lists, tenths};
 use mutant::{Choice, mutant};
 use mutations::{OF_THE_WORKBOOK, check};
-use rust_xlsxwriter::Workbook;
+use written_book::Cell::{Flag, Nothing, Number, Text};
+use written_book::{Cell, Cells, written};
 
 const TEETH: u32 = 10_000;
 const KEYS: &str = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
 
-#[derive(Clone)]
-enum Content {
-    Nothing,
-    Number(f64),
-    Text(&'static str),
-    Flag(bool),
-}
-
-use Content::{Flag, Nothing, Number, Text};
-
-/// From the first row and column on.
-type Cells = Vec<Vec<Content>>;
-
 fn good() -> Cells {
-    let header = vec![Text("tooth"), Text("left (µm)"), Text("right (µm)")];
+    let header = ["tooth", "left (µm)", "right (µm)"].map(|name| Text(name.to_owned()));
     let row = |tooth: u32| vec![f64::from(tooth), tenths(tooth), others(tooth)];
     let rows = (1..=TEETH).map(|tooth| row(tooth).into_iter().map(Number).collect());
-    [header].into_iter().chain(rows).collect()
-}
-
-fn written(cells: &Cells) -> Vec<u8> {
-    let mut workbook = Workbook::new();
-    let sheet = workbook.add_worksheet();
-    for (row, cells) in cells.iter().enumerate() {
-        for (column, content) in cells.iter().enumerate() {
-            let (row, column) = (row as u32, column as u16);
-            match content {
-                Nothing => continue,
-                Number(number) => sheet.write(row, column, *number),
-                Text(text) => sheet.write(row, column, *text),
-                Flag(flag) => sheet.write(row, column, *flag),
-            }
-            .unwrap();
-        }
-    }
-    workbook.save_to_buffer().unwrap()
+    [header.to_vec()].into_iter().chain(rows).collect()
 }
 
 /// Right and left of every tooth; `None` unless each tooth has one row of numbers below the header.
 fn right(cells: &Cells) -> Option<Vec<Vec<f64>>> {
     let place = |name| {
-        let is = |cell: &Content| matches!(cell, Text(text) if text.starts_with(name));
+        let is = |cell: &Cell| matches!(cell, Text(text) if text.starts_with(name));
         cells.first()?.iter().position(is)
     };
     let places = [place("tooth")?, place("right")?, place("left")?];
@@ -62,8 +32,8 @@ fn right(cells: &Cells) -> Option<Vec<Vec<f64>>> {
         let numbers = places.map(|place| match row.get(place) {
             Some(Number(number)) => Some(*number),
             // A text that is typed by mistake.
-            Some(Text("0,5")) => Some(0.5),
-            Some(Text("7")) => Some(7.0),
+            Some(Text(text)) if text == "0,5" => Some(0.5),
+            Some(Text(text)) if text == "7" => Some(7.0),
             _ => None,
         });
         let [Some(tooth), Some(right), Some(left)] = numbers else {
@@ -86,21 +56,10 @@ fn right(cells: &Cells) -> Option<Vec<Vec<f64>>> {
 fn mistake(cells: &mut Cells, choice: &mut Choice) {
     let (a, b) = (choice.below(cells.len()), choice.below(cells.len()));
     let column = choice.below(3);
-    let wrong = [
-        Nothing,
-        Number(0.0),
-        Number(7.0),
-        Number(1.5),
-        Number(-3.0),
-        Number(2e7),
-        Number(1e300),
-        Text("0,5"),
-        Text("7"),
-        Text("nan"),
-        Text(" "),
-        Text("left"),
-        Flag(true),
-    ];
+    let mut wrong = vec![Nothing];
+    wrong.extend([0.0, 7.0, 1.5, -3.0, 2e7, 1e300].map(Number));
+    wrong.extend(["0,5", "7", "nan", " ", "left"].map(|text| Text(text.to_owned())));
+    wrong.push(Flag(true));
     let content = wrong[choice.below(wrong.len())].clone();
     match choice.below(9) {
         0 => {

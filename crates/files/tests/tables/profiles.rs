@@ -50,7 +50,7 @@ fn every_format_says_the_same() {
         ("t.csv", german.as_bytes()),
         ("t.xlsx", &book),
     ] {
-        assert_eq!(from_table(name, table, ""), expected, "{name}");
+        assert!(is_same(&from_table(name, table, ""), &expected), "{name}");
     }
     // Source of the roll: L = r_b ξ, ISO 21771.
     let base = wheel(&expected).gear().base_radius();
@@ -114,7 +114,7 @@ fn teeth_and_flanks_have_their_own() {
         "{message}"
     );
     // As understood it is a pair file of the same gear.
-    let mut spec = serde_json::to_value(&study.spec).unwrap();
+    let mut spec = echo(&study);
     spec["sweep"] = serde_json::json!({ "mating": [[1, 1]] });
     let again = read_with("unused", b"", &toml::to_string(&spec).unwrap()).unwrap();
     assert_eq!(again.study.materials[0].1, *wheel);
@@ -137,17 +137,8 @@ fn garbled_traces_are_reported_or_understood() {
                     message += 1;
                 }
                 Ok(study) => {
-                    let trace = study
-                        .spec
-                        .wheel
-                        .data()
-                        .unwrap()
-                        .profile
-                        .clone()
-                        .unwrap()
-                        .both
-                        .traces()[0]
-                        .clone();
+                    let profile = study.spec.wheel.data().unwrap().profile.clone().unwrap();
+                    let trace = profile.both.traces()[0].clone();
                     let rows: Vec<String> = table
                         .lines()
                         .skip(1)

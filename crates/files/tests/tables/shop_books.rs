@@ -4,22 +4,11 @@ use super::*;
 use formats::{others, pitch_lists, tenths};
 use mutant::{Choice, count};
 use mutations::{OF_THE_WORKBOOK, check};
-use rust_xlsxwriter::Workbook;
+use written_book::Cell::{Nothing, Number, Text};
+use written_book::{Cell, Cells, written};
 
 const TEETH: u32 = 17;
 const KEYS: &str = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
-
-/// The content of a cell.
-#[derive(Clone, Debug, PartialEq)]
-enum Cell {
-    Nothing,
-    Number(f64),
-    Text(String),
-}
-
-use Cell::{Nothing, Number, Text};
-
-type Cells = Vec<Vec<Cell>>;
 
 fn texts(words: &[&str]) -> Vec<Cell> {
     let cell = |word: &&str| match *word {
@@ -50,23 +39,6 @@ fn good() -> Cells {
         cells.push([&texts(&[label])[..], &numbers].concat());
     }
     cells
-}
-
-fn written(cells: &Cells) -> Vec<u8> {
-    let mut workbook = Workbook::new();
-    let sheet = workbook.add_worksheet();
-    for (row, cells) in cells.iter().enumerate() {
-        for (column, content) in cells.iter().enumerate() {
-            let (row, column) = (row as u32, column as u16);
-            match content {
-                Nothing => continue,
-                Number(number) => sheet.write(row, column, *number),
-                Text(text) => sheet.write(row, column, text.as_str()),
-            }
-            .unwrap();
-        }
-    }
-    workbook.save_to_buffer().unwrap()
 }
 
 /// Right and left `Fp` by the test's own reading: those of the left flank stand first.
@@ -118,7 +90,7 @@ fn below(cells: &Cells, head: usize) -> Option<Vec<Vec<f64>>> {
                         .iter()
                         .any(|place| number(row, *place).is_none())
         }
-        Number(_) => false,
+        Number(_) | Cell::Flag(_) => false,
     };
     while rows.last().is_some_and(|row| is_words(row)) {
         rows.pop();
@@ -141,24 +113,10 @@ fn below(cells: &Cells, head: usize) -> Option<Vec<Vec<f64>>> {
 }
 
 fn mistake(cells: &mut Cells, choice: &mut Choice) {
-    let wrong = [
-        Nothing,
-        Number(0.0),
-        Number(7.0),
-        Number(1.5),
-        Number(2e7),
-        Text("0,5".to_owned()),
-        Text("1.5".to_owned()),
-        Text("1,234".to_owned()),
-        Text("7".to_owned()),
-        Text("x".to_owned()),
-        Text("Fp".to_owned()),
-        Text("fp".to_owned()),
-        Text("mm".to_owned()),
-        Text("Linke Flanke".to_owned()),
-        Text("Max".to_owned()),
-        Text("# 3".to_owned()),
-    ];
+    let mut wrong = vec![Nothing];
+    wrong.extend([0.0, 7.0, 1.5, 2e7].map(Number));
+    let texts = "0,5|1.5|1,234|7|x|Fp|fp|mm|Linke Flanke|Max|# 3";
+    wrong.extend(texts.split('|').map(|text| Text(text.to_owned())));
     let (a, b) = (choice.below(cells.len()), choice.below(cells.len()));
     let content = wrong[choice.below(wrong.len())].clone();
     let at = choice.below(cells[a].len());

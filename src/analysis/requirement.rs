@@ -55,7 +55,11 @@ impl Quantity {
             Quantity::OperatingBacklash => Some(j_wt),
             Quantity::LostMotion(member) => Some(j_wt.map(|j_wt| assembly.angle(member, j_wt))),
             Quantity::RadialClearance => {
-                let value = clearance_off_axes(assembly, is_max);
+                let both = Member::BOTH;
+                let centred =
+                    both.map(|member| assembly.radial_clearance(member)[usize::from(is_max)]);
+                let off = both.map(|member| assembly.eccentricity(member));
+                let value = clearance_off_axes(centred, off, is_max);
                 let bound = assembly.outline_bound();
                 Some([value - bound, value + bound])
             }
@@ -77,7 +81,10 @@ impl Quantity {
             Quantity::RadialBacklash => all.j_r.unwrap_or(f64::INFINITY),
             Quantity::LostMotion(member) => all.angle(member),
             Quantity::RadialClearance => {
-                clearance_off_axes(&AssembledPair::from(assembly.clone()), is_max)
+                let both = Member::BOTH;
+                let centred = both.map(|member| assembly.radial_clearance(member));
+                let off = both.map(|member| assembly.gear(member).eccentricity());
+                clearance_off_axes(centred, off, is_max)
             }
         }
     }
@@ -86,12 +93,9 @@ impl Quantity {
 /// Requirements, each over the whole mesh cycle and at every centre distance and material.
 pub type Requirements = Vec<(Quantity, Limits)>;
 
-/// The least radial clearance, mm, of both gears' tips in their mates' roots. Both gears are off their axes in the
-/// worse direction, or with `is_max` in the better one.
-fn clearance_off_axes(assembly: &AssembledPair, is_max: bool) -> f64 {
-    let both = Member::BOTH;
-    let centred = both.map(|member| assembly.radial_clearance(member)[usize::from(is_max)]);
-    let off = both.map(|member| assembly.eccentricity(member));
-    let off = off[0] + off[1];
+/// The least radial clearance, mm, of both gears' tips in their mates' roots, from those about the geometric centres.
+/// Both gears are off their axes in the worse direction, or with `is_max` in the better one.
+fn clearance_off_axes(centred: [f64; 2], off: [f64; 2], is_max: bool) -> f64 {
+    let off: f64 = off.iter().sum();
     centred[0].min(centred[1]) + if is_max { off } else { -off }
 }

@@ -80,7 +80,7 @@ fn values(value: &Value, path: &str, keys: &[&str], out: &mut String) {
     }
 }
 
-/// What is stored of `text`: all of it where no key is named.
+/// The part of `text` that is stored: all of it where no key is named.
 fn selected(text: &str, keys: &[&str]) -> String {
     if keys.is_empty() {
         return text.to_owned();

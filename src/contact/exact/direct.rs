@@ -323,7 +323,7 @@ impl PosedFlanks<'_> {
         (off <= solver.free_off * (2.0 * free_tip + solver.free_off)).then_some(square)
     }
 
-    /// Whether [`PosedFlanks::far_corner_reaches`] may hold in a section whose corners move by up to `moved`, mm.
+    /// Whether [`PosedFlanks::far_corner_reaches`] can hold in a section whose corners move by up to `moved`, mm.
     pub(super) fn far_corner_may_reach(
         &self,
         solver: &DirectSolver,

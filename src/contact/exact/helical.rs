@@ -120,7 +120,7 @@ impl Helical {
             .base_pitch();
         let path = shortest_path(assembly);
         let short = path < SHORTEST * base_pitch;
-        let edges = Edges::new(assembly, &plane.right, short);
+        let mut edges = Edges::new(assembly, &plane.right, short);
         let base = assembly.gear(assembly.free()).gear().base_radius();
         let most_moved = most_moved(assembly);
         // Flanks in a section differ by their leads and leans, too.
@@ -129,7 +129,6 @@ impl Helical {
         } else {
             0.0
         };
-        let mut edges = edges;
         if let Some(solver) = plane.solver.as_ref().filter(|_| !assembly.is_modified())
             && let Some(spread) = spread_on_line(plane, path - moved, base_pitch)
         {

@@ -47,7 +47,13 @@ impl PosedFlanks<'_> {
     /// `B` and its derivative by the gap, at the gap `mu`.
     #[inline]
     pub(super) fn between(&self, mu: f64) -> (C, C) {
-        let off = self.free_centre * turn(mu);
+        self.between_turned(turn(mu))
+    }
+
+    /// As [`PosedFlanks::between`]; `turned` is `e^{iμ}`.
+    #[inline]
+    pub(super) fn between_turned(&self, turned: C) -> (C, C) {
+        let off = self.free_centre * turned;
         (self.centre - off, C::new(off.im, -off.re))
     }
 

@@ -138,28 +138,14 @@ impl Separation {
         near: f64,
         turns: [f64; 2],
     ) -> Separation {
-        let problem = posed.problem;
         let pair = posed.pair(step).turned(turns);
-        let arcs = [&problem.locked, &problem.free].map(|teeth| Arc::endless(&teeth.shape));
-        let sum = problem.sum();
-        let mut gap = near;
-        for _ in 0..STEPS {
-            let (between, rate) = posed.between(gap);
-            let Some(line) = Line::new(between, sum) else {
-                break;
-            };
-            let beta = line.angle;
-            let turning = (turn(beta) * rate.conj()).im + arcs[1].base;
-            let apart = line.length
-                - arcs[0].base * (beta - pair.locked_base)
-                - arcs[1].base * (beta - gap - pair.free_base);
-            let step = -apart / turning;
-            gap += step;
-            // After such a step only rounding is left.
-            if step.abs() < SETTLED.0 || rate == C::ZERO {
-                let found = (turning, [1.0; 2]);
-                return Separation::at(posed, &pair, (gap, beta), found, arcs, true);
-            }
+        let arcs = arcs(posed, Arc::endless);
+        let start = Start {
+            beta: f64::NAN,
+            gap: near,
+        };
+        if let Some(found) = Separation::on_line_of_action(posed, &pair, arcs, &start) {
+            return found;
         }
         Separation {
             gap: f64::INFINITY,
@@ -191,7 +177,9 @@ impl Separation {
         turns: [f64; 2],
         start: &NearStart,
     ) -> Separation {
-        let Some(line) = Separation::on_endless(posed, step, turns, start) else {
+        let pair = posed.pair(step).turned(turns);
+        let arcs = arcs(posed, Arc::new);
+        let Some(line) = Separation::on_line_of_action(posed, &pair, arcs, start) else {
             return Separation::found(posed, step, turns, start);
         };
         // Where both rolls are on their involutes, endless ones touch in the same point.
@@ -202,29 +190,19 @@ impl Separation {
         }
     }
 
-    /// The pair on the line of action of endless involutes; `None` without a line.
-    fn on_endless(
+    /// The touch of `pair` on the line of action, where `arcs` that end are taken as endless; `None` without a line.
+    #[inline]
+    fn on_line_of_action(
         posed: &PosedFlanks,
-        step: i64,
-        turns: [f64; 2],
-        start: &NearStart,
+        pair: &Pair,
+        arcs: [Arc; 2],
+        start: &impl Trigonometry,
     ) -> Option<Separation> {
-        let problem = posed.problem;
-        let pair = posed.pair(step).turned(turns);
-        let arcs = [&problem.locked, &problem.free].map(|teeth| Arc::new(&teeth.shape));
-        let sum = problem.sum();
+        let sum = posed.problem.sum();
         let (_, mut gap) = start.from();
         for _ in 0..STEPS {
-            let off = posed.free_centre * Trigonometry::gap(start, gap);
-            let (between, rate) = (posed.centre - off, C::new(off.im, -off.re));
-            let all = between.norm_sqr();
-            let square = all - sum * sum;
-            if !(square > 0.0) {
-                break;
-            }
-            let length = square.sqrt();
-            let direction = between * C::new(sum, length) / all;
-            let beta = start.beta + slight_angle(direction * start.direction.conj());
+            let (between, rate) = start.between(posed, gap);
+            let (direction, beta, length) = start.line(between, sum)?;
             let turning = (direction * rate.conj()).im + arcs[1].base;
             let apart = length
                 - arcs[0].base * (beta - pair.locked_base)
@@ -234,7 +212,7 @@ impl Separation {
             // After such a step only rounding is left.
             if step.abs() < SETTLED.0 || rate == C::ZERO {
                 let found = (turning, [1.0; 2]);
-                return Some(Separation::at(posed, &pair, (gap, beta), found, arcs, true));
+                return Some(Separation::at(posed, pair, (gap, beta), found, arcs, true));
             }
         }
         None
@@ -248,13 +226,10 @@ impl Separation {
     ) -> Separation {
         let problem = posed.problem;
         let pair = posed.pair(step).turned(turns);
-        let arcs = [&problem.locked, &problem.free].map(|teeth| Arc::new(&teeth.shape));
+        let arcs = arcs(posed, Arc::new);
         let sum = problem.sum();
         let (mut beta, mut gap) = start.from();
-        let at = |gap: f64| {
-            let off = posed.free_centre * start.gap(gap);
-            (posed.centre - off, C::new(off.im, -off.re))
-        };
+        let at = |gap: f64| start.between(posed, gap);
         let (mut between, mut rate) = at(gap);
         let mut state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
         let (mut touches, mut is_settled) = (false, false);
@@ -419,6 +394,11 @@ impl Separation {
     }
 }
 
+/// The involutes of `posed`, locked and free, each as `of` its half tooth.
+fn arcs(posed: &PosedFlanks, of: fn(&HalfToothShape) -> Arc) -> [Arc; 2] {
+    [&posed.problem.locked, &posed.problem.free].map(|teeth| of(&teeth.shape))
+}
+
 /// `s` and its derivatives.
 struct State {
     apart: f64,
@@ -474,6 +454,14 @@ trait Trigonometry {
     /// `e^{iμ}` of a gap.
     fn gap(&self, gap: f64) -> C;
     fn sin_cos(&self, angle: f64) -> (f64, f64);
+    /// `e^{iβ}`, `β` and the length of the line of action for `B`; `None` where the base circles overlap.
+    fn line(&self, between: C, sum: f64) -> Option<(C, f64, f64)>;
+
+    /// `B` at a gap, and its derivative by the gap.
+    #[inline]
+    fn between(&self, posed: &PosedFlanks, gap: f64) -> (C, C) {
+        posed.between_turned(self.gap(gap))
+    }
 }
 
 /// A line of action at a gap.
@@ -508,6 +496,12 @@ impl Trigonometry for Start {
     fn sin_cos(&self, angle: f64) -> (f64, f64) {
         angle.sin_cos()
     }
+
+    #[inline]
+    fn line(&self, between: C, sum: f64) -> Option<(C, f64, f64)> {
+        let line = Line::new(between, sum)?;
+        Some((turn(line.angle), line.angle, line.length))
+    }
 }
 
 /// A line of action of many pairs and sections that are near each other: their directions and gaps differ by slight angles.
@@ -533,9 +527,7 @@ impl NearStart {
             turned: turn(gap),
         }
     }
-}
 
-impl NearStart {
     /// This line, with the search from the direction and gap of a touch.
     pub fn at(&self, found: &Separation) -> NearStart {
         NearStart {
@@ -565,6 +557,19 @@ impl Trigonometry for NearStart {
     fn sin_cos(&self, angle: f64) -> (f64, f64) {
         let turned = slightly_turned(angle);
         (turned.im, turned.re)
+    }
+
+    #[inline]
+    fn line(&self, between: C, sum: f64) -> Option<(C, f64, f64)> {
+        let all = between.norm_sqr();
+        let square = all - sum * sum;
+        if !(square > 0.0) {
+            return None;
+        }
+        let length = square.sqrt();
+        let direction = between * C::new(sum, length) / all;
+        let beta = self.beta + slight_angle(direction * self.direction.conj());
+        Some((direction, beta, length))
     }
 }
 

@@ -1,4 +1,4 @@
-//! What programs write into drawings: blocks, units, clones. `tests/sessions/dialects.txt` has whole drawings of one gear.
+//! Blocks, units and clones, as programs write them into drawings. `tests/sessions/dialects.txt` has whole drawings of one gear.
 
 use super::*;
 use made::{in_units, line, lines};

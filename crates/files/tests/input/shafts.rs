@@ -297,8 +297,8 @@ fn a_misalignment_of_unknown_sense_takes_the_worst() {
     }
 }
 
-/// Narrow helical teeth gain by a lean: contacts stand at other heights right and left, and the twist turns them apart. Source: the extremes of
-/// stated leans.
+/// Narrow helical teeth gain by a lean: contacts stand at other heights right and left, and the twist turns the flanks away from
+/// each other. Source: the extremes of stated leans.
 #[test]
 fn a_lean_that_narrow_helical_teeth_gain_by_is_in_the_bracket() {
     let at = |assembly: &str| {

@@ -1,7 +1,7 @@
 //! Pairs that bind anywhere on the face and need no search: each side by itself, from few sections.
 //!
 //! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]). So [`super::leads`] knows the places of
-//! all that can be tightest. Where the gears interfere, one section alone can jam. Those poses are left to [`Helical::over`].
+//! all that can be tightest. Where the gears interfere, one section alone can jam. [`Helical::over`] finds these poses.
 
 use super::{Edges, Helical, reduced};
 use crate::contact::Effort;
@@ -86,7 +86,7 @@ impl Helical {
         over: &mut OverFace,
     ) -> Option<()> {
         let (assembly, side) = (&self.assembly, problem.side);
-        // Far corners are farther from the centre than the base circle, by less than half.
+        // The radius of a far corner is less than one and a half base radii.
         let moved = 2.0 * self.bounds.most_moved + assembly.most_shift();
         let mut section = |b: f64| {
             let here = pose.in_section(assembly, b);

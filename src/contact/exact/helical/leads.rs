@@ -60,7 +60,7 @@ const ROUNDED: f64 = 4e-15;
 /// Gap, rad, by which a step to a maximum may still change it: rounding.
 const SETTLED: f64 = 1e-15;
 
-/// The same for leaning axes, whose rates are those between neighbouring sections. It is a millionth of what their sections leave out, or less.
+/// [`SETTLED`] for leaning axes, whose rates are those between neighbouring sections. It is a millionth of what their sections leave out, or less.
 const SETTLED_LEANING: f64 = 1e-14;
 
 /// The teeth of one side of a pose over the common face.
@@ -84,7 +84,7 @@ pub(super) struct AlongFace<'a> {
     effort: &'a Effort,
 }
 
-/// What all teeth of a pair of gears have in common over the face.
+/// Bounds for all teeth of a pair of gears over the face.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceBounds {
     /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
@@ -245,7 +245,7 @@ impl<'a> AlongFace<'a> {
                 }
             }
         };
-        // What leads and leans may add to a pair on the endless line.
+        // Bound of the gap that leads and leans add to a pair on the endless line.
         let more = self.bounds.most_lead[self.posed.problem.side.index()]
             + self.bounds.by_heights
             + self.most_leaning;
@@ -269,7 +269,7 @@ impl<'a> AlongFace<'a> {
             other.gap.total_cmp(&one.gap).then(nearer)
         });
         let mut places: Vec<f64> = found.iter().map(|(_, look)| look.b).collect();
-        // Of places that are equally tight, the one nearest to the measuring plane is reported.
+        // The place nearest to the measuring plane is reported among equally tight ones.
         if !floor.is_finite() && self.leaning.is_none() {
             let [from, to] = self.assembly.face();
             let plane = 0f64.clamp(from, to);
@@ -552,8 +552,8 @@ impl<'a> AlongFace<'a> {
 
     /// Bound of the gap of a pair of leaning axes on the face, less what leads add.
     ///
-    /// Without leads it is linear along the stretch on the line of action, but for a slight concave bend, and falls beyond it against a rate of
-    /// up to the lean. The touch of spur gears is concave over the face.
+    /// Without leads it is linear along the stretch on the line of action, with a slight concave bend. Beyond the stretch it falls, against a rate
+    /// of up to the lean. The touch of spur gears is concave over the face.
     fn most_of_leaning(&self, pair: &PairOfTeeth) -> f64 {
         if self.leaning.is_none() {
             return f64::INFINITY;

@@ -5,7 +5,7 @@ use gearlash_files::import::{Imported, Kind, Options, Value, tables};
 
 /// Reads a table of the file `name` in `cases/`.
 fn import(name: &str, only: Kind, sheet: &str) -> Imported {
-    let path = Path::new("tests/tables/cases").join(name);
+    let path = Path::new("../files/tests/tables/cases").join(name);
     let keys = [("sheet", sheet.to_owned())];
     let options = Options {
         only: Some(only),
@@ -42,13 +42,13 @@ fn words_below_the_last_tooth_are_left_out() {
 /// A ball reads in the spaces ("Lücke"). The readings are 10 µm · cos, highest in space 1, which is half a pitch beyond tooth 1.
 #[test]
 fn runout_by_spaces() {
-    let study = read_pair(Path::new("tests/tables/cases/h3.toml")).unwrap();
+    let study = read_pair(Path::new("../files/tests/tables/cases/h3.toml")).unwrap();
     let wheel = &study.study.materials[0].1;
     // Readings are rounded to 0.1 µm.
     assert!((1000.0 * wheel.eccentricity() - 10.0).abs() < 0.05);
     assert!((wheel.high_tooth() - 1.5).abs() < 0.05);
 
-    let table = fs::read("tests/tables/cases/rl.csv").unwrap();
+    let table = fs::read("../files/tests/tables/cases/rl.csv").unwrap();
     let keys = "runout = { file = \"rl.csv\", at = \"tooth\" }";
     let problems = read_with("rl.csv", &table, &pair(51, keys)).unwrap_err();
     assert_eq!(problems.len(), 1, "{problems:#?}");

@@ -1,11 +1,6 @@
 //! Findings and their numbers. Source of each: what was done to the data before.
 
-use super::{Truth, measured, only};
-use gearlash::gear::{Flank, PitchAxis};
-use gearlash::metrology::{
-    CrossCheck, EccentricitySource, Finding, Measurements, Outlier, RunoutSource, RunoutStatement,
-    SameKind, ThicknessBesidePitch, ThicknessStatement, Toleranced,
-};
+use super::*;
 
 #[test]
 fn left_flanks_that_were_read_as_material_are_found_reversed() {
@@ -37,7 +32,7 @@ fn outliers_are_named_with_their_distance() {
     assert_eq!((outlier.flank, outlier.tooth), (Flank::Right, 9));
     assert!(outlier.from_neighbours && outlier.um == at + 150.0);
     let off = at + 150.0 - (before + after) / 2.0;
-    assert!((outlier.off_um - off).abs() < 1e-9, "{}", outlier.off_um);
+    near("off", outlier.off_um, off, 1e-9);
 
     // Without the pitch the spans vary by some ten µm themselves: judged among equal ones.
     let ThicknessStatement::SpanReadings { readings, .. } = &mut measurements.thickness else {
@@ -56,7 +51,8 @@ fn outliers_are_named_with_their_distance() {
         _ => None,
     });
     assert_eq!((outlier.place, outlier.readings), (5, 21));
-    assert!((outlier.off_um - 10.0).abs() < 1e-6 && outlier.median_mm == 23.0);
+    near("off", outlier.off_um, 10.0, 1e-6);
+    assert_eq!(outlier.median_mm, 23.0);
     assert!(!outlier.flanks_taken_out && !outlier.over_pins);
 }
 
@@ -71,17 +67,16 @@ fn a_thickness_stated_twice_is_compared() {
         }),
         ..truth.measurements()
     };
-    let compared = |measurements: &Measurements| {
-        only(&measured(measurements), |finding| match finding {
+    for (more, is_in_order) in [(0.005, false), (0.002, true)] {
+        let mm = Toleranced::Single(truth.base_thickness + more);
+        let gear = measured(&cross(ThicknessStatement::BaseThickness(mm)));
+        let (compared, in_order) = only(&gear, |finding| match finding {
             Finding::ThicknessStatedTwice(compared) => Some((*compared, finding.is_in_order())),
             _ => None,
-        })
-    };
-    let single = |mm: f64| ThicknessStatement::BaseThickness(Toleranced::Single(mm));
-    let (apart, in_order) = compared(&cross(single(truth.base_thickness + 0.005)));
-    assert!((apart.difference_um - 5.0).abs() < 1e-6 && !in_order);
-    let (_, in_order) = compared(&cross(single(truth.base_thickness + 0.002)));
-    assert!(in_order);
+        });
+        near(more, compared.difference_um, 1e3 * more, 1e-6);
+        assert_eq!(in_order, is_in_order);
+    }
 
     let ThicknessStatement::SpanReadings { readings, .. } = truth.spans() else {
         unreachable!()
@@ -100,10 +95,8 @@ fn a_thickness_stated_twice_is_compared() {
 
 #[test]
 fn an_allowance_of_the_other_sign_is_doubted() {
-    let gear = measured(&Measurements {
-        thickness: ThicknessStatement::AllowanceUm(Toleranced::Single(0.04)),
-        ..Measurements::nominal(super::design(), gearlash::gear::Face::Front)
-    });
+    let stated = ThicknessStatement::AllowanceUm(Toleranced::Single(0.04));
+    let gear = measured(&with_thickness(stated));
     assert_eq!(gear.findings, [Finding::AllowanceThickens { um: 0.04 }]);
 }
 
@@ -114,18 +107,15 @@ fn thickness_that_the_pitch_states_too_is_found_twice() {
     let pitch = measurements.pitch.as_ref().unwrap();
     let both = pitch.right_um.iter().zip(&pitch.left_um);
     measurements.per_tooth_um = both.map(|(right, left)| right - left).collect();
-    let twice = |measurements: &Measurements| {
-        only(&measured(measurements), |finding| match finding {
+    for expected in [ThicknessBesidePitch::Same, ThicknessBesidePitch::TakenBack] {
+        let twice = only(&measured(&measurements), |finding| match finding {
             Finding::ThicknessBesidePitch(twice) => Some(*twice),
             _ => None,
-        })
-    };
-    assert_eq!(twice(&measurements), ThicknessBesidePitch::Same);
-    measurements
-        .per_tooth_um
-        .iter_mut()
-        .for_each(|um| *um *= -1.0);
-    assert_eq!(twice(&measurements), ThicknessBesidePitch::TakenBack);
+        });
+        assert_eq!(twice, expected);
+        let each = measurements.per_tooth_um.iter_mut();
+        each.for_each(|um| *um *= -1.0);
+    }
 }
 
 /// Datum-axis pitch declared as own-axis, with its runout; and own-axis pitch declared as datum-axis, with 30 µm more
@@ -142,7 +132,8 @@ fn the_first_harmonic_of_pitch_tells_its_axis() {
         } => Some((*in_pitch, *runout)),
         _ => None,
     });
-    assert!((in_pitch.um - 20.0).abs() < 0.05 && runout == RunoutSource::Total);
+    near("in pitch", in_pitch.um, 20.0, 0.05);
+    assert_eq!(runout, RunoutSource::Total);
 
     let mut alike = truth.measurements();
     alike.runout = RunoutStatement::None;
@@ -150,7 +141,7 @@ fn the_first_harmonic_of_pitch_tells_its_axis() {
     pitch.axis = PitchAxis::Datum;
     for list in [&mut pitch.right_um, &mut pitch.left_um] {
         for (index, um) in list.iter_mut().enumerate() {
-            *um += 30.0 * (std::f64::consts::TAU * index as f64 / 21.0).cos();
+            *um += 30.0 * (TAU * index as f64 / 21.0).cos();
         }
     }
     let (left, alike) = only(&measured(&alike), |finding| match finding {
@@ -158,9 +149,9 @@ fn the_first_harmonic_of_pitch_tells_its_axis() {
         _ => None,
     });
     // A wave that moves both flanks equally leaves sin (α − s/d) of its amplitude, s/d = π/(2 z) less the allowance.
-    let basic_data = super::design().basic_data;
+    let basic_data = design().basic_data;
     let alpha = basic_data.pressure_angle();
-    let half = truth.base_thickness / (2.0 * basic_data.base_radius()) - (alpha.tan() - alpha);
-    let expected = 30.0 * (alpha - half).sin();
-    assert!(alike && (left - expected).abs() < 0.05, "{left} {expected}");
+    let half = truth.base_thickness / (2.0 * basic_data.base_radius()) - inv(alpha);
+    near("left", left, 30.0 * (alpha - half).sin(), 0.05);
+    assert!(alike);
 }

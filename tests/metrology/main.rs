@@ -2,15 +2,26 @@
 
 mod drawing;
 mod findings;
-mod pair_file;
+#[path = "../check/kit.rs"]
+mod kit;
 mod refused;
 mod settled;
 
-use gearlash::gear::{BasicGearData, BasicRack, Face, GearDesign, PitchAxis};
-use gearlash::metrology::{
-    EccentricitySource, Finding, MeasuredGear, Measurements, PitchKind, PitchSense, PitchStatement,
-    ProbeReadings, ReadWith, RunoutStatement, ThicknessStatement,
+use gearlash::analytic::InvolutePair;
+use gearlash::error::GearError;
+use gearlash::gear::{
+    AsBuilt, Face, Flank, Gear, GearDesign, MeasuringBody, PitchAxis, Side, ThicknessField,
+    thickness,
 };
+use gearlash::metrology::{
+    CrossCheck, DeviationCause, EccentricitySource, Finding, Fits, FlankKnowledge, GearNotes,
+    MeasuredGear, MeasurementError, Measurements, Outlier, PitchKind, PitchSense, PitchStatement,
+    ProbeReadings, ReadWith, RunoutSource, RunoutStatement, SameKind, StatementRole,
+    ThicknessBesidePitch, ThicknessStatement, Toleranced,
+};
+use gearlash::pair::DesignatedDistance;
+use kit::{inv, near, spur};
+use std::f64::consts::TAU;
 
 const TEETH: u32 = 21;
 /// `k` of the spans.
@@ -21,10 +32,23 @@ const HIGH_TOOTH: f64 = 6.25;
 
 fn design() -> GearDesign {
     GearDesign {
-        basic_data: BasicGearData::new(TEETH, 3.0, 20f64.to_radians()).unwrap(),
-        profile_shift: 0.0,
-        rack: BasicRack::ISO_53_A,
         tip_diameter: Some(69.0),
+        ..spur(TEETH, 3.0).design
+    }
+}
+
+/// Of a gear of which nothing else is stated.
+fn with_thickness(thickness: ThicknessStatement) -> Measurements {
+    Measurements {
+        thickness,
+        ..Measurements::nominal(design(), Face::Front)
+    }
+}
+
+fn total(total_um: f64, high_tooth: f64) -> RunoutStatement {
+    RunoutStatement::Total {
+        total_um,
+        high_tooth: Some(high_tooth),
     }
 }
 
@@ -39,10 +63,8 @@ struct Truth {
 impl Truth {
     fn new() -> Truth {
         let wave = |amount: f64, order: f64, from: f64| -> Vec<f64> {
-            let angle = std::f64::consts::TAU / f64::from(TEETH);
-            (0..TEETH)
-                .map(|i| amount * (order * angle * f64::from(i) + from).sin())
-                .collect()
+            let angles = (0..TEETH).map(|i| order * TAU * f64::from(i) / f64::from(TEETH));
+            angles.map(|angle| amount * (angle + from).sin()).collect()
         };
         Truth {
             base_thickness: design().nominal_base_thickness() - 0.04,
@@ -119,8 +141,7 @@ impl Truth {
         let basic_data = design().basic_data;
         let alpha = basic_data.pressure_angle();
         // Half the angle of a tooth at the reference circle: s/d, s_b = cos α (s + d inv α).
-        let inv = alpha.tan() - alpha;
-        let half = self.base_thickness / (2.0 * basic_data.base_radius()) - inv;
+        let half = self.base_thickness / (2.0 * basic_data.base_radius()) - inv(alpha);
         let with = |own: &[f64], ahead: f64| -> Vec<f64> {
             let reading = |(index, own): (usize, &f64)| {
                 let tooth = (index as f64 + 1.0 - HIGH_TOOTH) * basic_data.angular_pitch();
@@ -137,19 +158,15 @@ impl Truth {
                 left_um: with(&self.left, -1.0),
                 ..self.pitch()
             }),
-            runout: RunoutStatement::Total {
-                total_um: 2000.0 * ECCENTRICITY,
-                high_tooth: Some(HIGH_TOOTH),
-            },
+            runout: total(2000.0 * ECCENTRICITY, HIGH_TOOTH),
             ..self.measurements()
         }
     }
 }
 
 fn measured(measurements: &Measurements) -> MeasuredGear {
-    measurements
-        .measure()
-        .unwrap_or_else(|errors| panic!("{errors:?}"))
+    let gear = measurements.measure();
+    gear.unwrap_or_else(|errors| panic!("{errors:?}"))
 }
 
 /// The value of `of` for the only finding to which it applies.

@@ -1,13 +1,8 @@
 //! Radial clearance as built, beside the nearest of many points of tip lands and root lands at many rotations.
 //!
-//! The crate defines a pose and the position of a tooth; the ends of lands follow from the drawing and from closed forms.
+//! The crate defines a pose, the position of a tooth and the corner of a tip; the ends of root lands follow from the drawing.
 
 use super::*;
-
-/// The involute function of the pressure angle at a radius.
-fn inv_at(base: f64, radius: f64) -> f64 {
-    inv((base / radius).acos())
-}
 
 /// A gear of the pair at a pose: its outline's centre, and the lands of each tooth, from one direction to another.
 struct Lands {
@@ -24,58 +19,36 @@ fn lands(pair: &GearPair, member: Member, mating: Mating) -> Lands {
     let built = pair.gear(member);
     let (gear, design) = (built.gear(), built.gear().design());
     let (data, rack) = (&design.basic_data, &design.rack);
-    let (z, module, tan) = (data.teeth(), data.module(), data.pressure_angle().tan());
-    let reference = 0.5 * module * f64::from(z);
-    let base = reference * data.pressure_angle().cos();
-    let half_base = |gear: &Gear| gear.base_thickness() / (2.0 * gear.base_radius());
-    // In the middle of the mean teeth's backlash: p_w − s_w1 − s_w2 on the operating pitch circles, half of it on either side.
+    // In the middle of the mean teeth's backlash: a right flank touches at the clockwise end.
     let pose = Pose::new(pair, mating);
-    let operating = |one: Member| {
-        let sum: u32 = Member::BOTH.iter().map(|m| pair.teeth(*m)).sum();
-        pair.center_distance() * f64::from(pair.teeth(one)) / f64::from(sum)
-    };
-    let thickness = |one: Member| {
-        let gear = pair.gear(one).gear();
-        2.0 * operating(one) * (half_base(gear) - inv_at(gear.base_radius(), operating(one)))
-    };
     let free = pair.free();
-    let pitch = 2.0 * PI * operating(free) / f64::from(pair.teeth(free));
-    let play = pitch - thickness(Member::Wheel) - thickness(Member::Pinion);
-    let rotation = if member == free {
-        // A right flank touches at the clockwise end.
-        let way = if mating.flank == Side::Right {
-            1.0
-        } else {
-            -1.0
-        };
-        pose.free_rotation() + way * 0.5 * play / operating(free)
+    let play = InvolutePair::of(pair).circumferential_backlash(pair.center_distance());
+    let half_play = 0.5 * play.unwrap() / pair.operating_pitch_radius(free);
+    let middle = if member == free {
+        -mating.flank.sense() * half_play
     } else {
-        pose.locked_rotation()
+        0.0
     };
-    let tooth_1 = pair.mate_direction(member) + rotation;
+    let tooth_1 = pair.mate_direction(member) + pose.rotation(pair, member) + middle;
     let centre = pair.axis(member) + built.displacement(tooth_1);
     let direction = |tooth: u32| tooth_1 + built.tooth_angle(f64::from(tooth));
-    let tip = gear.tip_radius();
-    let half_tip = half_base(gear) - inv_at(base, tip);
+    let z = data.teeth();
+    let half_tip = gear.half_angle_at_roll(gear.tip_roll());
     let tips = (1..=z).map(|tooth| {
         let [right, left] = [Side::Right, Side::Left].map(|side| built.flank_offset(side, tooth));
-        [
-            direction(tooth) + right - half_tip,
-            direction(tooth) + left + half_tip,
-        ]
+        let middle = direction(tooth);
+        [middle + right - half_tip, middle + left + half_tip]
     });
-    // The tool's shift from the thickness at the reference circle, m (π/2 + 2 x tan α), and half the flat of its tip.
-    let shift = (2.0 * reference * (half_base(gear) - inv_at(base, reference)) / module - 0.5 * PI)
-        / (2.0 * tan);
-    let round = rack.root_radius();
-    let flat = FRAC_PI_4 - (rack.dedendum() - round) * tan - round / data.pressure_angle().cos();
-    let half_root = PI / f64::from(z) - flat * module / reference;
+    // Half the flat of the tool's tip.
+    let (round, alpha) = (rack.root_radius(), data.pressure_angle());
+    let flat = FRAC_PI_4 - (rack.dedendum() - round) * alpha.tan() - round / alpha.cos();
+    let half_root = PI / f64::from(z) - 2.0 * flat / f64::from(z);
     let roots = (1..=z).map(|tooth| {
         let next = built.counter_clockwise(tooth, 1);
-        let start = direction(tooth) + built.flank_offset(Side::Left, tooth) + half_root;
-        let end =
-            direction(tooth) + 2.0 * PI / f64::from(z) + built.flank_offset(Side::Right, next)
-                - half_root;
+        let middle = direction(tooth);
+        let start = middle + built.flank_offset(Side::Left, tooth) + half_root;
+        let pitch = 2.0 * PI / f64::from(z);
+        let end = middle + pitch + built.flank_offset(Side::Right, next) - half_root;
         if start <= end {
             [start, end]
         } else {
@@ -84,9 +57,9 @@ fn lands(pair: &GearPair, member: Member, mating: Mating) -> Lands {
     });
     Lands {
         centre: [centre.x, centre.y],
-        tip,
+        tip: gear.tip_radius(),
         tips: tips.collect(),
-        root: reference - (rack.dedendum() - shift) * module,
+        root: gear.root_radius(),
         roots: roots.collect(),
     }
 }

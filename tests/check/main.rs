@@ -42,7 +42,7 @@ use gearlash::analytic::{InvolutePair, SideContact, limits};
 use gearlash::contact::{
     ContactClass, ContactKind, Doubt, ExactKernel, Method, Moment, PoseClass, Status,
 };
-use gearlash::gear::{Face, Gear, Hand, Lead, Side, Trace};
+use gearlash::gear::{Face, Hand, Lead, Side, Trace};
 use gearlash::outline::OutlineGear;
 use gearlash::pair::{FaceDeviation, GearPair, Mating, Member, Pose, SweepPlan};
 use gearlash_files as input;

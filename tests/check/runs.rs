@@ -148,27 +148,6 @@ fn j_wt(distance: f64) -> f64 {
     2.0 * distance * (inv(angle) - inv(alpha)) + 0.1 * distance / 48.0
 }
 
-#[test]
-fn perfect_gears_have_the_formulas_backlash_at_both_ends() {
-    for clearance in [0.002, 0.01, 0.06] {
-        let found = play(&in_bearings(48.05, 0.0, false), clearance);
-        assert_eq!(found.clearance, clearance);
-        for (end, distance) in [
-            (&found.pressed, 48.05 - clearance),
-            (&found.apart, 48.05 + clearance),
-        ] {
-            let stands = end.assembly.center_distance();
-            near("distance", stands, distance, 1e-12);
-            assert_eq!(end.status, Status::Clear);
-            let extreme = end.extreme.as_ref().unwrap();
-            assert!(extreme.is_proven());
-            let expected = j_wt(distance);
-            let around = extreme.low - 1e-9..=extreme.high + 1e-9;
-            assert!(around.contains(&expected), "{around:?}, not {expected}");
-        }
-    }
-}
-
 /// The same brackets as of pairs that are assembled there; the pose that is named has what is said of it, simulated anew; and no pose of any
 /// distance between is beyond them.
 #[test]
@@ -178,10 +157,14 @@ fn deviating_gears_have_the_extremes_of_pairs_that_stand_there() {
         let found = play(&pair, 0.03);
         let near_by = extremes_of(&pair.at(48.02).unwrap());
         let far = extremes_of(&pair.at(48.08).unwrap());
-        for (end, there) in [
-            (&found.pressed, near_by.least),
-            (&found.apart, far.greatest),
+        assert_eq!(found.clearance, 0.03);
+        for (end, there, distance) in [
+            (&found.pressed, near_by.least, 48.02),
+            (&found.apart, far.greatest, 48.08),
         ] {
+            let stands = end.assembly.center_distance();
+            near("distance", stands, distance, 1e-12);
+            assert_eq!(end.status, Status::Clear);
             let (end, there) = (end.extreme.as_ref().unwrap(), there.unwrap());
             assert!(end.doubt == there.doubt);
             near("low", end.low, there.low, 1e-9);

@@ -130,23 +130,6 @@ fn turned(corners: &[Point2<f64>], turn: f64) -> Vec<Point2<f64>> {
     turned.collect()
 }
 
-#[test]
-fn an_outline_does_not_differ_from_itself() {
-    let same = difference(&corners(flat), &corners(flat));
-    let found = [
-        same.rotation,
-        same.mean,
-        same.root_mean_square,
-        same.greatest.beyond,
-        same.least.beyond,
-    ];
-    for value in found {
-        near("same", value, 0.0, 1e-12);
-    }
-    // All teeth are equal.
-    assert_eq!((same.tooth, same.alike), (1, Z));
-}
-
 /// Every side moved out by d: the deviation is d, but at corners, where the nearest place is the corner of the other outline, up to
 /// d / cos(half the angle by which it turns there); the other way round the same with the other sign.
 #[test]

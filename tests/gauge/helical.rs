@@ -62,23 +62,6 @@ fn published_dimensions_over_balls_and_over_pins() {
     }
 }
 
-/// At a helix angle that turns the face's ends by less than a nanometre the readings are the spur gear's.
-#[test]
-fn a_vanishing_helix_angle_is_a_spur_gear() {
-    let read = |beta_deg: f64| {
-        let pitch = scaled(&made_up(23, 2), 12e-3);
-        let part = helical(23, beta_deg, Hand::Right, 0.2).pitch(&pitch, &pitch);
-        let found = measure(&part.front(), with_pin(5.5, Some(3)));
-        let (spans, pins) = (found.spans.unwrap(), found.pins.unwrap());
-        let spans = spans.readings.iter().map(|span| span.length);
-        let pins = pins.two.iter().map(|over| over.length);
-        spans.chain(pins).collect::<Vec<f64>>()
-    };
-    for (wound, spur) in read(1e-6).into_iter().zip(read(0.0)) {
-        near("reading", wound, spur, PICOMETRE);
-    }
-}
-
 fn centre(seat: &Seat) -> Point3<f64> {
     Point3::new(seat.centre.x, seat.centre.y, 0.0)
 }
@@ -198,44 +181,6 @@ fn readings_of_the_virtual_ball_give_the_eccentricity_back() {
             }
         }
     }
-}
-
-/// Closed form of a pure eccentricity: `√(r_K² + e² + 2 e r_K cos χ)`, with `inv α_K = inv α_t + D_M/(2 r_b cos β_b) − π/z + s_t/(2 r)` (ISO 21771)
-/// by bisection.
-#[test]
-fn a_pure_eccentricity_is_read_in_closed_form() {
-    let (z, beta, ball, e) = (23.0, 24f64.to_radians(), 5.5, 0.03);
-    let alpha_t = (ALPHA.tan() / beta.cos()).atan();
-    let cos_b = (1.0 - (beta.sin() * ALPHA.cos()).powi(2)).sqrt();
-    let r = 1.5 * z / beta.cos();
-    let thick = 3.0 * (TAU / 4.0 + 0.4 * ALPHA.tan()) / beta.cos();
-    let (ball_angle, tooth) = (ball / (2.0 * r * alpha_t.cos() * cos_b), thick / (2.0 * r));
-    let at_ball = inv(alpha_t) + ball_angle - PI / z + tooth;
-    let (mut low, mut high) = (0.1f64, 1.0f64);
-    for _ in 0..80 {
-        let middle = 0.5 * (low + high);
-        if inv(middle) < at_ball {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
-    let radius = r * alpha_t.cos() / low.cos();
-    let part = helical(23, 24.0, Hand::Right, 0.2).runout(e, 9.5).front();
-    let found = measure(&part, with_ball(ball)).runout.unwrap();
-    let expected = (1..=23).map(|tooth| {
-        let chi = (f64::from(tooth) + 0.5 - 9.5) * TAU / z;
-        (radius * radius + e * e + 2.0 * e * radius * chi.cos()).sqrt()
-    });
-    let mm: Vec<f64> = expected.collect();
-    for (read, expected) in found.readings.iter().zip(&mm) {
-        near("reading", read.radius, *expected, PICOMETRE);
-    }
-    let probe = Probe::Ball(ball);
-    let readings = RunoutReadings { probe, mm };
-    let fit = readings.fit(part.gear(), &Deviations::default()).unwrap();
-    near("eccentricity", fit.eccentricity, e, 1e-11);
-    near("high tooth", fit.high_tooth, 9.5, 1e-9);
 }
 
 /// A fork of two plane faces, each at `α_n` to its axis in the normal section and inclined at the helix angle. It

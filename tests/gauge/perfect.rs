@@ -145,20 +145,6 @@ fn reads_the_formulas() {
     }
 }
 
-/// Table 1 of the study (AGMA Gear Rating Suite, KISSsoft): M_dK 265.530 and 70.171 mm over pins of 5.25 mm at z 86 and 21;
-/// allowances −17.830833 and −22.195630 µm at the reference circle make the thickness.
-#[test]
-fn reads_table_1_over_pins() {
-    for (teeth, allowance, published) in [(86, -17.830833e-3, 265.530), (21, -22.195630e-3, 70.171)]
-    {
-        let part = spur(teeth, 3.0).allowance(allowance).front();
-        for over in measure(&part, with_pin(5.25, None)).pins.unwrap().two {
-            // The allowances are printed to 1e-6 µm, and M_dK changes 2 to 3 times as much.
-            near(teeth, over.length, published, 3e-9);
-        }
-    }
-}
-
 /// Off the involute the gauge says what it touched: the tip corner, the root, the end of the involute.
 #[test]
 fn names_what_it_touches_off_the_involute() {

@@ -206,25 +206,19 @@ fn profiles_of_single_teeth_are_no_eccentricity() {
     assert!(off.abs() > 1e-4, "{off}");
 }
 
-fn stated(
-    teeth: u32,
-    thickness: ThicknessStatement,
-    profiles: &[Modification; 2],
-    face: Face,
-    settings: Settings,
-) -> Gauged {
-    let measurements = Measurements {
-        thickness,
-        profiles: profiles.clone(),
-        ..Measurements::nominal(shifted(teeth).design, face)
-    };
-    let gear = measurements.measure().unwrap();
-    measure(gear.as_built.most(), settings)
-}
-
-/// Source: the statement itself. Every span of the gear is the one that was stated.
+/// Source: the statement itself. Every span of the gear, and every dimension over pins in an even and an odd number of spaces, is the one that was
+/// stated.
 #[test]
-fn a_stated_span_is_read_back() {
+fn a_stated_size_is_read_back() {
+    let read = |teeth, thickness, profiles: &[Modification; 2], face, settings| {
+        let measurements = Measurements {
+            thickness,
+            profiles: profiles.clone(),
+            ..Measurements::nominal(shifted(teeth).design, face)
+        };
+        let gear = measurements.measure().unwrap();
+        measure(gear.as_built.most(), settings)
+    };
     for which in 0..7 {
         for (index, profiles) in sides(&profile(20, which)).into_iter().enumerate() {
             // 23.01 mm over 3 teeth is nominal; over 2 and 4 by base pitches.
@@ -236,30 +230,22 @@ fn a_stated_span_is_read_back() {
                 teeth: k,
                 mm: Toleranced::Single(mm),
             };
-            let read = stated(20, statement, &profiles, face, with_span(k));
-            for span in &read.spans.unwrap().readings {
+            let found = read(20, statement, &profiles, face, with_span(k));
+            for span in &found.spans.unwrap().readings {
                 near((which, k), span.length, mm, span.error);
             }
         }
-    }
-}
-
-/// The same over pins, in an even and an odd number of spaces.
-#[test]
-fn a_stated_dimension_over_pins_is_read_back() {
-    for teeth in [20, 17] {
-        for which in 0..7 {
+        for teeth in [20, 17] {
             for profiles in sides(&profile(teeth, which)) {
-                let pin_mm = 5.25;
                 let mm = f64::from(teeth) * 3.0 + 8.1;
                 let statement = ThicknessStatement::OverPins {
                     body: MeasuringBody::Pin,
-                    pin_mm,
+                    pin_mm: 5.25,
                     mm: Toleranced::Single(mm),
                 };
-                let settings = with_pin(pin_mm, None);
-                let read = stated(teeth, statement, &profiles, Face::Front, settings);
-                for over in &read.pins.unwrap().two {
+                let settings = with_pin(5.25, None);
+                let found = read(teeth, statement, &profiles, Face::Front, settings);
+                for over in &found.pins.unwrap().two {
                     near((teeth, which), over.length, mm, over.error);
                 }
             }

@@ -1,23 +1,19 @@
-//! Gears from measurements in memory: against closed forms, and against the same data in a pair file.
+//! Gears from measurements in memory: the deviations of a model are found again, what no gear has is refused, and drawings are read as printed.
 
 mod drawing;
-mod findings;
 #[path = "../check/kit.rs"]
 mod kit;
 mod refused;
-mod settled;
 
 use gearlash::analytic::InvolutePair;
 use gearlash::error::GearError;
 use gearlash::gear::{
-    AsBuilt, Face, Flank, Gear, GearDesign, MeasuringBody, PitchAxis, Side, ThicknessField,
-    thickness,
+    Face, Gear, GearDesign, MeasuringBody, PitchAxis, Side, ThicknessField, thickness,
 };
 use gearlash::metrology::{
-    CrossCheck, DeviationCause, EccentricitySource, Finding, Fits, FlankKnowledge, GearNotes,
-    MeasuredGear, MeasurementError, Measurements, Outlier, PitchKind, PitchSense, PitchStatement,
-    ProbeReadings, ReadWith, RunoutSource, RunoutStatement, SameKind, StatementRole,
-    ThicknessBesidePitch, ThicknessStatement, Toleranced,
+    CrossCheck, DeviationCause, EccentricitySource, Finding, Fits, FlankKnowledge, MeasuredGear,
+    MeasurementError, Measurements, Outlier, PitchKind, PitchSense, PitchStatement, ProbeReadings,
+    ReadWith, RunoutStatement, StatementRole, ThicknessStatement, Toleranced,
 };
 use gearlash::pair::DesignatedDistance;
 use kit::{inv, near, spur};
@@ -34,14 +30,6 @@ fn design() -> GearDesign {
     GearDesign {
         tip_diameter: Some(69.0),
         ..spur(TEETH, 3.0).design
-    }
-}
-
-/// Of a gear of which nothing else is stated.
-fn with_thickness(thickness: ThicknessStatement) -> Measurements {
-    Measurements {
-        thickness,
-        ..Measurements::nominal(design(), Face::Front)
     }
 }
 
@@ -174,4 +162,75 @@ fn only<T>(gear: &MeasuredGear, of: impl Fn(&Finding) -> Option<T>) -> T {
     let mut found: Vec<T> = gear.findings.iter().filter_map(of).collect();
     assert_eq!(found.len(), 1, "{:#?}", gear.findings);
     found.remove(0)
+}
+
+/// Closed form: a flank turns by `x/r`, against the numbers' sense on the front face.
+fn check_flanks(gear: &MeasuredGear, truth: &Truth, within: f64) {
+    let built = gear.as_built.most();
+    let base = built.gear().base_thickness();
+    near("base", base, truth.base_thickness, within);
+    let r = built.gear().basic_data().reference_radius();
+    for tooth in 1..=TEETH {
+        let (right, left) = truth.flanks(tooth - 1, 0);
+        for (side, stands) in [(Side::Right, right), (Side::Left, left)] {
+            let found = -r * built.flank_offset(side, tooth);
+            near((tooth, side), found, stands, within);
+        }
+    }
+}
+
+/// Spans and pitch are exact; a fork's closed form lacks terms of `e²/r`, 0.013 µm.
+#[test]
+fn spans_pitch_and_fork_give_the_gear_that_was_put_in() {
+    let truth = Truth::new();
+    let gear = measured(&truth.measurements());
+    check_flanks(&gear, &truth, 1e-12);
+    let deviations = &gear.deviations;
+    near("e", deviations.eccentricity, ECCENTRICITY, 2e-5);
+    near("high tooth", deviations.high_tooth, HIGH_TOOTH, 0.01);
+    let e = gear.as_built.most().eccentricity();
+    assert_eq!(gear.runout.total_um, 2000.0 * e);
+    let readings = only(&gear, |finding| match finding {
+        Finding::RunoutReadings(readings) => Some(*readings),
+        _ => None,
+    });
+    assert_eq!(readings.knowledge, FlankKnowledge::Pitch);
+    assert!(readings.flanks_taken_out && readings.left_um < 0.05);
+    assert_eq!(readings.eccentricity.um, 1000.0 * deviations.eccentricity);
+    // Spans over 3 of 21 teeth close to one cycle of 21.
+    let growth = only(&gear, |finding| match finding {
+        Finding::SpansGiveEachTooth {
+            spanned: SPANNED,
+            teeth: TEETH,
+            amplification,
+            with_pitch: true,
+        } => Some(*amplification),
+        _ => None,
+    });
+    assert_eq!(growth, 21);
+    assert_eq!(gear.findings.len(), 2, "{:#?}", gear.findings);
+}
+
+/// The closed form of the datum pitch lacks terms of `e²/r`, 0.013 µm; spans carry them into the teeth 21-fold at worst.
+#[test]
+fn mean_thickness_and_eccentricity_of_datum_pitch_settle_together() {
+    let truth = Truth::new();
+    for counts in [EccentricitySource::Pitch, EccentricitySource::Runout] {
+        let gear = measured(&truth.about_datum(counts));
+        check_flanks(&gear, &truth, 1e-4);
+        let note = gear.notes.eccentricity.unwrap();
+        near("e", note.in_pitch.um, 1000.0 * ECCENTRICITY, 0.02);
+        near("high tooth", note.in_pitch.high_tooth, HIGH_TOOTH, 0.01);
+        assert!(note.difference_um.unwrap() < 0.05);
+        let said = only(&gear, |finding| match finding {
+            Finding::EccentricityInPitch(note) => Some(*note),
+            _ => None,
+        });
+        assert_eq!(said, note);
+        let counted = gear.deviations.eccentricity;
+        match counts {
+            EccentricitySource::Pitch => assert_eq!(counted, note.in_pitch.um / 1000.0),
+            EccentricitySource::Runout => assert_eq!(counted, ECCENTRICITY),
+        }
+    }
 }

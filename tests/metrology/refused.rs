@@ -106,24 +106,6 @@ fn several_errors_come_together() {
     assert!((4.0..8.0).contains(pin), "{pin}");
 }
 
-#[test]
-fn the_eccentricity_counts_once() {
-    let truth = Truth::new();
-    let mut twice = truth.about_datum(EccentricitySource::Pitch);
-    twice.pitch.as_mut().unwrap().eccentricity = None;
-    let mut none = truth.about_datum(EccentricitySource::Runout);
-    none.runout = RunoutStatement::None;
-    let mut own = truth.measurements();
-    own.pitch.as_mut().unwrap().eccentricity = Some(EccentricitySource::Pitch);
-    for (measurements, error) in [
-        (twice, Wrong::EccentricityTwice),
-        (none, Wrong::NoRunout),
-        (own, Wrong::NoEccentricityInOwnPitch),
-    ] {
-        assert_eq!(errors(&measurements), [error]);
-    }
-}
-
 /// A span that was read 7 mm too large, most of a pitch: no tooth is that thick, and the reading is named.
 #[test]
 fn deviations_that_close_a_space_name_the_reading() {

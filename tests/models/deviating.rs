@@ -16,10 +16,6 @@ fn pair(wheel: [Modification; 2], pinion: [Modification; 2]) -> GearPair {
     kit::pair(&profiled(wheel), &profiled(pinion), 132.1)
 }
 
-fn none() -> [Modification; 2] {
-    [Modification::default(), Modification::default()]
-}
-
 fn both(modification: Modification) -> [Modification; 2] {
     [modification.clone(), modification]
 }
@@ -107,40 +103,6 @@ fn worst_flank_distance(one: &AsBuilt, other: &AsBuilt) -> f64 {
     ends(radii.map(|radius| (at(one, radius) - at(other, radius)).abs() * radius))[1]
 }
 
-/// To the last bit: where no contact of the unrelieved pair lies on what a relief takes off, nothing changes.
-#[test]
-fn relief_beyond_the_path_of_contact_changes_no_bit() {
-    let plain = pair(none(), none());
-    let gear = gear(44);
-    // Least radius that any pose touches, on either gear.
-    let all = poses(&plain, 300);
-    let radii = all.iter().flat_map(|pose| {
-        let found = lost_motion(&plain, pose);
-        [found.right, found.left].map(|contact| contact.unwrap().wheel.radius)
-    });
-    let [least, most] = ends(radii);
-    assert!(least > gear.form_radius() + 0.01, "{least}");
-    assert!(most < gear.tip_radius() - 0.01, "{most}");
-    for parabolic in [false, true] {
-        let relief = |from| {
-            Some(Relief {
-                amount: 0.02,
-                from,
-                parabolic,
-            })
-        };
-        let relieved = Modification {
-            tip_relief: relief(0.5 * (most + gear.tip_radius())),
-            root_relief: relief(0.5 * (least + gear.form_radius())),
-            ..Modification::default()
-        };
-        let pair = pair(both(relieved), none());
-        for pose in &all {
-            assert_eq!(lost_motion(&plain, pose), lost_motion(&pair, pose));
-        }
-    }
-}
-
 /// The formula has the flanks' own deviation at its contact point, and lies above by the square of their slope there.
 #[test]
 fn the_formula_takes_the_deviation_where_it_touches() {
@@ -177,29 +139,6 @@ fn the_formula_takes_the_deviation_where_it_touches() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
-    /// Removing metal never makes anything touch sooner.
-    #[test]
-    fn taking_off_never_takes_play(
-        amount in 0.0..0.1f64,
-        share in 0.05..0.95f64,
-        parabolic in any::<bool>(),
-        fraction in 0.0..44.0f64,
-    ) {
-        let gear = gear(44);
-        let from = gear.form_radius() + share * (gear.tip_radius() - gear.form_radius());
-        let relief = Some(Relief { amount, from, parabolic });
-        let before = Modification { crowning: 0.003, ..Modification::default() };
-        let [tip, root] = [
-            Modification { tip_relief: relief, ..before.clone() },
-            Modification { root_relief: relief, ..before.clone() },
-        ];
-        let pose = |pair: &GearPair| Pose::new(pair, Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Left, fraction });
-        let plain = pair(both(before.clone()), none());
-        for relieved in [pair(both(tip.clone()), none()), pair(both(root.clone()), none()), pair([tip, root], none())] {
-            prop_assert!(play(&relieved, &pose(&relieved)) >= play(&plain, &pose(&plain)) - 1e-14);
-        }
-    }
-
     /// Gears exchanged, the picture mirrored, all lengths scaled: the same play.
     #[test]
     fn symmetries_hold(
@@ -223,18 +162,6 @@ proptest! {
         let swapped = Mating { wheel_tooth: 7, pinion_tooth: 3, flank: Side::Right, fraction };
         prop_assert!((play(&exchanged, &Pose::new(&exchanged, swapped)) - there).abs() < 1e-12);
     }
-}
-
-/// Profile data change neither the nominal teeth nor the models that know no profile.
-#[test]
-fn the_involute_model_knows_no_profile() {
-    let crowned = both(Modification {
-        crowning: 0.01,
-        ..Modification::default()
-    });
-    let [plain, crowned] = [pair(none(), none()), pair(crowned, none())];
-    let play = |pair: &GearPair| InvolutePair::of(pair).circumferential_backlash(132.1);
-    assert_eq!(play(&plain), play(&crowned));
 }
 
 /// A deep parabolic relief of a short tip reaches the tip circle where its flank first does, not where its parabola comes back beyond the fold.

@@ -7,48 +7,20 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Rooms of `src/`, and the rooms that none of their files names.
-const WALLS: [(&[&str], &[&str]); 6] = [
+/// Rooms of `src/`, and the rooms that none of their files names. `population` and `matching` are above all of the others.
+const WALLS: [(&str, &str); 9] = [
     (
-        &["gear"],
-        &[
-            "pair",
-            "outline",
-            "metrology",
-            "contact",
-            "analytic",
-            "analysis",
-            "gauge",
-        ],
+        "gear",
+        "pair outline metrology contact analytic analysis gauge",
     ),
-    (
-        &["metrology"],
-        &[
-            "pair", "outline", "contact", "analytic", "analysis", "gauge",
-        ],
-    ),
-    (
-        &["pair", "outline"],
-        &["metrology", "contact", "analytic", "analysis", "gauge"],
-    ),
-    (&["analytic"], &["contact", "analysis", "gauge"]),
-    (
-        &["contact"],
-        &["metrology", "analytic", "analysis", "gauge"],
-    ),
-    (&["population"], &["metrology", "gauge"]),
-];
-
-/// Rooms that know nothing of `population` and `matching`.
-const BELOW_POPULATION: [&str; 8] = [
-    "gear",
-    "pair",
-    "metrology",
-    "outline",
-    "contact",
-    "analytic",
-    "analysis",
-    "gauge",
+    ("metrology", "pair outline contact analytic analysis gauge"),
+    ("pair", "metrology contact analytic analysis gauge"),
+    ("outline", "metrology contact analytic analysis gauge"),
+    ("analytic", "contact analysis gauge"),
+    ("contact", "metrology analytic analysis gauge"),
+    ("analysis", ""),
+    ("gauge", ""),
+    ("population", "metrology gauge"),
 ];
 
 /// Sources of the packages, below the root.
@@ -61,23 +33,28 @@ const PACKAGES: [&str; 6] = [
     "crates/python/src",
 ];
 
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            sources(&path, found);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            found.push(path);
+/// The sources below `folder` of the repository.
+fn sources(folder: &str) -> Vec<PathBuf> {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];
+    let mut found = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                found.push(path);
+            }
         }
     }
+    assert!(!found.is_empty());
+    found.sort();
+    found
 }
 
 /// The code of each file below `folder`, comments and tests apart, by its path from there.
 fn codes(folder: &str) -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let mut files = Vec::new();
-    sources(&root, &mut files);
-    assert!(!files.is_empty(), "no file in {folder}");
     let code = |path: &PathBuf| {
         let text = fs::read_to_string(path).unwrap();
         let code = text.split("#[cfg(test)]\nmod tests").next().unwrap();
@@ -86,7 +63,7 @@ fn codes(folder: &str) -> Vec<(String, String)> {
         let path = path.strip_prefix(&root).unwrap().display().to_string();
         (path, lines.join("\n"))
     };
-    files.iter().map(code).collect()
+    sources(folder).iter().map(code).collect()
 }
 
 /// The files below src/`room` that name `name`.
@@ -98,27 +75,25 @@ fn that_name(room: &str, name: &str) -> Vec<String> {
 
 #[test]
 fn rooms_name_none_beyond_their_walls() {
-    let above = (&BELOW_POPULATION[..], &["population", "matching"][..]);
-    for (rooms, forbidden) in WALLS.into_iter().chain([above]) {
-        for (room, name) in rooms
-            .iter()
-            .flat_map(|room| forbidden.iter().map(move |name| (room, name)))
-        {
+    for (room, forbidden) in WALLS {
+        let above = if room == "population" {
+            ""
+        } else {
+            " population matching"
+        };
+        let forbidden = format!("{forbidden}{above}");
+        for name in forbidden.split_whitespace() {
             let files = that_name(room, &format!("crate::{name}"));
             assert_eq!(files, [""; 0], "src/{room} names crate::{name}");
         }
     }
+    // That this can fail.
+    assert!(!that_name("contact", "crate::pair").is_empty());
 }
 
 #[test]
 fn one_file_names_parry() {
     assert_eq!(that_name("", "parry2d"), ["contact/parry.rs"]);
-}
-
-/// That the tests above can fail.
-#[test]
-fn an_import_is_found() {
-    assert!(!that_name("contact", "crate::pair").is_empty());
 }
 
 /// A file as a module; paths are from the root of its package.
@@ -262,22 +237,11 @@ fn no_files_import_each_other() {
 
 /// Crates below the library, itself among them, with these options; `None` where cargo cannot tell without a network.
 fn crates(options: &[&str]) -> Option<Vec<String>> {
+    let asked = "tree --locked --offline -p gearlash -e normal --prefix none";
     let mut cargo = std::process::Command::new(env!("CARGO"));
     cargo.current_dir(env!("CARGO_MANIFEST_DIR"));
-    cargo.args([
-        "tree",
-        "--locked",
-        "--offline",
-        "-p",
-        "gearlash",
-        "-e",
-        "normal",
-    ]);
-    let output = cargo
-        .args(["--prefix", "none"])
-        .args(options)
-        .output()
-        .unwrap();
+    cargo.args(asked.split(' ')).args(options);
+    let output = cargo.output().unwrap();
     if !output.status.success() {
         skip::skip(&String::from_utf8_lossy(&output.stderr));
         return None;
@@ -308,30 +272,14 @@ fn the_library_stands_on_few_crates() {
     assert!(readme.contains(&stated), "{stated}");
 }
 
-/// The schema of a key is its field: its type, its doc comment, its limits.
+/// The schema of a key is its field: its type, its doc comment, its limits. Cargo does not build the library of gearlash-files for tests
+/// (`test = false`): one beside its code would never run.
 #[test]
-fn no_json_schema_is_written_by_hand() {
-    let mut files = Vec::new();
-    sources(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/files/src"),
-        &mut files,
-    );
-    for file in files {
-        let by_hand = fs::read_to_string(&file).unwrap().contains("json_schema!");
-        assert!(!by_hand, "{file:?}");
-    }
-}
-
-/// Cargo does not build the library of gearlash-files for tests (`test = false`): one beside its code would never run.
-#[test]
-fn the_files_package_has_its_tests_in_a_folder_of_their_own() {
-    let mut files = Vec::new();
-    sources(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/files/src"),
-        &mut files,
-    );
-    for path in files {
+fn the_files_package_has_no_schema_by_hand_and_no_test_beside_its_code() {
+    for path in sources("crates/files/src") {
         let text = fs::read_to_string(&path).unwrap();
-        assert!(!text.contains("#[test]"), "{}", path.display());
+        for unwanted in ["json_schema!", "#[test]"] {
+            assert!(!text.contains(unwanted), "{}: {unwanted}", path.display());
+        }
     }
 }

@@ -1,33 +1,16 @@
 //! Where pairs with leads bind along the face, and what that costs. Sources: closed forms of flanks on the line of action, with α_wt.
 
 use super::*;
-use gearlash::analysis::diagnosis::CheckName;
-use gearlash::analysis::{Analysis, Plan};
-use gearlash::contact::FacePlace;
-use gearlash::gear::Lead;
-use gearlash::pair::FaceDeviation;
+use gearlash::contact::FacePlace::{self, FarEnd, Inside, NearEnd};
 
 /// Ends of the face, mm.
 const FACE: [f64; 2] = [-20.0, 20.0];
 
 /// 44/44, m 3, with leads of the wheel's own right and left flanks, which are right and left in the picture.
 fn with_leads(leads: [Lead; 2]) -> GearPair {
-    let design = GearDesign {
-        basic_data: BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap(),
-        profile_shift: 0.0,
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
-    };
-    let gear = |face, leads| {
-        let deviations = Deviations {
-            leads,
-            ..Deviations::default()
-        };
-        AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
-    };
-    let wheel = gear(Face::Front, leads);
-    let pinion = gear(Face::Back, Default::default());
-    let pair = GearPair::new(wheel, pinion, 132.15).unwrap();
+    let mut wheel = spur(44, 3.0);
+    wheel.deviations.leads = leads;
+    let pair = pair(&wheel, &spur(44, 3.0), 132.15);
     pair.with_face(FACE).unwrap()
 }
 
@@ -42,6 +25,10 @@ fn lead(slope: f64, crowning: f64, zero: f64) -> Lead {
     }
 }
 
+fn slope(f: f64) -> Lead {
+    lead(f, 0.0, 0.0)
+}
+
 fn places(pair: &GearPair) -> [FacePlace; 2] {
     let pose = Pose::new(pair, mating(1, 1));
     let found = ExactKernel::new(pair).lost_motion(&pose).unwrap();
@@ -52,53 +39,24 @@ fn places(pair: &GearPair) -> [FacePlace; 2] {
 /// one end. A crown `C` with a slope `f` binds at its vertex inside, and costs `f²/(16 C)`.
 #[test]
 fn leads_bind_where_their_closed_form_is_greatest_and_cost_that_much() {
-    use FacePlace::{FarEnd, Inside, NearEnd};
-    let f = 0.010;
-    let c = 0.008;
+    let (f, c) = (0.010, 0.008);
+    let crown = |zero| [lead(0.0, c, zero), lead(0.0, c, zero)];
+    let none = Lead::default;
+    let vertex = f * f / (16.0 * c);
     for (name, leads, expected, loss) in [
-        (
-            "turned",
-            [lead(f, 0.0, 0.0), lead(-f, 0.0, 0.0)],
-            [FarEnd, NearEnd],
-            f,
-        ),
-        (
-            "tapered",
-            [lead(f, 0.0, 0.0), lead(f, 0.0, 0.0)],
-            [FarEnd, FarEnd],
-            f,
-        ),
-        (
-            "one flank",
-            [lead(f, 0.0, 0.0), Lead::default()],
-            [FarEnd, Inside],
-            0.5 * f,
-        ),
-        (
-            "crowned at the end",
-            [lead(0.0, c, 20.0), lead(0.0, c, 20.0)],
-            [Inside; 2],
-            2.0 * c,
-        ),
-        (
-            "crowned",
-            [lead(0.0, c, 0.0), lead(0.0, c, 0.0)],
-            [Inside; 2],
-            0.0,
-        ),
-        (
-            "crowned slope",
-            [lead(f, c, 0.0), Lead::default()],
-            [Inside; 2],
-            f * f / (16.0 * c),
-        ),
+        ("turned", [slope(f), slope(-f)], [FarEnd, NearEnd], f),
+        ("tapered", [slope(f), slope(f)], [FarEnd, FarEnd], f),
+        ("one flank", [slope(f), none()], [FarEnd, Inside], 0.5 * f),
+        ("crowned at the end", crown(20.0), [Inside; 2], 2.0 * c),
+        ("crowned", crown(0.0), [Inside; 2], 0.0),
+        ("both", [lead(f, c, 0.0), none()], [Inside; 2], vertex),
     ] {
         let pair = with_leads(leads);
         assert_eq!(places(&pair), expected, "{name}");
         let found = extremes_of(&pair).face_loss.unwrap();
         let loss = loss / pair.operating_pressure_angle().cos();
         for own in [found.by(FaceDeviation::Lead), found.all] {
-            assert!((own.unwrap() - loss).abs() < 1e-9, "{name}: {own:?} {loss}");
+            near(name, own.unwrap(), loss, 1e-9);
         }
         for none in [FaceDeviation::Wobble, FaceDeviation::Shafts] {
             assert_eq!(found.by(none), Some(0.0), "{name}");
@@ -118,10 +76,7 @@ fn leaning_shafts_cost_their_closed_form() {
         let found = extremes_of(&pair).face_loss.unwrap();
         let loss = loss * theta * (FACE[1] - FACE[0]);
         let shafts = found.by(FaceDeviation::Shafts).unwrap();
-        assert!(
-            (shafts - loss).abs() < 2e-3 * loss,
-            "{lean:?}: {shafts} {loss}"
-        );
+        near(lean, shafts, loss, 2e-3 * loss);
         assert_eq!(found.by(FaceDeviation::Lead), Some(0.0));
     }
 }
@@ -129,39 +84,31 @@ fn leaning_shafts_cost_their_closed_form() {
 /// The checks of a turned helix: both flanks at an end in every pose, `f/cos α_wt` of the backlash lost. A pair without leads has none of them.
 #[test]
 fn checks_along_the_face() {
-    let ids = |study: &Study| {
+    let along = |study: &Study| -> Vec<Check> {
         let plan = Plan::new(study, Method::Exact { certify: false });
         let analysis = Analysis::silently(&plan.with_extremes().with_checks()).unwrap();
         let group = analysis.diagnosis.groups.into_iter().next().unwrap();
-        group.checks
+        let ids = ["edge_contact", "face_use", "lead_covers", "tilt"];
+        let mut checks = group.checks;
+        checks.retain(|check| ids.contains(&check.id));
+        checks
     };
     let plain = with_leads(Default::default());
-    let of = |checks: &[Check]| -> Vec<&'static str> {
-        let names = checks.iter().map(|check: &Check| check.name());
-        let ids = names.map(|name: CheckName| name.id);
-        ids.filter(|id| ["edge_contact", "face_use", "lead_covers", "tilt"].contains(id))
-            .collect()
-    };
-    assert!(of(&ids(&Study::of_pair("plain", &plain, 1))).is_empty());
+    assert!(along(&Study::of_pair("plain", &plain, 1)).is_empty());
 
-    let turned = with_leads([lead(0.010, 0.0, 0.0), lead(-0.010, 0.0, 0.0)]);
-    let checks = ids(&Study::of_pair("turned", &turned, 1));
-    assert_eq!(of(&checks), ["edge_contact", "face_use"]);
-    let find = |id: &str| checks.iter().find(|check| check.id == id).unwrap();
-    let edge = find("edge_contact");
-    assert_eq!((edge.outlines, edge.verdict), (Some(100.0), Verdict::Warn));
-    assert_eq!(
-        edge.note,
-        "right flanks: far end 100 %; left flanks: near end 100 %"
-    );
-    let used = find("face_use");
-    let loss = 0.010 / turned.operating_pressure_angle().cos();
-    assert!((used.outlines.unwrap() - loss).abs() < 1e-9);
-    assert_eq!(used.verdict, Verdict::Pass);
-    let [(_, lead), ..] = used.details[..] else {
-        panic!("{:?}", used.details);
+    let turned = with_leads([slope(0.010), slope(-0.010)]);
+    let checks = along(&Study::of_pair("turned", &turned, 1));
+    let [edge, used] = &checks[..] else {
+        panic!("{checks:?}");
     };
-    assert!((lead - 1e3 * loss).abs() < 1e-6);
+    assert_eq!([edge.id, used.id], ["edge_contact", "face_use"]);
+    assert_eq!((edge.outlines, edge.verdict), (Some(100.0), Verdict::Warn));
+    let ends = "right flanks: far end 100 %; left flanks: near end 100 %";
+    assert_eq!(edge.note, ends);
+    let loss = 0.010 / turned.operating_pressure_angle().cos();
+    near("loss", used.outlines.unwrap(), loss, 1e-9);
+    assert_eq!(used.verdict, Verdict::Pass);
+    near("by leads, µm", used.details[0].1, 1e3 * loss, 1e-6);
 }
 
 /// Sections of leaning spur gears leave nothing out. A lean above 5e-3 rad is beyond what is recommended.
@@ -170,17 +117,9 @@ fn tilt_is_warned_of() {
     for (lean, verdict) in [(1e-3, Verdict::Pass), (6e-3, Verdict::Warn)] {
         let pair = with_leads(Default::default());
         let pair = pair.with_lean([lean, 0.0]).unwrap();
-        let pose = Pose::new(&pair, mating(1, 1));
-        let found = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
         // The axes are nearer to each other at the near end.
-        let at = FacePlace::of(&pair, &pose, &found.right.unwrap());
-        assert_eq!(at, Some(FacePlace::NearEnd));
-        let mut study = Study::of_pair("leaning", &pair, 1);
-        study.sweep = Some(SweepPlan::Matings {
-            matings: vec![(1, 1)],
-            fractions: vec![0.0],
-        });
-        let found = diagnosed(&study);
+        assert_eq!(places(&pair)[0], NearEnd);
+        let found = diagnosed(&at_one_pose(&pair));
         let tilt = check(&found, "tilt", None);
         assert_eq!((tilt.formula, tilt.verdict), (Some(0.0), verdict));
         assert!(tilt.details.contains(&("lean_rad", lean)));
@@ -191,18 +130,18 @@ fn tilt_is_warned_of() {
 /// A trace from 2 to 35 mm of a face of 40 mm leaves 7 mm of it open, on either face of the gear.
 #[test]
 fn short_traces_are_warned_of() {
-    use gearlash::gear::Trace;
-    let mut short = lead(0.0, 0.0, 0.0);
-    short.traces = vec![Trace {
-        tooth: None,
-        points: vec![(-18.0, 0.001), (0.0, 0.0), (15.0, 0.002)],
-    }];
+    let short = Lead {
+        traces: vec![Trace {
+            tooth: None,
+            points: vec![(-18.0, 0.001), (0.0, 0.0), (15.0, 0.002)],
+        }],
+        ..slope(0.0)
+    };
     let pair = with_leads([short, Lead::default()]);
     let wheel = pair.gear(Member::Wheel);
     assert_eq!(wheel.traced(), Some([-18.0, 15.0]));
     assert_eq!(wheel.facing(Face::Back).traced(), Some([-15.0, 18.0]));
-    let study = Study::of_pair("short", &pair, 1);
-    let found = diagnosed(&study);
+    let found = diagnosed(&Study::of_pair("short", &pair, 1));
     let covers = check(&found, "lead_covers", Some(Member::Wheel));
     assert_eq!((covers.formula, covers.verdict), (Some(7.0), Verdict::Warn));
 }

@@ -1,18 +1,18 @@
-//! Limits of distance and clearance beside their formulas.
+//! Limits of distance and clearance beside their formulas, the map that shows them, and which checks fail.
 
 use super::*;
-use gearlash::analysis::diagnosis::{map, pitch_count};
+use gearlash::analysis::diagnosis::{MAP_ROWS, pitch_count};
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
+
+const NO_RUNOUT: [(f64, f64); 2] = [(0.0, 1.0); 2];
 
 /// K (17) is exact for perfect gears.
 #[test]
 fn zero_backlash_distance_of_perfect_gears_is_k_17() {
-    let mut assemblies: Vec<GearPair> = ["clear_1", "clear_2", "clear_3"]
-        .iter()
-        .map(|name| reference_pair(name).assembly)
-        .collect();
-    assemblies.push(eccentric(132.3, [(0.0, 1.0), (0.0, 1.0)], 44));
-    for assembly in assemblies {
+    let reference = ["clear_1", "clear_2", "clear_3"].map(|name| reference_pair(name).assembly);
+    let rig = eccentric(132.3, NO_RUNOUT, 44);
+    for assembly in reference.into_iter().chain([rig]) {
         let plan = SweepPlan::Revolution {
             pitches: 5,
             steps_per_pitch: 16,
@@ -21,94 +21,51 @@ fn zero_backlash_distance_of_perfect_gears_is_k_17() {
         let found = zero_distance(&assembly, &plan.matings(&assembly)).unwrap();
         let found = found.unwrap();
         let expected = limits::zero_backlash_distance(&assembly).unwrap();
-        let off = (found.distance - expected).abs();
-        assert!(off <= 1e-9, "{off:e} at {expected}");
+        near("distance", found.distance, expected, 1e-9);
         assert!(found.bracket[0] <= found.bracket[1]);
     }
 }
 
-/// The rig pair at most material. At the distance found, model 3 has no backlash at the pose found. The worst pose of
-/// the sweep is also the worst of model 3, and no rotation of the phase has less.
-#[test]
-fn zero_backlash_distance_of_the_rig_agrees_with_model_3() {
-    let study = input::read(&fixture("karba_44x44.toml")).unwrap().study;
-    let found = diagnosed(&study);
-    let group = &found.groups[0];
-    assert_eq!(group.material.name(), "most");
-    let zero = group.zero.clone().unwrap().unwrap();
-    let model_3 = |distance: f64, mating: Mating| {
-        let assembly = group.assembly.at(distance).unwrap();
-        let pose = Pose::new(&assembly, mating);
-        LineOfAction::new(&assembly, &pose)
-            .backlash(&assembly)
-            .unwrap()
-    };
-    println!("{zero:?}");
-    let at = model_3(zero.distance, zero.mating);
-    assert!(at.abs() <= 1e-6, "{at:e}");
-    for step in 0..44 * 40 {
-        let turned = zero.mating.onward(&group.assembly, f64::from(step) / 40.0);
-        let play = model_3(zero.distance, turned);
-        assert!(play >= -1e-6, "{play:e} at {turned:?}");
-    }
-    let runs = study.runs().unwrap();
-    let most = runs.iter().filter(|run| run.material == group.material);
-    let plays = most
-        .flat_map(|run| run.matings.iter().copied())
-        .map(|mating| model_3(zero.of_poses, mating));
-    let least = plays.fold(f64::INFINITY, f64::min);
-    assert!(least.abs() <= 1e-6, "{least:e}");
-    assert!(zero.of_poses <= zero.distance + 1e-9);
-    assert!(zero.teeth.iter().all(|teeth| teeth.0 > 0 && teeth.1 > 0));
-}
-
-/// Wheel tooth 5 and the pinion's space 9|10 both on the line of centres, both gears displaced towards it.
+/// `a − r_a − r_f` less both eccentricities where the phases let both high places meet, also with tips in the roots. Tooth 5 of the wheel reaches the
+/// line of centres three quarters of a pitch beyond mating 4, 9: half a tooth short of 5, 10.
 #[test]
 fn radial_clearance_of_eccentric_gears_where_the_phases_allow_it() {
-    for (pinion, distance) in [(44, 132.4), (31, 113.0)] {
-        let assembly = eccentric(distance, [(0.04, 5.0), (0.03, 9.5)], pinion);
-        // Tooth 5 reaches the line of centres three quarters of a pitch beyond mating 4,9: half a tooth short of 5,10.
-        let found = radial_clearance(&assembly, Member::Wheel, &[mating(4, 9)]).unwrap();
-        let expected = assembly.radial_clearance(Member::Wheel) - 0.04 - 0.03;
-        let off = (found.distance - expected).abs();
-        assert!(off <= 1e-6, "{off:e}: {found:?}");
+    let (towards, other) = ([(0.04, 5.0), (0.03, 9.5)], [(0.04, 5.5), (0.03, 9.0)]);
+    let (wheel, pinion) = (Member::Wheel, Member::Pinion);
+    for (teeth, distance, high, member, start, less) in [
+        (44, 132.4, towards, wheel, mating(4, 9), 0.07),
+        (31, 113.0, towards, wheel, mating(4, 9), 0.07),
+        (44, 132.4, other, pinion, mating(5, 9), 0.07),
+        (44, 130.0, towards, wheel, mating(4, 9), 0.07),
+        (44, 130.0, NO_RUNOUT, pinion, mating(1, 1), 0.0),
+        (44, 132.4, NO_RUNOUT, wheel, mating(1, 1), 0.0),
+    ] {
+        let pair = eccentric(distance, high, teeth);
+        let found = radial_clearance(&pair, member, &[start]).unwrap();
+        // Tips of 44 teeth, roots of the mate.
+        let expected = distance - 69.0 - (1.5 * f64::from(teeth) - 3.75) - less;
+        near((teeth, distance), found.distance, expected, 1e-6);
+        // With tips in roots any of them is nearest.
+        if high != towards || distance == 130.0 {
+            continue;
+        }
         assert_eq!((found.tip_tooth, found.root_tooth), (5, 9));
         // Phases that do not allow it leave more, but never less than with the high teeth apart.
-        let other = radial_clearance(&assembly, Member::Wheel, &[mating(1, 20)]).unwrap();
-        if pinion == 44 {
-            assert!(other.distance > expected + 1e-3, "{other:?}");
-        }
-        assert!(other.distance >= expected - 1e-9);
+        let apart = radial_clearance(&pair, wheel, &[mating(1, 20)]).unwrap();
+        let more = if teeth == 44 { 1e-3 } else { -1e-9 };
+        assert!(apart.distance >= expected + more, "{apart:?}");
     }
-    // And the pinion's tooth in the wheel's space.
-    let assembly = eccentric(132.4, [(0.04, 5.5), (0.03, 9.0)], 44);
-    let found = radial_clearance(&assembly, Member::Pinion, &[mating(5, 9)]).unwrap();
-    let expected = assembly.radial_clearance(Member::Pinion) - 0.07;
-    assert!((found.distance - expected).abs() <= 1e-6, "{found:?}");
-    // With tips in the roots as well: 130 − 69 − 62.25 mm, less both displacements.
-    let jammed = eccentric(130.0, [(0.04, 5.0), (0.03, 9.5)], 44);
-    let found = radial_clearance(&jammed, Member::Wheel, &[mating(4, 9)]).unwrap();
-    assert!((found.distance - (-1.25 - 0.07)).abs() <= 1e-6, "{found:?}");
-    let jammed = eccentric(130.0, [(0.0, 1.0), (0.0, 1.0)], 44);
-    let found = radial_clearance(&jammed, Member::Pinion, &[mating(1, 1)]).unwrap();
-    assert!((found.distance - -1.25).abs() <= 1e-12, "{found:?}");
-    // Perfect gears: the formula.
-    let perfect = eccentric(132.4, [(0.0, 1.0), (0.0, 1.0)], 44);
-    let found = radial_clearance(&perfect, Member::Wheel, &[mating(1, 1)]).unwrap();
-    assert!((found.distance - perfect.radial_clearance(Member::Wheel)).abs() <= 1e-12);
 }
 
 /// The announced number of ticks equals the actual one.
 #[test]
 fn each_pitch_of_the_clearance_ticks_once() {
-    let study = input::read(&fixture("karba_44x44.toml")).unwrap().study;
-    let exact = Method::Exact { certify: true };
-    let runs = simulate(&study, exact, &|| ControlFlow::Continue(())).unwrap();
-    let runs = compare(runs, study.tolerance_um);
+    let study = study_of_fixture("karba_44x44.toml");
     let ticks = AtomicUsize::new(0);
+    let runs = compared(&study);
     diagnose(&study, &runs, &Default::default(), &mut |_| Ok(()), &|| {
         ticks.fetch_add(1, Ordering::Relaxed);
-        ControlFlow::Continue(())
+        on()
     })
     .unwrap();
     let expected = pitch_count(&study.runs().unwrap());
@@ -119,70 +76,193 @@ fn each_pitch_of_the_clearance_ticks_once() {
 /// `ε_α = (√(r_a1² − r_b1²) + √(r_a2² − r_b2²) − a sin α_wt)/(π m cos α)` of 31/17 teeth: fails from where it is below 1 on.
 #[test]
 fn a_contact_ratio_below_one_fails() {
-    let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth, 2.0)).unwrap(), face);
     let cos = 20f64.to_radians().cos();
-    let mut verdicts = [0, 0];
+    let mut verdicts = BTreeSet::new();
     for step in 0..8 {
         let distance = 48.4 + 0.3 * f64::from(step);
-        let pair = GearPair::new(gear(31, Face::Front), gear(17, Face::Back), distance).unwrap();
+        let pair = pair(&spur(31, 2.0), &spur(17, 2.0), distance);
         let found = diagnosed(&Study::of_pair("contact ratio", &pair, 1));
         let found = check(&found, "contact_ratio", None);
         let path = |teeth: f64| ((teeth + 2.0).powi(2) - (teeth * cos).powi(2)).sqrt();
         let sin = (1.0 - (48.0 * cos / distance).powi(2)).sqrt();
-        let ratio = (path(31.0) + path(17.0) - distance * sin) / (2.0 * std::f64::consts::PI * cos);
-        assert!(
-            (found.formula.unwrap() - ratio).abs() < 1e-9,
-            "{ratio} at {distance}"
-        );
-        assert!(
-            (found.margin.unwrap() - (ratio - 1.0)).abs() < 1e-9,
-            "{ratio} at {distance}"
-        );
-        let fails = ratio < 1.0;
-        assert_eq!(
-            found.verdict == Verdict::Fail,
-            fails,
-            "{ratio} at {distance}"
-        );
-        verdicts[usize::from(fails)] += 1;
+        let ratio = (path(31.0) + path(17.0) - distance * sin) / (2.0 * PI * cos);
+        near(distance, found.formula.unwrap(), ratio, 1e-9);
+        near(distance, found.margin.unwrap(), ratio - 1.0, 1e-9);
+        let fails = found.verdict == Verdict::Fail;
+        assert_eq!(fails, ratio < 1.0, "{ratio} at {distance}");
+        verdicts.insert(fails);
     }
-    assert!(verdicts[0] > 0 && verdicts[1] > 0, "{verdicts:?}");
+    assert_eq!(verdicts.len(), 2);
 }
 
-/// Rows of a map are evenly spaced about the limits that they are drawn for; a cell has the backlash of a pair that stands there.
+/// How far along the line of action the mate's tip comes from the base circle of `gear`, mm, at a centre distance.
+fn tip_from_base(pair: &GearPair, gear: Member, distance: f64) -> f64 {
+    let [own, mate] = [gear, gear.mate()].map(|member| pair.gear(member).gear());
+    let sum = own.base_radius() + mate.base_radius();
+    let line = (distance * distance - sum * sum).sqrt();
+    line - (mate.tip_radius().powi(2) - mate.base_radius().powi(2)).sqrt()
+}
+
+/// At the limits a tip is on the form circle, or on the base circle, of one gear and outside that of the other. Tips have the named
+/// clearance from one gear's roots, and more from the other's. The rows are even, and cover all limits plus a 20th of a module, but not tips
+/// in roots. A cell has the backlash of a pair that stands there.
 #[test]
-fn rows_of_a_map_are_even() {
-    let pair = eccentric(132.3, [(0.01, 1.0), (0.02, 3.0)], 44);
-    let found = diagnosed(&Study::of_pair("map", &pair, 1));
-    let map = map(
-        &found.groups[0],
-        mating(1, 1),
-        &|| ControlFlow::Continue(()),
-    )
-    .unwrap();
-    let rows = map.distances.len();
-    let step = (map.distances[rows - 1] - map.distances[0]) / (rows - 1) as f64;
-    for (row, distance) in map.distances.iter().enumerate() {
-        let even = map.distances[0] + step * row as f64;
-        assert!(
-            step > 0.0 && (distance - even).abs() < 1e-9,
-            "row {row}: {distance}, {even}"
-        );
-    }
-    for row in [0, rows / 2, rows - 1] {
-        let there = pair.at(map.distances[row]).unwrap();
-        let columns = map.fractions.len();
-        let column = columns / 3;
-        let pose = Pose::new(&there, mating(1, 1).onward(&there, map.fractions[column]));
-        let angle = ExactKernel::new(&there).lost_motion(&pose).unwrap().angle();
-        let expected = angle.map(|angle| angle * there.operating_pitch_radius(there.free()));
-        let cell = map.cells[row * columns + column].backlash;
-        assert_eq!(cell.is_some(), expected.is_some());
-        if let (Some(cell), Some(expected)) = (cell, expected) {
-            assert!(
-                (cell - expected).abs() < 1e-9,
-                "row {row}: {cell}, {expected}"
-            );
+fn limits_of_a_map_have_their_meaning() {
+    for (distance, high, pinion) in [
+        (132.3, [(0.01, 1.0), (0.02, 3.0)], 44),
+        (112.9, [(0.0, 1.0), (0.02, 3.0)], 31),
+    ] {
+        let pair = eccentric(distance, high, pinion);
+        let found = diagnosed(&Study::of_pair("map", &pair, 1));
+        let map = map(&found.groups[0], mating(1, 1), &on).unwrap();
+        let at = |name: &str| {
+            let mut all = map.limits.iter().filter(|limit| limit.name == name);
+            let one = all.next().map(|limit| limit.distance);
+            assert!(all.next().is_none());
+            one.unwrap()
+        };
+        assert_eq!(at("a of the pair"), distance);
+        let zero = found.groups[0].zero.clone().unwrap().unwrap();
+        assert_eq!(at("zero backlash, outlines"), zero.distance);
+        let least =
+            |of: &dyn Fn(Member) -> f64| Member::BOTH.map(of).into_iter().fold(f64::MAX, f64::min);
+        let form = at("tip at form circle");
+        let from_form = |member: Member| {
+            let gear = pair.gear(member).gear();
+            let own = (gear.form_radius().powi(2) - gear.base_radius().powi(2)).sqrt();
+            tip_from_base(&pair, member, form) - own
+        };
+        near("form circle", least(&from_form), 0.0, 1e-9);
+        let base = at("tip at base circle, K (8)");
+        let from_base = |member| tip_from_base(&pair, member, base);
+        near("base circle", least(&from_base), 0.0, 1e-9);
+        let clearance = |distance: f64| {
+            let of = |member: Member| {
+                let (tip, root) = (pair.gear(member).gear(), pair.gear(member.mate()).gear());
+                distance - tip.tip_radius() - root.root_radius()
+            };
+            least(&of)
+        };
+        for modules in [limits::LEAST_CLEARANCE, limits::RECOMMENDED_CLEARANCE] {
+            let at = at(&format!("radial clearance {modules} m"));
+            near(modules, clearance(at), 3.0 * modules, 1e-9);
         }
+        let distances: Vec<f64> = map.limits.iter().map(|limit| limit.distance).collect();
+        assert!(distances.is_sorted(), "{distances:?}");
+        let bases = Member::BOTH.map(|member| pair.gear(member).gear().base_radius());
+        assert!(distances[0] > bases[0] + bases[1]);
+        // Rows are the middles of as many stretches.
+        let rows = MAP_ROWS as usize;
+        assert_eq!(map.distances.len(), rows);
+        let low = distances[0].max(distance - clearance(distance)) - 0.15;
+        let step = (distances[distances.len() - 1] + 0.15 - low) / rows as f64;
+        for (row, distance) in map.distances.iter().enumerate() {
+            near(row, *distance, low + (row as f64 + 0.5) * step, 1e-9);
+        }
+        let columns = map.fractions.len();
+        assert_eq!(columns, 60);
+        for (k, fraction) in map.fractions.iter().enumerate() {
+            near(k, *fraction, k as f64 / 60.0, 1e-15);
+        }
+        for row in [0, rows / 2, rows - 1] {
+            let there = pair.at(map.distances[row]).unwrap();
+            let pose = Pose::new(&there, mating(1, 1).onward(&there, map.fractions[20]));
+            let angle = ExactKernel::new(&there).lost_motion(&pose).unwrap().angle();
+            let expected = angle.map(|angle| angle * there.operating_pitch_radius(there.free()));
+            let cell = map.cells[row * columns + 20].backlash;
+            assert_eq!(cell.is_some(), expected.is_some(), "row {row}");
+            near(row, cell.unwrap_or(0.0), expected.unwrap_or(0.0), 1e-9);
+        }
+    }
+}
+
+/// A tooth thinner by `t` at the reference circle is thinner by `t r_a/r` at its tip: flanks turn about the centre. It is the one named.
+#[test]
+fn the_tip_of_a_thin_tooth_is_thin_by_as_much_of_an_angle() {
+    let mut wheel = spur(30, 2.0);
+    wheel.deviations.per_tooth = vec![0.0; 30];
+    wheel.deviations.per_tooth[2] = -0.06;
+    wheel.deviations.per_tooth[7] = -0.03;
+    let mean = limits::tip_thickness(&wheel.gear());
+    let pair = pair(&wheel, &spur(30, 2.0), 60.2);
+    let found = diagnosed(&Study::of_pair("thin", &pair, 4));
+    let tip = check(&found, "tip_thickness", Some(Member::Wheel));
+    let expected = mean - 0.06 * 32.0 / 30.0;
+    near("tip", tip.outlines.unwrap(), expected, 1e-12);
+    near("margin", tip.margin.unwrap(), expected - 0.4, 1e-12);
+    assert_eq!(tip.note, "tooth 3");
+    let tip = check(&found, "tip_thickness", Some(Member::Pinion));
+    assert_eq!(tip.outlines, tip.formula);
+    assert_eq!(tip.note, "");
+}
+
+/// Tips whose radial clearance is below 0.15 of a module fail, be it that the root is not deep enough or that eccentricities take
+/// what a formula leaves: `h_f − h_a` modules of perfect gears at the sum of their reference radii, less both eccentricities.
+#[test]
+fn too_little_radial_clearance_fails_by_depth_and_by_eccentricity() {
+    for (dedendum, eccentricity, fails) in [
+        (1.05, 0.0, true),
+        (1.14, 0.0, true),
+        (1.16, 0.0, false),
+        (1.25, 0.07, false),
+        (1.25, 0.13, true),
+    ] {
+        let gear = spur(40, 2.0).rack(1.0, dedendum, 0.1);
+        let gear = gear.runout(eccentricity, 1.0);
+        let (failed, _) = failing(&Study::of_pair("near", &pair(&gear, &gear, 80.0), 4));
+        let told = format!("{dedendum} {eccentricity}: {failed:?}");
+        assert_eq!(failed.contains(&"radial_clearance"), fails, "{told}");
+    }
+}
+
+/// Which checks fail, found without what is sought only to be reported: the same as every check made. The fixtures; then few teeth and many, close and
+/// far apart, undercut, with little clearance of the tips, so that most checks fail somewhere.
+#[test]
+fn checks_fail_whether_or_not_all_are_made() {
+    let fixtures = [
+        "karba_44x44.toml",
+        "karba_44x44_pitch.toml",
+        "karba_86x21.toml",
+        "hunting_51x23.toml",
+        "tip_on_fillet_86x21.toml",
+        "profiled_44x44.toml",
+    ];
+    let fixtures = fixtures.map(|name| (name.to_owned(), study_of_fixture(name)));
+    let drawn = (0..60).map(|index| {
+        let mut random = Random::of(14, index);
+        let mut gear = || {
+            let teeth = random.within(9.0, 50.0) as u32;
+            let (dedendum, round) = random.pick(&[(1.25, 0.38), (1.25, 0.2), (1.13, 0.2)]);
+            let gear = spur(teeth, 2.0).rack(1.0, dedendum, round);
+            let gear = gear.shift(random.within(-0.1, 0.4));
+            let gear = gear.allowance(random.within(-0.1, 0.0));
+            let gear = gear.runout(random.pick(&[0.0, 0.01, 0.03]), 2.0);
+            gear.open(random.chance(0.3))
+        };
+        let (wheel, pinion) = (gear(), gear());
+        let zero = InvolutePair::new(&wheel.gear(), &pinion.gear());
+        let distance = zero.center_distance(0.0).unwrap() + random.within(-0.1, 0.4);
+        let distance = distance + random.pick(&[0.0, 0.0, 1.5]);
+        let pair = pair(&wheel, &pinion, distance);
+        (format!("drawn {index}"), Study::of_pair("random", &pair, 4))
+    });
+    let mut ever = BTreeSet::new();
+    for (name, study) in fixtures.into_iter().chain(drawn) {
+        let (needed, analysis) = failing(&study);
+        let all = analysis.diagnosis.failed();
+        let all: Vec<&str> = all.iter().map(|check| check.id).collect();
+        assert_eq!(all, needed, "{name}");
+        if name.starts_with("drawn") {
+            ever.extend(all);
+        }
+    }
+    // Without these the test would say little.
+    for id in [
+        "radial_clearance",
+        "zero_backlash_distance",
+        "contact_ratio",
+        "non_involute_onset",
+    ] {
+        assert!(ever.contains(id), "{ever:?}");
     }
 }

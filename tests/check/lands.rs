@@ -1,16 +1,8 @@
 //! Radial clearance as built, beside the nearest of many points of tip lands and root lands at many rotations.
 //!
-//! The crate defines a pose and the position of a tooth; the ends of lands follow from the drawing and from closed forms.
+//! The crate defines a pose, the position of a tooth and the corner of a tip; the ends of root lands follow from the drawing.
 
 use super::*;
-use gearlash::gear::Pitch;
-use std::f64::consts::{FRAC_PI_4, PI};
-
-/// The involute function of the pressure angle at a radius.
-fn inv(base: f64, radius: f64) -> f64 {
-    let tan = ((radius / base).powi(2) - 1.0).sqrt();
-    tan - tan.atan()
-}
 
 /// A gear of the pair at a pose: its outline's centre, and the lands of each tooth, from one direction to another.
 struct Lands {
@@ -27,58 +19,36 @@ fn lands(pair: &GearPair, member: Member, mating: Mating) -> Lands {
     let built = pair.gear(member);
     let (gear, design) = (built.gear(), built.gear().design());
     let (data, rack) = (&design.basic_data, &design.rack);
-    let (z, module, tan) = (data.teeth(), data.module(), data.pressure_angle().tan());
-    let reference = 0.5 * module * f64::from(z);
-    let base = reference * data.pressure_angle().cos();
-    let half_base = |gear: &Gear| gear.base_thickness() / (2.0 * gear.base_radius());
-    // In the middle of the mean teeth's backlash: p_w − s_w1 − s_w2 on the operating pitch circles, half of it on either side.
+    // In the middle of the mean teeth's backlash: a right flank touches at the clockwise end.
     let pose = Pose::new(pair, mating);
-    let operating = |one: Member| {
-        let sum: u32 = Member::BOTH.iter().map(|m| pair.teeth(*m)).sum();
-        pair.center_distance() * f64::from(pair.teeth(one)) / f64::from(sum)
-    };
-    let thickness = |one: Member| {
-        let gear = pair.gear(one).gear();
-        2.0 * operating(one) * (half_base(gear) - inv(gear.base_radius(), operating(one)))
-    };
     let free = pair.free();
-    let pitch = 2.0 * PI * operating(free) / f64::from(pair.teeth(free));
-    let play = pitch - thickness(Member::Wheel) - thickness(Member::Pinion);
-    let rotation = if member == free {
-        // A right flank touches at the clockwise end.
-        let way = if mating.flank == Side::Right {
-            1.0
-        } else {
-            -1.0
-        };
-        pose.free_rotation() + way * 0.5 * play / operating(free)
+    let play = InvolutePair::of(pair).circumferential_backlash(pair.center_distance());
+    let half_play = 0.5 * play.unwrap() / pair.operating_pitch_radius(free);
+    let middle = if member == free {
+        -mating.flank.sense() * half_play
     } else {
-        pose.locked_rotation()
+        0.0
     };
-    let tooth_1 = pair.mate_direction(member) + rotation;
+    let tooth_1 = pair.mate_direction(member) + pose.rotation(pair, member) + middle;
     let centre = pair.axis(member) + built.displacement(tooth_1);
     let direction = |tooth: u32| tooth_1 + built.tooth_angle(f64::from(tooth));
-    let tip = gear.tip_radius();
-    let half_tip = half_base(gear) - inv(base, tip);
+    let z = data.teeth();
+    let half_tip = gear.half_angle_at_roll(gear.tip_roll());
     let tips = (1..=z).map(|tooth| {
         let [right, left] = [Side::Right, Side::Left].map(|side| built.flank_offset(side, tooth));
-        [
-            direction(tooth) + right - half_tip,
-            direction(tooth) + left + half_tip,
-        ]
+        let middle = direction(tooth);
+        [middle + right - half_tip, middle + left + half_tip]
     });
-    // The tool's shift from the thickness at the reference circle, m (π/2 + 2 x tan α), and half the flat of its tip.
-    let shift = (2.0 * reference * (half_base(gear) - inv(base, reference)) / module - 0.5 * PI)
-        / (2.0 * tan);
-    let round = rack.root_radius();
-    let flat = FRAC_PI_4 - (rack.dedendum() - round) * tan - round / data.pressure_angle().cos();
-    let half_root = PI / f64::from(z) - flat * module / reference;
+    // Half the flat of the tool's tip.
+    let (round, alpha) = (rack.root_radius(), data.pressure_angle());
+    let flat = FRAC_PI_4 - (rack.dedendum() - round) * alpha.tan() - round / alpha.cos();
+    let half_root = PI / f64::from(z) - 2.0 * flat / f64::from(z);
     let roots = (1..=z).map(|tooth| {
         let next = built.counter_clockwise(tooth, 1);
-        let start = direction(tooth) + built.flank_offset(Side::Left, tooth) + half_root;
-        let end =
-            direction(tooth) + 2.0 * PI / f64::from(z) + built.flank_offset(Side::Right, next)
-                - half_root;
+        let middle = direction(tooth);
+        let start = middle + built.flank_offset(Side::Left, tooth) + half_root;
+        let pitch = 2.0 * PI / f64::from(z);
+        let end = middle + pitch + built.flank_offset(Side::Right, next) - half_root;
         if start <= end {
             [start, end]
         } else {
@@ -87,9 +57,9 @@ fn lands(pair: &GearPair, member: Member, mating: Mating) -> Lands {
     });
     Lands {
         centre: [centre.x, centre.y],
-        tip,
+        tip: gear.tip_radius(),
         tips: tips.collect(),
-        root: reference - (rack.dedendum() - shift) * module,
+        root: gear.root_radius(),
         roots: roots.collect(),
     }
 }
@@ -105,13 +75,19 @@ fn from_arc(point: [f64; 2], centre: [f64; 2], radius: f64, [start, end]: [f64; 
 }
 
 /// The least distance of a tip of `member` from a root of its mate at a mating, by `points` of each tip: negative below the root circle.
-fn nearest(pair: &GearPair, member: Member, mating: Mating, points: u32) -> (f64, [u32; 2]) {
-    let (tips, roots) = (
-        lands(pair, member, mating),
-        lands(pair, member.mate(), mating),
-    );
-    let mut least = (f64::INFINITY, [0; 2]);
-    for (tip, [start, end]) in (1..).zip(&tips.tips) {
+/// Of all teeth, or of the tip and the root named.
+fn nearest(
+    pair: &GearPair,
+    member: Member,
+    mating: Mating,
+    points: u32,
+    named: Option<[u32; 2]>,
+) -> f64 {
+    let tips = lands(pair, member, mating);
+    let roots = lands(pair, member.mate(), mating);
+    let counts = |k: usize, tooth: u32| named.is_none_or(|named| named[k] == tooth);
+    let mut least = f64::INFINITY;
+    for (_, [start, end]) in (1..).zip(&tips.tips).filter(|(tip, _)| counts(0, *tip)) {
         for k in 0..=points {
             let at = start + (end - start) * f64::from(k) / f64::from(points);
             let point = [
@@ -119,48 +95,31 @@ fn nearest(pair: &GearPair, member: Member, mating: Mating, points: u32) -> (f64
                 tips.centre[1] + tips.tip * at.sin(),
             ];
             let deep = (point[0] - roots.centre[0]).hypot(point[1] - roots.centre[1]) - roots.root;
-            if deep > least.0 {
+            if deep > least {
                 continue;
             }
-            for (root, ends) in (1..).zip(&roots.roots) {
-                // In the root circle all is metal.
-                let apart = if deep <= 0.0 {
-                    deep
-                } else {
-                    from_arc(point, roots.centre, roots.root, *ends)
-                };
-                if apart < least.0 {
-                    least = (apart, [tip, root]);
-                }
+            // In the root circle all is metal.
+            if deep <= 0.0 {
+                least = deep;
+                continue;
+            }
+            for (_, ends) in (1..).zip(&roots.roots).filter(|(root, _)| counts(1, *root)) {
+                least = least.min(from_arc(point, roots.centre, roots.root, *ends));
             }
         }
     }
     least
 }
 
-fn built(
-    teeth: u32,
-    face: Face,
-    [shift, round, eccentricity, pitch]: [f64; 4],
-    thick: f64,
-) -> AsBuilt {
-    let wave = |start: u32| (0..teeth).map(move |k| pitch * f64::from((k * 7919 + start) % 1000));
-    let deviations = Deviations {
-        pitch: Some(Pitch::from_cumulative(
-            &wave(17).collect::<Vec<_>>(),
-            &wave(443).collect::<Vec<_>>(),
-        )),
-        per_tooth: (0..teeth).map(|k| thick * f64::from(k * 7 % 5)).collect(),
-        eccentricity,
-        high_tooth: 2.7,
-        ..Deviations::default()
+fn built(teeth: u32, [shift, round, eccentricity, pitch]: [f64; 4], thick: f64) -> Make {
+    let wave = |start: u32| -> Vec<f64> {
+        let each = (0..teeth).map(|k| pitch * f64::from((k * 7919 + start) % 1000));
+        each.collect()
     };
-    let design = GearDesign {
-        profile_shift: shift,
-        rack: BasicRack::new(1.0, 1.25, round).unwrap(),
-        ..design(teeth, 2.0)
-    };
-    AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
+    let gear = spur(teeth, 2.0).shift(shift).rack(1.0, 1.25, round);
+    let mut gear = gear.runout(eccentricity, 2.7).pitch(&wave(17), &wave(443));
+    gear.deviations.per_tooth = (0..teeth).map(|k| thick * f64::from(k * 7 % 5)).collect();
+    gear
 }
 
 /// Source: 60 points of each tip at any rotation looked at are no nearer, and 4000 points at the mating that is named are as near.
@@ -168,37 +127,34 @@ fn built(
 fn no_points_of_lands_are_nearer_than_the_radial_clearance() {
     let alpha = 20f64.to_radians();
     let full = (FRAC_PI_4 - 1.25 * alpha.tan()) / (1.0 / alpha.cos() - alpha.tan());
+    let (wheel, pinion) = (Member::Wheel, Member::Pinion);
     for (case, (teeth, more, distance, locked)) in [
-        ([13, 9], [0.3, 0.38, 0.1, 4e-5], 22.9, Member::Wheel),
-        ([11, 15], [0.0, 0.25, 0.3, 1e-4], 26.9, Member::Pinion),
-        ([12, 8], [0.2, full, 0.06, 2e-5], 20.9, Member::Wheel),
+        ([13, 9], [0.3, 0.38, 0.1, 4e-5], 22.9, wheel),
+        ([11, 15], [0.0, 0.25, 0.3, 1e-4], 26.9, pinion),
+        ([12, 8], [0.2, full, 0.06, 2e-5], 20.9, wheel),
         // Tips are in roots.
-        ([12, 9], [0.1, 0.3, 0.2, 3e-5], 20.3, Member::Pinion),
+        ([12, 9], [0.1, 0.3, 0.2, 3e-5], 20.3, pinion),
         // Without runout the same distance recurs at each pitch, except for the offsets of flanks.
-        ([9, 12], [0.2, 0.2, 0.0, 5e-5], 22.1, Member::Wheel),
+        ([9, 12], [0.2, 0.2, 0.0, 5e-5], 22.1, wheel),
     ]
     .into_iter()
     .enumerate()
     {
         let thick = if case == 2 { 0.02 } else { 0.0 };
-        let wheel = built(teeth[0], Face::Front, more, thick);
-        let pinion = built(
-            teeth[1],
-            Face::Back,
-            [more[0], more[1], 0.6 * more[2], more[3]],
-            thick,
-        );
-        let pair = GearPair::with_locked(wheel, pinion, distance, locked).unwrap();
-        for (member, flank) in [(Member::Wheel, Side::Right), (Member::Pinion, Side::Left)] {
-            let start = Mating {
-                flank,
-                ..mating(2, 3)
-            };
+        let less = [more[0], more[1], 0.6 * more[2], more[3]];
+        let [first, second] =
+            [(teeth[0], more), (teeth[1], less)].map(|(teeth, more)| built(teeth, more, thick));
+        let pair = GearPair::with_locked(first.front(), second.back(), distance, locked).unwrap();
+        for (member, flank) in [(wheel, Side::Right), (pinion, Side::Left)] {
+            let what = (case, member);
+            let start = Mating::at(2, 3, flank);
             let found = radial_clearance(&pair, member, &[start]).unwrap();
-            let of_locked = pair.teeth(locked);
             // At 120 rotations of each pitch, and between those beside the nearest.
-            let at = |pitches: f64| nearest(&pair, member, start.onward(&pair, pitches), 60).0;
-            let all = (0..of_locked * 120).map(|k| f64::from(k) / 120.0);
+            let at = |pitches: f64| {
+                let mating = start.onward(&pair, pitches);
+                nearest(&pair, member, mating, 60, None)
+            };
+            let all = (0..pair.teeth(locked) * 120).map(|k| f64::from(k) / 120.0);
             let (_, mut best) = all
                 .map(|pitches| (at(pitches), pitches))
                 .min_by(|one, other| one.0.total_cmp(&other.0))
@@ -210,46 +166,17 @@ fn no_points_of_lands_are_nearer_than_the_radial_clearance() {
                 step *= 0.1;
             }
             let off = at(best) - found.distance;
-            assert!(
-                off > -1e-9 && off < 1e-3,
-                "{case} {member:?}: {off:e}, {found:?}"
-            );
+            assert!(off > -1e-9 && off < 1e-3, "{what:?}: {off:e}, {found:?}");
             let phased = Mating {
                 fraction: 0.4,
                 ..start
             };
             assert_eq!(radial_clearance(&pair, member, &[phased]), Some(found));
-            let (there, _) = nearest(&pair, member, found.mating, 4000);
-            assert!(
-                (there - found.distance).abs() < 1e-6,
-                "{case} {member:?}: {there} {found:?}"
-            );
-            let own = lands(&pair, member, found.mating);
-            let mate = lands(&pair, member.mate(), found.mating);
             // The teeth that are named have it.
-            let [from, to] = own.tips[found.tip_tooth as usize - 1];
-            let points = (0..=4000).map(|k| from + (to - from) * f64::from(k) / 4e3);
-            let named = points.map(|at| {
-                let point = [
-                    own.centre[0] + own.tip * at.cos(),
-                    own.centre[1] + own.tip * at.sin(),
-                ];
-                if found.distance < 0.0 {
-                    (point[0] - mate.centre[0]).hypot(point[1] - mate.centre[1]) - mate.root
-                } else {
-                    from_arc(
-                        point,
-                        mate.centre,
-                        mate.root,
-                        mate.roots[found.root_tooth as usize - 1],
-                    )
-                }
-            });
-            let named = named.fold(f64::INFINITY, f64::min);
-            assert!(
-                (named - found.distance).abs() < 1e-6,
-                "{case} {member:?}: {named} {found:?}"
-            );
+            for named in [None, Some([found.tip_tooth, found.root_tooth])] {
+                let there = nearest(&pair, member, found.mating, 4000, named);
+                near(what, there, found.distance, 1e-6);
+            }
         }
     }
 }

@@ -1,32 +1,21 @@
 //! Checks of a pair: classes of contact, what they cost, limits by formula and as measured.
 
 mod along_face;
-mod assembles;
-mod bearings;
-mod classes;
-mod directions;
+mod contacts;
 mod distances;
-mod failed;
+mod kit;
 mod lands;
-mod map;
-mod onset;
 mod outlines;
 mod play_free;
 mod population;
-mod population_draws;
-mod population_required;
-mod population_worst;
-mod tips;
-mod uncertainty;
-mod undercut;
+mod population_limits;
+mod runs;
 mod verdict;
 
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../common/cycle.rs"]
 mod cycle;
-#[path = "../common/design.rs"]
-mod design;
 #[path = "../common/eccentric_17_100.rs"]
 mod eccentric_17_100;
 
@@ -38,22 +27,29 @@ mod random;
 mod pair_86_21;
 
 use common::{ReferenceContact, reference_pair};
-use design::design;
 use eccentric_17_100::eccentric_17_100;
-use gearlash::analysis::compare::compare;
+use gearlash::analysis::compare::{ComparedRun, Verdict as Compared, compare};
 use gearlash::analysis::diagnosis::{
-    Check, Diagnosis, Verdict, diagnose, non_involute_onset, radial_clearance, zero_distance,
+    Check, Diagnosis, PoseEvidence, Verdict, diagnose, failed_checks, map, non_involute_onset,
+    radial_clearance, zero_distance,
 };
 use gearlash::analysis::extremes::{RunExtremes, extremes};
+use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::simulate::simulate;
-use gearlash::analysis::study::Study;
-use gearlash::analytic::{LineOfAction, SideContact, limits};
-use gearlash::contact::{ContactClass, ContactKind, ExactKernel, Method, Moment, PoseClass};
-use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side};
-use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
+use gearlash::analysis::study::{Material, Study};
+use gearlash::analysis::{Analysis, Plan};
+use gearlash::analytic::{InvolutePair, SideContact, limits};
+use gearlash::contact::{
+    ContactClass, ContactKind, Doubt, ExactKernel, Method, Moment, PoseClass, Status,
+};
+use gearlash::gear::{Face, Hand, Lead, Side, Trace};
+use gearlash::outline::OutlineGear;
+use gearlash::pair::{FaceDeviation, GearPair, Mating, Member, Pose, SweepPlan};
 use gearlash_files as input;
+use kit::{Make, ends, inv, near, on, pair, spur};
 use pair_86_21::{pair_86_21, written};
 use random::Random;
+use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -63,23 +59,38 @@ fn fixture(name: &str) -> PathBuf {
         .join(name)
 }
 
+fn study_of_fixture(name: &str) -> Study {
+    input::read(&fixture(name)).unwrap().study
+}
+
+fn study_of_text(text: &str) -> Study {
+    let (_folder, file) = written(text);
+    input::read(&file).unwrap().study
+}
+
+/// The extremes of each run of a study.
+fn runs_of(study: &Study, certify: bool) -> Vec<RunExtremes> {
+    let found = extremes(study, Method::Exact { certify }, &on).unwrap();
+    found.each
+}
+
+fn run_of(study: &Study) -> RunExtremes {
+    runs_of(study, true).swap_remove(0)
+}
+
 /// The extremes of the cycle that begins with wheel tooth 1 and pinion tooth 1.
 fn extremes_of(pair: &GearPair) -> RunExtremes {
-    let study = Study::of_pair("extremes", pair, 1);
-    let exact = Method::Exact { certify: false };
-    let found = extremes(&study, exact, &|| ControlFlow::Continue(())).unwrap();
-    found.each.into_iter().next().unwrap()
+    runs_of(&Study::of_pair("extremes", pair, 1), false).swap_remove(0)
+}
+
+fn compared(study: &Study) -> Vec<ComparedRun> {
+    let runs = simulate(study, Method::Exact { certify: true }, &on).unwrap();
+    compare(runs, study.tolerance_um)
 }
 
 fn diagnosed(study: &Study) -> Diagnosis {
-    let runs = simulate(study, Method::Exact { certify: true }, &|| {
-        ControlFlow::Continue(())
-    });
-    let runs = compare(runs.unwrap(), study.tolerance_um);
-    diagnose(study, &runs, &Default::default(), &mut |_| Ok(()), &|| {
-        std::ops::ControlFlow::Continue(())
-    })
-    .unwrap()
+    let runs = compared(study);
+    diagnose(study, &runs, &Default::default(), &mut |_| Ok(()), &on).unwrap()
 }
 
 fn check<'a>(diagnosis: &'a Diagnosis, id: &str, gear: Option<Member>) -> &'a Check {
@@ -88,36 +99,44 @@ fn check<'a>(diagnosis: &'a Diagnosis, id: &str, gear: Option<Member>) -> &'a Ch
         .unwrap()
 }
 
+/// The ids of the checks that fail, found without what is sought only to be reported, and every check made.
+fn failing(study: &Study) -> (Vec<&'static str>, Analysis<'_>) {
+    let plan = Plan::new(study, Method::Exact { certify: false });
+    let analysis = Analysis::silently(&plan.with_extremes().with_checks()).unwrap();
+    let evidence: Vec<PoseEvidence> = analysis.runs.iter().filter_map(PoseEvidence::of).collect();
+    let failed = failed_checks(study, &evidence, &analysis.extremes, &on).unwrap();
+    (failed.iter().map(|check| check.id).collect(), analysis)
+}
+
 /// Two gears, m 3, 20°, 44 and `pinion` teeth, each with an eccentricity.
 fn eccentric(distance: f64, high: [(f64, f64); 2], pinion: u32) -> GearPair {
-    let gear = |teeth, face, (eccentricity, high_tooth)| {
-        let design = GearDesign {
-            basic_data: BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
-            profile_shift: 0.0,
-            rack: BasicRack::ISO_53_A,
-            tip_diameter: None,
-        };
-        let deviations = Deviations {
-            eccentricity,
-            high_tooth,
-            ..Deviations::default()
-        };
-        AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
-    };
-    GearPair::with_locked(
-        gear(44, Face::Front, high[0]),
-        gear(pinion, Face::Back, high[1]),
-        distance,
-        Member::Wheel,
-    )
-    .unwrap()
+    let [wheel, pinion] = [(44, high[0]), (pinion, high[1])]
+        .map(|(teeth, (eccentricity, high))| spur(teeth, 3.0).runout(eccentricity, high));
+    pair(&wheel, &pinion, distance)
 }
 
 fn mating(wheel_tooth: u32, pinion_tooth: u32) -> Mating {
     Mating {
         wheel_tooth,
         pinion_tooth,
-        flank: Side::Right,
-        fraction: 0.0,
+        ..Mating::FIRST
     }
+}
+
+/// The pair at mating 1, 1 alone.
+fn at_one_pose(pair: &GearPair) -> Study {
+    let sweep = SweepPlan::Matings {
+        matings: vec![(1, 1)],
+        fractions: vec![0.0],
+    };
+    Study {
+        sweep: Some(sweep),
+        ..Study::of_pair("one pose", pair, 1)
+    }
+}
+
+/// `j_wt`, mm, of a pose that has one.
+fn backlash(pair: &GearPair, pose: &Pose) -> f64 {
+    let found = ExactKernel::new(pair).lost_motion(pose).unwrap();
+    found.angle().unwrap() * pair.operating_pitch_radius(pair.free())
 }

@@ -1,30 +1,16 @@
-//! Outlines through a mesh cycle, against the proven extremes of the same gears.
+//! Outlines through a mesh cycle against the proven extremes of the same gears, and the uncertainty of an extreme.
 
 use super::*;
 use gearlash::analysis::backlash_map::BacklashMap;
-use gearlash::analysis::extremes::{RunExtremes, extremes};
-use gearlash::analysis::study::{Material, Study};
+use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::analysis::verdict::Requirement;
-use gearlash::analysis::{Analysis, Plan};
-use gearlash::contact::{Method, Status};
-use gearlash::outline::OutlineGear;
-use gearlash::pair::SweepPlan;
 
-pub(super) fn extremes_of_outlines(study: &Study) -> RunExtremes {
-    let on = || ControlFlow::Continue(());
-    let found = extremes(study, Method::Exact { certify: true }, &on).unwrap();
-    found.each.into_iter().next().unwrap()
-}
-
-pub(super) fn study_of(pair: &GearPair) -> Study {
+fn study_of(pair: &GearPair) -> Study {
     let gear = |member| OutlineGear::from(pair.gear(member));
+    let (wheel, pinion) = (gear(Member::Wheel), gear(Member::Pinion));
     Study::of_drawn(
         "outlines",
-        vec![(
-            Material::AsMeasured,
-            gear(Member::Wheel),
-            gear(Member::Pinion),
-        )],
+        vec![(Material::AsMeasured, wheel, pinion)],
         pair.locked(),
         vec![pair.center_distance()],
         SweepPlan::hunting_cycle(pair, 8, (1, 1)),
@@ -34,24 +20,25 @@ pub(super) fn study_of(pair: &GearPair) -> Study {
 /// 51/23 with a hunting cycle of 1173 matings: both brackets hold the same extremes. Source: the exact method's.
 #[test]
 fn a_hunting_pair_has_the_extremes_that_are_proven() {
-    let file = input::read(&fixture("hunting_51x23.toml")).unwrap();
-    let (_, wheel, pinion) = file.study.materials[0].clone();
-    let pair = GearPair::new(wheel, pinion, file.study.center_distances[0]).unwrap();
+    let study = study_of_fixture("hunting_51x23.toml");
+    let (_, wheel, pinion) = study.materials[0].clone();
+    let pair = GearPair::new(wheel, pinion, study.center_distances[0]).unwrap();
     let proven = extremes_of(&pair);
-    let run = extremes_of_outlines(&study_of(&pair));
+    let run = run_of(&study_of(&pair));
     assert_eq!(run.matings, proven.matings);
-    let (least, greatest) = (proven.least.unwrap(), proven.greatest.unwrap());
-    for (known, end) in [(&least, &run.least), (&greatest, &run.greatest)] {
-        let end = end.as_ref().unwrap();
+    for (known, end) in [
+        (&proven.least, &run.least),
+        (&proven.greatest, &run.greatest),
+    ] {
+        let (known, end) = (known.as_ref().unwrap(), end.as_ref().unwrap());
         assert!(end.is_proven(), "{end:?}");
         // Rounding of two methods.
         assert!(known.low <= end.high + 1e-10 && end.low <= known.high + 1e-10);
-        assert!((known.low - end.found()).abs() < 1e-5, "{known:?} {end:?}");
+        near("extreme", end.found(), known.low, 1e-5);
     }
     assert_eq!(run.assembles(), Some(false));
-    let from = run.assembles_from.unwrap();
-    let known = proven.assembles_from.unwrap();
-    assert!((from.high - known.high).abs() < 3e-5, "{from:?} {known:?}");
+    let [from, known] = [run, proven].map(|run| run.assembles_from.unwrap().high);
+    near("assembles from", from, known, 3e-5);
 }
 
 /// Polygons of 8 chords a flank: their backlash peaks between sampled poses, at 221.57 µm. Source: a polar gap written independently, on both
@@ -61,30 +48,24 @@ fn the_peak_between_sampled_poses_is_found() {
     let file = input::read(Path::new("tests/corpus/pairs/chords_32_12.toml")).unwrap();
     let plan = Plan::new(&file.study, Method::Exact { certify: true });
     let analysis = Analysis::silently(&plan.with_revolution().with_extremes()).unwrap();
-    let checked = extremes_of_outlines(&file.study).greatest.unwrap().found();
-    let drawn = analysis.curves[0].poses.iter();
-    let curve = drawn.filter_map(|pose| pose.simulated.backlash);
-    let shown = analysis.extremes.each[0].greatest.as_ref().unwrap().found();
-    assert!((1e3 * checked - 221.57).abs() < 0.005, "{checked}");
-    assert!((1e3 * shown - 221.57).abs() < 0.005, "{shown}");
     let greatest = analysis.extremes.each[0].greatest.as_ref().unwrap();
-    assert!(greatest.is_proven() && curve.fold(0.0, f64::max) <= greatest.high);
+    let checked = run_of(&file.study).greatest.unwrap().found();
+    near("checked", 1e3 * checked, 221.57, 0.005);
+    near("shown", 1e3 * greatest.found(), 221.57, 0.005);
+    let drawn = analysis.curves[0].poses.iter();
+    let [_, most] = ends(drawn.filter_map(|pose| pose.simulated.backlash));
+    assert!(greatest.is_proven() && most <= greatest.high);
     assert_eq!(analysis.verdict().requirement, Requirement::NotMet);
 }
 
 /// A pair too near, and one out of mesh: said so, and from where on it assembles.
 #[test]
 fn what_jams_says_from_where_it_assembles() {
-    let gear = |face| AsBuilt::perfect(Gear::nominal(design(20, 2.0)).unwrap(), face);
-    let at = |distance| {
-        let pair = GearPair::new(gear(Face::Front), gear(Face::Back), distance).unwrap();
-        extremes_of_outlines(&study_of(&pair))
-    };
+    let at = |distance| run_of(&study_of(&pair(&spur(20, 2.0), &spur(20, 2.0), distance)));
     let jammed = at(39.0);
     assert_eq!(jammed.assembles(), Some(false));
     // Perfect gears without backlash at the sum of their pitch radii.
-    let from = jammed.assembles_from.unwrap();
-    assert!((from.high - 40.0).abs() < 2e-5, "{from:?}");
+    near("from", jammed.assembles_from.unwrap().high, 40.0, 2e-5);
     let apart = at(44.5);
     assert_eq!(apart.status, Status::NoContact);
     assert!(apart.greatest.is_none() && apart.assembles_from.is_none());
@@ -94,43 +75,176 @@ fn what_jams_says_from_where_it_assembles() {
 /// the extremes; with play in the bearings those at a ∓ c.
 #[test]
 fn a_pair_that_turns_has_a_map_and_the_play_of_its_bearings() {
-    let gear = |face| AsBuilt::perfect(Gear::nominal(design(20, 2.0)).unwrap(), face);
     let angle = 20f64.to_radians();
-    let involute = |angle: f64| angle.tan() - angle;
     let known = |a: f64| {
         let operating = (40.0 * angle.cos() / a).min(1.0).acos();
-        2.0 * a * (involute(operating) - involute(angle))
+        2.0 * a * (inv(operating) - inv(angle))
     };
-    let pair = GearPair::new(gear(Face::Front), gear(Face::Back), 40.3).unwrap();
-    let mut study = study_of(&pair);
+    let mut study = study_of(&pair(&spur(20, 2.0), &spur(20, 2.0), 40.3));
     study.bearing_clearance = 0.05;
-    let run = extremes_of_outlines(&study);
+    let run = run_of(&study);
     assert_eq!(run.assembles(), Some(true));
     let play = run.bearings.as_ref().unwrap();
-    let ends = [
+    for (end, a) in [
         (&run.least, 40.3),
         (&run.greatest, 40.3),
         (&play.pressed.extreme, 40.25),
         (&play.apart.extreme, 40.35),
-    ];
-    for (end, a) in ends {
-        let found = end.as_ref().unwrap().found();
-        assert!((found - known(a)).abs() < 1e-9, "{a} {found}");
+    ] {
+        near(a, end.as_ref().unwrap().found(), known(a), 1e-9);
     }
     let each = [run];
-    let maps = BacklashMap::of_study(&study, &each, &|| ControlFlow::Continue(())).unwrap();
+    let maps = BacklashMap::of_study(&study, &each, &on).unwrap();
     let map = &maps[0];
     assert_eq!(map.cells.len(), map.distances.len() * map.columns);
     for (a, row) in map.distances.iter().zip(map.cells.chunks(map.columns)) {
         // Below 40 mm tips reach fillets, and above 41 mm corners touch.
-        if !(40.0..41.0).contains(a) {
-            continue;
-        }
-        for cell in row {
-            let j_wt = cell.backlash.unwrap();
-            assert!((j_wt - known(*a)).abs() < 1e-9, "{a} {j_wt}");
+        if (40.0..41.0).contains(a) {
+            for cell in row {
+                near(a, cell.backlash.unwrap(), known(*a), 1e-9);
+            }
         }
     }
     // Stopped, there is no map.
     assert!(BacklashMap::of_study(&study, &each, &|| ControlFlow::Break(())).is_err());
+}
+
+fn unit(random: &mut Random) -> f64 {
+    random.within(0.0, 1.0)
+}
+
+/// Standard normal (Box and Muller).
+fn normal(random: &mut Random) -> f64 {
+    let radius = (-2.0 * (1.0 - unit(random)).ln()).sqrt();
+    radius * (TAU * unit(random)).cos()
+}
+
+/// The inputs of a pair.
+#[derive(Clone)]
+struct Inputs {
+    gears: [Make; 2],
+    distance: f64,
+}
+
+impl Inputs {
+    /// A module of 2 mm; the gear that shows its back is left-handed.
+    fn draw(random: &mut Random, helix_deg: f64) -> Inputs {
+        let teeth = [0, 1].map(|_| 20 + (30.0 * unit(random)) as u32);
+        let thinner = teeth.map(|_| 0.02 + 0.02 * unit(random));
+        let runout = [0, 1].map(|_| 0.01 + 0.02 * unit(random));
+        let high = teeth.map(|teeth| 1.0 + unit(random) * f64::from(teeth - 1));
+        let gear = |k: usize, hand| {
+            let gear = spur(teeth[k], 2.0).helix(helix_deg, hand);
+            gear.thinner(thinner[k]).runout(0.5 * runout[k], high[k])
+        };
+        Inputs {
+            gears: [gear(0, Hand::Right), gear(1, Hand::Left)],
+            distance: f64::from(teeth[0] + teeth[1]) / helix_deg.to_radians().cos() + 0.05,
+        }
+    }
+
+    fn pair(&self) -> GearPair {
+        let pair = pair(&self.gears[0], &self.gears[1], self.distance);
+        pair.with_face([-15.0, 15.0]).unwrap()
+    }
+
+    fn redrawn(&self, of: &Uncertainty, random: &mut Random) -> Inputs {
+        let mut all = self.clone();
+        for k in 0..2 {
+            all.gears[k].thinner -= of.base_thickness[k] * normal(random);
+        }
+        for gear in &mut all.gears {
+            gear.deviations.eccentricity += 0.5 * of.runout * normal(random);
+        }
+        all.distance += of.center_distance * normal(random);
+        all
+    }
+}
+
+/// `j_wt` of the least and of the greatest.
+fn least_and_greatest(pair: &GearPair) -> [f64; 2] {
+    let kernel = ExactKernel::new(pair);
+    let matings = cycle::matings(pair);
+    let found = kernel.extremes(pair, Mating::FIRST, matings, 1e-6).unwrap();
+    [found.least, found.greatest].map(|extreme| extreme.unwrap().low)
+}
+
+/// The expanded uncertainty of the least and of the greatest.
+fn told(run: &RunExtremes, uncertainty: &Uncertainty) -> [f64; 2] {
+    [&run.least, &run.greatest].map(|extreme| {
+        let extreme = extreme.as_ref().unwrap();
+        let of = uncertainty.of(&extreme.assembly, &extreme.pose.simulated);
+        of.unwrap()
+    })
+}
+
+/// The propagation of JCGM 100 against sampling as in JCGM 101, which shares nothing with it but the gears. Thickness of either gear 1 µm, runout
+/// 2 µm, centre distance 2 µm: within 5 % (issue 14), of which sampling takes up 1/√(2 n).
+fn redraws_hold(pairs: u32, redraws: u32, helix_deg: f64) {
+    let mut random = Random(14);
+    let uncertainty = Uncertainty {
+        base_thickness: [1e-3; 2],
+        runout: 2e-3,
+        center_distance: 2e-3,
+        coverage: 2.0,
+        ..Uncertainty::default()
+    };
+    for _ in 0..pairs {
+        let inputs = Inputs::draw(&mut random, helix_deg);
+        let pair = inputs.pair();
+        let told = told(&extremes_of(&pair), &uncertainty);
+        let mut sums = [[0.0; 2]; 2];
+        let centre = least_and_greatest(&pair);
+        for _ in 0..redraws {
+            let drawn = least_and_greatest(&inputs.redrawn(&uncertainty, &mut random).pair());
+            for k in 0..2 {
+                let off = drawn[k] - centre[k];
+                sums[k][0] += off;
+                sums[k][1] += off * off;
+            }
+        }
+        let n = f64::from(redraws);
+        for (told, [sum, square]) in told.into_iter().zip(sums) {
+            let spread = 2.0 * (square / n - (sum / n).powi(2)).sqrt();
+            near(inputs.distance, told / spread, 1.0, 0.05);
+        }
+    }
+}
+
+#[test]
+fn the_uncertainty_is_that_of_redrawn_inputs() {
+    redraws_hold(3, 2000, 0.0);
+}
+
+/// Helical pairs whose least is where a face of 30 mm has it.
+#[test]
+fn the_uncertainty_of_helical_pairs_is_that_of_redrawn_inputs() {
+    redraws_hold(2, 2000, 18.0);
+}
+
+/// As issue 14 asks; some minutes.
+#[test]
+#[ignore = "20 pairs, 10 000 redraws each: minutes"]
+fn the_uncertainty_of_twenty_pairs() {
+    redraws_hold(20, 10_000, 0.0);
+}
+
+/// Gears by data and their outlines have the same uncertainty. Source: arms and normals of the same contacts.
+#[test]
+fn outlines_have_the_uncertainty_of_their_data() {
+    let mut random = Random(44);
+    let uncertainty = Uncertainty {
+        runout: 2e-3,
+        center_distance: 3e-3,
+        coverage: 2.0,
+        ..Uncertainty::default()
+    };
+    for _ in 0..3 {
+        let pair = Inputs::draw(&mut random, 0.0).pair();
+        let drawn = told(&run_of(&study_of(&pair)), &uncertainty);
+        let data = told(&extremes_of(&pair), &uncertainty);
+        for (drawn, data) in drawn.into_iter().zip(data) {
+            near("drawn by data", drawn / data, 1.0, 1e-3);
+        }
+    }
 }

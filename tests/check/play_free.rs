@@ -4,10 +4,8 @@
 #[allow(dead_code)] // the exact method's tests use the rest
 mod drawn;
 
+use super::*;
 use drawn::{Kind, Random};
-use gearlash::analysis::diagnosis::{non_involute_onset, zero_distance};
-use gearlash::contact::{ExactKernel, PoseClass, Status};
-use gearlash::pair::{GearPair, Mating, Pose};
 
 /// Drawn pairs that tell the program from one with a small mistake in it (a mutant: `tests/README.md`).
 const PLAY_FREE: [u64; 9] = [0, 2, 4, 7, 8, 9, 10, 11, 13];
@@ -50,7 +48,7 @@ fn plays(pair: &GearPair, distance: f64, matings: &[Mating]) -> Vec<f64> {
 }
 
 fn least(plays: Vec<f64>) -> f64 {
-    plays.into_iter().fold(f64::INFINITY, f64::min)
+    ends(plays)[0]
 }
 
 /// At `a_0` the pose named has no play, and no other has less: none of 256 a pitch `all` round or within half a pitch, of 4096 within a 64th, and of those

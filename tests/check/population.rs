@@ -2,59 +2,85 @@
 //!
 //! `j_wt = p_w − s_w1 − s_w2` with `s_w = 2 r_w (s_b/(2 r_b) − inv α_wt)` (ISO 21771).
 
-use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, involute, thickness as shop};
-use gearlash::outline::{OutlineGear, OutlinePair};
-use gearlash::pair::{GearPair, Member};
+use super::*;
+use gearlash::outline::OutlinePair;
 use gearlash::population::{
     Draw, Factor, GearScatter, Population, PopulationError, Requirement, Run, Sample, Scatter,
     Scatters, Statistics, Tally, contributions, limit_cases,
 };
-use std::ops::ControlFlow;
 
-pub(super) fn go_on() -> ControlFlow<()> {
-    ControlFlow::Continue(())
+pub(super) fn sample(population: &Population, requirement: Requirement, seed: u64) -> Sample<'_> {
+    Sample {
+        population,
+        requirement,
+        seed,
+    }
 }
 
 /// The sums over the assemblies 1 to `total`.
 pub(super) fn sums(sample: &Sample, total: u64) -> Tally {
     let mut tally = Tally::default();
-    for row in sample.rows(1..total + 1, &go_on).unwrap() {
+    for row in sample.rows(1..total + 1, &on).unwrap() {
         tally.count(&row, total).unwrap();
     }
     tally
 }
 
-pub(super) fn gear(teeth: u32, face: Face) -> AsBuilt {
-    let basic_data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();
-    let gear = Gear::nominal(GearDesign::standard(basic_data)).unwrap();
-    AsBuilt::perfect(gear, face)
+pub(super) fn drawn(seed: u64, number: u64) -> Draw {
+    Draw {
+        seed,
+        run: Run::Population,
+        number,
+    }
 }
 
-pub(super) fn pair(center_distance: f64) -> GearPair {
-    GearPair::new(gear(44, Face::Front), gear(44, Face::Back), center_distance).unwrap()
+/// Perfect gears of module 3.
+pub(super) fn perfect(teeth: [u32; 2], center_distance: f64) -> GearPair {
+    pair(&spur(teeth[0], 3.0), &spur(teeth[1], 3.0), center_distance)
+}
+
+/// 44/44 at 132.1 mm.
+pub(super) fn rig() -> GearPair {
+    perfect([44, 44], 132.1)
 }
 
 /// `j_wt`, mm, of perfect 44/44, m 3, 20° whose teeth are thicker by so much, mm at the reference circle.
 pub(super) fn closed_form(center_distance: f64, thicker: [f64; 2]) -> f64 {
-    let gear = gear(44, Face::Front);
-    let (data, nominal) = (gear.gear().basic_data(), gear.gear().base_thickness());
-    let pressure = (2.0 * data.base_radius() / center_distance).acos();
-    let radius = 0.5 * center_distance;
+    let alpha = 20f64.to_radians();
+    let (radius, base) = (0.5 * center_distance, 66.0 * alpha.cos());
+    let pressure = (base / radius).acos();
     let thickness = thicker.map(|thicker| {
-        let base = shop::base_from_allowance(data, nominal, thicker);
-        2.0 * radius * (base / (2.0 * data.base_radius()) - involute::inv(pressure))
+        // On the reference circle, as an angle.
+        let angle = (1.5 * PI + thicker) / 66.0;
+        radius * (angle + 2.0 * (inv(alpha) - inv(pressure)))
     });
-    std::f64::consts::TAU * radius / 44.0 - thickness[0] - thickness[1]
+    TAU * radius / 44.0 - thickness[0] - thickness[1]
+}
+
+/// How much `j_wt` changes with the thickness of a gear.
+fn slope() -> f64 {
+    (closed_form(132.1, [0.01, 0.0]) - closed_form(132.1, [0.0; 2])) / 0.01
+}
+
+pub(super) fn of_gear(thickness: Option<Scatter>, runout: Option<Scatter>) -> GearScatter {
+    GearScatter {
+        thickness,
+        runout,
+        ..GearScatter::default()
+    }
 }
 
 pub(super) fn of_thickness(wheel: Option<Scatter>, pinion: Option<Scatter>) -> Scatters {
-    let gear = |thickness| GearScatter {
-        thickness,
-        ..GearScatter::default()
-    };
     Scatters {
-        wheel: gear(wheel),
-        pinion: gear(pinion),
+        wheel: of_gear(wheel, None),
+        pinion: of_gear(pinion, None),
+        ..Scatters::default()
+    }
+}
+
+pub(super) fn of_wheel(wheel: GearScatter) -> Scatters {
+    Scatters {
+        wheel,
         ..Scatters::default()
     }
 }
@@ -63,44 +89,39 @@ pub(super) fn normal(sigma: f64) -> Option<Scatter> {
     Some(Scatter::normal(0.0, sigma).unwrap())
 }
 
+pub(super) fn within(low: f64, high: f64) -> Option<Scatter> {
+    Some(Scatter::uniform(low, high).unwrap())
+}
+
 /// Thickness, runout, pitch, distance, play and phase of 30/20.
 pub(super) fn everything() -> Population {
     let of = |sigma| GearScatter {
-        thickness: normal(sigma),
-        runout: Some(Scatter::rayleigh(0.01).unwrap()),
         pitch: Some(0.003),
-        per_tooth: Some(Scatter::uniform(-0.002, 0.002).unwrap()),
-        ..GearScatter::default()
+        per_tooth: within(-0.002, 0.002),
+        ..of_gear(normal(sigma), Some(Scatter::rayleigh(0.01).unwrap()))
     };
     let scatters = Scatters {
         wheel: of(0.01),
         pinion: of(0.02),
         center_distance: Some(Scatter::triangular(-0.02, 0.0, 0.02).unwrap()),
-        bearing_play: Some(Scatter::uniform(0.0, 0.01).unwrap()),
+        bearing_play: within(0.0, 0.01),
         phase: true,
         thickness_correlation: 0.5,
         ..Scatters::default()
     };
-    let pair = GearPair::new(gear(30, Face::Front), gear(20, Face::Back), 75.2).unwrap();
-    Population::new(pair, scatters).unwrap()
+    Population::new(perfect([30, 20], 75.2), scatters).unwrap()
 }
 
 /// The share of a normal population below a limit is Φ((limit − mean)/σ): inside the interval of 95 % in 95 % of samples or more. Three
 /// standard errors of a count of 200 below that: 180.
 #[test]
 fn the_interval_holds_the_closed_form_as_often_as_it_says() {
-    let population = Population::new(pair(132.1), of_thickness(normal(0.012), None)).unwrap();
+    let population = Population::new(rig(), of_thickness(normal(0.012), None)).unwrap();
     // Where 5 % lie below; j_wt is linear in the thickness.
-    let slope = (closed_form(132.1, [0.01, 0.0]) - closed_form(132.1, [0.0; 2])) / 0.01;
-    let limit = closed_form(132.1, [0.0; 2]) + slope * 0.012 * 1.6448536269514722;
+    let limit = closed_form(132.1, [0.0; 2]) + slope() * 0.012 * 1.6448536269514722;
     let holds = (0..200).filter(|&seed| {
         let requirement = Requirement::new(Some(limit), None);
-        let all = Sample {
-            population: &population,
-            requirement,
-            seed,
-        };
-        let tally = sums(&all, 400);
+        let tally = sums(&sample(&population, requirement, seed), 400);
         let below = Statistics::of(&tally, &requirement).below;
         below.low <= 0.05 && 0.05 <= below.high
     });
@@ -111,36 +132,26 @@ fn the_interval_holds_the_closed_form_as_often_as_it_says() {
 /// Moments of a normal population: mean and σ within four standard errors.
 #[test]
 fn spread_of_thickness_is_the_closed_form() {
-    let both = of_thickness(normal(0.012), normal(0.016));
-    for (correlation, sigma) in [
+    for (thickness_correlation, sigma) in [
         (0.0, 0.02),
         (1.0, 0.028),
         (-1.0, 0.004),
         (0.5, 0.02433105012119288),
     ] {
         let scatters = Scatters {
-            thickness_correlation: correlation,
-            ..both.clone()
+            thickness_correlation,
+            ..of_thickness(normal(0.012), normal(0.016))
         };
-        let population = Population::new(pair(132.1), scatters).unwrap();
+        let population = Population::new(rig(), scatters).unwrap();
         let requirement = Requirement::new(None, None);
-        let all = Sample {
-            population: &population,
-            requirement,
-            seed: 3,
-        };
-        let tally = sums(&all, 4000);
+        let tally = sums(&sample(&population, requirement, 3), 4000);
         let found = Statistics::of(&tally, &requirement).least;
-        let slope = (closed_form(132.1, [0.0; 2]) - closed_form(132.1, [0.01, 0.0])) / 0.01;
-        let sigma = slope * sigma;
-        let root = 4000f64.sqrt();
-        let off = found.mean.unwrap() - closed_form(132.1, [0.0; 2]);
-        assert!(off.abs() < 4.0 * sigma / root, "{correlation}: {off}");
-        let off = found.sigma.unwrap() / sigma - 1.0;
-        assert!(
-            off.abs() < 4.0 / (2f64.sqrt() * root),
-            "{correlation}: {off}"
-        );
+        let sigma = -slope() * sigma;
+        let (mean, root) = (closed_form(132.1, [0.0; 2]), 4000f64.sqrt());
+        let what = thickness_correlation;
+        near(what, found.mean.unwrap(), mean, 4.0 * sigma / root);
+        let share = found.sigma.unwrap() / sigma;
+        near(what, share, 1.0, 4.0 / (2f64.sqrt() * root));
     }
 }
 
@@ -148,26 +159,18 @@ fn spread_of_thickness_is_the_closed_form() {
 /// 2010, additive case). 2.04 standard errors of 32 groups are 95 %.
 #[test]
 fn contributions_of_a_linear_case_lie_within_their_errors() {
-    let center_distance = normal(0.01);
     let scatters = Scatters {
-        center_distance,
+        center_distance: normal(0.01),
         ..of_thickness(normal(0.008), normal(0.012))
     };
-    let population = Population::new(pair(132.1), scatters).unwrap();
-    let at = |thick, distance| closed_form(132.1 + distance, [thick, 0.0]);
-    let by_thickness = (at(1e-3, 0.0) - at(-1e-3, 0.0)) / 2e-3;
-    let by_distance = (at(0.0, 1e-3) - at(0.0, -1e-3)) / 2e-3;
-    let parts = [
-        by_thickness * 0.008,
-        by_thickness * 0.012,
-        by_distance * 0.01,
-    ];
-    let parts = parts.map(|part| part * part);
+    let population = Population::new(rig(), scatters).unwrap();
+    let at = |distance| closed_form(132.1 + distance, [0.0; 2]);
+    let by_distance = (at(1e-3) - at(-1e-3)) / 2e-3;
+    let parts = [slope() * 0.008, slope() * 0.012, by_distance * 0.01].map(|part| part * part);
     let sum: f64 = parts.iter().sum();
     let (mut inside, mut all) = (0, 0);
     for seed in 0..50 {
-        let [least, greatest] = contributions(&population, seed, 512, &go_on).unwrap();
-        for found in [least, greatest] {
+        for found in contributions(&population, seed, 512, &on).unwrap() {
             assert_eq!((found.rows, found.left_out, found.each.len()), (512, 0, 3));
             for (one, part) in found.each.iter().zip(parts) {
                 for estimate in [one.first, one.total] {
@@ -178,31 +181,25 @@ fn contributions_of_a_linear_case_lie_within_their_errors() {
             }
         }
     }
-    assert!(
-        f64::from(inside) >= 0.93 * f64::from(all),
-        "{inside} of {all}"
-    );
+    let share = f64::from(inside) / f64::from(all);
+    assert!(share >= 0.93, "{inside} of {all}");
 }
 
 /// One wheel with a runout of any direction, drawn whole, against a pinion with the same number of teeth and a known
 /// high tooth. Assembled in one phase, only the direction varies, so its index is 1.
 #[test]
 fn the_direction_of_whole_gears_contributes() {
-    let open = gear(44, Face::Front).with_runout_of_any_direction(0.015);
-    let pinion = gear(44, Face::Back).with_runout(0.01, 7.0).unwrap();
-    let pair = GearPair::new(gear(44, Face::Front), pinion, 132.1).unwrap();
-    let scatters = Scatters {
-        wheel: GearScatter {
-            gears: Some([open.unwrap()].into()),
-            ..GearScatter::default()
-        },
-        ..Scatters::default()
-    };
+    let open = spur(44, 3.0).front().with_runout_of_any_direction(0.015);
+    let pair = pair(&spur(44, 3.0), &spur(44, 3.0).runout(0.01, 7.0), 132.1);
+    let scatters = of_wheel(GearScatter {
+        gears: Some([open.unwrap()].into()),
+        ..GearScatter::default()
+    });
     let population = Population::new(pair, scatters).unwrap();
     let wheel = Member::Wheel;
     let factors = [Factor::Runout(wheel), Factor::Gear(wheel)];
     assert_eq!(population.factors(), factors);
-    for found in contributions(&population, 1, 256, &go_on).unwrap() {
+    for found in contributions(&population, 1, 256, &on).unwrap() {
         let [direction, which] = [found.each[0], found.each[1]];
         assert!(direction.total.admits(1.0, 5.0) && direction.first.admits(1.0, 5.0));
         assert_eq!(which.total.value, 0.0);
@@ -213,23 +210,15 @@ fn the_direction_of_whole_gears_contributes() {
 #[test]
 fn sums_do_not_depend_on_how_their_rows_were_cut() {
     let population = everything();
-    let all = Sample {
-        population: &population,
-        requirement: Requirement::new(Some(0.05), Some(0.4)),
-        seed: 11,
-    };
+    let all = sample(&population, Requirement::new(Some(0.05), Some(0.4)), 11);
     let whole = sums(&all, 200);
-    assert!(
-        whole.outside > 0 && whole.outside < 200,
-        "{}",
-        whole.outside
-    );
-    let contributed = contributions(&population, 11, 40, &go_on).unwrap();
+    assert!((1..200).contains(&whole.outside), "{}", whole.outside);
+    let contributed = contributions(&population, 11, 40, &on).unwrap();
     for cuts in [3u64, 7, 64] {
         let mut tally = Tally::default();
         for k in (0..cuts).rev() {
             let range = 1 + 200 * k / cuts..1 + 200 * (k + 1) / cuts;
-            for row in all.rows(range, &go_on).unwrap().iter().rev() {
+            for row in all.rows(range, &on).unwrap().iter().rev() {
                 tally.count(row, 200).unwrap();
             }
         }
@@ -240,7 +229,7 @@ fn sums_do_not_depend_on_how_their_rows_were_cut() {
         let pool = pool.build().unwrap();
         let tally = pool.install(|| sums(&all, 200));
         assert_eq!(tally, whole, "{threads}");
-        let again = pool.install(|| contributions(&population, 11, 40, &go_on).unwrap());
+        let again = pool.install(|| contributions(&population, 11, 40, &on).unwrap());
         assert_eq!(again, contributed, "{threads}");
     }
 }
@@ -249,52 +238,39 @@ fn sums_do_not_depend_on_how_their_rows_were_cut() {
 #[test]
 fn play_of_the_bearings_moves_both_extremes() {
     let scatters = of_thickness(Some(Scatter::table(&[0.01]).unwrap()), None);
-    let population = Population::new(pair(132.1), scatters).unwrap();
+    let population = Population::new(rig(), scatters).unwrap();
     let population = population.with_bearing_clearance(0.02);
-    let draw = Draw {
-        seed: 0,
-        run: Run::Population,
-        number: 1,
-    };
-    let found = population.assembly(draw).unwrap().outcome().unwrap();
-    let closed = [132.08, 132.12].map(|a| closed_form(a, [0.01, 0.0]));
-    assert!((found.least.unwrap() - closed[0]).abs() < 1e-9);
-    assert!((found.greatest.unwrap() - closed[1]).abs() < 1e-9);
+    let found = population.assembly(drawn(0, 1)).unwrap().outcome().unwrap();
+    let [least, greatest] = [132.08, 132.12].map(|a| closed_form(a, [0.01, 0.0]));
+    near("least", found.least.unwrap(), least, 1e-9);
+    near("greatest", found.greatest.unwrap(), greatest, 1e-9);
 }
 
 /// A pair of outlines scatters as the same pair by data: each assembly has the same extremes, and the limits are the same. Source: the exact
 /// method's extremes of the gears by data.
 #[test]
 fn outlines_scatter_as_their_data() {
-    let by_data = GearPair::new(gear(20, Face::Front), gear(20, Face::Back), 60.3).unwrap();
+    let by_data = perfect([20, 20], 60.3);
     let outline = |member| OutlineGear::from(by_data.gear(member));
     let (wheel, pinion) = (outline(Member::Wheel), outline(Member::Pinion));
-    let drawn = OutlinePair::new(wheel, pinion, 60.3, Member::Wheel).unwrap();
+    let by_outline = OutlinePair::new(wheel, pinion, 60.3, Member::Wheel).unwrap();
     let axes = || Scatters {
-        center_distance: Some(Scatter::normal(0.0, 0.02).unwrap()),
-        bearing_play: Some(Scatter::uniform(0.0, 0.01).unwrap()),
+        center_distance: normal(0.02),
+        bearing_play: within(0.0, 0.01),
         ..Scatters::default()
     };
-    let runout = |highest| GearScatter {
-        runout: Some(Scatter::uniform(0.0, highest).unwrap()),
-        ..GearScatter::default()
-    };
     let all = || Scatters {
-        wheel: runout(0.05),
-        pinion: runout(0.03),
+        wheel: of_gear(None, within(0.0, 0.05)),
+        pinion: of_gear(None, within(0.0, 0.03)),
         ..axes()
     };
     let populations = [
         Population::new(by_data.clone(), all()).unwrap(),
-        Population::new(drawn.clone(), all()).unwrap(),
+        Population::new(by_outline.clone(), all()).unwrap(),
     ];
     let rows = populations.each_ref().map(|population| {
-        let sample = Sample {
-            population,
-            requirement: Requirement::new(None, None),
-            seed: 3,
-        };
-        sample.rows(1..5, &go_on).unwrap()
+        let sample = sample(population, Requirement::new(None, None), 3);
+        sample.rows(1..5, &on).unwrap()
     });
     // Tenths of a nanometre: proven brackets of outlines are 50 nm wide.
     let is_near =
@@ -305,15 +281,95 @@ fn outlines_scatter_as_their_data() {
         assert!(is_near(data.greatest, drawn.greatest), "{data:?} {drawn:?}");
     }
     assert_eq!(limit_cases(&populations[1]).unwrap(), None);
-    let limits = [
-        limit_cases(&Population::new(by_data, axes()).unwrap()),
-        limit_cases(&Population::new(drawn.clone(), axes()).unwrap()),
-    ];
-    let [data, outlines] = limits.map(|found| found.unwrap().unwrap());
-    for (data, outline) in data.worst.iter().zip(&outlines.worst) {
-        assert!((data.unwrap() - outline.unwrap()).abs() < 5e-5);
+    let [data, outlines] = [
+        Population::new(by_data, axes()).unwrap(),
+        Population::new(by_outline.clone(), axes()).unwrap(),
+    ]
+    .map(|population| limit_cases(&population).unwrap().unwrap().worst);
+    for (data, outline) in data.into_iter().zip(outlines) {
+        near("worst", outline.unwrap(), data.unwrap(), 5e-5);
     }
-    let thickness = of_thickness(Some(Scatter::normal(0.0, 0.01).unwrap()), None);
-    let refused = Population::new(drawn, thickness).unwrap_err();
+    let refused = Population::new(by_outline, of_thickness(normal(0.01), None)).unwrap_err();
     assert_eq!(refused, PopulationError::Drawn);
+}
+
+/// Closed on the circle, flanks apart, the standard deviation of the single values within four standard errors.
+#[test]
+fn drawn_pitch_closes_and_has_its_standard_deviation() {
+    let population = everything();
+    let radius = 45.0;
+    let (mut squares, mut count) = (0.0, 0.0);
+    for number in 1..=200 {
+        let assembly = population.assembly(drawn(1, number)).unwrap();
+        let wheel = assembly.pair().data().unwrap().gear(Member::Wheel);
+        // Both flanks of a tooth are turned apart by its thickness: their mean is the pitch's alone.
+        let middle = |tooth| {
+            let both = Side::BOTH.map(|side| wheel.flank_offset(side, tooth));
+            0.5 * radius * (both[0] + both[1])
+        };
+        let mean: f64 = (1..=30).map(middle).sum::<f64>() / 30.0;
+        near("mean", mean, 0.0, 1e-15);
+        for tooth in 1..=30 {
+            let single = middle(tooth) - middle(tooth % 30 + 1);
+            squares += single * single;
+            count += 1.0;
+        }
+    }
+    // The mean of two independent flanks has σ/√2.
+    let sigma = (squares / count).sqrt() / (0.003 / 2f64.sqrt());
+    near("σ", sigma, 1.0, 4.0 / (2.0 * count).sqrt());
+}
+
+/// Teeth of 5 mm more are pointed: half of them are no gear, and each is counted.
+#[test]
+fn impossible_gears_are_counted() {
+    let scatters = of_thickness(Some(Scatter::table(&[0.0, 5.0]).unwrap()), None);
+    let population = Population::new(rig(), scatters).unwrap();
+    let all = sample(&population, Requirement::new(None, None), 2);
+    let tally = sums(&all, 100);
+    let first = tally.first_impossible.unwrap();
+    assert!(population.assembly(all.draw(first)).is_err());
+    assert!((20..80).contains(&tally.counts.impossible));
+    assert_eq!(tally.counts.clear + tally.counts.impossible, 100);
+    assert_eq!((tally.outside, tally.below), (tally.counts.impossible, 0));
+}
+
+/// Each about as often: within five standard errors.
+#[test]
+fn whole_gears_are_drawn_alike() {
+    let thinner = [0.0, -0.01, -0.02].map(|by| spur(44, 3.0).allowance(by).front());
+    let wheel = GearScatter {
+        gears: Some(thinner.into()),
+        ..GearScatter::default()
+    };
+    let population = Population::new(rig(), of_wheel(wheel.clone())).unwrap();
+    assert_eq!(population.factors(), [Factor::Gear(Member::Wheel)]);
+    let requirement = Requirement::new(Some(closed_form(132.1, [-0.005, 0.0])), None);
+    let tally = sums(&sample(&population, requirement, 2), 900);
+    near("below", tally.below as f64, 300.0, 5.0 * 200f64.sqrt());
+    let both = of_wheel(GearScatter {
+        thickness: normal(0.01),
+        ..wheel
+    });
+    let refused = Population::new(rig(), both);
+    assert_eq!(refused.unwrap_err(), PopulationError::WholeGears);
+}
+
+#[test]
+fn scatter_that_cannot_be_is_refused() {
+    let refused = |scatters| Population::new(rig(), scatters).unwrap_err();
+    assert_eq!(refused(Scatters::default()), PopulationError::Nothing);
+    let normal_runout = Scatter::normal(0.02, 0.001).ok();
+    for runout in [normal_runout, within(-0.01, 0.01)] {
+        let error = refused(of_wheel(of_gear(None, runout)));
+        assert!(matches!(error, PopulationError::Negative { .. }), "{error}");
+    }
+    let correlated = |thickness_correlation, pinion| Scatters {
+        thickness_correlation,
+        ..of_thickness(normal(0.01), pinion)
+    };
+    let nothing = refused(correlated(0.5, None));
+    assert_eq!(nothing, PopulationError::NothingToCorrelate);
+    let too_much = refused(correlated(1.5, normal(0.01)));
+    assert_eq!(too_much, PopulationError::Correlation(1.5));
 }

@@ -4,13 +4,12 @@ use super::*;
 use gearlash::analysis::assembles_from::AssemblesFrom;
 use gearlash::analysis::extremes::{CoveredPhases, WIDTH, extremes_of_phase, run_count};
 use gearlash::analysis::meshes_to::MeshesTo;
-use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::verdict::{Requirement, Verdict as Said};
-use gearlash::contact::{Doubt, Status};
-use gearlash::gear::Pitch;
+
+const HIGH: [(f64, f64); 2] = [(0.01, 1.0), (0.02, 3.0)];
 
 fn run() -> RunExtremes {
-    let run = extremes_of(&eccentric(113.0, [(0.01, 1.0), (0.02, 3.0)], 31));
+    let run = extremes_of(&eccentric(113.0, HIGH, 31));
     assert!(run.is_proven() && run.status == Status::Clear);
     run
 }
@@ -49,11 +48,10 @@ fn a_run_assembles_by_the_bracket_of_its_least() {
         ([-0.1, -1e-9], Some(false)),
     ] {
         let one = with_least(&run, bracket);
-        assert_eq!(one.assembles(), assembles, "{bracket:?}");
-        assert_eq!(
-            with_status(&one, Status::Interference).assembles(),
-            assembles
-        );
+        let interferes = with_status(&one, Status::Interference);
+        for one in [&one, &interferes] {
+            assert_eq!(one.assembles(), assembles, "{bracket:?}");
+        }
         // The bracket decides alone, however wide it is.
         let mut unbounded = one.clone();
         let least = unbounded.least.as_mut().unwrap();
@@ -65,14 +63,10 @@ fn a_run_assembles_by_the_bracket_of_its_least() {
             assert_eq!(with_status(&one, status).assembles(), Some(false));
         }
     }
-    let none = RunExtremes { least: None, ..run };
+    let mut none = RunExtremes { least: None, ..run };
     assert_eq!(none.assembles(), None);
-    let doubted = |run: &RunExtremes| {
-        let mut run = run.clone();
-        run.greatest.as_mut().unwrap().high += 2.0 * WIDTH;
-        run.is_proven()
-    };
-    assert!(!doubted(&none));
+    none.greatest.as_mut().unwrap().high += 2.0 * WIDTH;
+    assert!(!none.is_proven());
 }
 
 /// All assemble, or one does not, or nothing is proven; and of nothing that was run nothing is.
@@ -82,24 +76,19 @@ fn a_pair_assembles_if_every_run_does() {
     let yes = with_least(&run, [0.1, 0.1]);
     let no = with_least(&run, [-0.1, -0.1]);
     let unknown = with_least(&run, [-0.1, 0.1]);
-    for (runs, assembles) in [
-        (vec![], None),
-        (vec![&yes], Some(true)),
-        (vec![&yes, &yes], Some(true)),
-        (vec![&yes, &unknown], None),
-        (vec![&unknown, &no], Some(false)),
-        (vec![&no, &yes], Some(false)),
+    for (runs, assembles, state) in [
+        (vec![], None, Verdict::Unproven),
+        (vec![&yes], Some(true), Verdict::Pass),
+        (vec![&yes, &yes], Some(true), Verdict::Pass),
+        (vec![&yes, &unknown], None, Verdict::Unproven),
+        (vec![&unknown, &no], Some(false), Verdict::Fail),
+        (vec![&no, &yes], Some(false), Verdict::Fail),
     ] {
         let runs: Vec<RunExtremes> = runs.into_iter().cloned().collect();
-        assert_eq!(said(&runs).assembles(), assembles);
-        let state = match assembles {
-            Some(true) => Verdict::Pass,
-            Some(false) => Verdict::Fail,
-            None => Verdict::Unproven,
-        };
-        assert_eq!(said(&runs).state(), state);
+        let said = said(&runs);
+        assert_eq!((said.assembles(), said.state()), (assembles, state));
         let most = if runs.is_empty() { 0 } else { 44 * 31 };
-        assert_eq!(said(&runs).matings(), most);
+        assert_eq!(said.matings(), most);
     }
 }
 
@@ -112,26 +101,27 @@ fn the_foremost_run_is_the_first_of_equals() {
         run.greatest.as_mut().unwrap().pose.simulated.backlash = Some(low);
         run
     };
-    let which = |backlashes: &[f64], is_max: bool| {
-        let runs: Vec<RunExtremes> = backlashes.iter().map(|low| at(*low)).collect();
+    let little = 0.9 * WIDTH;
+    let more = 1.1 * WIDTH;
+    for (backlashes, is_max, which) in [
+        ([0.2, 0.1, 0.3], false, 1),
+        ([0.2, 0.1, 0.3], true, 2),
+        ([0.1 + little, 0.1, 0.3], false, 0),
+        ([0.3, 0.1, 0.3 + little], true, 0),
+        ([0.1 + more, 0.1, 0.3], false, 1),
+        ([-0.3, -0.2, -0.3 - more], false, 2),
+    ] {
+        let runs = backlashes.map(at);
         let said = said(&runs);
         let found = if is_max {
             said.greatest()
         } else {
             said.least()
         };
-        let found = found.unwrap().0;
-        runs.iter()
-            .position(|run| std::ptr::eq(run, found))
-            .unwrap()
-    };
-    let little = 0.9 * WIDTH;
-    assert_eq!(which(&[0.2, 0.1, 0.3], false), 1);
-    assert_eq!(which(&[0.2, 0.1, 0.3], true), 2);
-    assert_eq!(which(&[0.1 + little, 0.1, 0.3], false), 0);
-    assert_eq!(which(&[0.3, 0.1, 0.3 + little], true), 0);
-    assert_eq!(which(&[0.1 + 1.1 * WIDTH, 0.1, 0.3], false), 1);
-    assert_eq!(which(&[-0.3, -0.2, -0.3 - 1.1 * WIDTH], false), 2);
+        let (found, _) = found.unwrap();
+        let is_it = std::ptr::eq(found, &runs[which]);
+        assert!(is_it, "{backlashes:?} {is_max}");
+    }
     // A pose without a value leaves the value that the search attained.
     let mut open = with_least(&run, [0.1, 0.3]);
     let least = open.least.as_mut().unwrap();
@@ -141,7 +131,7 @@ fn the_foremost_run_is_the_first_of_equals() {
     let runs = [at(0.2), at(0.1)];
     let worst = said(&runs).worst().unwrap();
     assert!(std::ptr::eq(worst.0, &runs[1]) && worst.2.simulated.backlash == Some(0.1));
-    let jammed = extremes_of(&eccentric(110.0, [(0.01, 1.0), (0.02, 3.0)], 31));
+    let jammed = extremes_of(&eccentric(110.0, HIGH, 31));
     assert_eq!(jammed.status, Status::Jammed);
     let runs = [at(0.2), jammed];
     let worst = said(&runs).worst().unwrap();
@@ -175,30 +165,22 @@ fn distances_are_of_all_runs_that_fail() {
     let from = |runs: &[RunExtremes]| said(runs).assembles_from().map(|from| from.high);
     let to = |runs: &[RunExtremes]| said(runs).meshes_to().map(|to| to.low);
     let [near, far, never] = [Some(133.0), Some(134.0), None].map(failing);
-    assert_eq!(
-        from(&[near.clone(), far.clone(), clear.clone()]),
-        Some(134.0)
-    );
-    assert_eq!(
-        from(&[far.clone(), near.clone(), other.clone()]),
-        Some(134.0)
-    );
-    assert_eq!(from(&[far.clone(), never]), None);
-    assert_eq!(from(&[clear.clone(), other.clone()]), None);
-    assert_eq!(
-        from(&[with_least(&failing(Some(133.0)), [-0.1, -0.1])]),
-        Some(133.0)
-    );
-    assert_eq!(
-        to(&[apart(Some(141.0)), other.clone(), near.clone()]),
-        Some(140.0)
-    );
-    assert_eq!(
-        to(&[other.clone(), apart(Some(141.0)), clear.clone()]),
-        Some(140.0)
-    );
-    assert_eq!(to(&[other, apart(None)]), None);
-    assert_eq!(to(&[near, clear]), None);
+    let [apart_more, apart_never] = [Some(141.0), None].map(apart);
+    let not_assembled = with_least(&near, [-0.1, -0.1]);
+    for (runs, assembles_from, meshes_to) in [
+        (vec![&near, &far, &clear], Some(134.0), None),
+        (vec![&far, &near, &other], Some(134.0), Some(140.0)),
+        (vec![&far, &never], None, None),
+        (vec![&clear, &other], None, Some(140.0)),
+        (vec![&not_assembled], Some(133.0), None),
+        (vec![&apart_more, &other, &near], Some(133.0), Some(140.0)),
+        (vec![&other, &apart_more, &clear], None, Some(140.0)),
+        (vec![&other, &apart_never], None, None),
+    ] {
+        let runs: Vec<RunExtremes> = runs.into_iter().cloned().collect();
+        assert_eq!(from(&runs), assembles_from);
+        assert_eq!(to(&runs), meshes_to);
+    }
 }
 
 /// A limit is met where the whole bracket keeps it, not met where the whole bracket misses it, and else not proven.
@@ -212,51 +194,32 @@ fn a_limit_is_met_missed_or_not_proven() {
         (0.2, Requirement::NotProven),
         (0.3, Requirement::NotMet),
     ] {
-        let limits = Limits {
-            min: Some(min),
-            max: None,
-        };
+        let (min, max) = (Some(min), None);
+        let limits = Limits { min, max };
         let required = vec![(Quantity::OperatingBacklash, limits)];
         let said = Said::new(&runs, &required, None, Vec::new());
-        assert_eq!(said.requirement, requirement, "{min}");
+        assert_eq!(said.requirement, requirement, "{min:?}");
         let missed = said.unmet.first().map(|unmet| unmet.is_missed);
         let expected =
             (requirement != Requirement::Met).then_some(requirement == Requirement::NotMet);
-        assert_eq!(missed, expected, "{min}");
+        assert_eq!(missed, expected, "{min:?}");
     }
     assert_eq!(said(&runs).requirement, Requirement::None);
-    let names = [
-        Requirement::None,
-        Requirement::Met,
-        Requirement::NotMet,
-        Requirement::NotProven,
-    ];
-    assert_eq!(
-        names.map(Requirement::name),
-        ["none", "met", "not_met", "not_proven"]
-    );
 }
 
 /// Runs of a study: one for all phases where a gear has like teeth, else one for each that its matings are of; a run of one phase is what the search of
 /// that phase finds. Source: least common multiples.
 #[test]
 fn a_study_has_a_run_for_each_phase_that_differs() {
-    let gear = |teeth: u32, face, pitch_um: f64, eccentricity| {
-        let wave: Vec<f64> = (0..teeth)
-            .map(|k| 1e-3 * pitch_um * f64::from(k * 7 % 5))
-            .collect();
-        let deviations = Deviations {
-            pitch: (pitch_um > 0.0).then(|| Pitch::from_cumulative(&wave, &wave)),
-            eccentricity,
-            high_tooth: 2.0,
-            ..Deviations::default()
-        };
-        AsBuilt::new(
-            Gear::nominal(design(teeth, 2.0)).unwrap(),
-            face,
-            &deviations,
-        )
-        .unwrap()
+    let gear = |teeth: u32, pitch_um: f64, eccentricity| {
+        let wave = (0..teeth).map(|k| 1e-3 * pitch_um * f64::from(k * 7 % 5));
+        let wave: Vec<f64> = wave.collect();
+        let gear = spur(teeth, 2.0).runout(eccentricity, 2.0);
+        if pitch_um > 0.0 {
+            gear.pitch(&wave, &wave)
+        } else {
+            gear
+        }
     };
     for (pitches, eccentricity, like, phases) in [
         // 24 and 18 teeth meet in 72 of 432 pairs: six phases.
@@ -264,19 +227,18 @@ fn a_study_has_a_run_for_each_phase_that_differs() {
         ([3.0, 0.0], 0.0, false, 1),
         ([0.0, 0.0], 0.0, true, 1),
     ] {
-        let wheel = gear(24, Face::Front, pitches[0], eccentricity);
-        let pinion = gear(18, Face::Back, pitches[1], eccentricity);
-        let pair = GearPair::new(wheel, pinion, 42.3).unwrap();
+        let [wheel, pinion] =
+            [(24, pitches[0]), (18, pitches[1])].map(|(teeth, um)| gear(teeth, um, eccentricity));
+        let pair = pair(&wheel, &pinion, 42.3);
         let mut study = Study::of_pair("phases", &pair, 1);
         study.sweep = Some(SweepPlan::Matings {
             matings: (1..=18).map(|tooth| (1, tooth)).collect(),
             fractions: vec![0.0],
         });
         assert_eq!(run_count(&study).unwrap(), phases, "{pitches:?}");
-        let on = || ControlFlow::Continue(());
-        let found = extremes(&study, Method::Exact { certify: false }, &on).unwrap();
-        assert_eq!(found.each.len() as u64, phases);
-        for (k, run) in (1..).zip(&found.each) {
+        let found = runs_of(&study, false);
+        assert_eq!(found.len() as u64, phases);
+        for (k, run) in (1..).zip(&found) {
             assert_eq!(run.has_like_teeth(), like);
             assert!(!run.any_direction());
             assert_eq!(run.matings, 72);
@@ -290,40 +252,23 @@ fn a_study_has_a_run_for_each_phase_that_differs() {
 /// 24/24 teeth, both with a runout of 30 µm: 102.01 … 151.61 µm over all 24 phases, 125.12 … 128.37 µm in the first. Source: an independent program.
 #[test]
 fn extremes_are_of_every_assembly_phase_or_of_those_listed() {
-    let gear = |allowance, high_tooth, face| {
-        let basic_data = BasicGearData::new(24, 2.0, 20f64.to_radians()).unwrap();
-        let design = GearDesign {
-            profile_shift: 0.2,
-            ..GearDesign::standard(basic_data)
-        };
-        let base = gearlash::gear::thickness::base_from_allowance(
-            &basic_data,
-            design.nominal_base_thickness(),
-            allowance,
-        );
-        let deviations = Deviations {
-            eccentricity: 0.015,
-            high_tooth,
-            ..Deviations::default()
-        };
-        AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
+    let gear = |allowance, high| {
+        let gear = spur(24, 2.0).shift(0.2).allowance(allowance);
+        gear.runout(0.015, high)
     };
-    let wheel = gear(-0.05, 1.0, Face::Front);
-    let pinion = gear(-0.04, 13.0, Face::Back);
-    let pair = GearPair::new(wheel, pinion, 48.8).unwrap();
+    let pair = pair(&gear(-0.05, 1.0), &gear(-0.04, 13.0), 48.8);
     let mut study = Study::of_pair("phases", &pair, 1);
     for (all_phases, expected, phases) in [
         (true, [102.01, 151.61], CoveredPhases::All),
         (false, [125.12, 128.37], CoveredPhases::Some(vec![(1, 1)])),
     ] {
         study.all_phases = all_phases;
-        let on = || ControlFlow::Continue(());
-        let found = extremes(&study, Method::Exact { certify: false }, &on).unwrap();
-        assert_eq!(CoveredPhases::of(&found.each), phases);
-        let verdict = said(&found.each);
-        let ends = [verdict.least(), verdict.greatest()].map(|end| 1e3 * end.unwrap().1.found());
-        for (end, expected) in ends.iter().zip(expected) {
-            assert!((end - expected).abs() < 0.006, "{ends:?} {expected:?}");
+        let found = runs_of(&study, false);
+        assert_eq!(CoveredPhases::of(&found), phases);
+        let verdict = said(&found);
+        let ends = [verdict.least(), verdict.greatest()];
+        for (end, expected) in ends.into_iter().zip(expected) {
+            near(all_phases, 1e3 * end.unwrap().1.found(), expected, 0.006);
         }
     }
 }

@@ -1,35 +1,7 @@
-//! Helical gears: other programs' numbers, and flanks written out here as surfaces in space, searched densely.
+//! Helical gears: other programs' numbers, and flanks written out as surfaces in space, searched densely.
 
-use super::helical_dimensions::{PUBLISHED, Published};
 use super::*;
-use gearlash::analytic::InvolutePair;
-use gearlash::gauge::{OverPins, StatedThickness};
-use gearlash::gear::{Hand, thickness};
-use std::f64::consts::TAU;
-
-pub(super) fn helical(
-    teeth: u32,
-    module: f64,
-    beta_deg: f64,
-    hand: Hand,
-    shift: f64,
-) -> GearDesign {
-    let spur = BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap();
-    GearDesign {
-        basic_data: spur.with_helix(beta_deg.to_radians(), hand).unwrap(),
-        profile_shift: shift,
-        rack: BasicRack::new(1.0, 1.25, 0.25).unwrap(),
-        tip_diameter: None,
-    }
-}
-
-pub(super) fn with_pin(pin: f64, span_teeth: Option<u32>) -> Settings {
-    Settings {
-        pin: Some(pin),
-        span_teeth,
-        ..quick()
-    }
-}
+use helical_dimensions::{PUBLISHED, Published};
 
 /// Published: FVA Workbench examples 1-3, over two balls and over two pins of nominal gears. They include the allowances of the dimension
 /// over balls for −115 and −165 µm of thickness in the normal section. The measured thickness gives the gear again.
@@ -46,115 +18,228 @@ fn published_dimensions_over_balls_and_over_pins() {
         allowances,
     } in PUBLISHED
     {
-        let cases = [0.0, -0.115, -0.165].into_iter();
-        let off = [0.0, allowances[0], allowances[1]];
-        for ((allowance, off), hand) in cases.zip(off).zip([Hand::Left, Hand::Right, Hand::Left]) {
-            let design = helical(teeth, module, helix_deg, hand, shift);
-            let (data, nominal) = (design.basic_data, design.nominal_base_thickness());
-            let base = thickness::base_from_allowance(&data, nominal, allowance);
-            let part = AsBuilt::perfect(Gear::new(design, base).unwrap(), Face::Front);
-            let found = measure(&part, with_pin(ball, None));
+        for (allowance, off, hand) in [
+            (0.0, 0.0, Hand::Left),
+            (-0.115, allowances[0], Hand::Right),
+            (-0.165, allowances[1], Hand::Left),
+        ] {
+            let make = spur(teeth, module).rack(1.0, 1.25, 0.25).shift(shift);
+            let make = make.helix(helix_deg, hand).allowance(allowance);
+            let (data, base) = (make.design.basic_data, make.gear().base_thickness());
+            let found = measure(&make.front(), with_pin(ball, None));
             let pins = found.pins.unwrap();
+            // Between balls and pins lies the cosine alone, whatever the thickness.
+            let per_ball = match teeth % 2 {
+                0 => 1.0,
+                _ => (TAU / 4.0 / f64::from(teeth)).cos(),
+            };
+            let expected = over_balls + off;
             for (two, lying) in pins.two.iter().zip(&pins.lying) {
-                let expected = over_balls + off;
-                assert!(
-                    (two.length - expected).abs() < PICOMETRE,
-                    "{teeth}: {} {expected}",
-                    two.length
-                );
-                // Between balls and pins lies the cosine alone, whatever the thickness.
-                let per_ball = match teeth % 2 {
-                    0 => 1.0,
-                    _ => (TAU / 4.0 / f64::from(teeth)).cos(),
-                };
-                let expected = (expected - ball) / per_ball + ball;
-                assert!((lying.length - expected).abs() < PICOMETRE, "{teeth}");
+                near(teeth, two.length, expected, PICOMETRE);
+                let over = (expected - ball) / per_ball + ball;
+                near(teeth, lying.length, over, PICOMETRE);
                 assert!(allowance != 0.0 || (lying.length - over_pins).abs() < PICOMETRE);
-                assert!((two.length - found.formula.over_two.unwrap()).abs() <= two.error);
+                let formula = found.formula.over_two.unwrap();
+                near(teeth, two.length, formula, two.error);
             }
-            let read = OverPins::mean(&pins.two);
-            let back = thickness::base_from_pins(&data, ball, read).unwrap();
-            assert!((back - base).abs() < PICOMETRE);
-            let read = OverPins::mean(&pins.lying);
-            let back = thickness::base_from_helical_pins(&data, ball, read).unwrap();
-            assert!((back - base).abs() < PICOMETRE);
+            let (two, lying) = (OverPins::mean(&pins.two), OverPins::mean(&pins.lying));
             let spans = found.spans.unwrap();
-            let back = thickness::base_from_span(&data, spans.teeth, spans.mean());
-            assert!((back - base).abs() < PICOMETRE, "{back} {base}");
+            for back in [
+                thickness::base_from_pins(&data, ball, two).unwrap(),
+                thickness::base_from_helical_pins(&data, ball, lying).unwrap(),
+                thickness::base_from_span(&data, spans.teeth, spans.mean()),
+            ] {
+                near(teeth, back, base, PICOMETRE);
+            }
             // s_n = m_n (π/2 + 2 x tan α_n) + A_sn.
             let arcs = found.thickness.unwrap();
-            let normal = module * (TAU / 4.0 + 2.0 * shift * 20f64.to_radians().tan()) + allowance;
-            assert!((arcs.mean() * arcs.normal - normal).abs() < PICOMETRE);
-            assert!((found.formula.thickness.unwrap() * arcs.normal - normal).abs() < PICOMETRE);
-            let stated = found.stated.unwrap();
-            assert_eq!(stated, StatedThickness::Spans);
+            let normal = module * (TAU / 4.0 + 2.0 * shift * ALPHA.tan()) + allowance;
+            for arc in [arcs.mean(), found.formula.thickness.unwrap()] {
+                near(teeth, arc * arcs.normal, normal, PICOMETRE);
+            }
+            assert_eq!(found.stated.unwrap(), StatedThickness::Spans);
         }
     }
 }
 
-/// Closed form: two perfect gears without play have the distance of their involutes, over any face.
+fn centre(seat: &Seat) -> Point3<f64> {
+    Point3::new(seat.centre.x, seat.centre.y, 0.0)
+}
+
+/// A ball touches both helicoids of its space and cuts neither; a cylinder of its diameter that lies along the space does so, too.
 #[test]
-fn a_perfect_helical_gear_does_not_move_on_the_master() {
-    for (teeth, beta, face) in [(23, 24.0, [-10.0, 25.0]), (40, 8.0, [0.0, 0.0])] {
-        let gear = Gear::nominal(helical(teeth, 3.0, beta, Hand::Left, 0.2)).unwrap();
-        let part = AsBuilt::perfect(gear.clone(), Face::Front);
-        let settings = Settings { face, ..quick() };
-        let roll = measure(&part, settings).roll.unwrap();
-        let expected = InvolutePair::new(&gear, &roll.master);
-        let expected = expected.center_distance(0.0).unwrap();
-        for pose in &roll.poses {
-            let off = (pose.distance - expected).abs();
-            assert!(off <= pose.error && pose.error < 2e-10, "{off}");
+fn balls_and_pins_rest_on_both_flanks_in_space() {
+    for space in in_space() {
+        let found = measure(&space.gear, with_pin(5.5, Some(3)));
+        let pins = found.pins.unwrap();
+        for seat in pins.seats.iter().step_by(4) {
+            let centre = centre(seat);
+            // Along the helix of the centre.
+            let turning = Vector3::new(-centre.y, centre.x, 0.0) * space.twist;
+            let axis = (turning + Vector3::z()).normalize();
+            let next = seat.tooth % space.teeth + 1;
+            for (own, tooth) in [(Flank::Right, seat.tooth), (Flank::Left, next)] {
+                let ball = space.least(own, tooth, |p| (p - centre).norm());
+                near("ball", ball, 2.75, PICOMETRE);
+                let pin = space.least(own, tooth, |p| (p - centre).cross(&axis).norm());
+                near("pin", pin, 2.75, PICOMETRE);
+            }
+            // D_M/2 · sin β_b from the measuring plane, to either side.
+            let [one, other] = seat.sections;
+            near("sections", one, -other, 1e-5);
+            near("section", one.abs(), 2.75 * space.base_sin(), 1e-5);
+            let curves = seat.touched.map(|touched| touched.curve);
+            assert_eq!(curves, [ToothPlace::Involute; 2]);
+        }
+        // Runout: the ball's centre from the rotation axis, in the measuring plane.
+        let offset = space.gear.displacement(0.0);
+        for ball in &found.runout.unwrap().readings {
+            let expected = (ball.seat.centre + offset).coords.norm();
+            assert_eq!(ball.radius, expected);
         }
     }
 }
 
-/// Closed form, as for a spur gear: an eccentricity moves the gears equally in every section, `a'' = e cos χ + √(a_0² − e² sin² χ)`.
+/// Two parallel planes that lean by the base helix angle, each brought to its helicoid: their distance is the span.
 #[test]
-fn an_eccentric_helical_gear_moves_as_a_spur_gear_over_any_face() {
-    let deviations = Deviations {
-        eccentricity: 0.02,
-        high_tooth: 1.0,
-        ..Deviations::default()
+fn spans_lie_along_the_normal_of_the_helix() {
+    for space in in_space() {
+        let found = measure(&space.gear, with_pin(5.5, Some(3)));
+        let (sin, cos) = (space.base_sin(), space.base_cos());
+        for span in found.spans.unwrap().readings.iter().step_by(5) {
+            let last = (span.first_tooth + 1) % space.teeth + 1;
+            // Square to the middle of the teeth, seen along ascending numbers.
+            let ascending = space.ascending();
+            let middle = ascending * space.pitches(span.first_tooth);
+            let tangent = ascending * Vector3::new(-middle.sin(), middle.cos(), 0.0);
+            // A helicoid that sections turn along the tangent recedes along the axis.
+            let lean = -(space.twist * ascending).signum() * sin;
+            let normal = cos * tangent + lean * Vector3::z();
+            let ahead = space.least(Flank::Right, last, |p| -normal.dot(&p.coords));
+            let behind = space.least(Flank::Left, span.first_tooth, |p| normal.dot(&p.coords));
+            near("span", span.length, -ahead - behind, PICOMETRE);
+            let along = span.sections[0] - span.sections[1];
+            near("along", along.abs(), span.length * sin, 1e-6);
+            let [one, other] = span.touched.map(|touched| touched.radius);
+            near("radii", one, other, 1e-2);
+        }
+    }
+}
+
+/// Size → thickness: what was read over balls, over pins and as spans goes back to the mean base thickness, and the spans to each tooth's.
+#[test]
+fn readings_go_back_to_the_thickness() {
+    let [space, _] = in_space();
+    let data = space.gear.gear().basic_data();
+    let base = 2.0 * space.half * space.base;
+    let found = measure(&space.gear, with_pin(5.5, Some(3)));
+    let (pins, spans) = (found.pins.unwrap(), found.spans.unwrap());
+    for (body, list) in [
+        (MeasuringBody::Ball, &pins.two),
+        (MeasuringBody::Pin, &pins.lying),
+    ] {
+        let list: Vec<(u32, f64)> = list.iter().map(|over| (over.tooth, over.length)).collect();
+        let readings = PinReadings::new(data, body, 5.5, Readings::new(data, list).unwrap());
+        let back = readings.base_thickness(&space.deviations).unwrap();
+        near(body, back, base, PICOMETRE);
+        for (read, said) in readings.compare(&space.deviations).unwrap() {
+            near(body, read, said, PICOMETRE);
+        }
+    }
+    let list = spans.readings.iter();
+    let list = list.map(|span| (span.first_tooth, span.length)).collect();
+    let spans = Spans::new(data, 3, Readings::new(data, list).unwrap()).unwrap();
+    let known = Deviations {
+        per_tooth: Vec::new(),
+        ..space.deviations.clone()
     };
-    let gear = Gear::nominal(helical(40, 3.0, 20.0, Hand::Right, 0.0)).unwrap();
-    let part = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
-    for face in [[0.0, 0.0], [-5.0, 30.0]] {
-        let settings = Settings { face, ..quick() };
-        let roll = measure(&part, settings).roll.unwrap();
-        let a_0 = InvolutePair::new(part.gear(), &roll.master);
-        let a_0 = a_0.center_distance(0.0).unwrap();
-        for pose in roll.poses.iter().chain(&roll.between) {
-            let (sin, cos) = pose.rotation.sin_cos();
-            let expected = 0.02 * cos + (a_0 * a_0 - (0.02 * sin).powi(2)).sqrt();
-            assert!(
-                (pose.distance - expected).abs() < PICOMETRE,
-                "{}",
-                pose.distance
-            );
+    let mean = space.per_tooth.iter().sum::<f64>() / f64::from(space.teeth);
+    let back = spans.base_thickness(&known).unwrap();
+    let more = mean * ALPHA.cos() / space.base_cos();
+    near("by spans", back, base + more, PICOMETRE);
+    let each = spans.per_tooth(&known).unwrap().unwrap().thickness;
+    for (back, made) in each.iter().zip(&space.per_tooth) {
+        near("tooth", *back, made - mean, PICOMETRE);
+    }
+}
+
+/// The virtual gauge's readings of a gear with deviations of every kind give the eccentricity that was put in.
+#[test]
+fn readings_of_the_virtual_ball_give_the_eccentricity_back() {
+    for space in in_space() {
+        for ball in [5.0, 5.5] {
+            let read = measure(&space.gear, with_ball(ball)).runout.unwrap();
+            let mm = read.readings.iter().map(|reading| reading.radius).collect();
+            let probe = Probe::Ball(ball);
+            let readings = RunoutReadings { probe, mm };
+            let fit = readings.fit(space.gear.gear(), &space.deviations).unwrap();
+            near(ball, fit.eccentricity, 0.021, PICOMETRE);
+            near(ball, fit.high_tooth, 5.25, 1e-6);
+            near(ball, fit.range, fit.known_range, PICOMETRE);
+            for (read, said) in fit.rest {
+                near(ball, read, said, PICOMETRE);
+            }
         }
     }
 }
 
-/// At a helix angle that turns the face's ends by less than a nanometre the readings are the spur gear's.
+/// A fork of two plane faces, each at `α_n` to its axis in the normal section and inclined at the helix angle. It
+/// slides towards the axis of the gear, which turns until both faces touch: each face meets its helicoid in space.
 #[test]
-fn a_vanishing_helix_angle_is_a_spur_gear() {
-    let read = |beta_deg: f64| {
-        let design = helical(23, 3.0, beta_deg, Hand::Right, 0.2);
-        let gear = Gear::nominal(design).unwrap();
-        let pitch = scaled(&made_up(23, 2), 12e-3);
-        let deviations = Deviations {
-            pitch: Some(Pitch::from_cumulative(&pitch, &pitch)),
-            ..Deviations::default()
+fn a_fork_rides_on_helical_teeth_as_its_closed_form_says() {
+    for space in in_space() {
+        let (sin, cos, alpha_t) = (space.base_sin(), space.base_cos(), space.alpha_t());
+        // `sin α_n = sin α_t cos β_b`: the inclination in the normal section.
+        near("sin α_n", alpha_t.sin() * cos, ALPHA.sin(), 1e-15);
+        let ascending = space.ascending();
+        let offset = space.gear.displacement(0.0);
+        let offset = Vector3::new(offset.x, offset.y, 0.0);
+        let apex = |tooth: u32, own: Flank, turn: f64| {
+            let ahead = if own == Flank::Right { 1.0 } else { -1.0 };
+            // The fork turns the other way about the gear.
+            let middle = ascending * space.pitches(tooth - 1) - turn;
+            let out = Vector3::new(middle.cos(), middle.sin(), 0.0);
+            let along = ahead * ascending * Vector3::new(-middle.sin(), middle.cos(), 0.0);
+            let lean = -(space.twist * ahead * ascending).signum() * sin;
+            let normal = cos * (alpha_t.sin() * out + alpha_t.cos() * along) + lean * Vector3::z();
+            let reach = |p: &Point3<f64>| -normal.dot(&(p.coords + offset));
+            -space.least(own, tooth, reach) / (alpha_t.sin() * cos)
         };
-        let part = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
-        let found = measure(&part, with_pin(5.5, Some(3)));
-        let (spans, pins) = (found.spans.unwrap(), found.pins.unwrap());
-        let spans = spans.readings.iter().map(|span| span.length);
-        let pins = pins.two.iter().map(|over| over.length);
-        spans.chain(pins).collect::<Vec<f64>>()
-    };
-    for (wound, spur) in read(1e-6).into_iter().zip(read(0.0)) {
-        assert!((wound - spur).abs() < PICOMETRE, "{wound} {spur}");
+        let read = |tooth: u32| {
+            let gap = |turn: f64| {
+                let [one, other] = Flank::BOTH.map(|own| apex(tooth, own, turn));
+                (one - other, 0.5 * (one + other))
+            };
+            let (mut from, mut to) = (0.0, 1e-3);
+            let (mut last, mut here) = (gap(from), gap(to));
+            for _ in 0..2 {
+                let next = to - here.0 * (to - from) / (here.0 - last.0);
+                (from, last) = (to, here);
+                (to, here) = (next, gap(next));
+            }
+            here.1
+        };
+        let mm = (1..=space.teeth).map(read).collect();
+        let probe = Probe::Fork;
+        let readings = RunoutReadings { probe, mm };
+        let fit = readings.fit(space.gear.gear(), &space.deviations).unwrap();
+        near("eccentricity", fit.eccentricity, 0.021, 10.0 * PICOMETRE);
+        near("high tooth", fit.high_tooth, 5.25, 1e-5);
+    }
+}
+
+/// The ball that is to touch at a roll does so where it lies, off the plane of its centre.
+#[test]
+fn a_ball_touches_where_it_was_chosen_to() {
+    for (hand, beta) in [(Hand::Left, 8.0), (Hand::Right, 30.0)] {
+        let part = helical(40, beta, hand, 0.1).front();
+        let data = *part.gear().basic_data();
+        let roll = data.transverse_pressure_angle().tan();
+        let ball = thickness::pin_touching(&data, roll, part.gear().base_thickness());
+        let read = measure(&part, with_ball(ball)).runout.unwrap();
+        for touch in read.readings[0].seat.touched {
+            // The place along the face is found to the root of the distance's error.
+            near(beta, touch.radius, data.reference_radius(), 1e-4);
+        }
     }
 }

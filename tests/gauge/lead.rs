@@ -1,10 +1,6 @@
 //! Readings along the face give back the leads, the wobble and the eccentricity that were put in. Sources: ISO 1328-1, ISO 21771, and closed forms.
 
-use super::helical::helical;
 use super::*;
-use gearlash::gauge::FaceReadings;
-use gearlash::gear::{Flank, Hand, Lead, PitchAxis, Side};
-use std::f64::consts::TAU;
 
 /// Heights of the ends of the teeth from the measuring plane, away from the reference face, and the evaluation range.
 const ENDS: [f64; 2] = [-15.0, 25.0];
@@ -21,12 +17,19 @@ fn lead(slope: f64, crowning: f64) -> Lead {
 }
 
 fn built(beta_deg: f64, face: Face, deviations: &Deviations) -> AsBuilt {
-    let design = match beta_deg {
-        0.0 => design(25, 3.0, 20.0, 0.1),
-        _ => helical(25, 3.0, beta_deg, Hand::Left, 0.1),
+    let make = match beta_deg {
+        0.0 => spur(25, 3.0).shift(0.1),
+        _ => helical(25, beta_deg, Hand::Left, 0.1),
     };
-    AsBuilt::new(Gear::nominal(design).unwrap(), face, deviations).unwrap()
+    AsBuilt::new(make.gear(), face, deviations).unwrap()
 }
+
+const CASES: [(f64, Face); 4] = [
+    (0.0, Face::Front),
+    (0.0, Face::Back),
+    (21.0, Face::Front),
+    (21.0, Face::Back),
+];
 
 fn read(gear: &AsBuilt) -> FaceReadings {
     let face = match gear.face() {
@@ -36,8 +39,7 @@ fn read(gear: &AsBuilt) -> FaceReadings {
     let settings = Settings {
         face,
         lead_range: Some(RANGE.map(|height| height - ENDS[0])),
-        span_teeth: Some(3),
-        ..quick()
+        ..with_span(3)
     };
     measure(gear, settings).along_face.unwrap()
 }
@@ -46,49 +48,42 @@ fn read(gear: &AsBuilt) -> FaceReadings {
 /// no form, and a parabola of `C_β` over the face the form `C_β L²/b²`.
 #[test]
 fn leads_come_out_as_they_went_in() {
-    for beta_deg in [0.0, 21.0] {
-        for face in [Face::Front, Face::Back] {
-            // A spur gear is read as if it were right hand.
-            let hand = if beta_deg == 0.0 {
-                Hand::Right
-            } else {
-                Hand::Left
-            };
-            let (right, left, crown) = (0.010, -0.006, 0.008);
-            let deviations = Deviations {
-                leads: [
-                    lead(Lead::slope_of_helix(right, hand, Flank::Right), 0.0),
-                    lead(Lead::slope_of_helix(left, hand, Flank::Left), crown),
-                ],
-                ..Deviations::default()
-            };
-            let found = read(&built(beta_deg, face, &deviations));
-            for read in [found.own.unwrap(), found.datum.unwrap()] {
-                let bound = 10.0 * read.error + PICOMETRE;
-                let flank = read.flank(Flank::Right);
-                assert_eq!((flank.shapes.len(), flank.of_tooth.len()), (1, 25));
-                let one = &flank.shapes[0];
-                assert!(
-                    (read.helix_slope(Flank::Right, one) - right).abs() < bound,
-                    "{one:?}"
-                );
-                assert!((one.total - right).abs() < bound && one.form < bound);
-                assert!(read.crowning(one).abs() < bound);
-                let one = &read.flank(Flank::Left).shapes[0];
-                assert!(
-                    (read.helix_slope(Flank::Left, one) - left).abs() < bound,
-                    "{one:?}"
-                );
-                assert!((read.crowning(one) - crown).abs() < bound, "{one:?}");
-                let share = (RANGE[1] - RANGE[0]) / (ENDS[1] - ENDS[0]);
-                assert!(
-                    (one.form - crown * share * share).abs() < bound,
-                    "{}",
-                    one.form
-                );
+    let (right, left, crown) = (0.010, -0.006, 0.008);
+    for (beta_deg, face) in CASES {
+        // A spur gear is read as if it were right hand.
+        let hand = if beta_deg == 0.0 {
+            Hand::Right
+        } else {
+            Hand::Left
+        };
+        let deviations = Deviations {
+            leads: [
+                lead(Lead::slope_of_helix(right, hand, Flank::Right), 0.0),
+                lead(Lead::slope_of_helix(left, hand, Flank::Left), crown),
+            ],
+            ..Deviations::default()
+        };
+        let found = read(&built(beta_deg, face, &deviations));
+        for read in [found.own.unwrap(), found.datum.unwrap()] {
+            let bound = 10.0 * read.error + PICOMETRE;
+            let flank = read.flank(Flank::Right);
+            assert_eq!((flank.shapes.len(), flank.of_tooth.len()), (1, 25));
+            let sloped = &flank.shapes[0];
+            let crowned = &read.flank(Flank::Left).shapes[0];
+            let share = (RANGE[1] - RANGE[0]) / (ENDS[1] - ENDS[0]);
+            for (what, found, expected) in [
+                ("slope", read.helix_slope(Flank::Right, sloped), right),
+                ("total", sloped.total, right),
+                ("form", sloped.form, 0.0),
+                ("crowning", read.crowning(sloped), 0.0),
+                ("left slope", read.helix_slope(Flank::Left, crowned), left),
+                ("left crowning", read.crowning(crowned), crown),
+                ("left form", crowned.form, crown * share * share),
+            ] {
+                near((beta_deg, face, what), found, expected, bound);
             }
-            assert_eq!(found.face_runout.amount, 0.0);
         }
+        assert_eq!(found.face_runout.amount, 0.0);
     }
 }
 
@@ -111,7 +106,7 @@ fn wobble_is_in_leads_about_the_rotation_axis() {
         let turned_over = read(&gear.facing(Face::Back)).datum.unwrap();
         let data = *gear.gear().basic_data();
         let alpha = data.transverse_pressure_angle();
-        let half = gear.gear().half_base_angle() - (alpha.tan() - alpha);
+        let half = gear.gear().half_base_angle() - inv(alpha);
         let (radius, base) = (data.reference_radius(), gear.gear().base_radius());
         let lean = gear.tooth_angle(3.5);
         let along = |angle: f64| wobble * (angle - lean).cos();
@@ -129,13 +124,10 @@ fn wobble_is_in_leads_about_the_rotation_axis() {
                 let start = expected(0.0);
                 for (height, deviation) in &reading.points {
                     let expected = expected(height + ENDS[0]) - start;
-                    assert!(
-                        (deviation - expected).abs() < 1e-5,
-                        "{beta_deg} {flank:?} {tooth} {height}: {deviation} {expected}"
-                    );
+                    near((beta_deg, flank, tooth), *deviation, expected, 1e-5);
                 }
                 let other = turned_over.flank(flank).tooth(tooth);
-                assert!((reading.slope - other.slope).abs() < 1e-9);
+                near((beta_deg, flank), reading.slope, other.slope, 1e-9);
             }
         }
     }
@@ -148,81 +140,60 @@ fn runout_at_heights_and_of_the_face_is_what_was_put_in() {
         let angle = TAU * tooth / 25.0;
         [angle.cos(), angle.sin()]
     };
-    for beta_deg in [0.0, 21.0] {
-        for face in [Face::Front, Face::Back] {
-            let deviations = Deviations {
-                eccentricity: 0.008,
-                high_tooth: 7.25,
-                wobble: 3e-4,
-                wobble_tooth: 16.5,
-                ..Deviations::default()
-            };
-            let gear = built(beta_deg, face, &deviations);
-            let found = read(&gear);
-            for section in &found.sections {
-                let height = section.height + ENDS[0];
-                let [e, t] = [(0.008, 7.25), (3e-4 * height, 16.5)]
-                    .map(|(amount, tooth)| towards(tooth).map(|part| amount * part));
-                let expected = (e[0] + t[0]).hypot(e[1] + t[1]);
-                let read = &section.eccentricity;
-                assert!(
-                    (read.amount - expected).abs() < 10.0 * read.error,
-                    "{read:?} {expected}"
-                );
-                // A ball in each of 25 spaces misses the high place by at most half a pitch.
-                let total = section.runout.as_ref().unwrap().total();
-                assert!(
-                    total <= 2.0 * expected + 1e-5 && total > 1.9 * expected,
-                    "{total}"
-                );
-            }
-            let runout = found.face_runout;
-            let diameter = 2.0 * gear.gear().basic_data().reference_radius();
-            assert!((runout.amount - 3e-4 * diameter).abs() < 10.0 * runout.error);
-            assert!((runout.high_tooth - 16.5).abs() < 1e-5, "{runout:?}");
+    for (beta_deg, face) in CASES {
+        let deviations = Deviations {
+            eccentricity: 0.008,
+            high_tooth: 7.25,
+            wobble: 3e-4,
+            wobble_tooth: 16.5,
+            ..Deviations::default()
+        };
+        let gear = built(beta_deg, face, &deviations);
+        let found = read(&gear);
+        for section in &found.sections {
+            let height = section.height + ENDS[0];
+            let [e, t] = [(0.008, 7.25), (3e-4 * height, 16.5)]
+                .map(|(amount, tooth)| towards(tooth).map(|part| amount * part));
+            let expected = (e[0] + t[0]).hypot(e[1] + t[1]);
+            let read = &section.eccentricity;
+            near(height, read.amount, expected, 10.0 * read.error);
+            // A ball in each of 25 spaces misses the high place by at most half a pitch.
+            let total = section.runout.as_ref().unwrap().total();
+            let allowed = 1.9 * expected..=2.0 * expected + 1e-5;
+            assert!(allowed.contains(&total), "{total}");
         }
+        let runout = found.face_runout;
+        let amount = 3e-4 * 2.0 * gear.gear().basic_data().reference_radius();
+        near("face", runout.amount, amount, 10.0 * runout.error);
+        near("high tooth", runout.high_tooth, 16.5, 1e-5);
     }
 }
 
 /// A span at a height: `W_k + cos β_b (δ_R(b_R) + δ_L(b_L))`, `b_R − b_L = ± W_k sin β_b` (closed form).
 #[test]
 fn spans_at_heights_contain_the_leads_of_both_flanks() {
-    for beta_deg in [0.0, 21.0] {
-        for face in [Face::Front, Face::Back] {
-            let deviations = Deviations {
-                leads: [lead(0.012, 0.0), lead(0.005, 0.0)],
-                ..Deviations::default()
-            };
-            let gear = built(beta_deg, face, &deviations);
-            let plain = built(beta_deg, face, &Deviations::default());
-            let settings = Settings {
-                span_teeth: Some(3),
-                ..quick()
-            };
-            let nominal = measure(&plain, settings).spans.unwrap().mean();
-            let angle = gear.gear().basic_data().base_helix_angle();
-            let inwards = if face == Face::Front { 1.0 } else { -1.0 };
-            for section in read(&gear).sections {
-                let place = inwards * (section.height + ENDS[0]);
-                for span in section.spans.unwrap().readings {
-                    let [left, right] = span.sections;
-                    let apart = (right - left).abs();
-                    assert!(
-                        (apart - nominal * angle.sin()).abs() < 0.01,
-                        "{apart} {nominal}"
-                    );
-                    let sides = [(Flank::Left, left), (Flank::Right, right)];
-                    let leads = sides.map(|(flank, beside)| {
-                        let side: Side = face.seen_from_front(flank);
-                        gear.lead(side, 1, place + beside)
-                    });
-                    let expected = nominal + angle.cos() * (leads[0] + leads[1]);
-                    assert!(
-                        (span.length - expected).abs() < 1e-7,
-                        "{} {expected}",
-                        span.length
-                    );
-                }
+    for (beta_deg, face) in CASES {
+        let deviations = Deviations {
+            leads: [lead(0.012, 0.0), lead(0.005, 0.0)],
+            ..Deviations::default()
+        };
+        let gear = built(beta_deg, face, &deviations);
+        let plain = built(beta_deg, face, &Deviations::default());
+        let nominal = measure(&plain, with_span(3)).spans.unwrap().mean();
+        let angle = gear.gear().basic_data().base_helix_angle();
+        let inwards = if face == Face::Front { 1.0 } else { -1.0 };
+        for section in read(&gear).sections {
+            let place = inwards * (section.height + ENDS[0]);
+            for span in section.spans.unwrap().readings {
+                let [left, right] = span.sections;
+                near("apart", (right - left).abs(), nominal * angle.sin(), 0.01);
+                let sides = [(Flank::Left, left), (Flank::Right, right)];
+                let leads = sides.map(|(flank, beside)| {
+                    let side: Side = face.seen_from_front(flank);
+                    gear.lead(side, 1, place + beside)
+                });
+                let expected = nominal + angle.cos() * (leads[0] + leads[1]);
+                near((beta_deg, face), span.length, expected, 1e-7);
             }
         }
     }

@@ -1,44 +1,50 @@
 //! The gauge against formulas, published values and the deviations that were put in. Lengths in mm.
 
 mod as_built;
-mod fitted_involute;
+mod drawn;
 mod helical;
 #[path = "../common/helical_dimensions.rs"]
 mod helical_dimensions;
-mod helical_in_space;
-mod helical_runout;
+#[path = "../check/kit.rs"]
+mod kit;
 mod lead;
-mod outline_difference;
 mod outlines;
 mod perfect;
 mod profile;
-mod profile_sizes;
 mod roll;
 
 #[path = "../common/made_up.rs"]
 mod made_up;
 
-use gearlash::gauge::{Gauged, Settings, gauge};
-use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch,
+use gearlash::analytic::InvolutePair;
+use gearlash::contact::{ContactKind, CutPair, PoseClass, ToothPlace};
+use gearlash::gauge::{
+    FaceReadings, Gauged, OverPins, ProfileReadings, Roll, RollPose, Seat, Settings, Span,
+    StatedThickness, Unmeasured, gauge, gauge_outline,
 };
+use gearlash::gear::{
+    AsBuilt, BasicGearData, Deviations, Face, Flank, Gear, Hand, Lead, MeasuringBody, Modification,
+    PinReadings, Pitch, PitchAxis, Probe, ProfilePart, Readings, Relief, RunoutReadings, Side,
+    Spans, Trace, involute, thickness,
+};
+use gearlash::metrology::{
+    Measurements, PitchKind, PitchSense, PitchStatement, ProbeReadings, ReadWith, RunoutStatement,
+    ThicknessStatement, Toleranced,
+};
+use gearlash::outline::{OutlineDifference, OutlineGear, OutlineReading, PathSegment, of_gear};
+use gearlash::pair::{GearPair, Member, Pose};
+use kit::{Make, ends, inv, near, on, spur};
 use made_up::{made_up, scaled};
-use std::ops::ControlFlow;
+use nalgebra::{Point2, Point3, Rotation2, Vector2, Vector3};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Issue 5: 1e-6 µm.
 const PICOMETRE: f64 = 1e-9;
 
-fn design(teeth: u32, module: f64, alpha_deg: f64, profile_shift: f64) -> GearDesign {
-    GearDesign {
-        basic_data: BasicGearData::new(teeth, module, alpha_deg.to_radians()).unwrap(),
-        profile_shift,
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
-    }
-}
+const ALPHA: f64 = PI / 9.0;
 
 fn measure(gear: &AsBuilt, settings: Settings) -> Gauged {
-    gauge(gear, &settings, &|_| (), &|| ControlFlow::Continue(())).unwrap()
+    gauge(gear, &settings, &|_| (), &on).unwrap()
 }
 
 /// A few poses of the roll test only: for tests of the other gauges.
@@ -49,33 +55,168 @@ fn quick() -> Settings {
     }
 }
 
-/// A gear with deviations of every kind: per-tooth thickness ±8 µm, pitch ±12 µm.
+fn with_ball(ball: f64) -> Settings {
+    Settings {
+        ball: Some(ball),
+        ..quick()
+    }
+}
+
+fn with_span(teeth: u32) -> Settings {
+    Settings {
+        span_teeth: Some(teeth),
+        ..quick()
+    }
+}
+
+fn with_pin(pin: f64, span_teeth: Option<u32>) -> Settings {
+    Settings {
+        pin: Some(pin),
+        span_teeth,
+        ..quick()
+    }
+}
+
+fn over_face(face: [f64; 2]) -> Settings {
+    Settings { face, ..quick() }
+}
+
+/// Of module 3, with room at its tips.
+fn helical(teeth: u32, beta_deg: f64, hand: Hand, shift: f64) -> Make {
+    let gear = spur(teeth, 3.0).rack(1.0, 1.25, 0.25).shift(shift);
+    gear.helix(beta_deg, hand)
+}
+
+fn read(path: &[PathSegment], face: Face, teeth: Option<u32>, bound: f64) -> OutlineGear {
+    let reading = OutlineReading {
+        centre: Point2::origin(),
+        face,
+        teeth,
+        first_tooth: None,
+        bound,
+    };
+    OutlineGear::new(path, &reading).unwrap()
+}
+
+/// The polygon of `corners`, closed.
+fn lines(corners: &[Point2<f64>]) -> Vec<PathSegment> {
+    let next = corners.iter().cycle().skip(1);
+    let each = corners.iter().zip(next);
+    each.map(|(a, b)| PathSegment::Line([*a, *b])).collect()
+}
+
+/// A gear with deviations of every kind: per-tooth thickness ±8 µm in the normal section, pitch ±12 µm, runout. Its flanks are written out as surfaces:
+/// the section at the measuring plane turned by `−η tan β/r` a mm, every flank where its tooth has it.
 struct Made {
     gear: AsBuilt,
+    deviations: Deviations,
     per_tooth: Vec<f64>,
     right: Vec<f64>,
     left: Vec<f64>,
+    teeth: u32,
+    beta: f64,
+    /// Reference radius.
+    radius: f64,
+    base: f64,
+    /// Half the base thickness, as an angle.
+    half: f64,
+    twist: f64,
 }
 
-fn made(teeth: u32, face: Face, eccentricity: f64) -> Made {
+fn made(teeth: u32, beta_deg: f64, hand: Hand, face: Face, eccentricity: f64) -> Made {
     let per_tooth = scaled(&made_up(teeth, 1), 8e-3);
-    let (right, left) = (
-        scaled(&made_up(teeth, 2), 12e-3),
-        scaled(&made_up(teeth, 3), 12e-3),
-    );
-    let design = design(teeth, 3.0, 20.0, 0.1);
-    let gear = Gear::new(design, design.nominal_base_thickness() - 0.04).unwrap();
-    let deviations = Deviations {
-        per_tooth: per_tooth.clone(),
-        pitch: Some(Pitch::from_cumulative(&right, &left)),
-        eccentricity,
-        high_tooth: 5.25,
-        ..Deviations::default()
-    };
+    let [right, left] = [2, 3].map(|seed| scaled(&made_up(teeth, seed), 12e-3));
+    let make = helical(teeth, beta_deg, hand, 0.2).allowance(-0.06);
+    let mut make = make.runout(eccentricity, 5.25).pitch(&right, &left);
+    make.deviations.per_tooth = per_tooth.clone();
+    let eta = if hand == Hand::Right { 1.0 } else { -1.0 };
+    let beta = beta_deg.to_radians();
+    let radius = 1.5 * f64::from(teeth) / beta.cos();
+    let base = radius * (ALPHA.tan() / beta.cos()).atan().cos();
     Made {
-        gear: AsBuilt::new(gear, face, &deviations).unwrap(),
+        half: make.gear().base_thickness() / (2.0 * base),
+        twist: -eta * beta.tan() / radius,
+        gear: make.built(face),
+        deviations: make.deviations,
         per_tooth,
         right,
         left,
+        teeth,
+        beta,
+        radius,
+        base,
+    }
+}
+
+/// The two helical ones.
+fn in_space() -> [Made; 2] {
+    [(Hand::Left, Face::Front), (Hand::Right, Face::Back)]
+        .map(|(hand, face)| made(23, 24.0, hand, face, 0.021))
+}
+
+impl Made {
+    /// Where the flank of a tooth stands ahead of its place along ascending numbers, as an arc in the transverse section: its pitch deviation, and half
+    /// the thickness outwards. Own right flanks face ascending numbers.
+    fn stands(&self, own: Flank, tooth: u32) -> f64 {
+        let index = (tooth - 1) as usize % self.teeth as usize;
+        let half_arc = 0.5 * self.per_tooth[index] / self.beta.cos();
+        match own {
+            Flank::Right => self.right[index] + half_arc,
+            Flank::Left => self.left[index] - half_arc,
+        }
+    }
+
+    /// −1 on a gear that shows its front, where numbers ascend clockwise.
+    fn ascending(&self) -> f64 {
+        self.gear.face().ascending()
+    }
+
+    /// `sin β_b`.
+    fn base_sin(&self) -> f64 {
+        self.beta.sin() * ALPHA.cos()
+    }
+
+    fn base_cos(&self) -> f64 {
+        (1.0 - self.base_sin().powi(2)).sqrt()
+    }
+
+    fn alpha_t(&self) -> f64 {
+        (ALPHA.tan() / self.beta.cos()).atan()
+    }
+
+    fn pitches(&self, count: u32) -> f64 {
+        TAU * f64::from(count) / f64::from(self.teeth)
+    }
+
+    fn point(&self, own: Flank, tooth: u32, xi: f64, b: f64) -> Point3<f64> {
+        let ahead = if own == Flank::Right { 1.0 } else { -1.0 };
+        let along = self.pitches(tooth - 1)
+            + ahead * (self.half - (xi - xi.atan()))
+            + self.stands(own, tooth) / self.radius;
+        let (sin, cos) = (self.ascending() * along + self.twist * b).sin_cos();
+        let radius = self.base * xi.hypot(1.0);
+        Point3::new(radius * cos, radius * sin, b)
+    }
+
+    /// The least `value` of a flank's points, by a grid that is narrowed round its least place.
+    fn least(&self, own: Flank, tooth: u32, value: impl Fn(&Point3<f64>) -> f64) -> f64 {
+        let (mut middle, mut reach) = ([0.5, 0.0], [0.4, 12.0]);
+        let mut least = f64::INFINITY;
+        for _ in 0..60 {
+            let mut at = middle;
+            for i in -20..=20 {
+                for j in -20..=20 {
+                    let xi = middle[0] + reach[0] * f64::from(i) / 20.0;
+                    let b = middle[1] + reach[1] * f64::from(j) / 20.0;
+                    let here = value(&self.point(own, tooth, xi, b));
+                    if here < least {
+                        (least, at) = (here, [xi, b]);
+                    }
+                }
+            }
+            middle = at;
+            reach = reach.map(|reach| 0.7 * reach);
+        }
+        least
     }
 }

@@ -1,22 +1,6 @@
 //! Spans and pins on outlines: against the gauge of gears by their data, and against closed forms where there is no involute.
 
 use super::*;
-use gearlash::contact::ToothPlace;
-use gearlash::gauge::{OverPins, Span, gauge_outline};
-use gearlash::outline::{OutlineGear, OutlineReading, PathSegment, of_gear};
-use nalgebra::{Point2, Rotation2};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-fn read(path: &[PathSegment], face: Face, teeth: u32, bound: f64) -> OutlineGear {
-    let reading = OutlineReading {
-        centre: Point2::origin(),
-        face,
-        teeth: Some(teeth),
-        first_tooth: None,
-        bound,
-    };
-    OutlineGear::new(path, &reading).unwrap()
-}
 
 /// `teeth` times the half of a tooth, its centre line on +y, given from tip to root, and its mirror image.
 fn all_round(teeth: u32, half: &[PathSegment]) -> Vec<PathSegment> {
@@ -52,21 +36,19 @@ fn agree(what: &str, found: &[(u32, f64, f64)], expected: &[(u32, f64, f64)], sl
     assert_eq!(found.len(), expected.len(), "{what}");
     for (one, other) in found.iter().zip(expected) {
         assert_eq!(one.0, other.0, "{what}");
-        let off = (one.1 - other.1).abs();
-        assert!(
-            off <= one.2 + other.2,
-            "{what} at {}: {off} of {} and {}",
-            one.0,
-            one.2,
-            other.2
-        );
+        near((what, one.0), one.1, other.1, one.2 + other.2);
         assert!(one.2 <= slack, "{what} at {}: bound {}", one.0, one.2);
     }
 }
 
 fn over(list: &[OverPins]) -> Vec<(u32, f64, f64)> {
-    list.iter()
-        .map(|one| (one.tooth, one.length, one.error))
+    let each = list.iter();
+    each.map(|one| (one.tooth, one.length, one.error)).collect()
+}
+
+fn spans_of(list: &[Span]) -> Vec<(u32, f64, f64)> {
+    let each = list.iter();
+    each.map(|one| (one.first_tooth, one.length, one.error))
         .collect()
 }
 
@@ -75,54 +57,38 @@ fn over(list: &[OverPins]) -> Vec<(u32, f64, f64)> {
 #[test]
 fn an_outline_of_a_gear_reads_as_the_gear() {
     const CHORD: f64 = 1e-4;
-    let perfect = |teeth, shift| {
-        let gear = Gear::nominal(design(teeth, 3.0, 20.0, shift)).unwrap();
-        AsBuilt::perfect(gear, Face::Front)
-    };
-    let gears = [
+    let perfect = |teeth, shift| spur(teeth, 3.0).shift(shift).front();
+    let made = |teeth, face, e| made(teeth, 0.0, Hand::Right, face, e).gear;
+    for gear in [
         perfect(20, 0.0),
         perfect(9, 0.5),
         perfect(61, -0.3),
-        made(21, Face::Back, 0.031).gear,
-        made(44, Face::Front, 0.0).gear,
-        made(32, Face::Back, 0.02).gear,
-    ];
-    for gear in gears {
+        made(21, Face::Back, 0.031),
+        made(44, Face::Front, 0.0),
+        made(32, Face::Back, 0.02),
+    ] {
         let expected = measure(&gear, quick());
         let (spans, pins) = (expected.spans.unwrap(), expected.pins.unwrap());
-        let span = |span: &Span| (span.first_tooth, span.length, span.error);
-        let by_data: Vec<_> = spans.readings.iter().map(span).collect();
         let teeth = gear.gear().basic_data().teeth();
         let drawn = of_gear(&gear, CHORD);
-        let outlines = [
+        for (outline, slack) in [
             (OutlineGear::from(&gear), 1e-9),
-            (read(&drawn, gear.face(), teeth, CHORD), 10.0 * CHORD),
-        ];
-        for (outline, slack) in outlines {
+            (read(&drawn, gear.face(), Some(teeth), CHORD), 10.0 * CHORD),
+        ] {
             let found = gauge_outline(&outline, Some(spans.teeth), Some(pins.diameter));
             let (on, over_pins) = (found.spans.unwrap(), found.pins.unwrap());
-            let read: Vec<_> = on
-                .readings
-                .iter()
-                .map(|one| (one.first_tooth, one.length, one.error))
-                .collect();
+            let [read, by_data] = [&on.readings, &spans.readings].map(|all| spans_of(all));
             agree("span", &read, &by_data, slack);
-            agree("two pins", &over(&over_pins.two), &over(&pins.two), slack);
-            agree(
-                "three pins",
-                &over(&over_pins.three),
-                &over(&pins.three),
-                slack,
-            );
+            let two = [&over_pins.two, &pins.two].map(|all| over(all));
+            agree("two pins", &two[0], &two[1], slack);
+            let three = [&over_pins.three, &pins.three].map(|all| over(all));
+            agree("three pins", &three[0], &three[1], slack);
             for (seat, data) in over_pins.seats.iter().zip(&pins.seats) {
-                assert_eq!(
-                    seat.touched.map(|touch| touch.tooth),
-                    data.touched.map(|touch| touch.tooth)
-                );
-                for end in 0..2 {
-                    let off = seat.touched[end].radius - data.touched[end].radius;
+                for (found, data) in seat.touched.iter().zip(&data.touched) {
+                    assert_eq!(found.tooth, data.tooth);
                     // A chord of 0.1 µm is up to 0.1 mm long.
-                    assert!(off.abs() < 1e-4f64.max(slack * 100.0), "{off}");
+                    let within = 1e-4f64.max(slack * 100.0);
+                    near(teeth, found.radius, data.radius, within);
                 }
             }
         }
@@ -164,20 +130,12 @@ fn straight_flanks_by_their_closed_form() {
         let lean = 0.5 * f64::from(k - 1) * pitch;
         let (root, tip, diameter) = (9.0, 11.0, 2.0);
         let h = 10.0 * (0.25 * pitch + lean).sin();
-        let outline = read(
-            &straight(teeth, lean, h, [root, tip]),
-            Face::Front,
-            teeth,
-            0.0,
-        );
+        let path = straight(teeth, lean, h, [root, tip]);
+        let outline = read(&path, Face::Front, Some(teeth), 0.0);
         let found = gauge_outline(&outline, Some(k), Some(diameter));
         let spans = found.spans.unwrap();
         for span in &spans.readings {
-            assert!(
-                (span.length - 2.0 * h).abs() <= span.error,
-                "{span:?} of {}",
-                2.0 * h
-            );
+            near(teeth, span.length, 2.0 * h, span.error);
         }
         assert!(spans.ends()[1] - spans.ends()[0] < 1e-12);
         let pins = found.pins.unwrap();
@@ -188,10 +146,8 @@ fn straight_flanks_by_their_closed_form() {
         assert_eq!(pins.three.len(), if odd { teeth as usize } else { 0 });
         for (list, expected) in [(&pins.two, two), (&pins.three, three)] {
             for over in list {
-                assert!(
-                    (over.length - expected).abs() <= over.error && over.error < 1e-11,
-                    "{over:?} of {expected}"
-                );
+                assert!(over.error < 1e-11, "{over:?}");
+                near(teeth, over.length, expected, over.error);
             }
         }
     }
@@ -220,32 +176,24 @@ fn round_heads_by_their_closed_form() {
                 sweep: FRAC_PI_2 - PI / f64::from(teeth) - angle,
             },
         ];
-        let outline = read(&all_round(teeth, &half), Face::Back, teeth, 0.0);
+        let outline = read(&all_round(teeth, &half), Face::Back, Some(teeth), 0.0);
         let step = PI / f64::from(teeth);
         for k in [2u32, 3, 5] {
             let spans = gauge_outline(&outline, Some(k), None).spans.unwrap();
             let expected = 2.0 * q * (f64::from(k - 1) * step).sin() + 2.0 * a;
             for span in &spans.readings {
-                assert!(
-                    (span.length - expected).abs() <= span.error && span.error < 1e-11,
-                    "{span:?} of {expected}"
-                );
-                assert!(
-                    span.touched
-                        .iter()
-                        .all(|touch| touch.curve == ToothPlace::Flank),
-                    "{span:?}"
-                );
+                assert!(span.error < 1e-11, "{span:?}");
+                near((teeth, k), span.length, expected, span.error);
+                let curves = span.touched.map(|touch| touch.curve);
+                assert_eq!(curves, [ToothPlace::Flank; 2]);
             }
         }
         let pins = gauge_outline(&outline, None, Some(diameter)).pins.unwrap();
         let chord = q * step.sin();
         let rho = q * step.cos() + ((a + 0.5 * diameter).powi(2) - chord * chord).sqrt();
         for seat in &pins.seats {
-            assert!(
-                (seat.centre.coords.norm() - rho).abs() <= seat.error && seat.error < 1e-11,
-                "{seat:?} of {rho}"
-            );
+            assert!(seat.error < 1e-11, "{seat:?}");
+            near(teeth, seat.centre.coords.norm(), rho, seat.error);
         }
     }
 }
@@ -259,17 +207,14 @@ fn pins_and_anvils_touch_the_whole_outline() {
     let middle = FRAC_PI_2 - PI / f64::from(teeth);
     let at = |radius: f64, angle: f64| Point2::new(radius * angle.cos(), radius * angle.sin());
     let foot = at(8.0, middle + 0.01);
+    let head = [[0.0, 11.2], [0.5, 11.2], [0.6, 10.6], [0.75, 10.0]].map(Point2::from);
+    let [from, by, to] = [[0.75, 10.0], [0.9, 9.4], [0.8, 8.6]].map(Point2::from);
     let half = [
-        PathSegment::Cubic([[0.0, 11.2], [0.5, 11.2], [0.6, 10.6], [0.75, 10.0]].map(Point2::from)),
-        PathSegment::Cubic([
-            Point2::new(0.75, 10.0),
-            Point2::new(0.9, 9.4),
-            Point2::new(0.8, 8.6),
-            foot,
-        ]),
+        PathSegment::Cubic(head),
+        PathSegment::Cubic([from, by, to, foot]),
         PathSegment::Line([foot, at(8.0, middle)]),
     ];
-    let outline = read(&all_round(teeth, &half), Face::Front, teeth, 0.0);
+    let outline = read(&all_round(teeth, &half), Face::Front, Some(teeth), 0.0);
     let polygon = outline.points(0.0, CHORD);
     let found = gauge_outline(&outline, Some(4), Some(2.4));
     for seat in &found.pins.unwrap().seats {
@@ -279,34 +224,22 @@ fn pins_and_anvils_touch_the_whole_outline() {
             let along = (to.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
             (to - along * chord).norm()
         });
-        let least = distances.fold(f64::INFINITY, f64::min);
-        assert!(
-            (least - 1.2).abs() <= CHORD + seat.error,
-            "{least} at {seat:?}"
-        );
+        let [least, _] = ends(distances);
+        near(seat, least, 1.2, CHORD + seat.error);
     }
     // By symmetry the anvils stand square to the middle of the teeth spanned: the reading is how far these reach along that, above the anvils' ends.
     let depth = outline.tip_radius() - outline.root_radius();
     let reach = outline.root_radius() + depth / 3.0;
     let spans = found.spans.unwrap();
-    let along = Rotation2::new(outline.tooth_angle(2.5)) * nalgebra::Vector2::y();
-    let spanned = |point: &&Point2<f64>| {
-        let off = along
-            .dot(&point.coords)
-            .atan2((along.perp(&point.coords)).abs());
-        point.coords.norm() >= reach
-            && off.abs() < 2.0 * outline.pitch()
-            && along.perp(&point.coords) < 0.0
-    };
-    let heights: Vec<f64> = polygon
-        .iter()
-        .filter(spanned)
-        .map(|point| along.dot(&point.coords))
-        .collect();
-    let most = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let least = heights.iter().copied().fold(f64::INFINITY, f64::min);
-    let off = most - least - spans.readings[0].length;
-    assert!(off.abs() <= 2.0 * CHORD + spans.readings[0].error, "{off}");
+    let along = Rotation2::new(outline.tooth_angle(2.5)) * Vector2::y();
+    let spanned = polygon.iter().filter(|point| {
+        let aside = along.perp(&point.coords);
+        let off = along.dot(&point.coords).atan2(aside.abs());
+        point.coords.norm() >= reach && off.abs() < 2.0 * outline.pitch() && aside < 0.0
+    });
+    let [least, most] = ends(spanned.map(|point| along.dot(&point.coords)));
+    let span = &spans.readings[0];
+    near("span", most - least, span.length, 2.0 * CHORD + span.error);
 }
 
 /// Impossible measurements of an outline: too many teeth, flanks that only an anvil's end touches, pins that sink or rest on the root.
@@ -314,33 +247,18 @@ fn pins_and_anvils_touch_the_whole_outline() {
 fn impossible_measurements_have_a_reason() {
     // Flanks that lean by more than half the angle of two teeth.
     let lean = 1.5 * PI / 24.0;
-    let outline = read(
-        &straight(24, lean, 10.0 * (PI / 48.0 + lean).sin(), [9.0, 11.0]),
-        Face::Front,
-        24,
-        0.0,
-    );
-    let said = |k, pin| {
+    let path = straight(24, lean, 10.0 * (PI / 48.0 + lean).sin(), [9.0, 11.0]);
+    let outline = read(&path, Face::Front, Some(24), 0.0);
+    for (k, pin, reason) in [
+        (Some(0), None, "allowed is 1 up to half"),
+        (Some(13), None, "allowed is 1 up to half"),
+        (Some(2), None, "span more teeth"),
+        (None, Some(0.1), "no rest on both flanks"),
+        (None, Some(1.0), "does not stand out"),
+    ] {
         let found = gauge_outline(&outline, k, pin);
         let spans = found.spans.err().filter(|_| k.is_some());
-        spans.or(found.pins.err()).unwrap().to_string()
-    };
-    for (k, reason) in [
-        (0, "allowed is 1 up to half"),
-        (13, "allowed is 1 up to half"),
-        (2, "span more teeth"),
-    ] {
-        assert!(
-            said(Some(k), None).contains(reason),
-            "{k}: {}",
-            said(Some(k), None)
-        );
-    }
-    for (pin, reason) in [(0.1, "no rest on both flanks"), (1.0, "does not stand out")] {
-        assert!(
-            said(None, Some(pin)).contains(reason),
-            "{pin}: {}",
-            said(None, Some(pin))
-        );
+        let said = spans.or(found.pins.err()).unwrap().to_string();
+        assert!(said.contains(reason), "{k:?} {pin:?}: {said}");
     }
 }

@@ -1,95 +1,96 @@
 //! Double-flank roll test.
 
 use super::*;
-use gearlash::analytic::InvolutePair;
-use gearlash::contact::{ContactKind, CutPair, PoseClass};
-use gearlash::gauge::RollPose;
-use gearlash::pair::{GearPair, Member, Pose};
 
-fn eccentric(eccentricity: f64) -> AsBuilt {
-    let deviations = Deviations {
-        eccentricity,
-        high_tooth: 1.0,
-        ..Deviations::default()
+fn rolled(part: &AsBuilt, steps_per_pitch: u32) -> Roll {
+    let settings = Settings {
+        steps_per_pitch,
+        ..Settings::default()
     };
-    let gear = Gear::nominal(design(44, 3.0, 20.0, 0.0)).unwrap();
-    AsBuilt::new(gear, Face::Front, &deviations).unwrap()
+    measure(part, settings).roll.unwrap()
 }
 
-/// A perfect gear rolls at the distance of model 2 with zero play (closed form), and does not move.
+/// The distance of the involutes without play (closed form).
+fn without_play(part: &AsBuilt, roll: &Roll) -> f64 {
+    let pair = InvolutePair::new(part.gear(), &roll.master);
+    pair.center_distance(0.0).unwrap()
+}
+
+/// A perfect gear rolls at the distance of model 2 with zero play, and does not move; a helical one over any face.
 #[test]
 fn a_perfect_gear_does_not_move() {
-    for (teeth, shift, thinner) in [
-        (44, 0.0, 0.0),
-        (21, 0.0, 0.02),
-        (12, 0.4, 0.01),
-        (86, -0.2, 0.03),
-    ] {
-        let design = design(teeth, 3.0, 20.0, shift);
-        let gear = Gear::new(design, design.nominal_base_thickness() - thinner).unwrap();
-        let part = AsBuilt::perfect(gear.clone(), Face::Front);
-        let roll = measure(&part, Settings::default()).roll.unwrap();
+    let spur = |teeth, shift, thinner| {
+        let part = spur(teeth, 3.0).shift(shift).thinner(thinner).front();
+        let roll = rolled(&part, 16);
         assert_eq!(roll.poses.len(), 16 * teeth as usize);
-        let expected = InvolutePair::new(&gear, &roll.master)
-            .center_distance(0.0)
-            .unwrap();
+        (part, roll)
+    };
+    let helical = |teeth, beta, face| {
+        let part = helical(teeth, beta, Hand::Left, 0.2).front();
+        let roll = measure(&part, over_face(face)).roll.unwrap();
+        (part, roll)
+    };
+    for (part, roll) in [
+        spur(44, 0.0, 0.0),
+        spur(21, 0.0, 0.02),
+        spur(12, 0.4, 0.01),
+        spur(86, -0.2, 0.03),
+        helical(23, 24.0, [-10.0, 25.0]),
+        helical(40, 8.0, [0.0, 0.0]),
+    ] {
+        let z = part.gear().basic_data().teeth();
+        let expected = without_play(&part, &roll);
         for pose in &roll.poses {
-            assert_eq!(
-                pose.class,
-                PoseClass::Contact(ContactKind::Involute),
-                "z {teeth}"
-            );
-            assert!(
-                (pose.distance - expected).abs() <= pose.error,
-                "z {teeth}: {} {expected}",
-                pose.distance
-            );
+            assert_eq!(pose.class, PoseClass::Contact(ContactKind::Involute));
+            near(z, pose.distance, expected, pose.error);
             assert!(pose.error < 2e-10);
         }
         for range in [roll.total(), roll.tooth_to_tooth()] {
-            assert!(
-                range.found + range.missed <= 4.0 * roll.reading_error(),
-                "{range:?}"
-            );
+            let most = range.found + range.missed;
+            near(z, most, 0.0, 4.0 * roll.reading_error());
         }
     }
 }
 
 /// F_i'' ≈ 2 e of a pure eccentricity. Tight mesh keeps the distance of both centres at a_0, so
 /// a'' = e cos χ + √(a_0² − e² sin² χ) about the axis: 2 e exactly between χ = 0 and π, and in between
-/// −e² sin² χ/(2 a_0) below the cosine.
+/// −e² sin² χ/(2 a_0) below the cosine. A helical gear moves equally in every section.
 #[test]
 fn an_eccentric_gear_moves_by_twice_its_eccentricity() {
-    for e in [0.005, 0.02, 0.08] {
-        let part = eccentric(e);
-        let roll = measure(&part, Settings::default()).roll.unwrap();
-        let a_0 = InvolutePair::new(part.gear(), &roll.master)
-            .center_distance(0.0)
-            .unwrap();
+    let spur = |e| {
+        let part = spur(44, 3.0).runout(e, 1.0).front();
+        let roll = rolled(&part, 16);
+        (part, roll)
+    };
+    let helical = |face| {
+        let part = helical(40, 20.0, Hand::Right, 0.0).runout(0.02, 1.0);
+        let part = part.front();
+        let roll = measure(&part, over_face(face)).roll.unwrap();
+        (part, roll)
+    };
+    for (part, roll) in [
+        spur(0.005),
+        spur(0.02),
+        spur(0.08),
+        helical([0.0, 0.0]),
+        helical([-5.0, 30.0]),
+    ] {
+        let e = part.eccentricity();
+        let a_0 = without_play(&part, &roll);
         for pose in roll.poses.iter().chain(&roll.between) {
-            let chi = pose.rotation;
-            let expected = e * chi.cos() + (a_0 * a_0 - (e * chi.sin()).powi(2)).sqrt();
-            assert!(
-                (pose.distance - expected).abs() < 1e-9,
-                "{e} {chi}: {} {expected}",
-                pose.distance
-            );
+            let (sin, cos) = pose.rotation.sin_cos();
+            let expected = e * cos + (a_0 * a_0 - (e * sin).powi(2)).sqrt();
+            near(e, pose.distance, expected, 1e-9);
         }
-        assert!(
-            (roll.total().found - 2.0 * e).abs()
-                <= roll.total().missed + 2.0 * roll.reading_error(),
-            "{e}: {:?}",
-            roll.total()
-        );
+        let (total, error) = (roll.total(), 2.0 * roll.reading_error());
+        near(e, total.found, 2.0 * e, total.missed + error);
         // e cos χ is steepest at χ = π/2: e (cos(π/2 − τ/2) − cos(π/2 + τ/2)) within τ = 2π/z; the second order,
         // −e² sin² χ/(2 a_0), is the same at both ends of that window.
-        let within = 2.0 * e * (std::f64::consts::PI / 44.0).sin();
+        let within = 2.0 * e * (PI / f64::from(part.gear().basic_data().teeth())).sin();
         let found = roll.tooth_to_tooth();
-        let slack = 2.0 * roll.reading_error() + e * e / (2.0 * a_0) * 0.01;
-        assert!(
-            found.found <= within + slack && within <= found.found + found.missed + slack,
-            "{e}: {found:?} {within}"
-        );
+        let slack = error + e * e / (2.0 * a_0) * 0.01;
+        let allowed = found.found - slack..=found.found + found.missed + slack;
+        assert!(allowed.contains(&within), "{e}: {found:?} {within}");
     }
 }
 
@@ -99,58 +100,30 @@ fn an_eccentric_gear_moves_by_twice_its_eccentricity() {
 fn extremes_between_poses_are_bracketed() {
     for (teeth, shift, e) in [(9, 0.4, 0.0), (9, 0.4, 0.006), (23, 0.0, 0.01)] {
         let wave = |seed| scaled(&made_up(teeth, seed), 6e-3);
-        let deviations = Deviations {
-            per_tooth: wave(1),
-            pitch: Some(Pitch::from_cumulative(&wave(2), &wave(3))),
-            eccentricity: e,
-            high_tooth: 2.3,
-            ..Deviations::default()
-        };
-        let gear = Gear::nominal(design(teeth, 2.0, 20.0, shift)).unwrap();
-        let part = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
-        let roll = |steps_per_pitch| {
-            let settings = Settings {
-                steps_per_pitch,
-                ..Settings::default()
-            };
-            measure(&part, settings).roll.unwrap()
-        };
-        let (few, many) = (roll(16), roll(16 * 5));
+        let mut make = spur(teeth, 2.0).shift(shift).runout(e, 2.3);
+        make.deviations.per_tooth = wave(1);
+        let part = make.pitch(&wave(2), &wave(3)).front();
+        let [few, many] = [16, 16 * 5].map(|steps| rolled(&part, steps));
         let error = 2.0 * few.reading_error();
         // Over the even poses alone, which share nothing with the search.
-        let ends = |poses: &[RollPose]| {
-            poses
-                .iter()
-                .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], pose| {
-                    [least.min(pose.distance), most.max(pose.distance)]
-                })
-        };
+        let ends = |poses: &[RollPose]| ends(poses.iter().map(|pose| pose.distance));
         let [least, most] = ends(&many.poses);
         let total = few.total();
         assert!(
             most - least <= total.found + total.missed + error,
-            "z {teeth}: {total:?}"
+            "{total:?}"
         );
         assert!(total.missed <= 1e-6, "z {teeth}: {total:?}");
         let count = many.poses.len();
-        let within = (0..count)
-            .map(|first| {
-                let window: Vec<RollPose> = (first..=first + 16 * 5)
-                    .map(|i| many.poses[i % count])
-                    .collect();
-                let [least, most] = ends(&window);
-                most - least
-            })
-            .fold(0.0, f64::max);
+        let windows = (0..count).map(|first| {
+            let window = (first..=first + 16 * 5).map(|i| many.poses[i % count]);
+            let [least, most] = ends(&window.collect::<Vec<RollPose>>());
+            most - least
+        });
+        let [_, within] = kit::ends(windows);
         let single = few.tooth_to_tooth();
-        assert!(
-            within <= single.found + single.missed + error,
-            "z {teeth}: {within} {single:?}"
-        );
-        assert!(
-            within >= single.found - 1e-4,
-            "z {teeth}: {within} {single:?}"
-        );
+        let allowed = single.found - 1e-4..=single.found + single.missed + error;
+        assert!(allowed.contains(&within), "{within} {single:?}");
         assert!(single.missed <= 2e-5, "z {teeth}: {single:?}");
         // The even sixteen alone fall short by more than is allowed now, which is what is tested.
         let [least, most] = ends(&few.poses);
@@ -164,19 +137,11 @@ fn extremes_between_poses_are_bracketed() {
 fn polygons_close_at_every_distance_of_a_deviated_eccentric_gear() {
     const BESIDE: f64 = 1e-7;
     let wave = |seed| scaled(&made_up(23, seed), 8e-3);
-    let deviations = Deviations {
-        pitch: Some(Pitch::from_cumulative(&wave(4), &wave(5))),
-        eccentricity: 0.02,
-        high_tooth: 3.4,
-        ..Deviations::default()
-    };
-    let gear = Gear::nominal(design(23, 2.0, 20.0, 0.0)).unwrap();
-    let part = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
-    let settings = Settings {
-        steps_per_pitch: 3,
-        ..Settings::default()
-    };
-    let roll = measure(&part, settings).roll.unwrap();
+    let part = spur(23, 2.0)
+        .pitch(&wave(4), &wave(5))
+        .runout(0.02, 3.4)
+        .front();
+    let roll = rolled(&part, 3);
     let master = AsBuilt::perfect(roll.master.clone(), Face::Back);
     let cut = CutPair::new(&part, &master, 1e-3);
     let pitch = part.gear().basic_data().angular_pitch();
@@ -187,7 +152,7 @@ fn polygons_close_at_every_distance_of_a_deviated_eccentric_gear() {
             let pair = pair.unwrap();
             // The mating at this distance that turns the gear as the pose has it.
             let turned = pose.rotation - Pose::new(&pair, pose.mating).locked_rotation();
-            let turned = turned - std::f64::consts::TAU * (turned / std::f64::consts::TAU).round();
+            let turned = turned - TAU * (turned / TAU).round();
             let onward = -part.face().ascending() * turned / pitch;
             let there = Pose::new(&pair, pose.mating.onward(&pair, onward));
             let found = cut.refined_kernel(&pair).lost_motion(&there).unwrap();

@@ -1,18 +1,15 @@
 //! Statements of a drawing: tolerance fields, offsets and temperatures, compared with published tables and closed forms.
 
-use gearlash::analytic::InvolutePair;
-use gearlash::error::GearError;
-use gearlash::gear::{BasicGearData, Face, Gear, GearDesign, ThicknessField};
-use gearlash::metrology::{Measurements, ThicknessStatement, Toleranced};
-use gearlash::pair::DesignatedDistance;
+use super::*;
 
 /// Copied from two public programs with equal values.
 const DIN_3967: &str = include_str!("../../fixtures/reference/din_3967.csv");
 
-fn basic_data(diameter: f64) -> BasicGearData {
+fn allowances(field: &str, diameter: f64) -> Result<[f64; 2], GearError> {
     // The module is limited to 1000 mm, so use more teeth.
     let teeth = if diameter > 1000.0 { 1024 } else { 32 };
-    BasicGearData::new(teeth, diameter / f64::from(teeth), 20f64.to_radians()).unwrap()
+    let field: ThicknessField = field.parse().unwrap();
+    field.allowances_um(&spur(teeth, diameter / f64::from(teeth)).design.basic_data)
 }
 
 #[test]
@@ -27,11 +24,11 @@ fn every_thickness_field_is_that_of_the_published_table() {
         for diameter in [1.001 * above, cells[0]] {
             for (a, series) in series.iter().enumerate() {
                 for (t, tolerance) in tolerances.iter().enumerate() {
-                    let field: ThicknessField = format!("{tolerance}{series}").parse().unwrap();
+                    let field = format!("{tolerance}{series}");
                     let upper = cells[1 + a];
                     let expected = [upper, upper - cells[12 + t]];
-                    let found = field.allowances_um(&basic_data(diameter)).unwrap();
-                    assert_eq!(found, expected, "{tolerance}{series} at {diameter} mm");
+                    let found = allowances(&field, diameter);
+                    assert_eq!(found, Ok(expected), "{field} at {diameter} mm");
                     compared += 1;
                 }
             }
@@ -44,14 +41,14 @@ fn every_thickness_field_is_that_of_the_published_table() {
 /// The anchors that stand beside the published table.
 #[test]
 fn known_thickness_fields_are_found() {
-    let of = |text: &str, diameter| {
-        let field: ThicknessField = text.parse().unwrap();
-        field.allowances_um(&basic_data(diameter)).unwrap()
-    };
-    assert_eq!(of("27cd", 100.0), [-70.0, -170.0]);
-    assert_eq!(of("25cd", 40.0), [-54.0, -84.0]);
-    assert_eq!(of("cd 25", 40.0), [-54.0, -84.0]);
-    assert_eq!(of("DIN 3967 cd25", 40.0), [-54.0, -84.0]);
+    for (field, diameter, expected) in [
+        ("27cd", 100.0, [-70.0, -170.0]),
+        ("25cd", 40.0, [-54.0, -84.0]),
+        ("cd 25", 40.0, [-54.0, -84.0]),
+        ("DIN 3967 cd25", 40.0, [-54.0, -84.0]),
+    ] {
+        assert_eq!(allowances(field, diameter), Ok(expected), "{field}");
+    }
 }
 
 #[test]
@@ -90,8 +87,7 @@ fn what_is_no_field_is_refused() {
         let distance = text.parse::<DesignatedDistance>();
         assert_eq!(distance, Err(GearError::DistanceField), "{text}");
     }
-    let field: ThicknessField = "25cd".parse().unwrap();
-    assert!(field.allowances_um(&basic_data(10_001.0)).is_err());
+    assert!(allowances("25cd", 10_001.0).is_err());
     for beyond in ["3 js7", "500.1 js7"] {
         let distance: DesignatedDistance = beyond.parse().unwrap();
         assert!(distance.deviations_um().is_err(), "{beyond}");
@@ -147,10 +143,9 @@ fn distances_are_read_as_drawings_write_them() {
 }
 
 fn measured(thickness: ThicknessStatement) -> Toleranced<Gear> {
-    let design = GearDesign::standard(BasicGearData::new(24, 2.0, 20f64.to_radians()).unwrap());
     let statement = Measurements {
         thickness,
-        ..Measurements::nominal(design, Face::Front)
+        ..Measurements::nominal(spur(24, 2.0).design, Face::Front)
     };
     let gear = statement.measure().unwrap();
     gear.as_built
@@ -165,7 +160,7 @@ fn flanks_moved_in_leave_that_much_normal_backlash() {
     let [nominal, thin] = [0.0, -0.05].map(|mm| measured(offset(mm)));
     let backlash = |gear: &Gear| InvolutePair::new(gear, gear).base_backlash(48.3).unwrap();
     let more = backlash(thin.most()) - backlash(nominal.most());
-    assert!((more - 4.0 * 0.05).abs() < 1e-13, "{more}");
+    near("more", more, 4.0 * 0.05, 1e-13);
 }
 
 /// A field is the band of its two allowances.

@@ -1,39 +1,19 @@
 //! The formulas, and closed forms, of flanks whose profiles deviate.
 
-use gearlash::analytic::{InvolutePair, LineOfAction};
-use gearlash::contact::{ExactKernel, LostMotion};
-use gearlash::error::GearError;
-use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Modification, Pitch, ProfilePart,
-    Relief, Side, involute,
-};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
-use proptest::prelude::*;
-use std::f64::consts::{PI, TAU};
+use super::*;
 
 fn gear(teeth: u32) -> Gear {
-    let basic_data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();
-    Gear::nominal(GearDesign::standard(basic_data)).unwrap()
+    spur(teeth, 3.0).gear()
 }
 
-fn built(gear: Gear, face: Face, profiles: [Modification; 2]) -> AsBuilt {
-    let deviations = Deviations {
-        profiles,
-        eccentricity: 0.010,
-        high_tooth: 5.5,
-        ..Deviations::default()
-    };
-    AsBuilt::new(gear, face, &deviations).unwrap()
+fn profiled(profiles: [Modification; 2]) -> Make {
+    let mut gear = spur(44, 3.0).runout(0.010, 5.5);
+    gear.deviations.profiles = profiles;
+    gear
 }
 
 fn pair(wheel: [Modification; 2], pinion: [Modification; 2]) -> GearPair {
-    let wheel = built(gear(44), Face::Front, wheel);
-    let pinion = built(gear(44), Face::Back, pinion);
-    GearPair::new(wheel, pinion, 132.1).unwrap()
-}
-
-fn none() -> [Modification; 2] {
-    [Modification::default(), Modification::default()]
+    kit::pair(&profiled(wheel), &profiled(pinion), 132.1)
 }
 
 fn both(modification: Modification) -> [Modification; 2] {
@@ -42,10 +22,8 @@ fn both(modification: Modification) -> [Modification; 2] {
 
 fn poses(pair: &GearPair, count: u32) -> Vec<Pose> {
     let mating = |k| Mating {
-        wheel_tooth: 1,
-        pinion_tooth: 1,
-        flank: Side::Right,
         fraction: 44.0 * f64::from(k) / f64::from(count),
+        ..Mating::FIRST
     };
     (0..count).map(|k| Pose::new(pair, mating(k))).collect()
 }
@@ -90,84 +68,39 @@ fn a_slope_is_an_involute_of_another_base_circle() {
             ..Modification::default()
         };
         let per_roll = slope.slope / (wheel.tip_roll() - wheel.form_roll());
-        let sloped = built(wheel.clone(), Face::Front, both(slope));
-        let other = built(of_other_base(&wheel, per_roll), Face::Front, none());
+        let sloped = profiled(both(slope)).front();
+        let other = AsBuilt::perfect(of_other_base(&wheel, per_roll), Face::Front);
         table.push((um, worst_flank_distance(&sloped, &other)));
     }
-    println!("{table:?}");
     for pair in table.windows(2) {
         let [(um, off), (more, farther)] = [pair[0], pair[1]];
         let grown = farther / off / (more / um).powi(2);
         // To rounding at 0.1 µm: 1e-13 mm of 1e-9.
-        assert!(
-            (0.8..1.25).contains(&grown),
-            "{um} µm: {off} mm, {more} µm: {farther} mm"
-        );
+        assert!((0.8..1.25).contains(&grown), "{table:?}");
     }
 }
 
 /// Greatest distance along the circle between the flanks of two gears on circles between form and tip, mm.
 fn worst_flank_distance(one: &AsBuilt, other: &AsBuilt) -> f64 {
     let at = |built: &AsBuilt, radius: f64| {
-        use gearlash::gear::ProfilePart::Involute;
+        let flank = ProfilePart::Involute;
         let profile = built.profile(Side::Right, 1);
-        let (mut high, mut low) = profile.range(Involute);
+        let (mut high, mut low) = profile.range(flank);
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
-            if profile.radius(Involute, middle) < radius {
+            if profile.radius(flank, middle) < radius {
                 low = middle
             } else {
                 high = middle
             }
         }
-        let point = profile.point(Involute, 0.5 * (low + high), Side::Right);
+        let point = profile.point(flank, 0.5 * (low + high), Side::Right);
         point.y.atan2(point.x)
     };
     let gear = one.gear();
     let (form, tip) = (gear.form_radius() + 0.2, gear.tip_radius() - 1e-6);
     let radii = (0..=40).map(|k| form + (tip - form) * f64::from(k) / 40.0);
-    radii.fold(0.0, |most, radius| {
-        most.max((at(one, radius) - at(other, radius)).abs() * radius)
-    })
-}
-
-/// To the last bit: where no contact of the unrelieved pair lies on what a relief takes off, nothing changes.
-#[test]
-fn relief_beyond_the_path_of_contact_changes_no_bit() {
-    let plain = pair(none(), none());
-    let gear = gear(44);
-    // Least radius that any pose touches, on either gear.
-    let all = poses(&plain, 300);
-    let radii = all.iter().flat_map(|pose| {
-        let found = lost_motion(&plain, pose);
-        [found.right, found.left].map(|contact| contact.unwrap().wheel.radius)
-    });
-    let radii: Vec<f64> = radii.collect();
-    let (least, most) = radii
-        .iter()
-        .fold((f64::INFINITY, 0.0f64), |(a, b), r| (a.min(*r), b.max(*r)));
-    assert!(
-        least > gear.form_radius() + 0.01 && most < gear.tip_radius() - 0.01,
-        "{least} {most}"
-    );
-    for parabolic in [false, true] {
-        let relief = |from| {
-            Some(Relief {
-                amount: 0.02,
-                from,
-                parabolic,
-            })
-        };
-        let relieved = Modification {
-            tip_relief: relief(0.5 * (most + gear.tip_radius())),
-            root_relief: relief(0.5 * (least + gear.form_radius())),
-            ..Modification::default()
-        };
-        let pair = pair(both(relieved), none());
-        for pose in &all {
-            assert_eq!(lost_motion(&plain, pose), lost_motion(&pair, pose));
-        }
-    }
+    ends(radii.map(|radius| (at(one, radius) - at(other, radius)).abs() * radius))[1]
 }
 
 /// The formula has the flanks' own deviation at its contact point, and lies above by the square of their slope there.
@@ -184,11 +117,10 @@ fn the_formula_takes_the_deviation_where_it_touches() {
         for pose in poses(&pair, 200) {
             let found = lost_motion(&pair, &pose);
             let contacts = [found.right.unwrap(), found.left.unwrap()];
-            use gearlash::gear::ProfilePart::Involute;
-            if contacts
+            let mut touched = contacts
                 .iter()
-                .any(|c| c.wheel.curve != Involute || c.pinion.curve != Involute)
-            {
+                .flat_map(|c| [c.wheel.curve, c.pinion.curve]);
+            if touched.any(|curve| curve != ProfilePart::Involute) {
                 continue;
             }
             let formula = LineOfAction::new(&pair, &pose).angle().unwrap();
@@ -196,10 +128,8 @@ fn the_formula_takes_the_deviation_where_it_touches() {
             // Slopes of both flanks up to (4 C + f)/L over a flank of some 6 mm tilt by up to 4.5e-4 a µm each; curvatures add up to 1/12 a mm
             // and more: 2 sides, (Σ tilt)²/(2 κ).
             let tilt = 4.5e-4 * um * 1.7;
-            assert!(
-                off > -1e-12 && off < 2.0 * tilt * tilt * 6.0,
-                "{um} µm: {off} mm"
-            );
+            let allowed = -1e-12..2.0 * tilt * tilt * 6.0;
+            assert!(allowed.contains(&off), "{um} µm: {off} mm");
             compared += 1;
         }
     }
@@ -208,29 +138,6 @@ fn the_formula_takes_the_deviation_where_it_touches() {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
-
-    /// Removing metal never makes anything touch sooner.
-    #[test]
-    fn taking_off_never_takes_play(
-        amount in 0.0..0.1f64,
-        share in 0.05..0.95f64,
-        parabolic in any::<bool>(),
-        fraction in 0.0..44.0f64,
-    ) {
-        let gear = gear(44);
-        let from = gear.form_radius() + share * (gear.tip_radius() - gear.form_radius());
-        let relief = Some(Relief { amount, from, parabolic });
-        let before = Modification { crowning: 0.003, ..Modification::default() };
-        let [tip, root] = [
-            Modification { tip_relief: relief, ..before.clone() },
-            Modification { root_relief: relief, ..before.clone() },
-        ];
-        let pose = |pair: &GearPair| Pose::new(pair, Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Left, fraction });
-        let plain = pair(both(before.clone()), none());
-        for relieved in [pair(both(tip.clone()), none()), pair(both(root.clone()), none()), pair([tip, root], none())] {
-            prop_assert!(play(&relieved, &pose(&relieved)) >= play(&plain, &pose(&plain)) - 1e-14);
-        }
-    }
 
     /// Gears exchanged, the picture mirrored, all lengths scaled: the same play.
     #[test]
@@ -242,7 +149,7 @@ proptest! {
         let one = [Modification { slope, ..Modification::default() }, Modification { crowning, ..Modification::default() }];
         let other = both(Modification { slope: -0.3 * slope, crowning: 0.5 * crowning, ..Modification::default() });
         let make = |wheel: (Face, [Modification; 2]), pinion: (Face, [Modification; 2]), locked| {
-            let [wheel, pinion] = [wheel, pinion].map(|(face, profiles)| built(gear(44), face, profiles));
+            let [wheel, pinion] = [wheel, pinion].map(|(face, profiles)| profiled(profiles).built(face));
             GearPair::with_locked(wheel, pinion, 132.1, locked).unwrap()
         };
         let at = |pair: &GearPair, flank| play(pair, &Pose::new(pair, Mating { wheel_tooth: 3, pinion_tooth: 7, flank, fraction }));
@@ -255,18 +162,6 @@ proptest! {
         let swapped = Mating { wheel_tooth: 7, pinion_tooth: 3, flank: Side::Right, fraction };
         prop_assert!((play(&exchanged, &Pose::new(&exchanged, swapped)) - there).abs() < 1e-12);
     }
-}
-
-/// Profile data change neither the nominal teeth nor the models that know no profile.
-#[test]
-fn the_involute_model_knows_no_profile() {
-    let crowned = both(Modification {
-        crowning: 0.01,
-        ..Modification::default()
-    });
-    let [plain, crowned] = [pair(none(), none()), pair(crowned, none())];
-    let play = |pair: &GearPair| InvolutePair::of(pair).circumferential_backlash(132.1);
-    assert_eq!(play(&plain), play(&crowned));
 }
 
 /// A deep parabolic relief of a short tip reaches the tip circle where its flank first does, not where its parabola comes back beyond the fold.
@@ -288,26 +183,22 @@ fn a_deep_short_relief_ends_at_the_nearest_roll() {
     };
     let (base, tip) = (plain.base_radius(), plain.tip_roll());
     let length = tip - involute::roll_at(from, base);
-    let wheel = built(plain, Face::Front, both(relieved));
+    let wheel = profiled(both(relieved)).front();
     // With h = ξ − ξ_1: r_b h − C h²/l² = r_b l.
     let curved = amount / (length * length);
     let h = (base - (base * base - 4.0 * curved * base * length).sqrt()) / (2.0 * curved);
     let ends = tip + h - length;
     let (end, _) = wheel.profile(Side::Right, 1).range(ProfilePart::Involute);
-    assert!((end - ends).abs() < 1e-14, "{end} {ends}");
+    near("roll", end, ends, 1e-14);
 }
 
 /// A tooth of 20 that has lost, or a space that has lost, 3 mm of its width on the reference circle: `s_a = 2 r_a (s/2r + inv α − inv α_a)`,
 /// and what is left of it; the form circle's space likewise.
 #[test]
 fn a_tooth_without_tip_and_a_closed_space_are_reported_with_their_width() {
-    let design = GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians()).unwrap());
-    let gear = Gear::nominal(design).unwrap();
+    let make = spur(20, 2.0);
     let (base, reference) = (20.0 * 20f64.to_radians().cos(), 20.0);
-    let inv_at = |radius: f64| {
-        let angle = (base / radius).acos();
-        angle.tan() - angle
-    };
+    let inv_at = |radius: f64| inv(f64::acos(base / radius));
     // Half a tooth, as an angle.
     let half = |radius: f64| PI / 40.0 + inv_at(reference) - inv_at(radius);
     // Cumulative deviations count from their mean.
@@ -315,32 +206,21 @@ fn a_tooth_without_tip_and_a_closed_space_are_reported_with_their_width() {
     let width = |sign: f64| {
         let mut right = vec![0.0; 20];
         right[7] = sign * 3.0;
-        let deviations = Deviations {
-            pitch: Some(Pitch::from_cumulative(&right, &[0.0; 20])),
-            ..Deviations::default()
-        };
-        match AsBuilt::new(gear.clone(), Face::Front, &deviations) {
+        let deviations = make.clone().pitch(&right, &[0.0; 20]).deviations;
+        match AsBuilt::new(make.gear(), Face::Front, &deviations) {
             Err(GearError::OutOfRange { what, value, .. }) => (what, value),
             other => panic!("{other:?}"),
         }
     };
-    let form = gear.form_radius();
-    for (found, what, expected) in [
-        (
-            [width(1.0), width(-1.0)],
-            "tip thickness of the thinnest tooth (mm)",
-            22.0 * (2.0 * half(22.0) - lost),
-        ),
-        (
-            [width(1.0), width(-1.0)],
-            "space width at the form circle (mm)",
-            form * (TAU / 20.0 - 2.0 * half(form) - lost),
-        ),
+    let form = make.gear().form_radius();
+    let tip = 22.0 * (2.0 * half(22.0) - lost);
+    let space = form * (TAU / 20.0 - 2.0 * half(form) - lost);
+    for (what, expected) in [
+        ("tip thickness of the thinnest tooth (mm)", tip),
+        ("space width at the form circle (mm)", space),
     ] {
+        let found = [width(1.0), width(-1.0)];
         let (_, value) = found.into_iter().find(|found| found.0 == what).expect(what);
-        assert!(
-            (value - expected).abs() < 1e-12,
-            "{what}: {value}, not {expected}"
-        );
+        near(what, value, expected, 1e-12);
     }
 }

@@ -11,13 +11,8 @@ mod gauge;
 #[path = "../../examples/measured_pair.rs"]
 mod measured_pair;
 
-use std::f64::consts::PI;
+use super::*;
 use std::fs;
-use std::path::Path;
-
-fn inv(angle: f64) -> f64 {
-    angle.tan() - angle
-}
 
 /// The numbers before `µm`, a line each.
 fn um(table: &str) -> Vec<f64> {
@@ -40,7 +35,7 @@ fn a_pair_as_drawn_has_the_play_of_the_formula() {
         let thicker = 4.0 * 0.2 * alpha.tan() - 0.11;
         let j_bt = 2.0 * r_b * (inv(alpha_w) - inv(alpha)) - thicker * alpha.cos();
         let j_wt = 1e3 * j_bt / alpha_w.cos();
-        assert!((found - j_wt).abs() < 2e-3, "{a}: {j_wt}\n{table}");
+        near(a, found, j_wt, 2e-3);
     }
     assert_eq!(table.lines().count(), 4);
 }
@@ -59,19 +54,12 @@ fn a_pair_from_spans_and_runout_has_its_play() {
     };
     let found = um(&table);
     assert_eq!(found.len(), 4);
-    for found in &found {
-        assert!(
-            *found > j_wt(132.15 - 0.026) && *found < j_wt(132.15 + 0.026),
-            "{table}"
-        );
-    }
+    let [least, most] = ends(found.iter().copied());
+    let allowed = [-0.026, 0.026].map(|by| j_wt(132.15 + by));
+    assert!(least > allowed[0] && most < allowed[1], "{table}");
     // Over half a turn each the mean is that of the centred gears, but for the second order.
     let mean = found.iter().sum::<f64>() / 4.0;
-    assert!(
-        (mean - j_wt(132.15)).abs() < 0.5,
-        "{} {table}",
-        j_wt(132.15)
-    );
+    near("mean", mean, j_wt(132.15), 0.5);
 }
 
 /// `W_3 = m cos α (2.5 π + z inv α)`; a ball reads twice the eccentricity.
@@ -82,10 +70,7 @@ fn the_gauge_reads_what_the_formulas_say() {
     let readings = gauge::readings().unwrap();
     let want = format!("span over 3 teeth  {span:8.4} mm\n");
     assert!(readings.starts_with(&want), "{want}{readings}");
-    assert!(
-        (um(&readings.replace(&want, ""))[0] - 10.0).abs() < 0.2,
-        "{readings}"
-    );
+    near("ball", um(&readings.replace(&want, ""))[0], 10.0, 0.2);
 }
 
 /// A program to copy from is short.

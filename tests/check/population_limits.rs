@@ -1,0 +1,201 @@
+//! Requirements on each assembly of a population, compared with the verdict of the same pair alone; and its worst case, with no assembly beyond it.
+
+use super::population::*;
+use super::*;
+use gearlash::analysis::verdict::{Requirement as Kept, Verdict as Said};
+use gearlash::population::{
+    GearScatter, LimitCases, OutcomeKind, Population, Requirement, Scatter, Scatters, limit_cases,
+};
+
+const QUANTITIES: [Quantity; 7] = [
+    Quantity::OperatingBacklash,
+    Quantity::ReferenceBacklash,
+    Quantity::NormalBacklash,
+    Quantity::RadialBacklash,
+    Quantity::LostMotion(Member::Wheel),
+    Quantity::LostMotion(Member::Pinion),
+    Quantity::RadialClearance,
+];
+
+fn limited(quantity: Quantity, limit: f64, is_max: bool) -> Vec<(Quantity, Limits)> {
+    let limits = Limits {
+        min: (!is_max).then_some(limit),
+        max: is_max.then_some(limit),
+    };
+    vec![(quantity, limits)]
+}
+
+/// Limits 0.1 µm (or the lost motion of as much) to either side of what an assembly has, whose bracket is 0.001 µm wide: whatever is limited, the
+/// verdict of that pair alone says the same.
+#[test]
+fn every_requirement_is_judged_as_the_verdict_of_the_pair_judges_it() {
+    // 30/20 with thickness, runout, centre distance, play and phase drawn.
+    let of = |sigma| of_gear(normal(sigma), Some(Scatter::rayleigh(0.01).unwrap()));
+    let scatters = Scatters {
+        wheel: of(0.01),
+        pinion: of(0.02),
+        center_distance: Some(Scatter::triangular(-0.02, 0.0, 0.02).unwrap()),
+        bearing_play: within(0.002, 0.01),
+        phase: true,
+        ..Scatters::default()
+    };
+    let population = Population::new(perfect([30, 20], 75.2), scatters).unwrap();
+    for number in 1..=6 {
+        let assembly = population.assembly(drawn(3, number)).unwrap();
+        let outcome = assembly.outcome().unwrap();
+        assert_eq!(outcome.kind, OutcomeKind::Clear);
+        let (pair, play) = (assembly.pair().data().unwrap(), assembly.clearance());
+        let [near, far] = [-play, play].map(|by| pair.at(pair.center_distance() + by).unwrap());
+        let start = (1, assembly.phase());
+        let study = Study {
+            bearing_clearance: play,
+            sweep: Some(SweepPlan::wheel_revolution(pair, 1, start)),
+            ..Study::of_pair("alone", pair, 1)
+        };
+        let found = runs_of(&study, false);
+        for quantity in QUANTITIES {
+            let least = quantity.value(&near, outcome.least.unwrap(), false);
+            let greatest = quantity.value(&far, outcome.greatest.unwrap(), true);
+            let hair = match quantity {
+                Quantity::LostMotion(member) => 1e-4 / pair.operating_pitch_radius(member),
+                _ => 1e-4,
+            };
+            for (value, is_max) in [(least, false), (greatest, true)] {
+                for by in [-hair, hair] {
+                    let required = limited(quantity, value + by, is_max);
+                    let verdict = Said::new(&found, &required, None, Vec::new());
+                    let missed = verdict.requirement == Kept::NotMet;
+                    let told = format!("{number} {quantity:?} {is_max} {by}");
+                    assert_eq!(missed, (by < 0.0) == is_max, "{told}");
+                    let standing = Requirement::of(&required).standing(&assembly, &outcome);
+                    assert_eq!(standing.below, missed && !is_max, "{told}");
+                    assert_eq!(standing.above, missed && is_max, "{told}");
+                }
+            }
+        }
+    }
+}
+
+/// `j_bn = j_wt cos α_wt` and the like: at one centre distance a limit of each backlash is one of `j_wt`, and the same assemblies miss it.
+#[test]
+fn a_limit_in_another_unit_is_missed_by_the_same_assemblies() {
+    let pair = perfect([30, 20], 75.2);
+    let scatters = of_thickness(normal(0.01), normal(0.02));
+    let population = Population::new(pair.clone(), scatters).unwrap();
+    let tally = |quantity, limit, is_max| {
+        let requirement = Requirement::of(&limited(quantity, limit, is_max));
+        sums(&sample(&population, requirement, 8), 300)
+    };
+    for (limit, is_max) in [(0.12, false), (0.16, true)] {
+        let wanted = tally(Quantity::OperatingBacklash, limit, is_max);
+        assert!((10..290).contains(&wanted.outside), "{}", wanted.outside);
+        for quantity in QUANTITIES.into_iter().take(6) {
+            let value = quantity.value(&pair, limit, is_max);
+            let found = tally(quantity, value, is_max);
+            let counted = [&wanted, &found].map(|all| (all.below, all.above, all.outside));
+            assert_eq!(counted[0], counted[1], "{quantity:?}");
+        }
+    }
+    // Thinner teeth have deeper roots: a − r_a − r_f of each gear's tip in its mate's root, the least of both.
+    let limit = Quantity::RadialClearance.value(&pair, 0.0, false);
+    let is_below = |number: &u64| {
+        let assembly = population.assembly(drawn(8, *number)).unwrap();
+        let [wheel, pinion] =
+            Member::BOTH.map(|member| assembly.pair().data().unwrap().gear(member).gear());
+        let within = assembly.pair().center_distance() - limit;
+        let reach = [
+            wheel.tip_radius() + pinion.root_radius(),
+            pinion.tip_radius() + wheel.root_radius(),
+        ];
+        reach[0].max(reach[1]) > within
+    };
+    let below = (1..=300).filter(is_below).count() as u64;
+    assert!((10..290).contains(&below), "{below}");
+    for (is_max, missed) in [(false, below), (true, 300 - below)] {
+        let found = tally(Quantity::RadialClearance, limit, is_max);
+        assert_eq!(found.outside, missed);
+    }
+}
+
+/// Perfect gears with bands: every length at its end.
+#[test]
+fn the_worst_case_of_perfect_gears_is_the_closed_form() {
+    let pinion = Scatter::normal_within(-0.02, 0.02, 0.0, 1.33).unwrap();
+    let scatters = Scatters {
+        center_distance: within(-0.02, 0.03),
+        bearing_play: Some(Scatter::fixed(0.01).unwrap()),
+        ..of_thickness(within(-0.03, 0.01), Some(pinion))
+    };
+    let population = Population::new(rig(), scatters).unwrap();
+    let found = limit_cases(&population).unwrap().unwrap();
+    let [least, greatest] = found.worst.map(Option::unwrap);
+    near("least", least, closed_form(132.07, [0.01, 0.02]), 1e-9);
+    let expected = closed_form(132.14, [-0.03, -0.02]);
+    near("greatest", greatest, expected, 1e-9);
+}
+
+/// No assembly of bounded scatter lies beyond the worst case, and the root sum of squares lies within it.
+fn none_is_worse(population: &Population, limits: &LimitCases, count: u64) {
+    let [least, greatest] = limits.worst.map(Option::unwrap);
+    let [low, high] = limits.root_sum_of_squares.map(Option::unwrap);
+    assert!(least < low && low < high && high < greatest);
+    let all = sample(population, Requirement::new(None, None), 5);
+    for number in 1..=count {
+        let (found, _) = all.outcome(number).unwrap();
+        assert!(found.is_proven && found.least.unwrap() >= least, "{number}");
+        assert!(found.greatest.unwrap() <= greatest, "{number}");
+    }
+}
+
+#[test]
+fn no_assembly_is_worse_than_the_worst_case() {
+    let gear = || GearScatter {
+        per_tooth: Some(Scatter::triangular(-0.004, 0.0, 0.004).unwrap()),
+        ..of_gear(within(-0.02, 0.02), within(0.0, 0.04))
+    };
+    let scatters = Scatters {
+        wheel: gear(),
+        pinion: gear(),
+        center_distance: within(-0.01, 0.01),
+        phase: true,
+        ..Scatters::default()
+    };
+    let population = Population::new(rig(), scatters).unwrap();
+    let limits = limit_cases(&population).unwrap().unwrap();
+    none_is_worse(&population, &limits, 500);
+}
+
+/// 30/20 of which a tooth each stands beside its place: of its 10 phases each has a worst case of its own, and that of the population is the
+/// worst of these; no assembly of bounded scatter in any phase lies beyond.
+#[test]
+fn the_worst_case_is_that_of_all_phases() {
+    // Tooth 1 has its flanks before their places.
+    let gear = |teeth: u32, off: f64| {
+        let mut cumulative = vec![0.0; teeth as usize];
+        cumulative[0] = off;
+        spur(teeth, 3.0).pitch(&cumulative, &cumulative)
+    };
+    let population = |phase| {
+        let scatters = Scatters {
+            center_distance: within(-0.01, 0.01),
+            phase,
+            ..of_thickness(within(-0.005, 0.005), None)
+        };
+        Population::new(pair(&gear(30, 0.03), &gear(20, -0.025), 75.2), scatters).unwrap()
+    };
+    let limits = |population: &Population| limit_cases(population).unwrap().unwrap();
+    let whole = population(true);
+    let all = limits(&whole);
+    let each = (1..=10).map(|phase| limits(&population(false).with_phase(phase)));
+    let each: Vec<LimitCases> = each.collect();
+    let worst: fn(&LimitCases) -> [Option<f64>; 2] = |case| case.worst;
+    for of in [worst, |case| case.mean] {
+        let ends = |end: usize| each.iter().map(move |case| of(case)[end].unwrap());
+        let [least, _] = kit::ends(ends(0));
+        let [_, greatest] = kit::ends(ends(1));
+        assert_eq!(of(&all).map(Option::unwrap), [least, greatest]);
+        // Some phase is not the worst by more than a µm.
+        assert!(ends(0).any(|other| other > least + 1e-3));
+    }
+    none_is_worse(&whole, &all, 300);
+}

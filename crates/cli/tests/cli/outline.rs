@@ -277,18 +277,5 @@ fn a_section_of_a_helical_gear_is_turned_with_its_helix() {
             let off = (turned[0] - q[0]).hypot(turned[1] - q[1]);
             assert!(off < 1e-9, "{face}: {turned:?} {q:?}");
         }
-        let text = outline(folder.path(), &file, &["--format", "dxf"]);
-        assert!(text.contains(
-            "section: transverse, 0 mm from the measuring plane, in which tooth 1 is up (helix 15 deg, right hand)"
-        ));
-        let mut command = gearlash(folder.path());
-        let command = command.arg("outline").arg(&file);
-        command
-            .args(["--format", "svg", "--section", "13"])
-            .assert()
-            .code(2)
-            .stderr(predicates::str::contains(
-                "--section 13: the gear has teeth from -5 to 12 mm",
-            ));
     }
 }

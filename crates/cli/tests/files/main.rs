@@ -4,13 +4,9 @@
 
 mod failures;
 mod kills;
-mod links;
-mod population;
-mod sets;
 mod signals;
 #[path = "../../../../tests/common/skip.rs"]
 mod skip;
-mod streams;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

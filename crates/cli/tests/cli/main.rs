@@ -4,7 +4,6 @@
 mod bombs;
 mod docs;
 mod hostile;
-mod large;
 mod leaks;
 mod matching;
 mod outline;
@@ -14,8 +13,6 @@ mod reference;
 mod remedies;
 mod results;
 mod schema;
-#[path = "../../../../tests/common/skip.rs"]
-mod skip;
 mod tolerance;
 
 use assert_cmd::Command;

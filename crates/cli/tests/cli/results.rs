@@ -129,6 +129,29 @@ fn helical_gears_have_the_backlash_of_their_face() {
     }
 }
 
+/// 5100 poses are written in more than one piece, laid out as serde_json lays out the whole; the title's escape is ours. `tests/sessions/large.txt` holds
+/// their numbers.
+#[test]
+fn a_result_in_pieces_is_laid_out_as_a_whole() {
+    let folder = empty_folder();
+    let gear = |teeth: u32| json!({ "teeth": teeth, "module_mm": 2.0, "pressure_angle_deg": 20.0 });
+    let pair = json!({
+        "title": "##[error] in two pieces",
+        "wheel": gear(17),
+        "pinion": gear(25),
+        "assembly": { "center_distance_mm": 42.1 },
+        "sweep": { "revolutions": "hunting", "steps_per_pitch": 12 },
+    });
+    std::fs::write(folder.path().join("large.json"), pair.to_string()).unwrap();
+    let words = ["simulate", "large.json", "--no-certify", "--format", "json"];
+    let written = output(gearlash(folder.path()).args(words));
+    let value: Value = serde_json::from_str(&written).unwrap();
+    assert_eq!(value["runs"][0]["poses"].as_array().unwrap().len(), 5100);
+    let whole = serde_json::to_string_pretty(&value).unwrap() + "\n";
+    assert!(whole.contains("\"##[error]") && !written.contains("##"));
+    assert_eq!(written, whole.replace("##[error]", "#\\u0023[error]"));
+}
+
 /// The corpus holds the verdicts of some sixty pairs: spur, helical, drawn, jammed, out of mesh.
 #[test]
 fn every_verdict_of_the_corpus_has_six_short_lines_at_most() {

@@ -11,6 +11,7 @@
 //! | `$ ARGUMENTS` | runs gearlash; `NAME=VALUE` before the command sets a variable; `cat FILE` prints a file |
 //! | `$ ARGUMENTS ? KEY…` | stores of printed JSON the values below these keys; of a picture or page the texts, of a table the lines that hold one of them, `_` for a blank |
 //! | `$! ARGUMENTS` | stores no standard output |
+//! | `% SCRIPT` | runs SCRIPT by `sh`, for which `gearlash` is the program |
 //!
 //! An outcome is the exit code (`=`), standard output (`|`), standard error (`!`), and each file that is new, changed or gone (`*`).
 //! `GEARLASH_SESSIONS=write` stores the outcomes of today; `GEARLASH_SESSIONS_CASES=word` selects files by name.
@@ -28,6 +29,7 @@ use std::process::Command;
 use std::{env, fs};
 use tempfile::TempDir;
 
+const PROGRAM: &str = env!("CARGO_BIN_EXE_gearlash");
 /// Lines that are stored of standard output; the others are counted.
 const MAX_LINES: usize = 40;
 /// More new, changed or gone files are counted.
@@ -46,12 +48,15 @@ fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     while let Some(next) = folders.pop() {
         for entry in fs::read_dir(&next).unwrap() {
             let path = entry.unwrap().path();
-            if path.is_dir() {
+            if path.is_dir() && !path.ends_with(".git") {
                 folders.push(path);
             } else {
-                let name = path.strip_prefix(folder).unwrap().to_str().unwrap();
-                // A link may lead nowhere.
-                found.insert(name.to_owned(), fs::read(&path).unwrap_or_default());
+                let name = path.strip_prefix(folder).unwrap().as_os_str();
+                let name = name.as_encoded_bytes().escape_ascii().to_string();
+                // A link may lead nowhere, and a pipe has no end.
+                let is_file = path.is_file();
+                let content = is_file.then(|| fs::read(&path).unwrap());
+                found.insert(name, content.unwrap_or_default());
             }
         }
     }
@@ -162,7 +167,7 @@ impl Session {
         self.before_edits.entry(name.to_owned()).or_insert(old);
     }
 
-    /// Runs a command and returns its outcome.
+    /// Runs a command of gearlash and returns its outcome.
     fn run(&mut self, words: &str, with_output: bool) -> String {
         let (words, keys) = words.split_once(" ? ").unwrap_or((words, ""));
         let keys: Vec<&str> = keys.split_whitespace().collect();
@@ -170,8 +175,7 @@ impl Session {
             let text = fs::read_to_string(self.at(name)).expect(words);
             return prefixed("|", &selected(&text, &keys));
         }
-        let mut command = Command::new(env!("CARGO_BIN_EXE_gearlash"));
-        command.current_dir(self.folder.path());
+        let mut command = Command::new(PROGRAM);
         command
             .env("RAYON_NUM_THREADS", "1")
             .env("SOURCE_DATE_EPOCH", "0");
@@ -180,8 +184,24 @@ impl Session {
             command.env(name, value);
             words.next();
         }
+        self.outcome(command.args(words), &keys, with_output)
+    }
+
+    /// Runs a script of the shell and returns its outcome.
+    fn run_script(&mut self, script: &str) -> String {
+        let mut folders = vec![Path::new(PROGRAM).parent().unwrap().to_owned()];
+        folders.extend(env::split_paths(&env::var_os("PATH").unwrap()));
+        let mut command = Command::new("sh");
+        command
+            .args(["-c", script])
+            .env("SOURCE_DATE_EPOCH", "0")
+            .env("PATH", env::join_paths(folders).unwrap());
+        self.outcome(&mut command, &[], true)
+    }
+
+    fn outcome(&mut self, command: &mut Command, keys: &[&str], with_output: bool) -> String {
         let before = contents(self.folder.path());
-        let found = command.args(words).output().unwrap();
+        let found = command.current_dir(self.folder.path()).output().unwrap();
         let after = contents(self.folder.path());
         let text = |bytes: &[u8]| {
             let folder = self.folder.path().to_str().unwrap();
@@ -190,7 +210,7 @@ impl Session {
         let mut out = format!("= {}\n", found.status.code().unwrap());
         let printed = text(&found.stdout);
         if with_output {
-            out += &prefixed("|", &selected(&printed, &keys));
+            out += &prefixed("|", &selected(&printed, keys));
         }
         let messages = text(&found.stderr);
         let messages: Vec<&str> = messages.lines().filter(|line| !is_excerpt(line)).collect();
@@ -277,6 +297,7 @@ fn played(text: &str) -> String {
             }
             "$" => out += &session.run(words, true),
             "$!" => out += &session.run(words, false),
+            "%" => out += &session.run_script(words),
             _ => panic!("{line:?}: no line of a session begins so"),
         }
     }

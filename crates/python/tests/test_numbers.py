@@ -28,6 +28,17 @@ def test_a_nominal_pair_has_the_backlash_of_the_closed_form() -> None:
     assert expected == pytest.approx(73.0569413863697, abs=1e-9)
     pose = pair.lost_motion(11, 11)
     assert pose.j_wt_um == pytest.approx(expected, abs=1e-6)
+    # Both gears alike, r = 66 mm, r_w = 132.1/2 mm.
+    assert pose.j_wt_um is not None
+    arcmin = math.degrees(pose.j_wt_um * 1e-3 / 66.05) * 60.0
+    for name, value in {
+        "j_t_um": pose.j_wt_um * 132.0 / 132.1,
+        "j_bn_um": pose.j_wt_um * 132.0 * math.cos(math.radians(20.0)) / 132.1,
+        "wheel_arcmin": arcmin,
+        "pinion_arcmin": arcmin,
+    }.items():
+        assert getattr(pose, name) == pytest.approx(value, rel=1e-12), name
+        assert getattr(pair.lost_motions([11], [11]), name)[0] == getattr(pose, name), name
     assert pose.proof is not None
     right, left = pose.proof["sides"]
     assert (right["side"], left["side"]) == ("right", "left")
@@ -66,23 +77,6 @@ def test_a_nominal_helical_pair_has_the_backlash_of_the_closed_form() -> None:
     assert "Proven" in pair.check().verdict
 
 
-def test_units_are_their_closed_forms() -> None:
-    pair = gearlash.Pair(perfect(44), perfect(44, face="back"), 132.1)
-    pose = pair.lost_motion(11, 11)
-    poses = pair.lost_motions([11], [11])
-    assert pose.j_wt_um is not None
-    cos_working = 132.0 * math.cos(math.radians(20.0)) / 132.1
-    expected = {
-        "j_t_um": pose.j_wt_um * 132.0 / 132.1,
-        "j_bn_um": pose.j_wt_um * cos_working,
-        "wheel_arcmin": math.degrees(pose.j_wt_um * 1e-3 / 66.05) * 60.0,
-        "pinion_arcmin": math.degrees(pose.j_wt_um * 1e-3 / 66.05) * 60.0,
-    }
-    for name, value in expected.items():
-        assert getattr(pose, name) == pytest.approx(value, rel=1e-12), name
-        assert getattr(poses, name)[0] == pytest.approx(value, rel=1e-12), name
-
-
 @pytest.mark.parametrize("name", ["karba_44x44.toml", "profiled_44x44.toml", "hunting_51x23.toml"])
 def test_poses_are_those_of_simulate(fixtures, name: str) -> None:
     path = fixtures / name
@@ -102,15 +96,10 @@ def test_poses_are_those_of_simulate(fixtures, name: str) -> None:
         assert poses.error_bound_um.tolist() == [pose["error_bound_um"] for pose in run["poses"]]
         statuses = [gearlash.Status(status).name.lower() for status in poses.status]
         assert statuses == [pose["status"] for pose in run["poses"]]
-    one = result["runs"][0]["poses"][0]
-    mating = one["mating"]
+    run = result["runs"][0]
+    one = run["poses"][0]
     found = pair.lost_motion(
-        mating["wheel_tooth"],
-        mating["pinion_tooth"],
-        mating["flank"],
-        mating["fraction"],
-        center_distance_mm=result["runs"][0]["center_distance_mm"],
-        material=result["runs"][0]["material"],
+        **one["mating"], center_distance_mm=run["center_distance_mm"], material=run["material"]
     )
     assert found.j_wt_um == one["j_wt_um"] and found.j_r_um == one["j_r_um"]
     assert found.right is not None and list(found.right.point_mm) == one["right"]["point_mm"]
@@ -159,34 +148,28 @@ def test_a_jammed_and_an_unmeshed_pair_are_results() -> None:
     assert apart.extremes().greatest is None
 
 
-def test_the_gauge_reads_what_was_stated() -> None:
-    rng = np.random.default_rng(1)
-    deviation = rng.normal(0.0, 4.0, 44).round(1)
+def test_the_gauge_is_that_of_the_command(fixtures) -> None:
+    path = fixtures / "karba_44x44_pitch.toml"
+    result = of_command("gauge", path, "--gear", "pinion", "--no-files", "--format", "json")
+    found = gearlash.Gear.read(path, "pinion").gauge()
+    assert found.record == result["gears"][0]
+    spans = found.record["spans"]
+    assert found.span_teeth == spans["teeth"]
+    assert found.spans_mm.tolist() == [reading["mm"] for reading in spans["readings"]]
+
+
+def test_deviations_may_be_arrays() -> None:
+    deviation = np.round(4.0 * np.cos(np.arange(44) * 6.0 * np.pi / 44), 1)
     deviation -= deviation.mean()
     gear = gearlash.Gear(
         teeth=44,
         module_mm=3.0,
         pressure_angle_deg=20.0,
-        thickness={"span": {"teeth": 6, "mm": 50.55}},
-        runout={"total_um": 30.0, "high_tooth": 7},
         pitch={"kind": "cumulative", "right_um": deviation, "left_um": deviation},
     )
-    gauged = gear.gauge()
-    assert gauged.spans_mm.shape == (44,) and gauged.span_teeth == 6
-    assert gauged.spans_mm.mean() == pytest.approx(50.55, abs=1e-6)
     for flank in ("right", "left"):
-        assert gauged.pitch_um(flank) == pytest.approx(deviation, abs=1e-3)
-    # e = F_r/2.
-    assert gauged.record["eccentricity"]["um"] == pytest.approx(15.0, abs=1e-3)
-    result = gear.to_dict()
-    assert result["pitch"]["right_um"] == deviation.tolist()
-
-
-def test_the_gauge_is_that_of_the_command(fixtures) -> None:
-    path = fixtures / "karba_86x21.toml"
-    result = of_command("gauge", path, "--gear", "pinion", "--no-files", "--format", "json")
-    found = gearlash.Gear.read(path, "pinion").gauge()
-    assert found.record == result["gears"][0]
+        assert gear.gauge().pitch_um(flank) == pytest.approx(deviation, abs=1e-3)
+    assert isinstance(gear.to_dict()["pitch"]["right_um"], list)
 
 
 def test_a_pair_of_the_gears_of_a_file_is_that_of_the_file(fixtures, tmp_path, monkeypatch) -> None:
@@ -207,12 +190,11 @@ def test_without_certificates_poses_are_the_same(fixtures, name: str, distances:
     pair = gearlash.read(fixtures / name)
     for distance in distances:
         for flank in ("right", "left"):
-            both = [
-                pair.revolution(center_distance_mm=distance, flank=flank, certify=certify)
-                for certify in (True, False)
-            ]
+            at = {"center_distance_mm": distance, "flank": flank}
+            one, other = (pair.revolution(certify=certify, **at) for certify in (True, False))
             for column in ("j_wt_um", "error_bound_um", "status", "wheel_tooth", "fraction"):
-                assert np.array_equal(*(getattr(poses, column) for poses in both), equal_nan=True), column
+                both = getattr(one, column), getattr(other, column)
+                assert np.array_equal(*both, equal_nan=True), column
 
 
 def test_flanks_start_and_hunting_cycle() -> None:

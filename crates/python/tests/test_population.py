@@ -2,6 +2,8 @@
 
 import json
 import os
+import re
+import shutil
 import signal
 from collections.abc import Iterator
 from pathlib import Path
@@ -42,10 +44,8 @@ def test_the_population_is_the_commands(pair: Path, whole: dict[str, object]) ->
     assert found.record == whole
     assert found.assemblies == 600
     assert found.below.low_ppm <= found.below.ppm <= found.below.high_ppm
+    assert found.below.ppm == pytest.approx(1e6 * found.below.count / 600, abs=1e-3)
     assert found.sentence in repr(found)
-
-
-def test_another_seed_draws_others(pair: Path, whole: dict[str, object]) -> None:
     assert gearlash.tolerance(pair, assemblies=600, seed=99).record["least"] != whole["least"]
 
 
@@ -56,11 +56,6 @@ def test_errors_are_exceptions(pair: Path, tmp_path: Path) -> None:
         gearlash.tolerance(file)
     with pytest.raises(gearlash.GearlashError, match="0 assemblies"):
         gearlash.tolerance(pair, assemblies=0)
-
-
-def test_a_share_counts_those_that_miss(whole: dict[str, object], pair: Path) -> None:
-    below = gearlash.tolerance(pair, assemblies=600).below
-    assert below.ppm == pytest.approx(1e6 * below.count / 600, abs=1e-3)
 
 
 @pytest.mark.parametrize("target", [float("nan"), float("inf"), 1e300, -100_001.0])
@@ -76,10 +71,7 @@ def test_draws_of_no_gear_stop_a_run(pair: Path, tmp_path: Path) -> None:
     text = pair.read_text(encoding="utf-8")
     file = tmp_path / "thick.toml"
     thick = 'thickness = { scatter = "table", values_um = [0, 9000] }'
-    lines = [
-        thick if line.startswith("thickness = { scatter") else line for line in text.splitlines()
-    ]
-    file.write_text("\n".join(lines), encoding="utf-8")
+    file.write_text(re.sub("(?m)^thickness = { scatter.*", thick, text), encoding="utf-8")
     with pytest.raises(gearlash.GearlashError, match="are of no gear, .*; assembly [0-9]+: .+"):
         gearlash.tolerance(file, assemblies=40_000)
 
@@ -141,26 +133,36 @@ def test_a_cluster_comes_to_the_same(
     assert json.dumps(found.record) == json.dumps(whole)
 
 
-def test_a_killed_worker_changes_nothing(pair: Path, whole: dict[str, object]) -> None:
+def after_a_kill(call: Any, arguments: Any) -> Any:
+    """The results of calls on two workers, the first of which kills its process once: a file says that it has been done."""
     with local_cluster(True) as cluster, distributed.Client(cluster) as client:
         victim = next(iter(client.run(os.getpid).values()))
-        # Its first range kills the worker's process, once: the file says that it has been done.
         mark = os.path.join(client.run(os.getcwd).popitem()[1], f"gearlash-killed-{os.getpid()}")
 
-        def deadly(first: int) -> Any:
+        def deadly(argument: int) -> Any:
             if os.getpid() == victim and not os.path.exists(mark):
                 Path(mark).touch()
                 os.kill(victim, signal.SIGKILL)
-            return gearlash._core.tolerance_rows(os.fspath(pair), first, 75, None, 1)
+            return call(argument)
 
         try:
-            found = client.gather(client.map(deadly, range(1, 600, 75), pure=False))
+            found = client.gather(client.map(deadly, arguments, pure=False))
             assert os.path.exists(mark)
         finally:
             Path(mark).unlink(missing_ok=True)
+    return found
+
+
+def test_a_killed_worker_changes_nothing(pair: Path, whole: dict[str, object]) -> None:
+    path = os.fspath(pair)
+    found = after_a_kill(lambda first: gearlash._core.tolerance_rows(path, first, 75, None, 1), range(1, 600, 75))
     rows = [gearlash.Rows(text) for text, _ in found]
     result = gearlash.tolerance(pair, assemblies=600, rows=rows)
     assert json.dumps(result.record) == json.dumps(whole)
+    files = *(os.fspath(path) for path in MATCHED), None
+    found = after_a_kill(lambda block: gearlash._core.match_cells(files, (block, 6), 1), range(6))
+    blocks = [(input_hash, cells) for input_hash, cells, _ in found]
+    assert gearlash._core.match_result(files, blocks) == gearlash.match(*MATCHED).to_json()
 
 
 MATCHED = (DOCS / "matching.toml", DOCS / "wheels", DOCS / "pinions")
@@ -175,29 +177,6 @@ def test_gears_are_matched_as_by_the_command(cluster: object, tmp_path: Path) ->
     assert len(found.pairs) == 6 and all(pair.least_um >= 80 for pair in found.pairs)
     for blocks in (1, 3, 7, 64):
         assert gearlash.dask.match(cluster, *MATCHED, blocks=blocks).to_json() == found.to_json()
-
-
-def test_a_worker_killed_while_gears_are_matched_changes_nothing() -> None:
-    whole = gearlash.match(*MATCHED)
-    path, wheels, pinions = (os.fspath(path) for path in MATCHED)
-    files = path, wheels, pinions, None
-    with local_cluster(True) as cluster, distributed.Client(cluster) as client:
-        victim = next(iter(client.run(os.getpid).values()))
-        mark = os.path.join(client.run(os.getcwd).popitem()[1], f"gearlash-matched-{os.getpid()}")
-
-        def deadly(block: int) -> Any:
-            if os.getpid() == victim and not os.path.exists(mark):
-                Path(mark).touch()
-                os.kill(victim, signal.SIGKILL)
-            return gearlash._core.match_cells(files, (block, 6), 1)
-
-        try:
-            found = client.gather(client.map(deadly, range(6), pure=False))
-            assert os.path.exists(mark)
-        finally:
-            Path(mark).unlink(missing_ok=True)
-    blocks = [(input_hash, cells) for input_hash, cells, _ in found]
-    assert gearlash._core.match_result(files, blocks) == whole.to_json()
 
 
 def test_results_are_tables(pair: Path) -> None:
@@ -221,14 +200,10 @@ def test_results_are_tables(pair: Path) -> None:
 
 def test_warnings_are_the_commands(tmp_path: Path, cluster: object) -> None:
     """A band of thickness, of which the middle is matched."""
-    wheels = tmp_path / "wheels"
-    wheels.mkdir()
-    for file in MATCHED[1].glob("*.toml"):
-        (wheels / file.name).write_text(file.read_text(encoding="utf-8"), encoding="utf-8")
+    wheels = shutil.copytree(MATCHED[1], tmp_path / "wheels")
     gear = sorted(wheels.glob("*.toml"))[0]
     band = "thickness = { allowance_um = { min = -80, max = -60 } }"
-    lines = gear.read_text(encoding="utf-8").splitlines()
-    text = "\n".join(band if line.startswith("thickness") else line for line in lines)
+    text = re.sub("(?m)^thickness.*", band, gear.read_text(encoding="utf-8"))
     gear.write_text(text, encoding="utf-8")
     for call in (gearlash.match, lambda *files: gearlash.dask.match(cluster, *files)):
         with pytest.warns(gearlash.GearlashWarning, match="a band, whose middle is matched"):
@@ -236,11 +211,9 @@ def test_warnings_are_the_commands(tmp_path: Path, cluster: object) -> None:
 
 
 def test_blocks_of_another_matching_are_named() -> None:
-    path, wheels, pinions = (os.fspath(path) for path in MATCHED)
-    files = path, wheels, pinions, None
-    first, other = (
-        gearlash._core.match_cells((path, wheels, pinions, um), (0, 2))[:2] for um in (None, 100.0)
-    )
+    paths = [os.fspath(path) for path in MATCHED]
+    files = (*paths, None)
+    first, other = (gearlash._core.match_cells((*paths, um), (0, 2))[:2] for um in (None, 100.0))
     with pytest.raises(gearlash.GearlashError, match=r"blocks\[1\] is of another pair file"):
         gearlash._core.match_result(files, [first, other])
     with pytest.raises(gearlash.GearlashError, match="number of cells of a matrix"):

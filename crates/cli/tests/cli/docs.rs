@@ -144,3 +144,27 @@ fn the_summary_has_every_page() {
     let pages = pages().into_iter().skip(1).filter(|page| *page != summary);
     assert_eq!(linked, pages.collect::<BTreeSet<_>>());
 }
+
+/// A tag may move to other code, a commit does not.
+#[test]
+fn actions_of_others_are_named_by_commit() {
+    let root = docs().join("..");
+    let mut files = vec![root.join("action.yml")];
+    let workflows = fs::read_dir(root.join(".github/workflows")).unwrap();
+    files.extend(workflows.map(|entry| entry.unwrap().path()));
+    let mut count = 0;
+    for file in files {
+        let text = fs::read_to_string(&file).unwrap();
+        for line in text.lines() {
+            let Some((_, action)) = line.split_once("uses: ") else {
+                continue;
+            };
+            let commit = action.split_once('@').unwrap().1;
+            let commit = commit.split_whitespace().next().unwrap();
+            let is_hash = commit.len() == 40 && commit.bytes().all(|c| c.is_ascii_hexdigit());
+            assert!(is_hash, "{}: {line}", file.display());
+            count += 1;
+        }
+    }
+    assert!(count >= 6);
+}

@@ -38,35 +38,39 @@ const TITLES: [&str; 30] = [
     "",
 ];
 
-/// The commands, each with what it prints.
-const COMMANDS: [(&str, Printed); 15] = [
-    ("simulate PAIR -o written", Printed::Text),
-    ("simulate PAIR --format json", Printed::Json),
-    ("simulate PAIR --format csv", Printed::Csv),
-    ("compare PAIR", Printed::Text),
-    ("compare PAIR --format json", Printed::Json),
-    ("compare PAIR --format junit", Printed::Xml),
-    ("check PAIR --format github", Printed::Commands),
-    ("compare PAIR --format markdown", Printed::Text),
-    ("check PAIR", Printed::Text),
-    ("check PAIR --format json", Printed::Json),
-    ("snapshot PAIR --worst -o -", Printed::Xml),
-    ("chart PAIR --kind inspection -o -", Printed::Xml),
-    ("gauge PAIR --gear pinion -o written", Printed::Text),
-    ("gauge PAIR --gear pinion --format json", Printed::Json),
-    ("report PAIR -o -", Printed::Page),
-];
-
+/// What is printed or written.
 #[derive(Clone, Copy, PartialEq)]
-enum Printed {
+enum Kind {
     Text,
     Json,
     Csv,
     Xml,
     Page,
+    Markdown,
     /// Workflow commands of GitHub.
     Commands,
 }
+
+use Kind::{Commands, Csv, Json, Markdown, Page, Text, Xml};
+
+/// The commands, each with what it prints.
+const COMMANDS: [(&str, Kind); 15] = [
+    ("simulate PAIR -o written", Text),
+    ("simulate PAIR --format json", Json),
+    ("simulate PAIR --format csv", Csv),
+    ("compare PAIR", Text),
+    ("compare PAIR --format json", Json),
+    ("compare PAIR --format junit", Xml),
+    ("check PAIR --format github", Commands),
+    ("compare PAIR --format markdown", Text),
+    ("check PAIR", Text),
+    ("check PAIR --format json", Json),
+    ("snapshot PAIR --worst -o -", Xml),
+    ("chart PAIR --kind inspection -o -", Xml),
+    ("gauge PAIR --gear pinion -o written", Text),
+    ("gauge PAIR --gear pinion --format json", Json),
+    ("report PAIR -o -", Page),
+];
 
 /// Controls but line ends, `Bidi_Control` of PropList.txt, separators, noncharacters.
 fn acts(c: char) -> bool {
@@ -87,122 +91,115 @@ fn harmless(text: &str, what: &str) {
     }
 }
 
-fn pair(folder: &Path, title: &str) {
-    let gear = |teeth: u32| json!({ "teeth": teeth, "module_mm": 2.0, "pressure_angle_deg": 20.0 });
-    let pair = json!({
+/// Nothing acts in a `text` of a kind, which a parser takes; JSON reads back the very title.
+fn check(text: &str, kind: Kind, title: &str, what: &str) {
+    match kind {
+        Page => {
+            assert!(!text.contains(acts), "{what}");
+            assert!(!text.contains("<script>alert") && !text.contains("<svg onload"));
+        }
+        Commands => {
+            assert!(!text.contains(acts), "{what}: {text:?}");
+            let own = ["::error file=", "::warning file="];
+            let is_own = |line: &str| own.iter().any(|start| line.starts_with(start));
+            assert!(text.lines().all(is_own), "{what}: {text}");
+        }
+        _ => harmless(text, what),
+    }
+    match kind {
+        Json => {
+            let read: Value = serde_json::from_str(text).unwrap();
+            let places = ["/pair/title", "/files/0/pair/title", "/title"];
+            let mut titles = places.iter().filter_map(|place| read.pointer(place));
+            assert!(titles.any(|read| read == title), "{what}: {read}");
+        }
+        Xml => {
+            let parsed = roxmltree::Document::parse(text);
+            parsed.unwrap_or_else(|error| panic!("{what}: {error}\n{text}"));
+        }
+        Markdown => {
+            let rows = text.lines().filter(|line| line.starts_with('|'));
+            assert_eq!(rows.count(), 3, "{what}: {text}");
+            let is_plain = !text.replace(r"\]", "").contains("](") && !text.contains("<!--");
+            assert!(is_plain, "{text}");
+        }
+        _ => {}
+    }
+}
+
+fn gear(teeth: u32) -> Value {
+    json!({ "teeth": teeth, "module_mm": 2.0, "pressure_angle_deg": 20.0 })
+}
+
+fn good(title: &str) -> Value {
+    json!({
         "title": title,
         "wheel": gear(20),
         "pinion": gear(17),
         "assembly": { "center_distance_mm": 37.1 },
         "sweep": { "mating": [[1, 1]] },
-    });
-    fs::write(folder.join("pair.json"), pair.to_string()).unwrap();
+    })
 }
 
+fn write(folder: &Path, name: &str, pair: &Value) {
+    fs::write(folder.join(name), pair.to_string()).unwrap();
+}
+
+/// Standard output and standard error, in which nothing acts.
 fn run(folder: &Path, command: &str, pair: &str) -> (String, String) {
-    let words = command.split(' ').map(|word| match word {
-        "PAIR" => pair,
-        word => word,
-    });
-    let output = gearlash(folder)
-        .args(words)
-        .env("SOURCE_DATE_EPOCH", "0")
-        .output()
-        .unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (text(output.stdout), text(output.stderr))
+    let words = command
+        .split(' ')
+        .map(|word| if word == "PAIR" { pair } else { word });
+    let words: Vec<&str> = words.collect();
+    let (_, printed, told) = super::run(folder, &words);
+    harmless(&told, &format!("{command} of {pair:?}"));
+    (printed, told)
 }
 
-/// 30 titles in 15 commands: nothing acts in what is printed; JSON reads back the very title; XML parses; no table of numbers has
-/// text of the file in it, so none of its cells is a formula.
+/// 30 titles in 15 commands: no table of numbers has text of the file in it, so none of its cells is a formula.
 #[test]
 fn hostile_titles() {
     let folder = empty_folder();
     let folder = folder.path();
-    let mut numbers = Vec::new();
+    let mut first = Vec::new();
     for title in TITLES {
-        pair(folder, title);
-        for (command, printed) in COMMANDS {
-            let what = format!("{command} of {title:?}");
-            let (stdout, stderr) = run(folder, command, "pair.json");
-            harmless(&stderr, &what);
-            match printed {
-                Printed::Commands => {
-                    assert!(!stdout.contains(acts), "{what}: {stdout:?}");
-                    assert!(stdout.lines().all(is_annotation), "{what}: {stdout}");
-                }
-                Printed::Page => {
-                    assert!(!stdout.contains(acts), "{what}");
-                    assert!(!stdout.contains("<script>alert") && !stdout.contains("<svg onload"));
-                }
-                _ => harmless(&stdout, &what),
-            }
-            match printed {
-                Printed::Json => {
-                    let read: Value = serde_json::from_str(&stdout).unwrap();
-                    let read = [
-                        &read["pair"]["title"],
-                        &read["files"][0]["pair"]["title"],
-                        &read["title"],
-                    ];
-                    assert!(read.contains(&&json!(title)), "{what}: {read:?}");
-                }
-                Printed::Xml => {
-                    let parsed = roxmltree::Document::parse(&stdout);
-                    parsed.unwrap_or_else(|error| panic!("{what}: {error}\n{stdout}"));
-                }
-                Printed::Csv => numbers.push(stdout),
-                _ => {}
+        write(folder, "pair.json", &good(title));
+        let mut numbers = Vec::new();
+        for (command, kind) in COMMANDS {
+            let (text, _) = run(folder, command, "pair.json");
+            check(&text, kind, title, &format!("{command} of {title:?}"));
+            if kind == Csv {
+                numbers.push(text);
             }
         }
         let written = folder.join("written");
         for name in files(&written) {
             let text = fs::read_to_string(written.join(&name)).unwrap();
-            let what = format!("{name} of {title:?}");
-            match Path::new(&name)
-                .extension()
-                .and_then(|ending| ending.to_str())
-            {
-                Some("svg") => {
-                    harmless(&text, &what);
-                    roxmltree::Document::parse(&text).unwrap();
-                }
-                Some("json") => {
-                    let read: Value = serde_json::from_str(&text).unwrap();
-                    assert_eq!(read["pair"]["title"], title);
-                    harmless(&text, &what);
-                }
-                Some("csv") => numbers.push(text),
-                Some("md") => {
-                    harmless(&text, &what);
-                    let rows = text.lines().filter(|line| line.starts_with('|'));
-                    assert_eq!(rows.count(), 3, "{what}: {text}");
-                    assert!(
-                        !text.replace(r"\]", "").contains("](") && !text.contains("<!--"),
-                        "{text}"
-                    );
-                }
-                _ => harmless(&text, &what),
+            let kind = match name.rsplit_once('.').unwrap().1 {
+                "svg" => Xml,
+                "json" => Json,
+                "csv" => Csv,
+                "md" => Markdown,
+                _ => Text,
+            };
+            check(&text, kind, title, &format!("{name} of {title:?}"));
+            if kind == Csv {
+                numbers.push(text);
             }
         }
         fs::remove_dir_all(&written).unwrap();
+        if first.is_empty() {
+            first.clone_from(&numbers);
+        }
+        assert_eq!(numbers, first, "a title stands in a table");
     }
-    let each = numbers.len() / TITLES.len();
-    for tables in numbers.chunks(each) {
-        assert_eq!(tables, &numbers[..each], "a title stands in a table");
-    }
-}
-
-/// Whether a line of a CI log is an annotation of the program's own.
-fn is_annotation(line: &str) -> bool {
-    line.starts_with("::error file=") || line.starts_with("::warning file=")
 }
 
 /// A file name is printed on one line and does not act, whether the file can be read or not.
 #[cfg(unix)]
 #[test]
 fn hostile_file_names() {
-    let names = [
+    for name in [
         "a\n::error::pwned.json",
         "::error::pwned.json",
         "##[error]pwned.json",
@@ -210,38 +207,29 @@ fn hostile_file_names() {
         "c1\u{9b}2J.json",
         "\u{202e}nosj.json",
         "-\u{1b}x.json",
-    ];
-    for name in names {
+    ] {
         let folder = empty_folder();
         let folder = folder.path();
-        for (command, printed) in COMMANDS {
-            let (stdout, stderr) = run(folder, command, name);
-            let what = format!("{command} of no {name:?}: {stderr}");
-            harmless(&stderr, &what);
-            // `check` and `compare` list a file that cannot be read.
-            match printed {
-                _ if !command.contains("--format") || !command.starts_with('c') => {
-                    assert_eq!(stdout, "", "{what}");
-                }
-                Printed::Commands => assert!(stdout.lines().all(is_annotation), "{stdout}"),
-                _ => harmless(&stdout, &what),
-            }
+        for (command, kind) in COMMANDS {
+            let (printed, told) = run(folder, command, name);
+            let what = format!("{command} of {name:?}");
             // A name that looks like an option is a usage error, which clap words.
             let is_option = name.starts_with('-');
-            assert!(is_option || stderr.lines().count() == 1, "{what}");
+            assert!(is_option || told.lines().count() == 1, "{what}: {told}");
+            // `check` and `compare` list a file that cannot be read.
+            if !command.contains("--format") || !command.starts_with('c') {
+                assert_eq!(printed, "", "{what}");
+            } else if kind == Commands {
+                check(&printed, kind, "x", &what);
+            } else {
+                harmless(&printed, &what);
+            }
             if is_option {
                 continue;
             }
-            pair(folder, "x");
-            fs::rename(folder.join("pair.json"), folder.join(name)).unwrap();
-            let (stdout, stderr) = run(folder, command, name);
-            let what = format!("{command} of {name:?}: {stderr}");
-            harmless(&stderr, &what);
-            match printed {
-                Printed::Commands => assert!(stdout.lines().all(is_annotation), "{stdout}"),
-                Printed::Page => assert!(!stdout.contains(acts), "{what}"),
-                _ => harmless(&stdout, &what),
-            }
+            write(folder, name, &good("x"));
+            let (printed, _) = run(folder, command, name);
+            check(&printed, kind, "x", &what);
             fs::remove_file(folder.join(name)).unwrap();
         }
     }
@@ -250,61 +238,46 @@ fn hostile_file_names() {
 /// Content of a bad file is quoted on one line, escaped: keys, values, cells, headers, sheet names.
 #[test]
 fn hostile_contents_of_bad_files() {
+    let folder = empty_folder();
+    let folder = folder.path();
     for hostile in TITLES {
-        let folder = empty_folder();
-        let folder = folder.path();
-        let mut faults = 0;
-        let mut bad = |pair: Value, beside: &str| {
-            fs::write(folder.join("pair.json"), pair.to_string()).unwrap();
-            fs::write(folder.join("table.csv"), beside).unwrap();
-            let (stdout, stderr) = run(folder, "simulate PAIR --format json", "pair.json");
-            harmless(&stderr, &stderr);
-            assert_eq!(stdout, "");
-            assert!(
-                stderr
-                    .lines()
-                    .all(|line| line.starts_with("error: pair.json: ")),
-                "{stderr}"
-            );
-            faults += 1;
-        };
-        let gear =
-            |teeth: u32| json!({ "teeth": teeth, "module_mm": 2.0, "pressure_angle_deg": 20.0 });
-        let good = json!({ "wheel": gear(20), "pinion": gear(17), "assembly": { "center_distance_mm": 37.1 } });
-        let with = |key: &str, value: Value| {
-            let mut pair = good.clone();
-            pair[key] = value;
-            pair
-        };
-        bad(with("assembly", json!({ hostile: 1 })), "");
-        bad(
-            with("assembly", json!({ "center_distance_mm": hostile })),
-            "",
-        );
-        bad(
-            with(
+        let table = json!({ "file": "table.csv" });
+        let mut pitch = gear(20);
+        pitch["pitch"] = json!({ "kind": "single", "file": "table.csv" });
+        for (key, value, beside) in [
+            ("assembly", json!({ hostile: 1 }), String::new()),
+            (
+                "assembly",
+                json!({ "center_distance_mm": hostile }),
+                String::new(),
+            ),
+            (
                 "assembly",
                 json!({ "center_distance_mm": 37.1, "locked": hostile }),
+                String::new(),
             ),
-            "",
-        );
-        bad(with("measured", json!({ "file": hostile })), "");
-        let table = json!({ "file": "table.csv" });
-        bad(with("measured", table.clone()), hostile);
-        bad(
-            with("measured", table.clone()),
-            &format!("{hostile},center_distance_mm\n{hostile},1\n"),
-        );
-        let mut wheel = gear(20);
-        wheel["pitch"] = json!({ "kind": "single", "file": "table.csv" });
-        bad(
-            with("wheel", wheel.clone()),
-            &format!("tooth,left,right,{hostile}\n1,{hostile},1,1\n"),
-        );
-        bad(
-            with("wheel", wheel),
-            &format!("tooth,left,right\n1,{hostile},1\n"),
-        );
-        assert_eq!(faults, 8);
+            ("measured", json!({ "file": hostile }), String::new()),
+            ("measured", table.clone(), hostile.to_owned()),
+            (
+                "measured",
+                table,
+                format!("{hostile},center_distance_mm\n{hostile},1\n"),
+            ),
+            (
+                "wheel",
+                pitch.clone(),
+                format!("tooth,left,right,{hostile}\n1,{hostile},1,1\n"),
+            ),
+            ("wheel", pitch, format!("tooth,left,right\n1,{hostile},1\n")),
+        ] {
+            let mut pair = good("x");
+            pair[key] = value;
+            write(folder, "pair.json", &pair);
+            fs::write(folder.join("table.csv"), beside).unwrap();
+            let (printed, told) = run(folder, "simulate PAIR --format json", "pair.json");
+            assert_eq!(printed, "");
+            let is_error = |line: &str| line.starts_with("error: pair.json: ");
+            assert!(!told.is_empty() && told.lines().all(is_error), "{told}");
+        }
     }
 }

@@ -1,40 +1,21 @@
 //! The built binary, as a user and as a script runs it.
 
 #[cfg(unix)]
-mod action;
-#[cfg(unix)]
 mod bombs;
 mod docs;
 mod hostile;
-mod large;
 mod leaks;
-mod live_page;
 mod matching;
-mod matching_warnings;
 mod outline;
 #[path = "../../../../tests/common/pair_with_table.rs"]
 mod pair_with_table;
-mod pictures;
 mod reference;
 mod remedies;
-mod rexs;
+mod results;
 mod schema;
-mod schema_init;
-mod simulate;
-#[path = "../../../../tests/common/skip.rs"]
-mod skip;
-mod small;
-#[cfg(target_os = "linux")]
-mod terminal;
 mod tolerance;
-mod tolerance_earlier;
-mod tolerance_helical;
-mod tolerance_rows;
-mod units;
-mod verdict;
 
 use assert_cmd::Command;
-use predicates::prelude::*;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -80,22 +61,25 @@ mating = [[1, 1], [7, 12]]
 fraction = [0.0, 0.5]
 "#;
 
-fn small(folder: &Path) -> PathBuf {
-    let file = folder.join("small.toml");
-    std::fs::write(&file, SMALL).unwrap();
-    file
+/// The output of `simulate` with these further arguments, as JSON.
+fn simulated(folder: &Path, arguments: &[&str]) -> Value {
+    let mut command = gearlash(folder);
+    command.arg("simulate").args(arguments);
+    let text = output(command.args(["--format", "json"]));
+    serde_json::from_str(&text).unwrap()
 }
 
-/// The output of `simulate FILE --format json`, as text and parsed.
-fn simulated(folder: &Path, arguments: &[&str]) -> (String, Value) {
-    let text = output(
-        gearlash(folder)
-            .arg("simulate")
-            .args(arguments)
-            .args(["--format", "json"]),
-    );
-    let result = serde_json::from_str(&text).unwrap();
-    (text, result)
+/// The JSON that a command of words separated by blanks prints, whatever its verdict.
+fn json_of(folder: &Path, words: &str) -> Value {
+    let words: Vec<&str> = words.split(' ').chain(["--format", "json"]).collect();
+    let (_, text, message) = run(folder, &words);
+    serde_json::from_str(&text).unwrap_or_else(|_| panic!("{words:?}: {message}"))
+}
+
+/// Asserts that two values in µm agree within `most`.
+fn assert_near(found: &Value, expected: &Value, most: f64, what: &str) {
+    let [one, other] = [found, expected].map(|value| value.as_f64().unwrap());
+    assert!((one - other).abs() < most, "{what}: {one} {other}");
 }
 
 /// Runs with these arguments: exit code, standard output, standard error.
@@ -122,46 +106,4 @@ fn files(folder: &Path) -> Vec<String> {
         .collect();
     names.sort();
     names
-}
-
-#[test]
-fn help_names_every_command_and_the_exit_codes() {
-    let folder = empty_folder();
-    let help = output(gearlash(folder.path()).arg("--help"));
-    let commands = [
-        "simulate", "compare", "check", "snapshot", "gauge", "outline", "chart", "report", "init",
-        "schema",
-    ];
-    for word in commands.into_iter().chain(["Exit codes", "Example"]) {
-        assert!(help.contains(word), "{word} in {help}");
-    }
-    for command in commands {
-        let help = output(gearlash(folder.path()).args([command, "--help"]));
-        assert!(help.to_lowercase().contains("pair file"), "{help}");
-        // The long help, with its second paragraph, was lost behind the list's one line.
-        let long = help.split("Usage:").next().unwrap().trim();
-        assert!(long.contains("\n\n"), "{help}");
-        let page = output(gearlash(folder.path()).args(["man", command]));
-        assert!(
-            page.contains(&format!("gearlash\\-{command} \\-")),
-            "{page}"
-        );
-    }
-}
-
-/// Both are made from the command line's own definition: every command and its options are there.
-#[cfg(unix)]
-#[test]
-fn completions_are_a_script_that_knows_every_option() {
-    let folder = empty_folder();
-    let script = output(gearlash(folder.path()).args(["completions", "bash"]));
-    assert!(script.contains("--steps-per-pitch") && script.contains("--no-certify"));
-    let file = folder.path().join("gearlash.bash");
-    std::fs::write(&file, script).unwrap();
-    // bash itself reads it and completes `gearlash sim`.
-    let completed = "source gearlash.bash; COMP_WORDS=(gearlash sim); COMP_CWORD=1; \
-                     _gearlash gearlash sim gearlash; echo \"${COMPREPLY[@]}\"";
-    let mut bash = Command::new("bash");
-    let bash = bash.current_dir(folder.path()).args(["-c", completed]);
-    assert_eq!(output(bash), "simulate\n");
 }

@@ -5,15 +5,11 @@ mod deviated;
 use super::*;
 use deviated::*;
 
-fn outline(folder: &Path, file: &Path, arguments: &[&str]) -> String {
-    let mut command = gearlash(folder);
-    output(
-        command
-            .arg("outline")
-            .arg(file)
-            .args(["-o", "-"])
-            .args(arguments),
-    )
+/// The outline of a gear file, with options separated by blanks.
+fn outline(file: &Path, options: &str) -> String {
+    let mut command = gearlash(file.parent().unwrap());
+    command.arg("outline").arg(file).args(["-o", "-"]);
+    output(command.args(options.split(' ')))
 }
 
 /// Twice the area left of a closed polygon, halved.
@@ -26,7 +22,13 @@ fn area(points: &[Point]) -> f64 {
         .sum::<f64>()
 }
 
-fn csv_points(text: &str) -> Vec<Point> {
+/// The vertices of the CSV, with further options.
+fn csv_points(file: &Path, options: &str) -> Vec<Point> {
+    let text = outline(file, &format!("--format csv{options}"));
+    points_of(&text)
+}
+
+fn points_of(text: &str) -> Vec<Point> {
     let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
     rows.map(|row| {
         let (x, y) = row.split_once(',').unwrap();
@@ -60,8 +62,8 @@ fn every_vertex_of_a_deviated_eccentric_gear_lies_on_its_curves() {
     let folder = empty_folder();
     for face in ["front", "back"] {
         let file = gear_file(folder.path(), face);
-        let text = outline(folder.path(), &file, &["--format", "csv"]);
-        let points = csv_points(&text);
+        let text = outline(&file, "--format csv");
+        let points = points_of(&text);
         check_vertices(&points);
         assert!(area(&points) > 0.0, "counter-clockwise");
         assert!(text.contains("\n# unit: mm\n") && text.contains("\n# tolerance: 1 um ("));
@@ -73,12 +75,7 @@ fn chords_keep_the_tolerance_and_use_it() {
     let folder = empty_folder();
     let file = gear_file(folder.path(), "front");
     for tolerance_um in ["100", "1", "0.01"] {
-        let text = outline(
-            folder.path(),
-            &file,
-            &["--format", "csv", "--tolerance-um", tolerance_um],
-        );
-        let points = csv_points(&text);
+        let points = csv_points(&file, &format!(" --tolerance-um {tolerance_um}"));
         let mut most: f64 = 0.0;
         for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
             let ends = [a, b].map(|end| radius(on_flank(*end).2));
@@ -108,7 +105,7 @@ fn chords_keep_the_tolerance_and_use_it() {
 fn dxf_and_svg_hold_the_same_outline_with_lands_as_arcs() {
     let folder = empty_folder();
     let file = gear_file(folder.path(), "back");
-    let text = outline(folder.path(), &file, &["--format", "dxf"]);
+    let text = outline(&file, "--format dxf");
     let vertices = dxf_vertices(&text);
     assert!(text.is_ascii());
     for words in [
@@ -147,28 +144,21 @@ fn dxf_and_svg_hold_the_same_outline_with_lands_as_arcs() {
     assert_eq!(lands, [TEETH; 2]);
 
     // The area against that of a polygon a thousand times as fine: chords off by up to 1 µm along the whole outline.
-    let fine = csv_points(&outline(
-        folder.path(),
-        &file,
-        &["--format", "csv", "--tolerance-um", "0.001"],
-    ));
-    let length: f64 = fine
+    let fine = csv_points(&file, " --tolerance-um 0.001");
+    let next = fine.iter().cycle().skip(1);
+    let chords = fine
         .iter()
-        .zip(fine.iter().cycle().skip(1))
-        .map(|(a, b)| radius([b[0] - a[0], b[1] - a[1]]))
-        .sum();
+        .zip(next)
+        .map(|(a, b)| radius([b[0] - a[0], b[1] - a[1]]));
+    let length: f64 = chords.sum();
     let off = (whole - area(&fine)).abs();
     assert!(off > 0.0 && off < 1e-3 * length, "{off}");
 
-    let text = outline(folder.path(), &file, &["--format", "svg"]);
+    let text = outline(&file, "--format svg");
     let document = roxmltree::Document::parse(&text).unwrap();
     let svg = document.root_element();
-    let view: Vec<f64> = svg
-        .attribute("viewBox")
-        .unwrap()
-        .split(' ')
-        .map(|word| word.parse().unwrap())
-        .collect();
+    let view = svg.attribute("viewBox").unwrap().split(' ');
+    let view: Vec<f64> = view.map(|word| word.parse().unwrap()).collect();
     let width = svg.attribute("width").unwrap().strip_suffix("mm").unwrap();
     assert_eq!(view[2], width.parse::<f64>().unwrap());
     assert!(view[0] < -tip() - ECCENTRICITY && view[0] + view[2] > tip() + ECCENTRICITY);
@@ -176,10 +166,8 @@ fn dxf_and_svg_hold_the_same_outline_with_lands_as_arcs() {
         text.contains("<title>deviated &lt;back&gt; &amp; eccentric é</title>")
             && text.contains("tolerance: 1 um")
     );
-    let path = document
-        .descendants()
-        .find(|node| node.has_tag_name("path"))
-        .unwrap();
+    let mut nodes = document.descendants();
+    let path = nodes.find(|node| node.has_tag_name("path")).unwrap();
     let data = path.attribute("d").unwrap();
     let data = data.strip_suffix(" Z").unwrap().replace(['L', 'M'], "");
     // `x y`, then ` x y` of a chord or ` Ar r 0 0 0 x y` of an arc that is counter-clockwise on the sheet.
@@ -215,11 +203,7 @@ fn a_space_that_is_closed_at_its_root_ends_where_its_fillets_cross() {
                 rack = { root_radius = 0.4719 }\n\
                 thickness = { per_tooth_um = [0, 150, 150, 0, -100, -100, -100, 0, 0, 0, 0, 0] }\n";
     std::fs::write(&file, text).unwrap();
-    let points = csv_points(&outline(
-        folder.path(),
-        &file,
-        &["--format", "csv", "--tolerance-um", "10"],
-    ));
+    let points = csv_points(&file, " --tolerance-um 10");
     let across = |a: Point, b: Point, c: Point| {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     };
@@ -258,14 +242,7 @@ fn a_section_of_a_helical_gear_is_turned_with_its_helix() {
         );
         let file = folder.path().join("wound.toml");
         std::fs::write(&file, text).unwrap();
-        let at = |section: &str| {
-            csv_points(&outline(
-                folder.path(),
-                &file,
-                &["--format", "csv", "--section", section],
-            ))
-        };
-        let (plane, section) = (at("0"), at("10"));
+        let [plane, section] = [0, 10].map(|z| csv_points(&file, &format!(" --section {z}")));
         let beta = f64::to_radians(15.0);
         let radius = 21.0 / beta.cos();
         let (sin, cos) = (sense * 10.0 * beta.tan() / radius).sin_cos();
@@ -277,18 +254,5 @@ fn a_section_of_a_helical_gear_is_turned_with_its_helix() {
             let off = (turned[0] - q[0]).hypot(turned[1] - q[1]);
             assert!(off < 1e-9, "{face}: {turned:?} {q:?}");
         }
-        let text = outline(folder.path(), &file, &["--format", "dxf"]);
-        assert!(text.contains(
-            "section: transverse, 0 mm from the measuring plane, in which tooth 1 is up (helix 15 deg, right hand)"
-        ));
-        let mut command = gearlash(folder.path());
-        let command = command.arg("outline").arg(&file);
-        command
-            .args(["--format", "svg", "--section", "13"])
-            .assert()
-            .code(2)
-            .stderr(predicates::str::contains(
-                "--section 13: the gear has teeth from -5 to 12 mm",
-            ));
     }
 }

@@ -1,102 +1,140 @@
-//! Files, streams and signals, through the built binary: nothing lost, nothing half done, whatever happens to it.
+//! Files through the built binary: nothing lost, nothing half done, whatever happens to it. `tests/sessions/{links,results_replaced,signals,streams}.txt`
+//! hold what a shell can do.
 
 #![cfg(target_os = "linux")]
 
 mod failures;
 mod kills;
-mod links;
-mod population;
-mod sets;
-mod signals;
 #[path = "../../../../tests/common/skip.rs"]
 mod skip;
-mod streams;
 
+use skip::skip;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-fn gearlash(folder: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_gearlash"));
-    command.current_dir(folder).stdin(Stdio::null());
-    command
+type Set = BTreeMap<PathBuf, Vec<u8>>;
+
+/// The options of every run, behind its pair file.
+const OPTIONS: [&str; 4] = ["--snapshots", "-o", "results", "--format=csv"];
+
+/// Two pairs whose runs write files of the same names, and these files.
+struct Sets {
+    folder: tempfile::TempDir,
+    old: Set,
+    new: Set,
 }
 
-/// Runs the program with words separated by blanks.
-fn run(folder: &Path, words: &str) -> Output {
-    gearlash(folder)
-        .args(words.split_whitespace())
-        .output()
-        .unwrap()
+impl Sets {
+    fn new() -> Sets {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, total) in [("old", "12.0"), ("new", "20.0")] {
+            let text = format!(
+                "[wheel]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nrunout = {{ total_um = {total}, high_tooth = 3.5 }}\n\
+                 [pinion]\nteeth = 17\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nreference_face = \"back\"\n\
+                 [assembly]\ncenter_distance_mm = [37.1, 37.15, 37.2, 37.25, 37.3, 37.35]\n[sweep]\nmating = [[1, 1]]\n"
+            );
+            std::fs::write(folder.path().join(format!("{name}.toml")), text).unwrap();
+        }
+        std::fs::create_dir(folder.path().join("results")).unwrap();
+        std::fs::write(folder.path().join("results/mine"), "mine").unwrap();
+        let mut sets = Sets {
+            folder,
+            old: Set::new(),
+            new: Set::new(),
+        };
+        sets.write("new.toml");
+        sets.new = sets.in_place();
+        sets.write("old.toml");
+        sets.old = sets.in_place();
+        assert!(sets.old.len() == 16 && sets.old.keys().eq(sets.new.keys()));
+        sets
+    }
+
+    /// The command that writes the files of a pair; `before` is what runs it.
+    fn command(&self, before: &[&str], pair: &str) -> Command {
+        let words = [before, &[env!("CARGO_BIN_EXE_gearlash"), "simulate", pair]].concat();
+        let mut command = Command::new(words[0]);
+        command.args(&words[1..]).args(OPTIONS);
+        command.current_dir(self.folder.path()).stdin(Stdio::null());
+        command
+    }
+
+    fn write(&self, pair: &str) {
+        let output = self.command(&[], pair).output().unwrap();
+        assert!(output.status.success(), "{}", stderr_of(&output));
+    }
+
+    /// The files of the old run, after whatever happened.
+    fn restore(&self) {
+        self.write("old.toml");
+        assert!(self.in_place() == self.old);
+    }
+
+    /// The program under strace, with something done to one system call.
+    fn injected(&self, injection: &str) -> Output {
+        let injection = format!("inject={injection}");
+        let strace = ["strace", "-f", "-qq", "-o", "/dev/null", "-e", &injection];
+        self.command(&strace, "new.toml").output().unwrap()
+    }
+
+    /// The files but for temporary ones.
+    fn in_place(&self) -> Set {
+        let mut found = contents(&self.folder.path().join("results"));
+        found.retain(|path, _| !is_temporary(path));
+        found
+    }
+
+    /// Every file is the old one or the new one; `result.json` is new only where all are.
+    fn check(&self, when: &str) {
+        let found = self.in_place();
+        assert!(found.keys().eq(self.old.keys()), "{when}");
+        for (path, content) in &found {
+            let is_whole = *content == self.old[path] || *content == self.new[path];
+            assert!(is_whole, "{when}: {}", path.display());
+        }
+        let result = Path::new("result.json");
+        if found[result] == self.new[result] {
+            assert!(found == self.new, "{when}");
+        }
+    }
 }
 
 fn stderr_of(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// A pair of 20 and 17 teeth at `distances` mm that runs in no time.
-fn pair(distances: &str) -> String {
-    format!(
-        "title = \"small\"\n\
-         [wheel]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nrunout = {{ total_um = 12.0, high_tooth = 3.5 }}\n\
-         [pinion]\nteeth = 17\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nreference_face = \"back\"\n\
-         [assembly]\ncenter_distance_mm = {distances}\n[sweep]\nmating = [[1, 1]]\n"
-    )
-}
-
-/// A temporary folder with `p.toml`, the pair of two distances.
-fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("p.toml"), pair("[37.1, 37.2]")).unwrap();
-    folder
-}
-
-/// Everything below `folder`; what a living run takes away meanwhile may be missing.
-fn paths(folder: &Path) -> Vec<(PathBuf, std::fs::FileType)> {
-    let mut found = Vec::new();
+/// Every file below `folder`, by path.
+fn contents(folder: &Path) -> Set {
+    let mut found = Set::new();
     let mut open = vec![folder.to_path_buf()];
     while let Some(next) = open.pop() {
-        let entries = match std::fs::read_dir(&next) {
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => continue,
-            entries => entries.unwrap(),
-        };
-        for entry in entries.map(Result::unwrap) {
-            let (path, kind) = (entry.path(), entry.file_type().unwrap());
-            if kind.is_dir() {
-                open.push(path.clone());
+        for entry in std::fs::read_dir(&next).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                let name = path.strip_prefix(folder).unwrap().to_path_buf();
+                found.insert(name, std::fs::read(&path).unwrap());
             }
-            found.push((path, kind));
         }
     }
     found
 }
 
-/// Everything below `folder`: by path, the content of files, where links lead, nothing of folders.
-fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let content = |path: &Path, kind: &std::fs::FileType| match (kind.is_dir(), kind.is_symlink()) {
-        (true, _) => b"folder".to_vec(),
-        (_, true) => std::fs::read_link(path)
-            .unwrap()
-            .into_os_string()
-            .into_encoded_bytes(),
-        _ if kind.is_file() => std::fs::read(path).unwrap(),
-        _ => b"special".to_vec(),
-    };
-    let below = |path: &Path| path.strip_prefix(folder).unwrap().to_path_buf();
-    let found = paths(folder).into_iter();
-    found
-        .map(|(path, kind)| (below(&path), content(&path, &kind)))
-        .collect()
-}
-
-/// The temporary files that a run left below `folder`.
-fn temporary(folder: &Path) -> Vec<PathBuf> {
-    let below = |path: PathBuf| path.strip_prefix(folder).unwrap().to_path_buf();
-    let found = paths(folder).into_iter().map(|(path, _)| below(path));
-    found.filter(|path| is_temporary(path)).collect()
-}
-
 fn is_temporary(path: &Path) -> bool {
     let mut parts = path.iter().map(|part| part.to_string_lossy());
     parts.any(|part| part.starts_with(".gearlash-") || part.starts_with(".tmp"))
+}
+
+/// Whether strace is there and may trace; says so where not.
+fn traces() -> bool {
+    let traced = Command::new("strace")
+        .args(["-f", "-o", "/dev/null", "true"])
+        .output();
+    let traces = traced.is_ok_and(|output| output.status.success());
+    if !traces {
+        skip("needs strace and the right to trace");
+    }
+    traces
 }

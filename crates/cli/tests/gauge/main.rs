@@ -1,11 +1,23 @@
-//! `gearlash gauge`, as a user runs it, and the files it writes.
+//! The virtual gauge, `gearlash gauge`. `tests/sessions/gauge*.txt` holds what it prints, refuses and writes.
 
-mod command;
-mod files;
 #[path = "../../../../tests/common/made_up.rs"]
 mod made_up;
-mod outlines;
-mod profile;
+mod readings;
 mod round_trip;
-#[path = "../../../../tests/common/skip.rs"]
-mod skip;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::path::Path;
+
+/// What `gearlash` prints in `folder` with words separated by blanks.
+fn printed(folder: &Path, words: &str) -> String {
+    let mut command = Command::cargo_bin("gearlash").unwrap();
+    command.current_dir(folder).args(words.split(' '));
+    String::from_utf8(command.assert().success().get_output().stdout.clone()).unwrap()
+}
+
+/// The readings of `gearlash gauge` with these words.
+fn read(folder: &Path, words: &str) -> Value {
+    let text = printed(folder, &format!("gauge {words} --format json"));
+    serde_json::from_str(&text).unwrap()
+}

@@ -1,11 +1,12 @@
 //! The page as parsers see it.
 
-use crate::command::{SMALL, fixture, page};
-use scraper::{Html, Selector};
+use super::{SMALL, page, page_of};
+use scraper::{ElementRef, Html, Selector};
 use std::collections::HashSet;
+use std::path::Path;
 
 /// Everything that holds of every page; the page, parsed.
-pub fn checked(page: &str) -> Html {
+fn checked(page: &str) -> Html {
     let document = Html::parse_document(page);
     assert!(document.errors.is_empty(), "{:?}", document.errors);
     let ids = all(&document, "[id]", "id");
@@ -73,7 +74,7 @@ fn svgs(page: &str) -> Vec<&str> {
 
 #[test]
 fn every_kind_of_deviation() {
-    let page = page(SMALL);
+    let page = page(SMALL, &[]);
     let document = checked(&page);
     // The title is text in head, heading and pictures. A control character, which pages cannot contain, becomes a space.
     let heading = Selector::parse("h1").unwrap();
@@ -86,30 +87,48 @@ fn every_kind_of_deviation() {
 
 #[test]
 fn the_pages_of_the_fixtures() {
+    let fixtures = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures"));
     for name in [
         "karba_86x21.toml",
         "tip_on_fillet_86x21.toml",
         "outlines/drawn_20x20.toml",
     ] {
-        checked(&fixture(name));
+        checked(&page_of(&fixtures.join(name), &[]));
     }
 }
 
 /// d_a = 44, d_f = 35: a tip sits in a root below a = 39.5; tips pass each other above 44.
 #[test]
 fn the_pages_of_a_jammed_pair_and_one_out_of_mesh() {
+    let gear = "teeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n";
     for a in ["39.0", "44.5"] {
-        checked(&page(&plain(a)));
+        let pair = format!(
+            "[wheel]\n{gear}[pinion]\n{gear}[assembly]\ncenter_distance_mm = {a}\n[sweep]\nmating = [[1, 1]]\n"
+        );
+        checked(&page(&pair, &[]));
     }
 }
 
-/// Two gears of 20 teeth and module 2 without deviations at one centre distance or a list of them.
-pub fn plain(a: &str) -> String {
-    let gear =
-        |name: &str| format!("[{name}]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n");
-    format!(
-        "{}{}[assembly]\ncenter_distance_mm = {a}\n[sweep]\nmating = [[1, 1]]\n",
-        gear("wheel"),
-        gear("pinion")
-    )
+fn text(element: &ElementRef) -> String {
+    let words: Vec<&str> = element.text().flat_map(str::split_whitespace).collect();
+    words.join(" ")
+}
+
+/// A line an element that holds words of its own; pictures and script left out. `tests/sessions/reports.txt` holds other pages.
+#[test]
+fn the_words_of_a_small_report() {
+    let document = Html::parse_document(&page(SMALL, &[]));
+    let mut words = String::new();
+    let elements = "h1, h2, h3, dl.about, p, li, caption, tr, summary, figcaption";
+    let [elements, cells] = [elements, "td, th"].map(|selector| Selector::parse(selector).unwrap());
+    for element in document.select(&elements) {
+        let cells: Vec<String> = element.select(&cells).map(|cell| text(&cell)).collect();
+        words += &if cells.is_empty() {
+            text(&element)
+        } else {
+            cells.join(" | ")
+        };
+        words.push('\n');
+    }
+    insta::assert_snapshot!(words);
 }

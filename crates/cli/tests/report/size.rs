@@ -1,6 +1,6 @@
 //! How large a page gets (issue 6): 704 poses up to 2 MB, 28 896 up to 8 MB.
 
-use crate::command::page_with;
+use super::page;
 
 /// z₁ and z₂ at `a` and a sweep over `revolutions`, 16 poses a pitch, with runout and pitch deviations that make every
 /// pose another.
@@ -30,7 +30,7 @@ fn pair([wheel, pinion]: [u32; 2], a: f64, revolutions: &str) -> String {
 
 #[test]
 fn one_revolution_of_44_teeth() {
-    let page = page_with(&pair([44, 44], 132.1, "wheel"), &["--no-certify"]);
+    let page = page(&pair([44, 44], 132.1, "wheel"), &["--no-certify"]);
     // 704 right-flank poses, as many left-flank ones for the curves, and both extremes of the cycle.
     assert!(page.contains("Over 1410 poses"));
     assert!(page.len() <= 2_000_000, "{} bytes", page.len());
@@ -38,7 +38,7 @@ fn one_revolution_of_44_teeth() {
 
 #[test]
 fn a_hunting_cycle_of_86_and_21_teeth() {
-    let page = page_with(&pair([86, 21], 160.6, "hunting"), &["--no-certify"]);
+    let page = page(&pair([86, 21], 160.6, "hunting"), &["--no-certify"]);
     // 28 896 right-flank poses, as many left-flank ones, and both extremes of the cycle.
     assert!(page.contains("Over 57794 poses"));
     assert!(page.len() <= 8_000_000, "{} bytes", page.len());

@@ -1,10 +1,10 @@
 //! The same answers: the page's program under node against the native one, for examples and fixtures.
 
-use gearlash_web::answers::{LivePlace, Page};
+use super::{last, page, path, silent};
+use gearlash_web::answers::LivePlace;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
-use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -27,61 +27,37 @@ const OTHERS: [&[&str]; 3] = [
     ],
 ];
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// Name and path of each file of a case, its main file first.
-type Files = Vec<(String, PathBuf)>;
-
-fn named(path: PathBuf) -> (String, PathBuf) {
-    let name = path.file_name().expect("a file has a name");
-    (name.to_string_lossy().into_owned(), path)
-}
+/// The path of each file of a case, its main file first.
+type Files = Vec<PathBuf>;
 
 /// A pair whose backlash its own error bound leaves open by 0.2 µm: another rounding of a sine moves it by 0.01 µm.
 const ILL_CONDITIONED: &str = "tips_just_meet_5_18.toml";
 
 fn cases() -> Vec<Files> {
     let with_folder = FOLDERS.iter().flat_map(|folder| {
-        let entries = std::fs::read_dir(root().join(folder)).expect("it is in the repository");
+        let entries = std::fs::read_dir(path(folder)).expect("it is in the repository");
         let paths = entries.map(|entry| entry.expect("a folder can be read").path());
-        let mut paths: Vec<PathBuf> = paths.filter(|path| path.is_file()).collect();
+        let mut paths: Files = paths.filter(|path| path.is_file()).collect();
         paths.sort();
         let is_pair = |path: &&PathBuf| {
             path.extension().is_some_and(|end| end == "toml") && !path.ends_with(ILL_CONDITIONED)
         };
-        let mains: Vec<PathBuf> = paths.iter().filter(is_pair).cloned().collect();
+        let mains: Files = paths.iter().filter(is_pair).cloned().collect();
         mains.into_iter().map(move |main| {
-            let others = paths.iter().filter(|path| **path != main).cloned();
-            let files = [main.clone()].into_iter().chain(others);
-            files.map(named).collect()
+            let others = paths.iter().filter(|path| **path != main);
+            [&main].into_iter().chain(others).cloned().collect()
         })
     });
-    let alone = OTHERS.iter().map(|names| {
-        let paths = names.iter().map(|name| root().join(name));
-        paths.map(named).collect()
-    });
+    let alone = OTHERS
+        .iter()
+        .map(|names| names.iter().map(|name| path(name)).collect());
     with_folder.chain(alone).collect()
-}
-
-fn silent(_: u64, _: u64, _: &str) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
-
-fn page(files: &Files) -> Page {
-    let mut page = Page::default();
-    for (name, path) in files {
-        let bytes = std::fs::read(path).expect("an example is in the repository");
-        page.files.add(name, bytes);
-    }
-    page
 }
 
 /// The answers that the script asks for, natively; the time of the verdict, ms, is added to `times`.
 fn answers(files: &Files, times: &mut Vec<f64>) -> Value {
-    let mut page = page(files);
-    let main = &files[0].0;
+    let mut page = page(files.iter().cloned());
+    let main = &last(&files[0]);
     let opened = page.open(main);
     let mut answers = vec![opened.clone()];
     if opened["title"].is_string() {
@@ -101,8 +77,8 @@ fn answers(files: &Files, times: &mut Vec<f64>) -> Value {
         answers.extend([result, page.mark_of_jam(), page.live_band(a, false)]);
         answers.extend([page.live(&at), page.mesh(&at), page.picture(&at)]);
     } else {
-        let last = &files[files.len() - 1].0;
-        answers.extend([page.understand(main), page.of_drawings([main, last], "")]);
+        let other = &last(&files[files.len() - 1]);
+        answers.extend([page.understand(main), page.of_drawings([main, other], "")]);
     }
     answers.push(json!(page.zip().len()));
     Value::Array(answers)
@@ -154,13 +130,13 @@ fn compare(native: &Value, other: &Value, place: &str, unlike: &mut Vec<String>)
 #[test]
 fn answers_under_node_are_the_native_ones() {
     let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    let folder = target.unwrap_or_else(|| root().join("target")).join("page");
+    let folder = target.unwrap_or_else(|| path("target")).join("page");
     if !folder.join("gearlash_bg.wasm").is_file() {
         println!("skipped: target/page/gearlash_bg.wasm is not there; crates/web/build makes it");
         return;
     }
     let node = Command::new("node")
-        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/under_node.cjs"))
+        .arg(path("crates/web/tests/page/under_node.cjs"))
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn();
@@ -169,7 +145,12 @@ fn answers_under_node_are_the_native_ones() {
         return;
     };
     let cases = cases();
-    let input = json!({ "page": folder, "cases": cases }).to_string();
+    let named = cases.iter().map(|files| {
+        let named = files.iter().map(|path| (last(path), path));
+        named.collect::<Vec<_>>()
+    });
+    let named: Vec<_> = named.collect();
+    let input = json!({ "page": folder, "cases": named }).to_string();
     let mut stdin = node.stdin.take().expect("stdin is piped");
     stdin
         .write_all(input.as_bytes())
@@ -185,21 +166,21 @@ fn answers_under_node_are_the_native_ones() {
     let (mut native, mut unlike) = (Vec::new(), Vec::new());
     for files in &cases {
         let answers = answers(files, &mut native);
-        compare(&answers, &next(), &files[0].0, &mut unlike);
+        compare(&answers, &next(), &last(&files[0]), &mut unlike);
     }
-    let mut page = page(&cases[0]);
-    page.open(&cases[0][0].0);
+    let mut page = page(cases[0].iter().cloned());
+    page.open(&last(&cases[0][0]));
     let slow = json!([page.report("2026-01-01", &silent), page.mark_of_mesh()]);
     compare(&slow, &next(), "report", &mut unlike);
-    let last = next();
-    assert_eq!(last["uncalled"], json!([]), "every function is called");
-    assert!(last["steps"].as_u64() > Some(0), "progress is reported");
+    let end = next();
+    assert_eq!(end["uncalled"], json!([]), "every function is called");
+    assert!(end["steps"].as_u64() > Some(0), "progress is reported");
     println!("verdict native and under node, first and next live answer with band, ms:");
-    let pairs = cases.iter().zip(last["times"].as_array().expect("times"));
+    let pairs = cases.iter().zip(end["times"].as_array().expect("times"));
     let pairs = pairs.filter(|(_, times)| times[0].is_number());
     for ((files, times), native) in pairs.zip(native) {
         let [verdict, first, next] = [0, 1, 2].map(|i| times[i].as_f64().expect("a time"));
-        let name = &files[0].0;
+        let name = last(&files[0]);
         println!("{name:25} {native:8.0} {verdict:8.0} {first:8.1} {next:8.1}");
     }
     assert!(unlike.is_empty(), "{}", unlike.join("\n"));

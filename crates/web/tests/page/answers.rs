@@ -1,5 +1,7 @@
 //! The answers of the page against the same files read from disk.
 
+use super::{last, page, path, silent};
+use gearlash::analysis::study::Study;
 use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::Method;
 use gearlash::gear::Side;
@@ -9,30 +11,27 @@ use gearlash_results::verdict::lines;
 use gearlash_web::answers::{LivePlace, Page};
 use serde_json::Value;
 use std::io::{Cursor, Read};
-use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
-
-fn path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../..")
-        .join(name)
-}
 
 /// A page with these files, and the answer to opening the first.
 fn opened(names: &[&str]) -> (Page, Value) {
-    let mut page = Page::default();
-    let last = |name: &str| name.rsplit('/').next().unwrap_or(name).to_owned();
-    for name in names {
-        let bytes = std::fs::read(path(name)).expect("an example is in the repository");
-        page.files.add(&last(name), bytes);
-    }
-    let found = page.open(&last(names[0]));
+    let mut page = page(names.iter().map(|name| path(name)));
+    let found = page.open(&last(&path(names[0])));
     (page, found)
 }
 
-fn silent(_: u64, _: u64, _: &str) -> ControlFlow<()> {
-    ControlFlow::Continue(())
+fn study(name: &str) -> Study {
+    read(&path(name)).expect("an example can be read").study
 }
+
+fn certified(study: &Study) -> Plan<'_> {
+    Plan::new(study, Method::Exact { certify: true })
+}
+
+/// Two drawings of one pair.
+const DRAWINGS: [&str; 2] = [
+    "fixtures/outlines/wheel_20.dxf",
+    "fixtures/outlines/pinion_20.svg",
+];
 
 /// Source: the pair read from disk, as the program does.
 #[test]
@@ -43,17 +42,17 @@ fn a_verdict_is_that_of_the_files_on_disk() {
         &["docs/files/helical.toml"],
         &[
             "fixtures/outlines/drawn_20x20.toml",
-            "fixtures/outlines/wheel_20.dxf",
-            "fixtures/outlines/pinion_20.svg",
+            DRAWINGS[0],
+            DRAWINGS[1],
         ],
     ];
     for names in examples {
         let (page, found) = opened(names);
         assert!(found["title"].is_string(), "{names:?}: {found}");
         let result = page.result(&silent);
-        let pair = read(&path(names[0])).expect("an example can be read");
-        let plan = Plan::new(&pair.study, Method::Exact { certify: true });
-        let analysis = Analysis::silently(&plan.with_remedies().with_checks()).unwrap();
+        let study = study(names[0]);
+        let plan = certified(&study).with_remedies().with_checks();
+        let analysis = Analysis::silently(&plan).unwrap();
         let text = lines(&analysis.verdict()).to_string();
         assert_eq!(result["verdict"]["text"], text, "{names:?}");
         assert!(result["curve"][1].as_str().unwrap().contains("-narrow"));
@@ -75,10 +74,8 @@ fn problems_have_their_lines_and_a_missing_table_its_name() {
     let [from, to] = ["from", "to"].map(|end| teeth[end].as_u64().unwrap() as usize);
     assert_eq!(String::from_utf16_lossy(&units[from..to]), "teeth = 20.5");
     let (_, found) = opened(&["docs/files/sheet.toml"]);
-    assert!(
-        found.to_string().contains("add the file wheel.csv"),
-        "{found}"
-    );
+    let missing = found.to_string().contains("add the file wheel.csv");
+    assert!(missing, "{found}");
 }
 
 /// Source: the library's pose and, for the whole cycle, its extremes at the same distance.
@@ -86,7 +83,7 @@ fn problems_have_their_lines_and_a_missing_table_its_name() {
 fn a_moved_pair_has_the_backlash_of_its_distance() {
     let name = "docs/files/jams.toml";
     let (page, _) = opened(&[name]);
-    let study = read(&path(name)).unwrap().study;
+    let study = study(name);
     let a = study.center_distances[0] + 0.3;
     let place = LivePlace {
         distance: a,
@@ -108,23 +105,15 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
     let run = &live["mesh"]["runs"][0];
     assert_eq!(run["j_wt_um"][0], live["j_wt_um"]);
     assert_eq!(run["center_distance_mm"], a);
-    let mesh = page.mesh(&place);
-    assert!(
-        mesh["html"]
-            .as_str()
-            .unwrap()
-            .contains("id=\"viewer-pinion\"")
-    );
-    assert!(
-        page.picture(&place)["svg"]
-            .as_str()
-            .unwrap()
-            .contains("<svg")
-    );
+    for (answer, key, part) in [
+        (page.mesh(&place), "html", "id=\"viewer-pinion\""),
+        (page.picture(&place), "svg", "<svg"),
+    ] {
+        assert!(answer[key].as_str().unwrap().contains(part), "{key}");
+    }
     let band = page.live_band(a, false);
     let moved = study.at(vec![a]).unwrap();
-    let plan = Plan::new(&moved, Method::Exact { certify: true }).with_extremes();
-    let analysis = Analysis::silently(&plan).unwrap();
+    let analysis = Analysis::silently(&certified(&moved).with_extremes()).unwrap();
     let verdict = analysis.verdict();
     let least = verdict.least().unwrap().1.low * 1e3;
     assert_eq!(band["least_um"].as_f64(), Some(least));
@@ -132,10 +121,8 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
         teeth: [0, 1],
         ..place
     });
-    assert!(
-        wrong["failed"].as_str().unwrap().contains("teeth 1"),
-        "{wrong}"
-    );
+    let reason = wrong["failed"].as_str().unwrap();
+    assert!(reason.contains("teeth 1"), "{wrong}");
 }
 
 /// A band takes the least from the thickest gears and the greatest from the thinnest. Source: the extremes of both materials. The pair that
@@ -153,35 +140,24 @@ fn a_band_has_the_extremes_of_all_materials() {
         let (page, found) = opened(names);
         let a = found["distances_mm"][0].as_f64().unwrap();
         for more in [0.0, 0.02] {
-            let study = read(&path(names[0])).unwrap().study;
-            let Ok(study) = study.at(vec![a + more]) else {
+            let Ok(study) = study(names[0]).at(vec![a + more]) else {
                 continue;
             };
-            let plan = Plan::new(&study, Method::Exact { certify: true }).with_extremes();
-            let analysis = Analysis::silently(&plan).unwrap();
+            let analysis = Analysis::silently(&certified(&study).with_extremes()).unwrap();
             let verdict = analysis.verdict();
             let quick = page.live_band(a + more, false);
             let is_proven = verdict.runs.iter().all(|run| run.is_proven());
             assert_eq!(quick["is_proven"], is_proven, "{names:?}: {quick}");
             let band = page.live_band(a + more, true);
-            let ends = [
-                ("least_um", verdict.least().map(|(_, least)| least.low)),
-                (
-                    "greatest_um",
-                    verdict.greatest().map(|(_, greatest)| greatest.high),
-                ),
-            ];
-            for (name, end) in ends {
+            let least = verdict.least().map(|(_, least)| least.low);
+            let greatest = verdict.greatest().map(|(_, greatest)| greatest.high);
+            for (name, end) in [("least_um", least), ("greatest_um", greatest)] {
                 let (own, shown) = (end.map(|mm| mm * 1e3), band[name].as_f64());
-                let same = own
-                    .zip(shown)
-                    .map(|(own, shown)| (own - shown).abs() < 2e-3);
-                assert_eq!(
-                    same,
-                    own.map(|_| true),
-                    "{names:?}, {name}: {own:?} {shown:?}"
-                );
-                assert_eq!(own.is_some(), shown.is_some());
+                let is_same = match (own, shown) {
+                    (Some(own), Some(shown)) => (own - shown).abs() < 2e-3,
+                    (own, shown) => own == shown,
+                };
+                assert!(is_same, "{names:?}, {name}: {own:?} {shown:?}");
             }
             assert_eq!(band["state"], lines(&verdict).state.name(), "{names:?}");
         }
@@ -204,10 +180,7 @@ fn a_band_says_nothing_of_other_distances() {
 /// Two drawings without a pair file: the text that is made can be opened, and the gears touch there.
 #[test]
 fn two_drawings_make_a_pair_file() {
-    let (mut page, _) = opened(&[
-        "fixtures/outlines/wheel_20.dxf",
-        "fixtures/outlines/pinion_20.svg",
-    ]);
+    let (mut page, _) = opened(&DRAWINGS);
     let made = page.of_drawings(["wheel_20.dxf", "pinion_20.svg"], "");
     let text = made["text"].as_str().expect("both state their unit");
     page.files.add("pair.toml", text.as_bytes().to_vec());
@@ -224,10 +197,8 @@ fn two_drawings_make_a_pair_file() {
 fn a_table_is_understood() {
     let (page, _) = opened(&["docs/files/wheel.csv"]);
     let found = page.understand("wheel.csv");
-    assert!(
-        found["toml"].as_str().unwrap().contains("wheel.csv"),
-        "{found}"
-    );
+    let toml = found["toml"].as_str().unwrap();
+    assert!(toml.contains("wheel.csv"), "{toml}");
     let text = found["text"].as_str().unwrap();
     // Lines of the table are shown though no folder holds it.
     assert!(text.contains("pitch") && text.contains("\"Max\""), "{text}");
@@ -255,8 +226,7 @@ fn the_archive_holds_the_files() {
     assert_eq!(archive.len(), names.len());
     for name in names {
         let mut found = Vec::new();
-        let last = name.rsplit('/').next().unwrap();
-        let mut file = archive.by_name(last).unwrap();
+        let mut file = archive.by_name(&last(&path(name))).unwrap();
         file.read_to_end(&mut found).unwrap();
         assert_eq!(found, std::fs::read(path(name)).unwrap());
     }

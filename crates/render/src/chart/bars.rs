@@ -1,8 +1,7 @@
 //! Bar charts with one place per tooth.
 
 use super::captions::entry;
-use super::paint::Look;
-use super::panel::{Mark, Panel, Swatch, range};
+use super::panel::{Look, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 
@@ -96,7 +95,6 @@ pub fn bar_panels(
 }
 
 impl BarPanel<'_> {
-    /// Draws the limits, within the axis.
     fn limit(&self, panel: &mut Panel) {
         for limits in &self.limits {
             let [low, high] = panel.y.range;
@@ -106,13 +104,10 @@ impl BarPanel<'_> {
             for value in limits.values {
                 panel.marks.push(Mark::level(ends, value, Look::Limit, 1.2));
             }
-            panel.marks.push(Mark::Text {
-                at: [ends[1], limits.values[1]],
-                // Clear of the line, including subscripts.
-                shift: [-4.0, -8.0],
-                text: limits.name.clone(),
-                anchor: Anchor::End,
-            });
+            // Clear of the line, including subscripts.
+            let (at, shift) = ([ends[1], limits.values[1]], [-4.0, -8.0]);
+            let name = Mark::text(at, shift, &limits.name, Anchor::End);
+            panel.marks.push(name);
         }
     }
 
@@ -122,13 +117,8 @@ impl BarPanel<'_> {
         // The panel itself notes zeros.
         let zeros = values.clone().all(|value| *value == 0.0);
         if !zeros && values.all(|value| value.abs() < self.level) {
-            let [from, to] = panel.x.range;
-            panel.marks.push(Mark::text(
-                [0.5 * (from + to), 0.0],
-                [0.0, -10.0],
-                format!("no deviation within {} µm", self.level),
-                Anchor::Middle,
-            ));
+            let words = format!("no deviation within {} µm", self.level);
+            panel.marks.push(above_zero(panel.x.range, &words));
         }
     }
 }
@@ -153,23 +143,20 @@ fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) 
         }
     }
     if values().all(|value| *value == 0.0) {
-        marks.push(Mark::text(
-            [0.5 * (ends[0] + ends[1]), 0.0],
-            [0.0, -10.0],
-            "none".to_owned(),
-            Anchor::Middle,
-        ));
+        marks.push(above_zero(ends, "none"));
     }
-    Some(Panel {
-        title: title.to_owned(),
-        x: Axis {
-            teeth: u32::try_from(teeth).ok(),
-            ..Axis::new(x_axis, ends)
-        },
-        y: Axis::new(y_axis, y),
-        height,
-        marks,
-    })
+    let x = Axis::of_teeth(x_axis, ends, u32::try_from(teeth).ok());
+    Some(Panel::new(x, Axis::new(y_axis, y), height, marks).titled(title))
+}
+
+/// Words above the middle of the zero line.
+fn above_zero([from, to]: [f64; 2], words: &str) -> Mark {
+    Mark::text(
+        [0.5 * (from + to), 0.0],
+        [0.0, -10.0],
+        words,
+        Anchor::Middle,
+    )
 }
 
 /// Bars from `x[0]` to `x[1]` for tooth 1, shifted by one for each following tooth.

@@ -1,8 +1,7 @@
 //! Backlash over the centre distance, as in Figures 20–21 of the founding study.
 
 use super::captions::{backlash_axis, empty, entry, interference, unproven_note, without_value};
-use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Swatch, backlash_range, range};
+use super::panel::{Look, Mark, Panel, Point, Swatch, backlash_range, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use crate::pose_name::pose_name;
@@ -122,13 +121,7 @@ pub fn distance_in(
         let panel = empty(x_axis, "no pose that is proven has a backlash");
         return sheet::draw(heading, &details, &[], &[panel]);
     };
-    let mut panel = Panel {
-        title: String::new(),
-        x: x_axis,
-        y: backlash_axis(unit, y),
-        height: 380.0,
-        marks,
-    };
+    let mut panel = Panel::new(x_axis, backlash_axis(unit, y), 380.0, marks);
     // The bands rise from the lower left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
@@ -152,7 +145,6 @@ fn range_of(at: &AtDistance, place: impl Fn(f64, Option<f64>) -> Point) -> [Poin
     })
 }
 
-/// The matings of the lines, in words.
 fn poses(matings: &[Mating]) -> String {
     let teeth = |mating: &Mating| format!("{}·{}", mating.wheel_tooth, mating.pinion_tooth);
     match matings {

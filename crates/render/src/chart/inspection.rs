@@ -2,7 +2,7 @@
 
 use super::bars::{BarPanel, BarSeries, bar_panels};
 use super::captions::empty;
-use super::paint::Look;
+use super::panel::Look;
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
 use gearlash::gear::{Flank, Inspection};
@@ -26,23 +26,15 @@ pub fn inspection(
         ]
     };
     let plain = |name, values: &[f64]| vec![BarSeries::of_mm(name, values, Look::Plain)];
+    let single = pitch(|inspection, side| inspection.single(side));
+    let cumulative = pitch(|inspection, side| inspection.cumulative(side).to_vec());
+    let thickness = plain("thickness", inspection.thickness());
+    let runout = plain("displacement", inspection.runout());
     let groups = [
-        (
-            "single pitch deviation f_p",
-            pitch(|inspection, side| inspection.single(side)),
-        ),
-        (
-            "cumulative pitch deviation F_p",
-            pitch(|inspection, side| inspection.cumulative(side).to_vec()),
-        ),
-        (
-            "tooth thickness − mean",
-            plain("thickness", inspection.thickness()),
-        ),
-        (
-            "displacement by the eccentricity, e·cos φ",
-            plain("displacement", inspection.runout()),
-        ),
+        ("single pitch deviation f_p", single),
+        ("cumulative pitch deviation F_p", cumulative),
+        ("tooth thickness − mean", thickness),
+        ("displacement by the eccentricity, e·cos φ", runout),
     ];
     let moved = |series: &BarSeries| series.values.iter().flatten().any(|value| *value != 0.0);
     let deviating = groups.iter().filter(|(_, series)| series.iter().any(moved));
@@ -71,10 +63,8 @@ pub fn inspection(
     if panels.is_empty() {
         let words = "no pitch, thickness or runout deviations are given";
         let teeth = inspection.runout().len();
-        let x = Axis {
-            teeth: u32::try_from(teeth).ok(),
-            ..Axis::new(&x_axis, [0.4, teeth as f64 + 0.6])
-        };
+        let ends = [0.4, teeth as f64 + 0.6];
+        let x = Axis::of_teeth(&x_axis, ends, u32::try_from(teeth).ok());
         return sheet::draw(heading, &details, &[], &[empty(x, words)]);
     }
     bar_panels(heading, &details, &x_axis, &panels)

@@ -7,16 +7,13 @@
 
 mod bars;
 mod captions;
+mod curve;
 mod difference;
 mod distance;
 mod field;
 mod inspection;
 mod labels;
-mod legend;
-mod lines;
 mod marks;
-mod overplotting;
-mod paint;
 mod panel;
 pub(crate) mod population;
 mod profiles;
@@ -26,12 +23,12 @@ mod thin;
 
 pub use crate::kit::Plot;
 pub use bars::{BarPanel, BarSeries, Limits, bar_panels};
+pub use curve::{CurveAxes, curve};
 pub use difference::difference;
 pub use distance::{distance, distance_in};
 pub use field::field;
 pub use inspection::inspection;
-pub use lines::{LineAxes, LineSeries, lines};
-pub use paint::Look;
+pub use panel::Look;
 pub use profiles::{leads, profiles};
 pub use revolution::{revolution, revolution_in};
 pub use sheet::{Chart, Heading, PictureError};

@@ -1,8 +1,7 @@
 //! Profile and lead deviations in the layout of an inspection sheet: one panel per flank, the evaluation range shaded.
 
 use super::captions::entry;
-use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Swatch, range};
+use super::panel::{Look, Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
 use gearlash::gauge::{FlankTraces, LeadReadings, ProfileReadings, TraceReading};
@@ -111,7 +110,6 @@ fn traces(
     sheet::draw(heading, details, &entries, &panels)
 }
 
-/// Opacity of the evaluation range.
 const SHADE: f64 = 0.16;
 
 fn panel(
@@ -138,11 +136,6 @@ fn panel(
         1 => "all teeth".to_owned(),
         _ => format!("worst tooth {worst}"),
     };
-    Panel {
-        title: format!("{} flanks, {tooth} · {}", side.name(), words(side, trace)),
-        x,
-        y,
-        height: HEIGHT,
-        marks,
-    }
+    let title = format!("{} flanks, {tooth} · {}", side.name(), words(side, trace));
+    Panel::new(x, y, HEIGHT, marks).titled(title)
 }

@@ -6,13 +6,11 @@ use gearlash_files::numbers::fixed;
 use svg::node::Node;
 use svg::node::element::{Group, SVG};
 
-/// Positions in the picture.
 struct Layout {
     width: f64,
     field: Frame,
     /// Distance from the field to the legend: the axis, and the names of the limits where they are below.
     below: f64,
-    /// Columns of the legend.
     across: usize,
     is_narrow: bool,
 }
@@ -34,18 +32,15 @@ const NARROW: Layout = Layout {
     is_narrow: true,
 };
 
-/// Height of a row of the legend.
 const ROW: f64 = 24.0;
 
 const SMALL: TextStyle = TextStyle::new(12.0);
 
-/// The content of a map.
 pub struct Grid<'a> {
     /// Centre distances of the rows, mm, ascending.
     pub distances: &'a [f64],
     pub columns: usize,
     pub phase: Axis,
-    /// Lines across the field.
     pub limits: &'a [Limit],
     /// Colours and names; the legend shows those that occur.
     pub shades: Vec<(&'static str, String)>,
@@ -173,7 +168,6 @@ impl Grid<'_> {
         group
     }
 
-    /// The shades that occur.
     fn used(&self) -> Vec<&(&'static str, String)> {
         let used = |(number, shade)| self.cells.contains(&number).then_some(shade);
         self.shades.iter().enumerate().filter_map(used).collect()
@@ -192,8 +186,7 @@ fn legend_of(used: &[&(&'static str, String)], layout: &Layout) -> Group {
         let left = start + (i % layout.across) as f64 * 250.0;
         let top = layout.field.bottom + layout.below + (i / layout.across) as f64 * ROW;
         let frame = Frame::new([left, top], [left + 22.0, top + 14.0]);
-        let swatch = frame.rectangle().set("fill", *colour);
-        group.append(swatch.set("stroke", GREY).set("stroke-width", "0.8"));
+        group.append(frame.painted(colour, GREY, "0.8"));
         group.append(TextStyle::new(13.0).text(name, [left + 30.0, top + 11.5]));
     }
     group

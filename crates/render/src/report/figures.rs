@@ -2,8 +2,7 @@
 
 use super::page::Page;
 use super::table::Table;
-use crate::chart::PictureError;
-use crate::chart::{self, Chart, Heading};
+use crate::chart::{self, Chart, Heading, PictureError};
 use crate::pose_name::phase_name;
 use gearlash::analysis::curves::{Course, DistancePoint, Followed};
 use gearlash::gear::Inspection;
@@ -32,7 +31,6 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
     over_teeth(page, "backlash over the teeth", draw)
 }
 
-/// Centre distance and phase of a course.
 fn place(course: &Course) -> String {
     format!(
         "at a = {} mm{}",
@@ -41,7 +39,6 @@ fn place(course: &Course) -> String {
     )
 }
 
-/// Id of the chart of a course.
 fn id(number: usize) -> String {
     format!("revolution{number}")
 }
@@ -245,17 +242,14 @@ pub(super) fn collapsed(summary: &str, what: &str, content: Markup) -> Markup {
     }
 }
 
-/// Further `content`, collapsed.
 pub(super) fn more(what: &str, content: Markup) -> Markup {
     collapsed(&format!("More: {what}"), what, content)
 }
 
-/// A chart as a figure of the page.
 pub(super) fn figure(chart: &Chart) -> Markup {
     html! { figure.chart tabindex="0" { (svg(chart)) } }
 }
 
-/// A tall chart as a figure of the page.
 fn tall(chart: &Chart) -> Markup {
     html! { figure.chart.tall tabindex="0" { (svg(chart)) } }
 }

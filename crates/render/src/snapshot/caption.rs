@@ -29,7 +29,6 @@ fn in_room(style: TextStyle, words: &str, at: Spot, room: f64) -> Element {
     style.text(&style.shortened(words, room), at)
 }
 
-/// Title and mating.
 pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
     let (title, pose) = (TextStyle::new(24.0).bold(), TextStyle::new(16.0).grey());
     Group::new()

@@ -1,9 +1,8 @@
 //! The results in columns for the script: one entry per pose.
 
-use super::contacts::touching;
 use super::precision::{Precision, degrees};
 use super::readout;
-use super::section::HelicalColumns;
+use super::readout::{HelicalColumns, touching};
 use super::viewed::Viewed;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{Course, CourseLine};
@@ -23,7 +22,6 @@ type Words = BTreeMap<String, Vec<String>>;
 /// Decimals of a number that is neither a backlash nor a place.
 const DECIMALS: usize = 6;
 
-/// All runs.
 #[derive(Serialize)]
 pub struct Columns {
     free: &'static str,
@@ -63,7 +61,6 @@ impl Columns {
     }
 }
 
-/// The index of the `outlines` of `run`.
 pub fn outline_of(outlines: &[&AssembledPair], run: &ComparedRun) -> usize {
     let own = |pair: &&AssembledPair| pair.has_gears_of(&run.run.assembly);
     outlines.iter().position(own).unwrap_or(0)
@@ -74,7 +71,6 @@ pub fn free_rotation(pose: &PoseResult) -> f64 {
     touching(pose, Side::Right).map_or(pose.pose.free_rotation(), |contact| contact.rotation)
 }
 
-/// A run in columns for the script.
 #[derive(Serialize)]
 pub struct RunColumns {
     label: String,
@@ -82,7 +78,6 @@ pub struct RunColumns {
     /// Index of its outlines.
     outlines: usize,
     pitch_radius_mm: [f64; 2],
-    /// Number of poses in the run.
     of: usize,
     /// Numbers of the contained poses, from 1; `None`: all.
     number: Option<Vec<usize>>,

@@ -1,135 +1,102 @@
-//! The general charts: lines and bars.
+//! The general charts: bars and curves.
 
-use super::drawn::{HALF, LEFT, RIGHT, distance, place, polylines};
+use super::drawn::{HALF, LEFT, Picture, RIGHT, Spot, ends, is_at, place};
+use super::heading;
 use gearlash_render::chart::{
-    BarPanel, BarSeries, Chart, Heading, LineAxes, LineSeries, Look, PictureError, bar_panels,
-    lines,
+    BarPanel, BarSeries, Chart, CurveAxes, Heading, Look, PictureError, bar_panels, curve,
 };
-use roxmltree::Document;
 
-fn heading<'a>() -> Heading<'a> {
-    Heading {
-        prefix: "small",
-        title: "Five teeth",
+fn bars(series: &[BarSeries]) -> Result<Chart, PictureError> {
+    let heading = Heading {
         subtitle: "made values",
-    }
-}
-
-fn bars([x_axis, y_axis]: [&str; 2], series: &[BarSeries]) -> Result<Chart, PictureError> {
+        ..heading("small", "Five teeth")
+    };
     let panel = BarPanel {
         title: "",
-        y_axis,
+        y_axis: "deviation, µm",
         series,
         limits: Vec::new(),
         level: 0.0,
     };
-    bar_panels(&heading(), "", x_axis, &[panel])
+    bar_panels(&heading, "", "tooth", &[panel])
 }
 
-fn series() -> [BarSeries<'static>; 2] {
-    let values = |values: [f64; 5]| values.map(Some).to_vec();
-    let mut left = values([-1.0, 0.5, 2.0, 1.5, -0.5]);
-    left[3] = None;
+fn five_teeth() -> [BarSeries<'static>; 2] {
+    let right = [1.0, 2.0, -1.5, 0.0, 0.5].map(Some);
+    let left = [Some(-1.0), Some(0.5), Some(2.0), None, Some(-0.5)];
     [
         BarSeries {
             name: "right",
-            values: values([1.0, 2.0, -1.5, 0.0, 0.5]),
+            values: right.to_vec(),
             look: Look::Right,
         },
         BarSeries {
             name: "left",
-            values: left,
+            values: left.to_vec(),
             look: Look::Left,
         },
     ]
 }
 
-#[test]
-fn small_bar_chart() {
-    let chart = bars(["tooth", "deviation, µm"], &series()).unwrap();
-    insta::assert_snapshot!(chart.svg);
-}
-
 /// Bars of a tooth stand side by side about its number, from zero to the value; a missing one is left out.
 #[test]
-fn bars_stand_at_their_teeth() {
-    let chart = bars(["tooth", "deviation, µm"], &series()).unwrap();
-    let document = Document::parse(&chart.svg).unwrap();
-    for (colour, series, from) in [(RIGHT, &series()[0], -0.4), (LEFT, &series()[1], 0.0)] {
-        let outlines = polylines(&document, colour).into_iter();
-        let mut drawn = outlines.filter(|line| line[0].1 > chart.plot.top);
+fn small_bar_chart() {
+    let series = five_teeth();
+    let chart = bars(&series).unwrap();
+    let picture = Picture::of(&chart.svg);
+    for (colour, series, from) in [(RIGHT, &series[0], -0.4), (LEFT, &series[1], 0.0)] {
+        let own = picture.areas.iter().filter(|area| area.stroke == colour);
+        let mut drawn = own.filter(|area| area.room[3] > chart.plot.top);
         for (tooth, value) in (1..).zip(&series.values) {
             let Some(value) = *value else {
                 continue;
             };
-            let corners = drawn.next().unwrap();
-            let left = f64::from(tooth) + from;
-            let low = place(&chart.plot, (left, value.min(0.0)));
-            let high = place(&chart.plot, (left + 0.4, value.max(0.0)));
-            assert!(distance(corners[0], low) < HALF && distance(corners[2], high) < HALF);
+            let [left, top, right, bottom] = drawn.next().unwrap().room;
+            let x = f64::from(tooth) + from;
+            let [low, high] = [(x, value.min(0.0)), (x + 0.4, value.max(0.0))]
+                .map(|(x, y)| place(&chart.plot, [x, y]));
+            assert!(is_at([left, bottom], low) && is_at([right, top], high));
         }
         assert!(drawn.next().is_none());
     }
+    insta::assert_snapshot!(chart.svg);
 }
 
-#[test]
-fn lines_of_several_looks_stand_where_their_points_are() {
-    let points = vec![
-        (1.0, Some(3.0)),
-        (2.0, Some(5.0)),
-        (3.0, None),
-        (4.0, Some(4.0)),
-        (5.0, Some(1.0)),
-    ];
-    let line = |look, dots| LineSeries {
-        name: "a & b",
-        points: points.clone(),
-        look,
-        dots,
-    };
-    let all = [
-        line(Look::Right, false),
-        line(Look::Third, false),
-        line(Look::Left, true),
-    ];
-    let chart = lines(&heading(), axes(1e-3), &all).unwrap();
-    let document = Document::parse(&chart.svg).unwrap();
-    let drawn: Vec<_> = polylines(&document, RIGHT)
-        .into_iter()
-        .filter(|line| line[0].1 > chart.plot.top)
-        .collect();
-    let expected = [vec![(1.0, 3.0), (2.0, 5.0)], vec![(4.0, 4.0), (5.0, 1.0)]];
-    assert_eq!(drawn.len(), 2);
-    for (drawn, expected) in drawn.iter().zip(&expected) {
-        assert_eq!(drawn.len(), 2);
-        for (spot, point) in drawn.iter().zip(expected) {
-            assert!(distance(*spot, place(&chart.plot, *point)) < HALF);
-        }
-    }
-    assert!(chart.svg.contains("a &amp; b"));
-}
-
-fn axes(least: f64) -> LineAxes<'static> {
-    LineAxes {
+fn curve_over(points: &[(f64, Option<f64>)]) -> Result<Chart, PictureError> {
+    let axes = CurveAxes {
         title: "",
         x: "tooth",
-        teeth: Some(4),
+        teeth: 4,
         y: "M_dK, mm",
-        least,
+        least: 0.1,
+    };
+    curve(&heading("small", "t"), axes, points.to_vec())
+}
+
+/// Where its points are, with a gap.
+#[test]
+fn a_curve_goes_through_its_points() {
+    let points = [3.0, 5.0, f64::NAN, 4.0, 1.0].map(|y| Some(y).filter(|y| y.is_finite()));
+    let points: Vec<_> = [1.0, 2.0, 3.0, 4.0, 5.0].into_iter().zip(points).collect();
+    let chart = curve_over(&points).unwrap();
+    let picture = Picture::of(&chart.svg);
+    let mut drawn = picture.lines.iter().filter(|line| line.width == "1.60");
+    let expected: [[Spot; 2]; 2] = [[[1.0, 3.0], [2.0, 5.0]], [[4.0, 4.0], [5.0, 1.0]]];
+    for expected in expected {
+        let line = drawn.next().unwrap();
+        assert_eq!(line.points.len(), 2);
+        for (spot, point) in line.points.iter().zip(expected) {
+            assert!(is_at(*spot, place(&chart.plot, point)));
+        }
     }
+    assert!(drawn.next().is_none());
 }
 
 /// Rounding noise does not fill a chart: its axis is as high as said at least.
 #[test]
 fn noise_is_drawn_flat() {
-    let line = LineSeries {
-        name: "a''",
-        points: vec![(1.0, Some(-1e-9)), (2.0, Some(1e-9)), (3.0, Some(0.0))],
-        look: Look::Plain,
-        dots: false,
-    };
-    let chart = lines(&heading(), axes(0.1), &[line]).unwrap();
-    let [low, high] = chart.plot.y;
+    let points = [(1.0, Some(-1e-9)), (2.0, Some(1e-9)), (3.0, Some(0.0))];
+    let [low, high] = curve_over(&points).unwrap().plot.y;
     assert!(high - low >= 0.1);
     assert!((low + high).abs() < 1e-6);
 }
@@ -137,34 +104,22 @@ fn noise_is_drawn_flat() {
 /// A bar for each of 10 000 teeth would be a few megabytes and narrower than a pixel.
 #[test]
 fn ten_thousand_teeth_are_a_thinned_line() {
-    let values = (0..10_000)
-        .map(|i| Some(f64::from(i % 97) - 40.0))
-        .collect();
-    let series = [BarSeries {
-        name: "right",
-        values,
-        look: Look::Right,
-    }];
-    let chart = bars(["tooth", "µm"], &series).unwrap();
+    let values = (0..10_000).map(|i| Some(f64::from(i % 97) - 40.0));
+    let [mut series, _] = five_teeth();
+    series.values = values.collect();
+    let chart = bars(&[series]).unwrap();
     assert!(chart.svg.len() < 300_000);
-    let document = Document::parse(&chart.svg).unwrap();
-    let drawn = polylines(&document, RIGHT).concat();
-    let heights = drawn
-        .iter()
-        .map(|spot| spot.1)
-        .filter(|y| *y > chart.plot.top);
-    let top = heights.fold(f64::MAX, f64::min);
-    assert!((top - place(&chart.plot, (1.0, 56.0)).1).abs() < HALF);
+    let drawn = Picture::of(&chart.svg).lines_of(RIGHT).concat();
+    let heights = drawn.iter().map(|spot| spot[1]);
+    let [top, _] = ends(heights.filter(|y| *y > chart.plot.top));
+    assert!((top - place(&chart.plot, [1.0, 56.0])[1]).abs() < HALF);
 }
 
 #[test]
 fn nothing_to_draw_is_an_error() {
-    let none = BarSeries {
-        name: "none",
-        values: vec![],
-        look: Look::Plain,
-    };
-    assert!(bars(["tooth", "µm"], &[]).is_err());
-    assert!(bars(["tooth", "µm"], &[none]).is_err());
-    assert!(lines(&heading(), axes(1.0), &[]).is_err());
+    let [mut none, _] = five_teeth();
+    none.values.clear();
+    assert!(bars(&[]).is_err());
+    assert!(bars(&[none]).is_err());
+    assert!(curve_over(&[]).is_err());
 }

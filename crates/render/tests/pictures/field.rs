@@ -1,21 +1,16 @@
 //! The field of action: lines, gaps and shades stand where the library has them.
 
-use super::drawn::{HALF, LEFT, RIGHT, distance, place, polylines};
-use super::{METHOD, heading};
+use super::drawn::{HALF, LEFT, Picture, RIGHT, Spot, is_at, place};
+use super::{METHOD, heading, on};
 use gearlash::analysis::curves::Field;
 use gearlash::contact::{ContactKind, CutPair, sweep};
 use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Mating};
 use gearlash_render::chart::{self, Chart};
-use roxmltree::Document;
-use std::ops::ControlFlow;
-use std::path::Path;
 
 /// 27/51 with measured pitch, 0.3 of a pitch beyond a mating.
 fn field() -> Field {
-    let files = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/files"));
-    let study = gearlash_files::read(&files.join("helical_measured.toml"));
-    let study = study.unwrap().study;
+    let study = super::study("../docs/files/helical_measured.toml");
     let (_, wheel, pinion) = &study.materials[0];
     let pair: GearPair = study.pair(wheel, pinion, 190.0).unwrap();
     let mating = Mating {
@@ -25,7 +20,6 @@ fn field() -> Field {
         fraction: 0.3,
     };
     let cut = CutPair::for_certificates(wheel, pinion);
-    let on = || ControlFlow::Continue(());
     let poses = sweep(&pair, &cut, METHOD, &[mating], 0.0, &on).unwrap();
     Field::of(&pair, &poses[0]).unwrap()
 }
@@ -38,23 +32,24 @@ fn drawn(field: &Field) -> Chart {
 fn lines_and_gaps_are_where_the_data_are() {
     let field = field();
     let chart = drawn(&field);
-    let document = Document::parse(&chart.svg).unwrap();
+    let picture = Picture::of(&chart.svg);
     for (number, (side, colour)) in field.sides.iter().zip([RIGHT, LEFT]).enumerate() {
         let [lines, gaps] = [&chart.panels[2 * number], &chart.panels[2 * number + 1]];
-        let drawn = polylines(&document, colour);
-        let ends = |from: (f64, f64), to: (f64, f64)| {
-            drawn.iter().any(|line| {
-                distance(line[0], from) < HALF && distance(line[line.len() - 1], to) < HALF
-            })
+        let drawn = picture.lines_of(colour);
+        let ends = |[from, to]: [Spot; 2]| {
+            let mut drawn = drawn.iter();
+            drawn.any(|line| is_at(line[0], from) && is_at(line[line.len() - 1], to))
         };
         assert!(side.lines.len() > 1);
         for line in &side.lines {
-            let [from, to] = line.ends.map(|[z, s]| place(lines, (z, s)));
-            assert!(ends(from, to), "{}·{}", line.wheel_tooth, line.pinion_tooth);
+            let name = format!("{}·{}", line.wheel_tooth, line.pinion_tooth);
+            assert!(ends(line.ends.map(|end| place(lines, end))), "{name}");
         }
-        let um = |k: usize| (side.sections[k].at, side.sections[k].gap.unwrap() * 1e3);
-        let last = side.sections.len() - 1;
-        assert!(ends(place(gaps, um(0)), place(gaps, um(last))));
+        let gap = [0, side.sections.len() - 1].map(|k| {
+            let section = &side.sections[k];
+            place(gaps, [section.at, section.gap.unwrap() * 1e3])
+        });
+        assert!(ends(gap));
         let binding = &side.binding;
         let words = format!(
             "wheel {} on pinion {} binds",
@@ -76,23 +71,15 @@ fn fillets_are_shaded() {
     // Its sample in the legend, and one a panel.
     assert_eq!(shades(&field), 3);
     let chart = drawn(&field);
-    assert!(
-        chart
-            .svg
-            .contains("fillet, root or undercut edge touched first")
-    );
-    assert!(chart.svg.contains("shaded: z = −12.5 … 3.25 mm"));
-    let document = Document::parse(&chart.svg).unwrap();
+    let picture = Picture::of(&chart.svg);
+    assert!(picture.says(|text| text.contains("fillet, root or undercut edge touched first")));
+    assert!(picture.says(|text| text.contains("shaded: z = −12.5 … 3.25 mm")));
     let plot = &chart.panels[0];
-    let top = format!("{:.2}", plot.top);
-    let shade = document
-        .descendants()
-        .find(|node| node.attribute("fill") == Some(GREEN) && node.attribute("y") == Some(&top));
-    let shade = shade.unwrap();
-    let [left, width] =
-        ["x", "width"].map(|name| shade.attribute(name).unwrap().parse::<f64>().unwrap());
-    for (at, z) in [left, left + width].into_iter().zip(stretch) {
-        assert!((at - place(plot, (z, 0.0)).0).abs() < HALF, "{z}: {at}");
+    let mut shades = picture.areas.iter().filter(|area| area.fill == GREEN);
+    let shade = shades.find(|area| (area.room[1] - plot.top).abs() < HALF);
+    let [left, _, right, _] = shade.unwrap().room;
+    for (at, z) in [left, right].into_iter().zip(stretch) {
+        assert!((at - place(plot, [z, 0.0])[0]).abs() < HALF, "{z}: {at}");
     }
 }
 

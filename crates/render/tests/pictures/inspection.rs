@@ -1,18 +1,17 @@
 //! The deviations of a gear come back from its inspection.
 
-use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Flank, Gear, GearDesign, Inspection, Pitch,
-};
+use super::design::design;
+use super::drawn::ends;
+use gearlash::gear::{AsBuilt, Deviations, Face, Flank, Gear, GearDesign, Inspection, Pitch};
 use std::f64::consts::TAU;
 
-fn gear(face: Face, deviations: &Deviations) -> AsBuilt {
+fn found(face: Face, deviations: Deviations) -> Inspection {
     let design = GearDesign {
-        basic_data: BasicGearData::new(12, 3.0, 20f64.to_radians()).unwrap(),
         profile_shift: 0.2,
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
+        ..design(12, 3.0)
     };
-    AsBuilt::new(Gear::nominal(design).unwrap(), face, deviations).unwrap()
+    let gear = Gear::nominal(design).unwrap();
+    Inspection::of(&AsBuilt::new(gear, face, &deviations).unwrap())
 }
 
 /// Rounding of some ulps of the radius, mm.
@@ -26,24 +25,19 @@ fn pitch_of_either_face_comes_back() {
     };
     let curves = [wave(0.3), wave(1.9)];
     for face in [Face::Front, Face::Back] {
-        let pitch = Pitch::from_cumulative(&curves[0], &curves[1]);
-        let built = gear(
-            face,
-            &Deviations {
-                pitch: Some(pitch),
-                ..Deviations::default()
-            },
-        );
-        let found = Inspection::of(&built);
+        let deviations = Deviations {
+            pitch: Some(Pitch::from_cumulative(&curves[0], &curves[1])),
+            ..Deviations::default()
+        };
+        let found = found(face, deviations);
         for (side, curve) in Flank::BOTH.into_iter().zip(&curves) {
             for (i, f) in curve.iter().enumerate() {
                 assert!((found.cumulative(side)[i] - f).abs() < ROUNDING);
                 let before = curve[(i + 11) % 12];
                 assert!((found.single(side)[i] - (f - before)).abs() < 2.0 * ROUNDING);
             }
-            let range = curve.iter().fold(f64::MIN, |a, b| a.max(*b))
-                - curve.iter().fold(f64::MAX, |a, b| a.min(*b));
-            assert!((found.total_cumulative(side) - range).abs() < 2.0 * ROUNDING);
+            let [low, high] = ends(curve.iter().copied());
+            assert!((found.total_cumulative(side) - (high - low)).abs() < 2.0 * ROUNDING);
         }
         // A right flank ahead of its left one, along ascending numbers, is thickness.
         let ahead = curves[0].iter().zip(&curves[1]);
@@ -59,19 +53,20 @@ fn thickness_comes_back_and_shows_in_the_pitch() {
     let mut per_tooth = vec![0.0; 12];
     per_tooth[4] = 6e-3;
     for face in [Face::Front, Face::Back] {
-        let per_tooth = per_tooth.clone();
-        let found = Inspection::of(&gear(
-            face,
-            &Deviations {
-                per_tooth,
-                ..Deviations::default()
-            },
-        ));
-        assert!((found.thickness()[4] - 6e-3).abs() < ROUNDING);
-        assert!(found.thickness()[5].abs() < ROUNDING);
-        assert!((found.single(Flank::Right)[4] - 3e-3).abs() < ROUNDING);
-        assert!((found.single(Flank::Left)[4] + 3e-3).abs() < ROUNDING);
-        assert!((found.largest_single(Flank::Right) - 3e-3).abs() < ROUNDING);
+        let deviations = Deviations {
+            per_tooth: per_tooth.clone(),
+            ..Deviations::default()
+        };
+        let found = found(face, deviations);
+        for (value, expected) in [
+            (found.thickness()[4], 6e-3),
+            (found.thickness()[5], 0.0),
+            (found.single(Flank::Right)[4], 3e-3),
+            (found.single(Flank::Left)[4], -3e-3),
+            (found.largest_single(Flank::Right), 3e-3),
+        ] {
+            assert!((value - expected).abs() < ROUNDING, "{value} {expected}");
+        }
     }
 }
 
@@ -82,12 +77,10 @@ fn runout_is_a_cosine_from_the_high_tooth() {
         high_tooth: 4.0,
         ..Deviations::default()
     };
-    let found = Inspection::of(&gear(Face::Back, &deviations));
+    let found = found(Face::Back, deviations);
     // cos 0, 60°, 90°, 180°.
     for (tooth, value) in [(4, 5e-3), (6, 2.5e-3), (7, 0.0), (10, -5e-3), (2, 2.5e-3)] {
-        assert!(
-            (found.runout()[tooth - 1] - value).abs() < ROUNDING,
-            "{tooth}"
-        );
+        let off = found.runout()[tooth - 1] - value;
+        assert!(off.abs() < ROUNDING, "{tooth}");
     }
 }

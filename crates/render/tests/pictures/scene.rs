@@ -1,10 +1,10 @@
-//! The scene in mm: outlines, contacts and lines where the closed form says they are.
+//! The scene in mm: outlines, contacts, lines and overlaps where closed forms and counting say they are.
 
-use crate::closed_form::{j_bn, lost_motion, pair, pose};
-use gearlash::contact::{FreePlacement, Scene};
-use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Placed, Side,
-};
+use super::design::design;
+use super::drawn::ends;
+use super::posed::{Posed, find, j_bn, pair};
+use gearlash::contact::{FreePlacement, LostMotion};
+use gearlash::gear::{AsBuilt, Deviations, Face, Gear, Placed, Side};
 use gearlash::pair::Member;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::PI;
@@ -28,31 +28,21 @@ fn the_points_of_a_contact_lie_on_both_outlines() {
     let chord = 1e-5;
     for locked in [Member::Wheel, Member::Pinion] {
         for (flank, fraction) in [(Side::Right, 0.0), (Side::Left, 0.2), (Side::Right, -0.3)] {
-            let assembly = pair([25, 38], 2.0, 63.07, locked);
-            let at = pose(&assembly, [7, 30], flank, fraction);
-            let lost = lost_motion(&assembly, &at);
-            let assembled = assembly.clone().into();
-            let scene = Scene::new(&assembled, &at, &lost);
+            let pair = pair([25, 38], 2.0, 63.07, locked);
+            let posed = Posed::new(pair, [7, 30], flank, fraction);
+            let scene = posed.scene();
             assert_eq!(scene.free_placement(), FreePlacement::AtContact(flank));
             for meeting in scene.contacts() {
-                let outline = |member| {
-                    scene
-                        .placed(member)
-                        .outline_near(meeting.on_locked, 5.0, chord)
-                };
-                let off_locked = distance(&outline(locked), meeting.on_locked);
-                let off_free = distance(&outline(locked.mate()), meeting.on_free);
-                // Only contacts on the real flanks say something.
-                assert!(
-                    off_locked <= 2.0 * chord,
-                    "{locked:?} {meeting:?} {off_locked}"
-                );
-                assert!(off_free <= 2.0 * chord, "{locked:?} {meeting:?} {off_free}");
-                let expected = if meeting.side == flank {
-                    0.0
-                } else {
-                    j_bn(&assembly)
-                };
+                let points = [meeting.on_locked, meeting.on_free];
+                for (member, point) in [locked, locked.mate()].into_iter().zip(points) {
+                    let placed = scene.placed(member);
+                    let outline = placed.outline_near(meeting.on_locked, 5.0, chord);
+                    // Only contacts on the real flanks say something.
+                    let off = distance(&outline, point);
+                    assert!(off <= 2.0 * chord, "{locked:?} {meeting:?} {off}");
+                }
+                let is_open = meeting.side != flank;
+                let expected = if is_open { j_bn(&posed.pair) } else { 0.0 };
                 assert!((meeting.gap - expected).abs() < 1e-12, "{meeting:?}");
             }
         }
@@ -61,12 +51,11 @@ fn the_points_of_a_contact_lie_on_both_outlines() {
 
 #[test]
 fn contacts_lie_on_their_line_of_action_between_the_tip_circles() {
-    let assembly = pair([25, 38], 2.0, 63.07, Member::Wheel);
-    let at = pose(&assembly, [7, 30], Side::Right, 0.2);
-    let lost = lost_motion(&assembly, &at);
-    let assembled = assembly.clone().into();
-    let scene = Scene::new(&assembled, &at, &lost);
-    for (side, contact) in [(Side::Right, lost.right), (Side::Left, lost.left)] {
+    let pair = pair([25, 38], 2.0, 63.07, Member::Wheel);
+    let posed = Posed::new(pair, [7, 30], Side::Right, 0.2);
+    let scene = posed.scene();
+    let LostMotion { right, left, .. } = posed.found;
+    for (side, contact) in [(Side::Right, right), (Side::Left, left)] {
         let action = scene.line_of_action(side).unwrap();
         let [from, to] = action.path.unwrap();
         let point = contact.unwrap().point;
@@ -74,39 +63,22 @@ fn contacts_lie_on_their_line_of_action_between_the_tip_circles() {
         assert!((point - from).perp(&along).abs() < 1e-12);
         assert!((0.0..=(to - from).norm()).contains(&(point - from).dot(&along)));
         // Each end of the path is on a tip circle, each end of the line on a base circle.
-        let gear = |member| assembly.gear(member).gear();
-        let axis = assembly.axis(Member::Pinion);
-        assert!(((from - axis).norm() - gear(Member::Pinion).tip_radius()).abs() < 1e-12);
-        assert!((to.coords.norm() - gear(Member::Wheel).tip_radius()).abs() < 1e-12);
-        assert!((action.ends[0].coords.norm() - gear(Member::Wheel).base_radius()).abs() < 1e-12);
+        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| posed.pair.gear(m).gear());
+        let axis = posed.pair.axis(Member::Pinion);
+        for (radius, expected) in [
+            ((from - axis).norm(), pinion.tip_radius()),
+            (to.coords.norm(), wheel.tip_radius()),
+            (action.ends[0].coords.norm(), wheel.base_radius()),
+        ] {
+            assert!((radius - expected).abs() < 1e-12);
+        }
     }
-}
-
-/// `j_wt = j_bn/cos α_wt` (design section 5).
-#[test]
-fn circumferential_backlash_is_that_of_the_operating_circle() {
-    let assembly = pair([25, 38], 2.0, 63.07, Member::Pinion);
-    let at = pose(&assembly, [7, 30], Side::Left, 0.0);
-    let lost = lost_motion(&assembly, &at);
-    let assembled = assembly.clone().into();
-    let (j_wt, _) = Scene::new(&assembled, &at, &lost)
-        .circumferential_backlash()
-        .unwrap();
-    let expected = j_bn(&assembly) / assembly.operating_pressure_angle().cos();
-    assert!((j_wt - expected).abs() < 1e-12, "{j_wt} {expected}");
 }
 
 /// The rim of a gear between its tip and root circles: every vertex there, and no tooth twice.
 #[test]
 fn an_outline_keeps_its_deviations_and_its_eccentricity() {
-    let basic_data = BasicGearData::new(20, 3.0, 20f64.to_radians()).unwrap();
-    let gear = Gear::nominal(GearDesign {
-        basic_data,
-        profile_shift: 0.0,
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
-    })
-    .unwrap();
+    let gear = Gear::nominal(design(20, 3.0)).unwrap();
     let mut per_tooth = vec![0.0; 20];
     per_tooth[4] = 0.3;
     let deviations = Deviations {
@@ -136,8 +108,72 @@ fn an_outline_keeps_its_deviations_and_its_eccentricity() {
         assert!(distance(&outline, flank) <= 2.0 * chord, "{side:?}");
     }
     let rim = outline.iter().map(|point| (point - centre).norm());
-    let off_rim = rim
-        .filter(|r| !(26.25 - 1e-9..=33.0 + 1e-9).contains(r))
-        .count();
-    assert_eq!(off_rim, 1, "the centre closes the polygon");
+    let off_rim = rim.filter(|r| !(26.25 - 1e-9..=33.0 + 1e-9).contains(r));
+    assert_eq!(off_rim.count(), 1, "the centre closes the polygon");
+}
+
+/// Whether the closed polygon holds the point: crossings of a ray, an odd number inside.
+fn holds(polygon: &[Point2<f64>], at: Point2<f64>) -> bool {
+    let next = polygon.iter().cycle().skip(1);
+    let crossed = polygon.iter().zip(next).filter(|(p, q)| {
+        (p.y > at.y) != (q.y > at.y) && at.x < p.x + (at.y - p.y) / (q.y - p.y) * (q.x - p.x)
+    });
+    crossed.count() % 2 == 1
+}
+
+/// The area of the overlap against grid points counted in both outlines and near the contact.
+#[test]
+fn an_overlap_has_the_area_that_counting_finds() {
+    for name in ["44/44 tight", "tip on fillet", "deviated tight"] {
+        let posed = find(name);
+        let scene = posed.scene();
+        let mut meetings = scene.contacts().iter();
+        let meeting = meetings.find(|meeting| meeting.gap < 0.0).unwrap();
+        let overlap = scene.overlap(meeting).unwrap();
+        let [[left, right], [bottom, top]] =
+            [0, 1].map(|axis| ends(overlap.outline.iter().map(|p| p[axis])));
+        let metal = [Member::Wheel, Member::Pinion].map(|member| {
+            let placed = scene.placed(member);
+            placed.outline_near(meeting.on_locked, 8.0, 1e-4)
+        });
+        let cells = 300;
+        let (dx, dy) = ((right - left) / cells as f64, (top - bottom) / cells as f64);
+        let mut both = 0;
+        for i in 0..cells {
+            for j in 0..cells {
+                let at = Point2::new(left + (i as f64 + 0.5) * dx, bottom + (j as f64 + 0.5) * dy);
+                both += usize::from(metal.iter().all(|polygon| holds(polygon, at)));
+            }
+        }
+        let counted = both as f64 * dx * dy;
+        // A strip some 30 cells wide or more: a cell's half at each edge, and it averages out.
+        let off = (overlap.area / counted - 1.0).abs();
+        assert!(off < 0.01, "{name}: {} {counted}", overlap.area);
+    }
+}
+
+/// Two flanks with radii of curvature `ρ` that overlap by a much smaller depth `δ` share `4/3 δ √(2 δ/κ)`, `κ = 1/ρ_1 + 1/ρ_2`:
+/// the length over which two parabolas overlap, times two thirds of the depth. Involutes have `ρ = √(r² − r_b²)`.
+#[test]
+fn overlaps_of_a_tenth_of_a_micrometre_and_of_a_tenth_of_a_millimetre_have_their_areas() {
+    for (module, below) in [(3.0, 1e-4), (3.0, 1e-3), (20.0, 0.2)] {
+        let pair = pair([44, 44], module, 44.0 * module - below, Member::Wheel);
+        let posed = Posed::new(pair, [1, 1], Side::Right, 0.1).solved("thin");
+        let scene = posed.scene();
+        let mut seen = 0;
+        for meeting in scene.contacts().iter().filter(|one| one.gap < 0.0) {
+            let depth = -meeting.gap;
+            let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| {
+                let radius = meeting.contact.touch(member).radius;
+                let base = posed.pair.gear(member).gear().base_radius();
+                (radius * radius - base * base).sqrt()
+            });
+            let bend = 1.0 / wheel + 1.0 / pinion;
+            let area = 4.0 / 3.0 * depth * (2.0 * depth / bend).sqrt();
+            let found = scene.overlap(meeting).unwrap().area;
+            assert!((found / area - 1.0).abs() < 0.005, "{found} {area}");
+            seen += 1;
+        }
+        assert!(seen > 0);
+    }
 }

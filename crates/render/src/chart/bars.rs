@@ -1,4 +1,4 @@
-//! Bar charts with one place per tooth.
+//! Values of each tooth as bars, and a curve over the teeth.
 
 use super::captions::entry;
 use super::panel::{Look, Mark, Panel, Swatch, range};
@@ -40,7 +40,7 @@ pub struct Limits {
 }
 
 /// One panel of bars.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct BarPanel<'a> {
     /// The title above the plot; may be empty.
     pub title: &'a str,
@@ -139,7 +139,15 @@ fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) 
             let points = (1..).map(f64::from).zip(bars.values.iter().copied());
             marks.push(Mark::line(points.collect(), bars.look, 1.0))
         } else {
-            marks.extend(rods(bars, [left, left + width]))
+            let values = (0u32..).map(f64::from).zip(&bars.values);
+            marks.extend(values.filter_map(|(shift, value)| {
+                let value = (*value)?;
+                Some(Mark::Bar {
+                    x: [left + shift, left + width + shift],
+                    y: [value.min(0.0), value.max(0.0)],
+                    look: bars.look,
+                })
+            }))
         }
     }
     if values().all(|value| *value == 0.0) {
@@ -159,15 +167,43 @@ fn above_zero([from, to]: [f64; 2], words: &str) -> Mark {
     )
 }
 
-/// Bars from `x[0]` to `x[1]` for tooth 1, shifted by one for each following tooth.
-fn rods(bars: &BarSeries, x: [f64; 2]) -> impl Iterator<Item = Mark> {
-    let known = bars.values.iter().enumerate();
-    known.filter_map(move |(index, value)| {
-        let value = (*value)?;
-        Some(Mark::Bar {
-            x: x.map(|x| x + index as f64),
-            y: [value.min(0.0), value.max(0.0)],
-            look: bars.look,
-        })
-    })
+/// The axes of a curve over the teeth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurveAxes<'a> {
+    /// The title above the plot; may be empty.
+    pub title: &'a str,
+    /// Quantity and unit.
+    pub x: &'a str,
+    /// The number of teeth.
+    pub teeth: u32,
+    /// Quantity and unit.
+    pub y: &'a str,
+    /// The least height shown, in that unit; a smaller one would show rounding noise.
+    pub least: f64,
+}
+
+/// A curve through `points`: tooth numbers in ascending order with their values; `None` is a gap.
+///
+/// # Errors
+/// [`PictureError`] when no point has a value.
+pub fn curve(
+    heading: &Heading,
+    axes: CurveAxes,
+    points: Vec<(f64, Option<f64>)>,
+) -> Result<Chart, PictureError> {
+    // Less than a tooth beyond the teeth: the number before 1 is the last.
+    let x = range(points.iter().map(|point| point.0), [0.0; 2], 1e-9);
+    let x = x.map(|[from, to]| [from - 0.6, to + 0.6]);
+    let y = range(
+        points.iter().filter_map(|point| point.1),
+        [0.08; 2],
+        axes.least,
+    );
+    let (Some(x), Some(y)) = (x, y) else {
+        return Err(PictureError("there are no values to draw".to_owned()));
+    };
+    let x = Axis::of_teeth(axes.x, x, Some(axes.teeth));
+    let marks = vec![Mark::line(points, Look::Plain, 1.6)];
+    let panel = Panel::new(x, Axis::new(axes.y, y), 340.0, marks);
+    sheet::draw(heading, "", &[], &[panel.titled(axes.title)])
 }

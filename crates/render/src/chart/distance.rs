@@ -14,24 +14,12 @@ use gearlash_files::numbers::{fixed, trimmed};
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];
 
-/// Backlash of one pose, or the mean of two, over the centre distance: simulated and analytic band, the band with bearing clearance,
+/// Backlash of one pose, or the mean of two, over the centre distance, in `unit`: simulated and analytic band, the band with bearing clearance,
 /// and the measured values.
 ///
 /// # Errors
 /// [`PictureError`] when all poses are proven and there is neither a value nor a measurement.
 pub fn distance(
-    heading: &Heading,
-    curve: &OverDistance,
-    distances: &[AtDistance],
-) -> Result<Chart, PictureError> {
-    distance_in(BacklashUnit::Um, heading, curve, distances)
-}
-
-/// As [`distance`], in `unit`.
-///
-/// # Errors
-/// As [`distance`].
-pub fn distance_in(
     unit: BacklashUnit,
     heading: &Heading,
     curve: &OverDistance,
@@ -64,10 +52,8 @@ pub fn distance_in(
     let any = |ends: &[Vec<Point>; 2]| ends[0].iter().any(|point| point.1.is_some());
     if curve.clearance > 0.0 && any(&with_clearance) {
         marks.extend(band(&with_clearance, Look::Limit, FILLS[0]));
-        let name = format!(
-            "with bearing clearance (a ± {} mm)",
-            trimmed(curve.clearance, 3, 6)
-        );
+        let clearance = trimmed(curve.clearance, 3, 6);
+        let name = format!("with bearing clearance (a ± {clearance} mm)");
         legend.push(entry(&name, Look::Limit, Swatch::LineInBand(FILLS[0])));
     }
     if any(&simulated) {
@@ -85,9 +71,8 @@ pub fn distance_in(
     }
     let ranges: Vec<[Point; 2]> = distances.iter().map(|at| range_of(at, place)).collect();
     for points in ranges.iter().map(|ends| ends.to_vec()) {
-        let look = Look::Plain;
-        marks.push(Mark::dots(points.clone(), look));
-        marks.push(Mark::line(points, look, 1.0));
+        marks.push(Mark::dots(points.clone(), Look::Plain));
+        marks.push(Mark::line(points, Look::Plain, 1.0));
     }
     if !ranges.is_empty() {
         let name = "least and greatest of all poses, every tooth";
@@ -150,13 +135,10 @@ fn poses(matings: &[Mating]) -> String {
     match matings {
         [one] => pose_name(one),
         poses => {
-            let named = poses
-                .iter()
-                .map(|one| format!("{} flanks {}", one.flank.name(), teeth(one)));
-            format!(
-                "mean of two poses: {} (wheel·pinion)",
-                named.collect::<Vec<_>>().join(", ")
-            )
+            let poses = poses.iter();
+            let named = poses.map(|one| format!("{} flanks {}", one.flank.name(), teeth(one)));
+            let named = named.collect::<Vec<_>>().join(", ");
+            format!("mean of two poses: {named} (wheel·pinion)")
         }
     }
 }

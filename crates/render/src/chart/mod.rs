@@ -7,7 +7,6 @@
 
 mod bars;
 mod captions;
-mod curve;
 mod difference;
 mod distance;
 mod field;
@@ -16,19 +15,16 @@ mod labels;
 mod marks;
 mod panel;
 pub(crate) mod population;
-mod profiles;
 mod revolution;
 mod sheet;
 mod thin;
 
 pub use crate::kit::Plot;
-pub use bars::{BarPanel, BarSeries, Limits, bar_panels};
-pub use curve::{CurveAxes, curve};
+pub use bars::{BarPanel, BarSeries, CurveAxes, Limits, bar_panels, curve};
 pub use difference::difference;
-pub use distance::{distance, distance_in};
+pub use distance::distance;
 pub use field::field;
-pub use inspection::inspection;
+pub use inspection::{inspection, leads, profiles};
 pub use panel::Look;
-pub use profiles::{leads, profiles};
-pub use revolution::{revolution, revolution_in};
+pub use revolution::revolution;
 pub use sheet::{Chart, Heading, PictureError};

@@ -18,20 +18,12 @@ const FILL: f64 = 0.2;
 /// Smallest difference that a label shows, µm.
 const SHOWN: f64 = 0.1;
 
-/// Backlash over the teeth at one centre distance: one band per flank, from most to least material, with the teeth that bind at
+/// Backlash over the teeth at one centre distance, in `unit`: one band per flank, from most to least material, with the teeth that bind at
 /// the least and greatest backlash.
 ///
 /// # Errors
 /// [`PictureError`]: none for a course that has poses.
-pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureError> {
-    revolution_in(BacklashUnit::Um, heading, course)
-}
-
-/// As [`revolution`], in `unit`.
-///
-/// # Errors
-/// As [`revolution`].
-pub fn revolution_in(
+pub fn revolution(
     unit: BacklashUnit,
     heading: &Heading,
     course: &Course,

@@ -40,11 +40,9 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError
         files.extend(read.iter().map(|read| pitch(gauged, chart, read)));
     }
     let profile = read.profile.iter().filter(|read| read.deviates());
-    files.extend(profile.map(|read| {
-        file(gauged, Chart::PROFILE, |heading| {
-            profiles(heading, read, LEAST)
-        })
-    }));
+    files.extend(
+        profile.map(|read| file(gauged, Chart::PROFILE, |heading| profiles(heading, read))),
+    );
     // About the axis of the teeth, and about the rotation axis where they differ.
     let along_face = read.along_face.iter().flat_map(|found| found.leads());
     files.extend(along_face.map(|read| {
@@ -52,7 +50,7 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError
             PitchAxis::Own => Chart::LEAD_OWN,
             PitchAxis::Datum => Chart::LEAD_DATUM,
         };
-        file(gauged, chart, |heading| leads(heading, read, LEAST))
+        file(gauged, chart, |heading| leads(heading, read))
     }));
     files.extend(read.roll.iter().map(|roll| roll_chart(gauged, roll)));
     files.into_iter().filter_map(Result::transpose).collect()

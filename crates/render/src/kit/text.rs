@@ -305,14 +305,4 @@ mod tests {
             assert!(drawn.contains("backlash\u{a0}<tspan"), "{drawn}");
         }
     }
-
-    /// With `paint-order` some readers showed white blots in place of labels.
-    #[test]
-    fn a_halo_lies_below_its_text() {
-        let drawn = TextStyle::new(12.0).haloed("least", [0.0; 2]);
-        let [halo, text] = drawn.map(|element| element.to_string());
-        assert!(halo.contains("stroke-width=\"3\"") && halo.contains("fill=\"#ffffff\""));
-        assert!(!text.contains("stroke") && text.contains(INK));
-        assert!(!halo.contains("paint-order"));
-    }
 }

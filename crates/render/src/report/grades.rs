@@ -50,14 +50,14 @@ pub(super) fn table(page: &Page) -> Markup {
     }
 }
 
-fn flank_and_axis(pitch: Option<(PitchAxis, Flank)>) -> &'static str {
-    match pitch {
-        Some((PitchAxis::Datum, Flank::Right)) => ", right flanks, datum axis",
-        Some((PitchAxis::Datum, Flank::Left)) => ", left flanks, datum axis",
-        Some((PitchAxis::Own, Flank::Right)) => ", right flanks, own centre",
-        Some((PitchAxis::Own, Flank::Left)) => ", left flanks, own centre",
-        None => "",
-    }
+fn flank_and_axis(pitch: Option<(PitchAxis, Flank)>) -> String {
+    pitch.map_or(String::new(), |(axis, flank)| {
+        let about = match axis {
+            PitchAxis::Datum => "datum axis",
+            PitchAxis::Own => "own centre",
+        };
+        format!(", {} flanks, {about}", flank.name())
+    })
 }
 
 fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
@@ -93,37 +93,18 @@ fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
 
 /// Deviations that inspection sheets list in addition to graded ones.
 fn ungraded(gear: &str, pitch: &PitchReadings, flank: Flank) -> [Vec<Markup>; 3] {
+    let eighth = "cumulative pitch over an eighth of the teeth";
+    let adjacent = pitch.adjacent_difference(flank);
+    let range = pitch.single_range(flank);
     [
-        (
-            "f",
-            "u",
-            "difference of adjacent pitches",
-            pitch.adjacent_difference(flank),
-        ),
-        (
-            "F",
-            "p(z/8)",
-            "cumulative pitch over an eighth of the teeth",
-            pitch.eighth(flank),
-        ),
-        (
-            "R",
-            "p",
-            "range of the single pitch",
-            pitch.single_range(flank),
-        ),
+        ("f", "u", "difference of adjacent pitches", adjacent),
+        ("F", "p(z/8)", eighth, pitch.eighth(flank)),
+        ("R", "p", "range of the single pitch", range),
     ]
     .map(|(letter, index, name, mm)| {
         let name = html! { (name) (flank_and_axis(Some((pitch.axis, flank)))) };
-        cells![
-            gear,
-            symbol(letter, index),
-            name,
-            um(Some(mm), 3),
-            "–",
-            "–",
-            "–"
-        ]
+        let symbol = symbol(letter, index);
+        cells![gear, symbol, name, um(Some(mm), 3), "–", "–", "–"]
     })
 }
 

@@ -1,9 +1,10 @@
 //! The mesh of a page: its runs, picture, controls and columns; and one pose for a page that asks for each pose.
 
-use super::columns::Columns;
+use super::columns::{Columns, RunColumns, Words};
+use super::drawing;
 use super::precision::Precision;
+use super::readout::{self, HelicalColumns};
 use super::viewed::{Shown, Viewed, outlines, run_of};
-use super::{drawing, readout};
 use crate::kit::dark_style;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::curves::Course;
@@ -67,16 +68,21 @@ impl<'a> Mesh<'a> {
 
     pub fn columns(&self, charts: &[(&str, &Course)]) -> Columns {
         let [first, number] = self.start;
-        let place = self.runs[first].numbers.binary_search(&number);
-        let shown = [first, place.unwrap_or(0)];
-        Columns::new(
-            self.study,
-            &self.runs,
-            charts,
-            shown,
-            &self.outlines,
-            self.precision,
-        )
+        let viewed = &self.runs[first];
+        let place = viewed.numbers.binary_search(&number).unwrap_or(0);
+        let pose = viewed.poses().nth(place);
+        let assembly = &viewed.shown.run.run.assembly;
+        let mut words = Words::new();
+        let runs = self.runs.iter().map(|viewed| {
+            RunColumns::new(viewed, charts, &self.outlines, self.precision, &mut words)
+        });
+        Columns {
+            free: self.study.locked.mate().name(),
+            runs: runs.collect(),
+            words,
+            start: [first, place],
+            helical: pose.and_then(|pose| HelicalColumns::of(assembly, &pose.simulated)),
+        }
     }
 }
 

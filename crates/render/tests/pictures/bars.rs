@@ -12,11 +12,9 @@ fn bars(series: &[BarSeries]) -> Result<Chart, PictureError> {
         ..heading("small", "Five teeth")
     };
     let panel = BarPanel {
-        title: "",
         y_axis: "deviation, µm",
         series,
-        limits: Vec::new(),
-        level: 0.0,
+        ..BarPanel::default()
     };
     bar_panels(&heading, "", "tooth", &[panel])
 }

@@ -1,7 +1,7 @@
 //! Texts of a chart keep clear of each other, and its labels of the lines that are drawn.
 
 use super::drawn::{Picture, Room, Spot, meets, overlap};
-use super::{ALL_KINDS, METHOD, course, heading, study};
+use super::{ALL_KINDS, METHOD, UM, course, heading, study};
 use gearlash::analysis::curves::{courses, with_sweep};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::{Analysis, Plan};
@@ -72,13 +72,13 @@ fn texts_of_a_report_keep_clear() {
         let mut charts = Vec::new();
         for course in courses(&analysis.curves) {
             let course = course.with_cycle(&analysis.extremes.each);
-            charts.push(chart::revolution(&heading("r", "t"), &course));
+            charts.push(chart::revolution(UM, &heading("r", "t"), &course));
             charts.push(chart::difference(&heading("d", "t"), &course, 0.1));
         }
         let all: Vec<_> = analysis.all().collect();
         let ranges = by_distance(&all, &[]);
         let curves = analysis.over_distance.iter();
-        charts.extend(curves.map(|curve| chart::distance(&heading("a", "t"), curve, &ranges)));
+        charts.extend(curves.map(|curve| chart::distance(UM, &heading("a", "t"), curve, &ranges)));
         let field = analysis.field.iter();
         charts.extend(field.map(|field| chart::field(&heading("f", "t"), field)));
         for chart in charts {
@@ -106,7 +106,7 @@ fn words_at_the_mesh_cycle_keep_clear_of_those_at_the_course() {
                 for extreme in extremes.into_iter().flatten() {
                     extreme.x = from + middle * (to - from);
                 }
-                let chart = chart::revolution(&heading("c", "t"), &course).unwrap();
+                let chart = chart::revolution(UM, &heading("c", "t"), &course).unwrap();
                 check(&format!("{fixture}, {part} beyond, at {middle}"), &chart);
             }
         }

@@ -2,7 +2,7 @@
 
 use super::two_thick_teeth::two_thick_teeth;
 use super::{
-    METHOD, course, first_course, heading, on, over, over_pitches, revolved, study, study_of,
+    METHOD, UM, course, first_course, heading, on, over, over_pitches, revolved, study, study_of,
 };
 use gearlash::analysis::curves::{
     Followed, binding, courses, followed, over_distance, revolution_pose_count, with_sweep,
@@ -267,7 +267,7 @@ fn the_least_of_a_curve_is_that_of_its_assembly() {
     assert!((middle.center_distance - range.center_distance).abs() < 1e-9);
     let band = middle.bands.simulated.unwrap();
     assert!((band.min_um - found).abs() < 1e-3, "{band:?}");
-    let drawn = chart::distance(&heading("a", "thick"), &curve, &ranges).unwrap();
+    let drawn = chart::distance(UM, &heading("a", "thick"), &curve, &ranges).unwrap();
     assert!(drawn.svg.contains("least and greatest of all poses"));
 }
 

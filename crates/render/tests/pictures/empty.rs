@@ -1,7 +1,7 @@
 //! Charts of pairs that have no backlash, or no deviations, say so.
 
 use super::drawn::Picture;
-use super::{course, heading, of_course, over, study};
+use super::{UM, course, heading, of_course, over, study};
 use gearlash::analysis::curves::with_sweep;
 use gearlash::gear::Inspection;
 use gearlash_render::chart;
@@ -27,7 +27,7 @@ fn a_jammed_stretch_of_distances_is_named_and_no_band_invented() {
     let rig = with_sweep(study("karba_44x44.toml")).at(vec![130.0]);
     let mut rig = rig.unwrap();
     rig.measured.clear();
-    let chart = chart::distance(&heading("c", "t"), &over(&rig, 33, 33), &[]).unwrap();
+    let chart = chart::distance(UM, &heading("c", "t"), &over(&rig, 33, 33), &[]).unwrap();
     let picture = Picture::of(&chart.svg);
     assert!(picture.has("jammed"));
     assert!(!picture.says(|text| text.contains("simulated") || text.contains("clearance")));

@@ -26,11 +26,13 @@ use gearlash::analysis::curves::{
 use gearlash::analysis::study::Study;
 use gearlash::contact::Method;
 use gearlash::gear::{Inspection, Side};
-use gearlash::pair::SweepPlan;
+use gearlash::pair::{BacklashUnit, SweepPlan};
 use gearlash_render::chart::{self, Chart, Heading};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::LazyLock;
+
+const UM: BacklashUnit = BacklashUnit::Um;
 
 /// Certificates are tested elsewhere.
 const METHOD: Method = Method::Exact { certify: false };
@@ -87,7 +89,7 @@ fn heading<'h>(prefix: &'h str, title: &'h str) -> Heading<'h> {
 
 /// The chart of a course, and what is drawn there.
 fn of_course(course: &Course) -> (Chart, Picture) {
-    let chart = chart::revolution(&heading("r", "t"), course).unwrap();
+    let chart = chart::revolution(UM, &heading("r", "t"), course).unwrap();
     let picture = Picture::of(&chart.svg);
     (chart, picture)
 }
@@ -113,7 +115,7 @@ static ALL_KINDS: LazyLock<Vec<Chart>> = LazyLock::new(|| {
         ("tip_on_fillet_86x21.toml", 159.6),
     ] {
         let course = course(fixture, a);
-        charts.push(chart::revolution(&heading("r", TITLE), &course));
+        charts.push(chart::revolution(UM, &heading("r", TITLE), &course));
         if course.least.is_some() {
             charts.push(chart::difference(&heading("d", TITLE), &course, 0.1));
         }
@@ -126,7 +128,7 @@ static ALL_KINDS: LazyLock<Vec<Chart>> = LazyLock::new(|| {
     }
     for (fixture, wheel, pinion) in [("karba_44x44.toml", 44, 44), ("karba_86x21.toml", 1, 1)] {
         let over = over(&study(fixture), wheel, pinion);
-        charts.push(chart::distance(&heading("a", TITLE), &over, &[]));
+        charts.push(chart::distance(UM, &heading("a", TITLE), &over, &[]));
     }
     charts.into_iter().map(Result::unwrap).collect()
 });

@@ -1,7 +1,9 @@
 //! Charts, parsed and compared with the data.
 
 use super::drawn::{HALF, INK, LEFT, Picture, RIGHT, Spot, ends, is_at, place};
-use super::{ALL_KINDS, TITLE, course, heading, of_course, of_difference, over, simulated, study};
+use super::{
+    ALL_KINDS, TITLE, UM, course, heading, of_course, of_difference, over, simulated, study,
+};
 use gearlash::gear::Side;
 use gearlash_render::chart;
 use roxmltree::Document;
@@ -142,7 +144,7 @@ fn extremes_are_labelled_with_the_teeth_that_bind() {
 #[test]
 fn measured_values_stand_where_they_were_measured() {
     let curve = over(&study("karba_44x44.toml"), 11, 11);
-    let chart = chart::distance(&heading("c", "t"), &curve, &[]).unwrap();
+    let chart = chart::distance(UM, &heading("c", "t"), &curve, &[]).unwrap();
     let picture = Picture::of(&chart.svg);
     let dots = picture.dots.iter().filter(|dot| dot.fill == RIGHT);
     let mut drawn: Vec<Spot> = dots.map(|dot| dot.centre).collect();

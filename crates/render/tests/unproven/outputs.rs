@@ -223,7 +223,7 @@ fn charts(runs: &[ComparedRun]) -> [Chart; 2] {
         subtitle: "",
     };
     let drawn = [
-        chart::revolution(&heading, course).unwrap(),
+        chart::revolution(BacklashUnit::Um, &heading, course).unwrap(),
         chart::difference(&heading, course, 0.1).unwrap(),
     ];
     let words = format!("{} poses unproven, not drawn", runs[0].summary().unproven);

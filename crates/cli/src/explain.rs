@@ -110,10 +110,8 @@ mod tests {
     fn a_long_line_is_reported_by_its_place() {
         let text = format!("list = [{}]\n", "1, ".repeat(2000));
         let text = rendered(&input("list", &text), &Renderer::plain());
-        assert_eq!(
-            text,
-            "error: pair.toml: list: wrong; mend it\n--> pair.toml:1:1\n"
-        );
+        let expected = "error: pair.toml: list: wrong; mend it\n--> pair.toml:1:1\n";
+        assert_eq!(text, expected);
     }
 
     #[test]
@@ -121,7 +119,7 @@ mod tests {
         let text = "a = \"\u{202e}x##[error]y\"\n";
         let text = rendered(&input("a", text), &Renderer::plain());
         assert!(
-            !text.contains('\u{202e}') && !text.contains("##["),
+            !text.contains(['\u{202e}']) && !text.contains("##["),
             "{text}"
         );
         assert!(text.contains("1 | a = \"   x# [error]y\""), "{text}");

@@ -9,6 +9,7 @@ use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::Method;
 use gearlash::gear::Inspection;
+use gearlash::pair::BacklashUnit;
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::pose_picture;
 use gearlash_results::verdict::extremes_in_short;
@@ -70,7 +71,7 @@ pub fn over_teeth(
     let drawn = if difference {
         chart::difference(&heading, &course, study.tolerance_um)
     } else {
-        chart::revolution(&heading, &course)
+        chart::revolution(BacklashUnit::Um, &heading, &course)
     };
     drawn
         .map(|chart| chart.svg)
@@ -108,9 +109,14 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
         .map(|analysis| extremes_in_short(&analysis.verdict()));
     let cycle = cycle.unwrap_or_default();
     let outcomes = by_distance(&all, &[]);
-    chart::distance(&heading(&study.title, &cycle), &curve, &outcomes)
-        .map(|chart| chart.svg)
-        .map_err(|reason| error(py, reason))
+    chart::distance(
+        BacklashUnit::Um,
+        &heading(&study.title, &cycle),
+        &curve,
+        &outcomes,
+    )
+    .map(|chart| chart.svg)
+    .map_err(|reason| error(py, reason))
 }
 
 /// A gear's deviations, tooth by tooth.

@@ -31,13 +31,12 @@ mod match_map;
 mod pose_name;
 mod report;
 mod snapshot;
-mod tolerance;
 pub mod viewer;
 
 pub use chart::PictureError;
+pub use chart::population::{Pictures, pictures as tolerance_pictures};
 pub use kit::dark_style;
 pub use map::{backlash_map_picture, map_picture};
 pub use match_map::match_map;
 pub use report::{Report, ToleranceReport, report, tolerance_report};
 pub use snapshot::{Snapshot, animation, exaggerated, outline_difference, pose_picture, snapshot};
-pub use tolerance::{Pictures, pictures as tolerance_pictures};

@@ -1,79 +1,38 @@
-//! Maps over centre distance and mesh phase: of the contacts, and of the backlash of drawn gears.
+//! Maps over centre distance and mesh phase: of the contacts, and of the backlash of drawn gears. A map is a grid of shades with lines
+//! across it and a legend.
 
-mod grid;
-mod outlines;
-
-use crate::kit::Axis;
+use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, line, shaded};
 use crate::pose_name::pose_name;
-use gearlash::analysis::diagnosis::{Map, MapCell};
-use gearlash::contact::{ContactKind, PoseClass};
-use grid::Grid;
-pub(crate) use outlines::backlash_map_in_page;
-pub use outlines::backlash_map_picture;
+use gearlash::analysis::backlash_map::BacklashMap;
+use gearlash::analysis::diagnosis::{Limit, Map, MapCell};
+use gearlash::analysis::study::Material;
+use gearlash::contact::{ContactKind, PoseClass, Status};
+use gearlash_files::numbers::{fixed, shortest};
+use svg::node::Node;
+use svg::node::element::{Group, SVG};
 
-/// The quantity of a cell's colour; distinguished by lightness first.
-#[derive(Clone, Copy, PartialEq)]
-enum Shade {
-    Involute,
-    Overlap,
-    Corner,
-    Fillet,
-    Jam,
-    Nothing,
-    Unproven,
-}
+/// Colours of cells and their meanings, distinguished by lightness first.
+const SHADES: [(&str, &str); 7] = [
+    ("#d7ebdf", "involutes, with backlash"),
+    ("#a9c7e0", "involutes, interference"),
+    ("#f0b45a", "tip corner off the line"),
+    ("#c8452f", "fillet or undercut edge"),
+    ("#4a1f2e", "jam: tip in root"),
+    ("#ffffff", "nothing touches"),
+    ("#ff00ff", "unproven: contact lost"),
+];
 
-impl Shade {
-    /// All shades, in order.
-    const ALL: [Shade; 7] = [
-        Shade::Involute,
-        Shade::Overlap,
-        Shade::Corner,
-        Shade::Fillet,
-        Shade::Jam,
-        Shade::Nothing,
-        Shade::Unproven,
-    ];
-
-    fn of(cell: &MapCell) -> Shade {
-        match cell.class {
-            PoseClass::NoContact => Shade::Nothing,
-            PoseClass::Jammed => Shade::Jam,
-            PoseClass::Unproven => Shade::Unproven,
-            PoseClass::Contact(ContactKind::Involute) => {
-                if cell.backlash.is_some_and(|j| j < 0.0) {
-                    Shade::Overlap
-                } else {
-                    Shade::Involute
-                }
-            }
-            PoseClass::Contact(ContactKind::TipInvolute | ContactKind::TipTip) => Shade::Corner,
-            PoseClass::Contact(_) => Shade::Fillet,
+/// The index of a cell's shade.
+fn shade(cell: &MapCell) -> usize {
+    match cell.class {
+        PoseClass::Contact(ContactKind::Involute) => {
+            usize::from(cell.backlash.is_some_and(|j| j < 0.0))
         }
-    }
-
-    fn colour(self) -> &'static str {
-        match self {
-            Shade::Nothing => "#ffffff",
-            Shade::Involute => "#d7ebdf",
-            Shade::Overlap => "#a9c7e0",
-            Shade::Corner => "#f0b45a",
-            Shade::Fillet => "#c8452f",
-            Shade::Jam => "#4a1f2e",
-            Shade::Unproven => "#ff00ff",
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Shade::Nothing => "nothing touches",
-            Shade::Involute => "involutes, with backlash",
-            Shade::Overlap => "involutes, interference",
-            Shade::Corner => "tip corner off the line",
-            Shade::Fillet => "fillet or undercut edge",
-            Shade::Jam => "jam: tip in root",
-            Shade::Unproven => "unproven: contact lost",
-        }
+        PoseClass::Contact(ContactKind::TipInvolute | ContactKind::TipTip) => 2,
+        PoseClass::Contact(_) => 3,
+        PoseClass::Jammed => 4,
+        PoseClass::NoContact => 5,
+        PoseClass::Unproven => 6,
     }
 }
 
@@ -85,14 +44,280 @@ pub fn map_picture(map: &Map, title: &str, caption: &str) -> String {
         columns: map.fractions.len(),
         phase: Axis::new(&phase, [0.0, 1.0]),
         limits: &map.limits,
-        shades: Shade::ALL
-            .map(|shade| (shade.colour(), shade.name().to_owned()))
+        shades: SHADES
+            .map(|(colour, name)| (colour, name.to_owned()))
             .to_vec(),
-        cells: map
-            .cells
-            .iter()
-            .map(|cell| Shade::of(cell) as usize)
-            .collect(),
+        cells: map.cells.iter().map(shade).collect(),
     };
     format!("{}\n", grid.picture(title, caption))
+}
+
+/// Steps of backlash above zero.
+const STEPS: usize = 4;
+
+/// Darker colours mean less backlash, also in black and white.
+const COLOURS: [&str; 9] = [
+    "#4a1f2e", "#a83224", "#e08a3c", "#8fc7a6", "#b5dac4", "#d7ebdf", "#eef7f1", "#ffffff",
+    "#ff00ff",
+];
+
+/// `map` as SVG with `title` above.
+pub fn backlash_map_picture(title: &str, map: &BacklashMap) -> String {
+    let [picture, _] = draw(title, map);
+    format!("{picture}\n")
+}
+
+/// The map as part of a page, for a wide and for a narrow screen. Its ids begin with `prefix`.
+pub(crate) fn backlash_map_in_page(prefix: &str, title: &str, map: &BacklashMap) -> String {
+    let label = "Backlash over mesh cycle and centre distance";
+    let pictures = draw(title, map).into_iter();
+    let named = pictures.zip([prefix.to_owned(), format!("{prefix}-narrow")]);
+    let named = named.map(|(picture, id)| {
+        let picture = picture.set("id", id).set("role", "img");
+        format!("{}\n", picture.set("aria-label", label))
+    });
+    named.collect()
+}
+
+/// The map for a wide and for a narrow screen.
+fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
+    let [wheel, pinion] = map.teeth;
+    let caption = format!(
+        "{wheel} and {pinion} teeth{}: backlash j_wt over the whole mesh cycle, the least in each cell",
+        match map.material {
+            Material::AsMeasured => String::new(),
+            material => format!(", {}", material.words()),
+        }
+    );
+    let cells = map.cells.iter();
+    let um = cells.filter_map(|cell| Some(1e3 * cell.backlash?));
+    let greatest = um.fold(0.0, f64::max);
+    let step = step(greatest / STEPS as f64);
+    let upto = |steps: usize| shortest(step * steps as f64);
+    let mut names = vec![
+        "jammed: a tip in a root".to_owned(),
+        format!("interference beyond {} µm", upto(1)),
+        format!("interference up to {} µm", upto(1)),
+    ];
+    names.extend((1..STEPS).map(|k| format!("backlash {} … {} µm", upto(k - 1), upto(k))));
+    names.push(format!("backlash above {} µm", upto(STEPS - 1)));
+    names.push("out of mesh".to_owned());
+    names.push("not settled".to_owned());
+    let cells = map.cells.iter().map(|cell| match cell.status {
+        Status::Unproven => 8,
+        Status::NoContact => 7,
+        Status::Jammed => 0,
+        Status::Clear | Status::Interference => {
+            let steps = cell.backlash.map_or(0.0, |mm| 1e3 * mm / step);
+            // From −1 step on, one shade per step.
+            (steps.floor() + 3.0).clamp(1.0, 6.0) as usize
+        }
+    });
+    let phase = format!(
+        "pitches from mating {}·{} on",
+        map.start.wheel_tooth, map.start.pinion_tooth
+    );
+    let grid = Grid {
+        distances: &map.distances,
+        columns: map.columns,
+        phase: Axis::new(&phase, [0.0, map.matings as f64]),
+        limits: &map.limits,
+        shades: COLOURS.into_iter().zip(names).collect(),
+        cells: cells.collect(),
+    };
+    [grid.picture(title, &caption), grid.narrow()]
+}
+
+/// The least of 1, 2 and 5 times a power of ten, µm, that is at least `least`.
+fn step(least: f64) -> f64 {
+    let power = 10f64.powf(least.max(1e-3).log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|times| times * power);
+    let found = steps.into_iter().find(|step| *step >= least * (1.0 - 1e-9));
+    found.unwrap_or(10.0 * power)
+}
+
+struct Layout {
+    width: f64,
+    field: Frame,
+    /// Distance from the field to the legend: the axis, and the names of the limits where they are below.
+    below: f64,
+    across: usize,
+    is_narrow: bool,
+}
+
+const WIDE: Layout = Layout {
+    width: 900.0,
+    field: Frame::new([90.0, 92.0], [560.0, 520.0]),
+    below: 66.0,
+    across: 3,
+    is_narrow: false,
+};
+
+/// For a screen 390 pixels wide: the page has title and caption, and names of limits are below the field.
+const NARROW: Layout = Layout {
+    width: 390.0,
+    field: Frame::new([66.0, 10.0], [380.0, 330.0]),
+    below: 60.0,
+    across: 1,
+    is_narrow: true,
+};
+
+const ROW: f64 = 24.0;
+
+const SMALL: TextStyle = TextStyle::new(12.0);
+
+struct Grid<'a> {
+    /// Centre distances of the rows, mm, ascending.
+    distances: &'a [f64],
+    columns: usize,
+    phase: Axis,
+    limits: &'a [Limit],
+    /// Colours and names; the legend shows those that occur.
+    shades: Vec<(&'static str, String)>,
+    /// The index of each cell's shade, row by row.
+    cells: Vec<usize>,
+}
+
+impl Grid<'_> {
+    /// The map with `title` and `caption` (the pair), the field and its legend.
+    fn picture(&self, title: &str, caption: &str) -> SVG {
+        let left = WIDE.field.left;
+        self.drawn(&WIDE)
+            .add(TextStyle::new(18.0).verbatim(title, [left, 34.0]))
+            .add(SMALL.grey().text(caption, [left, 58.0]))
+    }
+
+    /// The field and its legend for a screen 390 pixels wide; the page has the caption.
+    fn narrow(&self) -> SVG {
+        self.drawn(&NARROW)
+    }
+
+    fn drawn(&self, layout: &Layout) -> SVG {
+        let legend = self.used();
+        let rows = legend.len().div_ceil(layout.across).max(2);
+        let limits = if layout.is_narrow {
+            self.limits.len()
+        } else {
+            0
+        };
+        let height = layout.field.bottom + layout.below + ROW * (rows + limits) as f64 + 6.0;
+        kit::blank_sheet(layout.width, height)
+            .add(self.drawn_cells(&layout.field))
+            .add(layout.field.border())
+            .add(self.axes(layout))
+            .add(self.drawn_limits(layout, rows))
+            .add(legend_of(&legend, layout))
+    }
+
+    fn drawn_cells(&self, field: &Frame) -> Group {
+        let rows = self.cells.chunks(self.columns.max(1)).rev();
+        let shades = rows.map(|row| row.iter().map(|shade| self.shades[*shade].0).collect());
+        shaded(field, &shades.collect::<Vec<Vec<&str>>>())
+    }
+
+    /// The field in data: the phase to the right, the centre distance upwards.
+    fn plot(&self, field: Frame) -> Plot {
+        let first = self.distances.first().copied().unwrap_or_default();
+        let last = self.distances.last().copied().unwrap_or_default();
+        let half = 0.5 * (last - first) / (self.distances.len().max(2) - 1) as f64;
+        Plot {
+            left: field.left,
+            right: field.right,
+            top: field.top,
+            bottom: field.bottom,
+            x: self.phase.range,
+            y: [first - half, last + half],
+        }
+    }
+
+    fn axes(&self, layout: &Layout) -> Group {
+        let plot = self.plot(layout.field);
+        let y = Axis::new("centre distance a, mm", plot.y);
+        let ticks = if layout.is_narrow { [4, 8] } else { [6, 10] };
+        kit::axes(&plot, [&self.phase, &y], ticks)
+    }
+
+    /// Lines across the field. Their names are on the right, moved apart where they would collide. On a narrow screen they are
+    /// below the `rows` of the legend, the uppermost first.
+    fn drawn_limits(&self, layout: &Layout, rows: usize) -> Group {
+        const LABEL_SPACING: f64 = 17.0;
+        let field = layout.field;
+        let (plot, mut group) = (self.plot(field), Group::new());
+        // From top to bottom.
+        let named: Vec<(f64, String)> = self
+            .limits
+            .iter()
+            .rev()
+            .map(|limit| {
+                let label = format!("{} {}", fixed(limit.distance, 4), limit.name);
+                (plot.spot((0.0, limit.distance))[1], label)
+            })
+            .collect();
+        let inside = |y: f64| y <= field.bottom;
+        let mut heights: Vec<f64> = named.iter().map(|(y, _)| *y).collect();
+        // Pushed down below the one above, then up from the bottom.
+        for i in 1..heights.len() {
+            heights[i] = heights[i].max(heights[i - 1] + LABEL_SPACING);
+        }
+        let mut lowest = field.bottom + 2.0 * LABEL_SPACING;
+        for height in heights.iter_mut().rev() {
+            *height = height.min(lowest);
+            lowest = *height - LABEL_SPACING;
+        }
+        for (number, ((y, label), at)) in named.iter().zip(heights).enumerate() {
+            let spot = if layout.is_narrow {
+                let down = (rows + number) as f64 * ROW;
+                [10.0, field.bottom + layout.below + down + 11.5]
+            } else {
+                [field.right + 25.0, at + 4.0]
+            };
+            if !inside(*y) {
+                let label = format!("{label}: below the map");
+                group.append(SMALL.grey().text(&label, spot));
+                continue;
+            }
+            let own = label.contains("a of the pair");
+            let mut across = line(
+                &[[field.left, *y], [field.right, *y]],
+                INK,
+                if own { 2.0 } else { 1.0 },
+            );
+            if !own {
+                across = across.set("stroke-dasharray", "6 3");
+            }
+            // A light line under a dark one is visible on any shade.
+            let halo = line(&[[field.left, *y], [field.right, *y]], "#ffffff", 3.0);
+            group.append(halo.set("stroke-opacity", "0.60"));
+            group.append(across);
+            if !layout.is_narrow {
+                let [x, far] = [field.right, field.right + 20.0];
+                group.append(line(&[[x, *y], [x + 12.0, at], [far, at]], GREY, 0.8));
+            }
+            group.append(SMALL.text(label, spot));
+        }
+        group
+    }
+
+    fn used(&self) -> Vec<&(&'static str, String)> {
+        let used = |(number, shade)| self.cells.contains(&number).then_some(shade);
+        self.shades.iter().enumerate().filter_map(used).collect()
+    }
+}
+
+/// Samples of the shades in `used`.
+fn legend_of(used: &[&(&'static str, String)], layout: &Layout) -> Group {
+    let mut group = Group::new();
+    for (i, (colour, name)) in used.iter().enumerate() {
+        let start = if layout.is_narrow {
+            10.0
+        } else {
+            layout.field.left
+        };
+        let left = start + (i % layout.across) as f64 * 250.0;
+        let top = layout.field.bottom + layout.below + (i / layout.across) as f64 * ROW;
+        let frame = Frame::new([left, top], [left + 22.0, top + 14.0]);
+        group.append(frame.painted(colour, GREY, "0.8"));
+        group.append(TextStyle::new(13.0).text(name, [left + 30.0, top + 11.5]));
+    }
+    group
 }

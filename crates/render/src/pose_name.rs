@@ -1,5 +1,6 @@
 //! Names of poses, equal in pictures, charts and pages.
 
+use gearlash::gear::Side;
 use gearlash::pair::Mating;
 use gearlash_files::numbers::trimmed;
 
@@ -15,6 +16,14 @@ pub(crate) fn pose_name(mating: &Mating) -> String {
         mating.flank.name(),
         fraction_words(mating.fraction)
     )
+}
+
+/// The flanks at the start of a title.
+pub(crate) fn flank_heading(side: Side) -> &'static str {
+    match side {
+        Side::Right => "Right",
+        Side::Left => "Left",
+    }
 }
 
 /// The phase of a run, as a suffix; empty without one.

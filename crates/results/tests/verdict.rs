@@ -1,7 +1,7 @@
 //! The verdict in lines: what is proven and what is not, and that every pair keeps to six lines of 80 columns.
 
 use gearlash::analysis::diagnosis::CheckName;
-use gearlash::analysis::extremes::{RunExtremes, extremes};
+use gearlash::analysis::extremes::{RunExtreme, RunExtremes, extremes};
 use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::analysis::verdict::{Requirement, Verdict};
@@ -30,86 +30,67 @@ fn study(text: &str) -> PairFile {
     read_text(Path::new("pair.toml"), text).unwrap()
 }
 
-fn told(file: &PairFile, runs: &[RunExtremes]) -> String {
-    lines(&Verdict::of_study(&file.study, runs, Vec::new())).to_string()
-}
-
 fn found(file: &PairFile) -> Vec<RunExtremes> {
     let method = Method::Exact { certify: true };
     let on = || ControlFlow::Continue(());
     extremes(&file.study, method, &on).unwrap().each
 }
 
-fn small() -> (PairFile, Vec<RunExtremes>) {
-    let pair = PAIR.replace("75.2", "75.2\nbearing_clearance_mm = 0.01");
-    let file = study(&pair.replace(
-        "[pinion]",
-        "runout = { total_um = 20, high_tooth = 3 }\n[pinion]",
-    ));
-    let runs = found(&file);
-    (file, runs)
+/// The bracket of an extreme, mm, as a search that ended early leaves it.
+fn doubt(extreme: &mut Option<RunExtreme>, [low, high]: [f64; 2], doubt: Doubt) {
+    let extreme = extreme.as_mut().unwrap();
+    (extreme.low, extreme.high, extreme.doubt) = (low, high, Some(doubt));
 }
 
-/// "proven to 123443.57 µm: too many stretches …", and JSON said `proven: false`.
+/// "proven to 123443.57 µm: too many stretches …", and JSON said `proven: false`. An extreme that nothing bounds shows no bracket.
 #[test]
-fn a_search_that_stopped_is_no_proof_and_says_between_what_the_least_lies() {
-    let (file, mut runs) = small();
+fn a_search_that_stopped_is_no_proof_and_says_between_what_the_extremes_lie() {
+    let pair = PAIR.replace("75.2", "75.2\nbearing_clearance_mm = 0.01");
+    let runout = "runout = { total_um = 20, high_tooth = 3 }\n[pinion]";
+    let file = study(&pair.replace("[pinion]", runout));
+    let proven = found(&file);
+    let check = |runs: &[RunExtremes], expected: &[&str]| {
+        let text = lines(&Verdict::of_study(&file.study, runs, Vec::new())).to_string();
+        for words in expected {
+            assert!(text.contains(words), "{words}: {text}");
+        }
+        text
+    };
     let first = "Assembles at a = 75.200 mm. Proven for 60 matings";
-    assert!(
-        told(&file, &runs).starts_with(first),
-        "{}",
-        told(&file, &runs)
-    );
-    for run in &mut runs {
-        let least = run.least.as_mut().unwrap();
-        (least.low, least.high, least.doubt) = (0.0797, 0.2032, Some(Doubt::Effort));
-    }
-    let text = told(&file, &runs);
-    for words in [
+    assert!(check(&proven, &[]).starts_with(first));
+    let mut runs = proven.clone();
+    doubt(&mut runs[0].least, [0.0797, 0.2032], Doubt::Effort);
+    let least = [
         "Assembles at a = 75.200 mm. Least not proven.\n",
         "\n  Least 79.70 … 203.20 µm: search budget used up\n",
-    ] {
-        assert!(text.contains(words), "{words}: {text}");
-    }
+    ];
+    check(&runs, &least);
     // Both ends have one reason, which is printed once.
-    for run in &mut runs {
-        let greatest = run.greatest.as_mut().unwrap();
-        (greatest.low, greatest.high, greatest.doubt) = (0.21, 0.22, Some(Doubt::Effort));
-    }
-    let text = told(&file, &runs);
-    for words in [
+    doubt(&mut runs[0].greatest, [0.21, 0.22], Doubt::Effort);
+    let both = [
         ". Least and greatest not proven.\n",
         "\n  Least 79.70 … 203.20 µm, greatest 210.00 … 220.00 µm: search budget used up\n",
-    ] {
-        assert!(text.contains(words), "{words}: {text}");
-    }
-}
-
-/// An extreme that nothing bounds shows no bracket.
-#[test]
-fn an_extreme_without_a_bound_shows_no_bracket() {
-    let (file, mut runs) = small();
-    for run in &mut runs {
-        let greatest = run.greatest.as_mut().unwrap();
-        (greatest.high, greatest.doubt) = (f64::INFINITY, Some(Doubt::OffInvolute));
-    }
-    let text = told(&file, &runs);
-    for words in [
+    ];
+    check(&runs, &both);
+    let mut runs = proven;
+    let low = runs[0].greatest.as_ref().unwrap().low;
+    doubt(
+        &mut runs[0].greatest,
+        [low, f64::INFINITY],
+        Doubt::OffInvolute,
+    );
+    let greatest = [
         ". Greatest not proven.\n",
         "\n  Greatest: bounded by poses alone, as fillets or roots may touch\n",
-    ] {
-        assert!(text.contains(words), "{words}: {text}");
-    }
-    assert!(
-        !text.contains("(bearing clearance): ") || !text.contains(" µm, not proven"),
-        "{text}"
-    );
+    ];
+    let text = check(&runs, &greatest);
+    let of_bearings = text.contains("(bearing clearance): ");
+    assert!(!of_bearings || !text.contains(" µm, not proven"), "{text}");
     // Nor is either end of the bearing clearance told as proven where it is not.
-    let bearings = runs[0].bearings.as_mut().unwrap();
-    let pressed = bearings.pressed.extreme.as_mut().unwrap();
-    (pressed.low, pressed.doubt) = (f64::NEG_INFINITY, Some(Doubt::OffInvolute));
-    let text = told(&file, &runs);
-    assert!(text.contains(" µm, not proven"), "{text}");
+    let pressed = &mut runs[0].bearings.as_mut().unwrap().pressed.extreme;
+    let high = pressed.as_ref().unwrap().high;
+    doubt(pressed, [f64::NEG_INFINITY, high], Doubt::OffInvolute);
+    check(&runs, &[" µm, not proven"]);
 }
 
 /// A limit is met where the whole bracket keeps it, not met where the whole bracket misses it, and else not proven.
@@ -117,53 +98,38 @@ fn an_extreme_without_a_bound_shows_no_bracket() {
 fn a_limit_inside_a_bracket_is_not_proven() {
     let file = study(PAIR);
     let mut runs = found(&file);
-    for run in &mut runs {
-        let least = run.least.as_mut().unwrap();
-        (least.low, least.high, least.doubt) = (0.08, 0.12, Some(Doubt::Effort));
-    }
-    let verdict = |min: f64| {
+    doubt(&mut runs[0].least, [0.08, 0.12], Doubt::Effort);
+    let not_proven = "Requirement not proven: j_wt ≥ 100.00 µm, found 80.00 … 120.00";
+    let not_met = "Requirement not met: j_wt ≥ 130.00 µm, found 80.00";
+    for (min, expected, words) in [
+        (0.07, Requirement::Met, ""),
+        (0.08, Requirement::Met, ""),
+        (0.1, Requirement::NotProven, not_proven),
+        (0.12, Requirement::NotProven, ""),
+        (0.13, Requirement::NotMet, not_met),
+    ] {
         let limits = Limits {
             min: Some(min),
             max: None,
         };
         let required = vec![(Quantity::OperatingBacklash, limits)];
-        Verdict::new(&runs, &required, None, Vec::new())
-    };
-    for (min, expected) in [
-        (0.07, Requirement::Met),
-        (0.08, Requirement::Met),
-        (0.1, Requirement::NotProven),
-        (0.12, Requirement::NotProven),
-        (0.13, Requirement::NotMet),
-    ] {
-        assert_eq!(verdict(min).requirement, expected, "{min}");
+        let verdict = Verdict::new(&runs, &required, None, Vec::new());
+        assert_eq!(verdict.requirement, expected, "{min}");
+        let text = lines(&verdict).to_string();
+        assert!(text.contains(words), "{text}");
     }
-    let text = lines(&verdict(0.1)).to_string();
-    let words = "Requirement not proven: j_wt ≥ 100.00 µm, found 80.00 … 120.00";
-    assert!(text.contains(words), "{text}");
-    let text = lines(&verdict(0.13)).to_string();
-    assert!(
-        text.contains("Requirement not met: j_wt ≥ 130.00 µm, found 80.00"),
-        "{text}"
-    );
 }
 
 /// All that can be said at once, of gears with four-digit teeth: the lines stay short, and what finds no room is counted.
 #[test]
 fn the_most_that_can_be_said_fits() {
-    let text = PAIR
-        .replace(
-            "teeth = 20",
-            "teeth = 1999\nrunout = { total_um = 20, high_tooth = 1003 }",
-        )
-        .replace(
-            "teeth = 30",
-            "teeth = 1000\nrunout = { total_um = 20, high_tooth = 107 }",
-        )
-        .replace(
-            "75.2",
-            "[4498.5123456, 4498.7123456]\nbearing_clearance_mm = 0.01",
-        );
+    let distances = "[4498.5123456, 4498.7123456]\nbearing_clearance_mm = 0.01";
+    let runout = |teeth: u32, high: u32| {
+        format!("teeth = {teeth}\nrunout = {{ total_um = 20, high_tooth = {high} }}")
+    };
+    let text = PAIR.replace("teeth = 20", &runout(1999, 1003));
+    let text = text.replace("teeth = 30", &runout(1000, 107));
+    let text = text.replace("75.2", distances);
     let file = study(&text);
     let mut runs = found(&file);
     runs[0].least.as_mut().unwrap().doubt = Some(Doubt::Profile);
@@ -171,26 +137,27 @@ fn the_most_that_can_be_said_fits() {
         min: Some(1.0),
         max: Some(0.1),
     };
-    let required = vec![
-        (Quantity::LostMotion(Member::Pinion), limits),
-        (Quantity::OperatingBacklash, limits),
-        (Quantity::RadialClearance, limits),
+    let required = [
+        Quantity::LostMotion(Member::Pinion),
+        Quantity::OperatingBacklash,
+        Quantity::RadialClearance,
     ];
+    let required = required.map(|quantity| (quantity, limits)).to_vec();
     let uncertainty = Uncertainty {
         center_distance: 0.01,
         coverage: 2.0,
         ..Uncertainty::default()
     };
-    let check = |id, title| CheckName { id, title };
-    let failed = vec![
-        check("radial_clearance", "radial clearance of tip, K (9), (10)"),
-        check("contact_ratio", "contact ratio; between real form circles"),
-        check("undercut", "involute begins outside base circle"),
-        check(
+    let failed = [
+        ("radial_clearance", "radial clearance of tip, K (9), (10)"),
+        ("contact_ratio", "contact ratio; between real form circles"),
+        ("undercut", "involute begins outside base circle"),
+        (
             "off_line_contact",
             "poses that touch off the line of action",
         ),
     ];
+    let failed = failed.map(|(id, title)| CheckName { id, title }).to_vec();
     let lines = lines(&Verdict::new(&runs, &required, Some(uncertainty), failed));
     let text = lines.to_string();
     assert_eq!(lines.lines().len(), LINES, "{text}");
@@ -198,10 +165,8 @@ fn the_most_that_can_be_said_fits() {
         assert!(line.chars().count() <= COLUMNS, "{line}");
     }
     let left_out = lines.left_out.len();
-    assert!(
-        left_out > 0 && text.ends_with(&format!(", and {left_out} more")),
-        "{text}"
-    );
+    let more = format!(", and {left_out} more");
+    assert!(left_out > 0 && text.ends_with(&more), "{text}");
     let last = lines.left_out.last().unwrap();
     assert_eq!(last, "± is the expanded uncertainty, k = 2");
     assert!(text.contains("Requirement not met: "), "{text}");

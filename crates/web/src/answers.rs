@@ -11,7 +11,7 @@ use gearlash::analysis::{Analysis, Plan, Progress};
 use gearlash::contact::{Doubt, Method, PoseResult};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
-use gearlash::pair::{Mating, Member, SweepPlan};
+use gearlash::pair::{BacklashUnit, Mating, Member, SweepPlan};
 use gearlash_files::numbers::{trimmed, um};
 use gearlash_files::outlines::{Drawings, OutlineOptions};
 use gearlash_files::{Files, InputError, PairFile, import, read_files};
@@ -492,7 +492,7 @@ fn curve(analysis: &Analysis, verdict: &Verdict) -> Vec<String> {
         title: &analysis.study.title,
         subtitle: &cycle,
     };
-    chart::revolution(&heading, &course).map_or(Vec::new(), |chart| {
+    chart::revolution(BacklashUnit::Um, &heading, &course).map_or(Vec::new(), |chart| {
         let narrow = chart.narrow().svg;
         vec![dark_style(&chart.svg) + &chart.svg, narrow]
     })

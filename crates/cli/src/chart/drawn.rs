@@ -66,7 +66,7 @@ impl DrawnChart {
                 let chart = chart::difference(&heading, course, study.tolerance_um);
                 ("difference", chart)
             }
-            _ => ("revolution", chart::revolution_in(unit, &heading, course)),
+            _ => ("revolution", chart::revolution(unit, &heading, course)),
         };
         Ok(DrawnChart {
             svg: chart?.svg,
@@ -106,7 +106,7 @@ impl DrawnChart {
         let cycle = in_unit(cycle, unit);
         let heading = heading(&study.title, &cycle);
         Ok(DrawnChart {
-            svg: chart::distance_in(unit, &heading, &curve, &by_distance(&all, &[]))?.svg,
+            svg: chart::distance(unit, &heading, &curve, &by_distance(&all, &[]))?.svg,
             file: format!("chart_distance_{wheel}_{pinion}{}.svg", suffix(unit)),
             agrees: agreement_of(curve.agreement) & all_proven(unproven),
         })

@@ -1,8 +1,7 @@
-//! Bar charts with one place per tooth.
+//! Values of each tooth as bars, and a curve over the teeth.
 
 use super::captions::entry;
-use super::paint::Look;
-use super::panel::{Mark, Panel, Swatch, range};
+use super::panel::{Look, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 
@@ -41,7 +40,7 @@ pub struct Limits {
 }
 
 /// One panel of bars.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct BarPanel<'a> {
     /// The title above the plot; may be empty.
     pub title: &'a str,
@@ -96,7 +95,6 @@ pub fn bar_panels(
 }
 
 impl BarPanel<'_> {
-    /// Draws the limits, within the axis.
     fn limit(&self, panel: &mut Panel) {
         for limits in &self.limits {
             let [low, high] = panel.y.range;
@@ -106,13 +104,10 @@ impl BarPanel<'_> {
             for value in limits.values {
                 panel.marks.push(Mark::level(ends, value, Look::Limit, 1.2));
             }
-            panel.marks.push(Mark::Text {
-                at: [ends[1], limits.values[1]],
-                // Clear of the line, including subscripts.
-                shift: [-4.0, -8.0],
-                text: limits.name.clone(),
-                anchor: Anchor::End,
-            });
+            // Clear of the line, including subscripts.
+            let (at, shift) = ([ends[1], limits.values[1]], [-4.0, -8.0]);
+            let name = Mark::text(at, shift, &limits.name, Anchor::End);
+            panel.marks.push(name);
         }
     }
 
@@ -122,13 +117,8 @@ impl BarPanel<'_> {
         // The panel itself notes zeros.
         let zeros = values.clone().all(|value| *value == 0.0);
         if !zeros && values.all(|value| value.abs() < self.level) {
-            let [from, to] = panel.x.range;
-            panel.marks.push(Mark::text(
-                [0.5 * (from + to), 0.0],
-                [0.0, -10.0],
-                format!("no deviation within {} µm", self.level),
-                Anchor::Middle,
-            ));
+            let words = format!("no deviation within {} µm", self.level);
+            panel.marks.push(above_zero(panel.x.range, &words));
         }
     }
 }
@@ -149,38 +139,71 @@ fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) 
             let points = (1..).map(f64::from).zip(bars.values.iter().copied());
             marks.push(Mark::line(points.collect(), bars.look, 1.0))
         } else {
-            marks.extend(rods(bars, [left, left + width]))
+            let values = (0u32..).map(f64::from).zip(&bars.values);
+            marks.extend(values.filter_map(|(shift, value)| {
+                let value = (*value)?;
+                Some(Mark::Bar {
+                    x: [left + shift, left + width + shift],
+                    y: [value.min(0.0), value.max(0.0)],
+                    look: bars.look,
+                })
+            }))
         }
     }
     if values().all(|value| *value == 0.0) {
-        marks.push(Mark::text(
-            [0.5 * (ends[0] + ends[1]), 0.0],
-            [0.0, -10.0],
-            "none".to_owned(),
-            Anchor::Middle,
-        ));
+        marks.push(above_zero(ends, "none"));
     }
-    Some(Panel {
-        title: title.to_owned(),
-        x: Axis {
-            teeth: u32::try_from(teeth).ok(),
-            ..Axis::new(x_axis, ends)
-        },
-        y: Axis::new(y_axis, y),
-        height,
-        marks,
-    })
+    let x = Axis::of_teeth(x_axis, ends, u32::try_from(teeth).ok());
+    Some(Panel::new(x, Axis::new(y_axis, y), height, marks).titled(title))
 }
 
-/// Bars from `x[0]` to `x[1]` for tooth 1, shifted by one for each following tooth.
-fn rods(bars: &BarSeries, x: [f64; 2]) -> impl Iterator<Item = Mark> {
-    let known = bars.values.iter().enumerate();
-    known.filter_map(move |(index, value)| {
-        let value = (*value)?;
-        Some(Mark::Bar {
-            x: x.map(|x| x + index as f64),
-            y: [value.min(0.0), value.max(0.0)],
-            look: bars.look,
-        })
-    })
+/// Words above the middle of the zero line.
+fn above_zero([from, to]: [f64; 2], words: &str) -> Mark {
+    Mark::text(
+        [0.5 * (from + to), 0.0],
+        [0.0, -10.0],
+        words,
+        Anchor::Middle,
+    )
+}
+
+/// The axes of a curve over the teeth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurveAxes<'a> {
+    /// The title above the plot; may be empty.
+    pub title: &'a str,
+    /// Quantity and unit.
+    pub x: &'a str,
+    /// The number of teeth.
+    pub teeth: u32,
+    /// Quantity and unit.
+    pub y: &'a str,
+    /// The least height shown, in that unit; a smaller one would show rounding noise.
+    pub least: f64,
+}
+
+/// A curve through `points`: tooth numbers in ascending order with their values; `None` is a gap.
+///
+/// # Errors
+/// [`PictureError`] when no point has a value.
+pub fn curve(
+    heading: &Heading,
+    axes: CurveAxes,
+    points: Vec<(f64, Option<f64>)>,
+) -> Result<Chart, PictureError> {
+    // Less than a tooth beyond the teeth: the number before 1 is the last.
+    let x = range(points.iter().map(|point| point.0), [0.0; 2], 1e-9);
+    let x = x.map(|[from, to]| [from - 0.6, to + 0.6]);
+    let y = range(
+        points.iter().filter_map(|point| point.1),
+        [0.08; 2],
+        axes.least,
+    );
+    let (Some(x), Some(y)) = (x, y) else {
+        return Err(PictureError("there are no values to draw".to_owned()));
+    };
+    let x = Axis::of_teeth(axes.x, x, Some(axes.teeth));
+    let marks = vec![Mark::line(points, Look::Plain, 1.6)];
+    let panel = Panel::new(x, Axis::new(axes.y, y), 340.0, marks);
+    sheet::draw(heading, "", &[], &[panel.titled(axes.title)])
 }

@@ -1,26 +1,20 @@
 //! Captions, axes and legends shared by several charts.
 
-use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Swatch};
+use super::panel::{Entry, Look, Mark, Panel, Swatch};
 use crate::kit::{Anchor, Axis};
 use gearlash::analysis::curves::{Course, CourseLine};
 use gearlash::contact::Status;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::stated_distance;
 
-/// The axis of a course, with its number of teeth.
 pub(super) fn course_axis(course: &Course) -> Axis {
     let name = match course.teeth {
         Some(_) => "wheel tooth at the pitch point",
         None => "pitches from the first pose",
     };
-    Axis {
-        teeth: course.teeth,
-        ..Axis::new(name, course.span)
-    }
+    Axis::of_teeth(name, course.span, course.teeth)
 }
 
-/// The axis of backlash in `unit` over `range`.
 pub(super) fn backlash_axis(unit: BacklashUnit, range: [f64; 2]) -> Axis {
     let name = match unit {
         BacklashUnit::Um => "circumferential backlash j_wt, µm".to_owned(),
@@ -29,7 +23,6 @@ pub(super) fn backlash_axis(unit: BacklashUnit, range: [f64; 2]) -> Axis {
     Axis::new(&name, range)
 }
 
-/// Centre distance, start and phase of a course.
 pub(super) fn course_caption(course: &Course) -> String {
     let over = match course.teeth {
         Some(teeth) if course.span[1] - course.span[0] >= f64::from(teeth) => {
@@ -63,19 +56,13 @@ pub(super) fn interference(panel: &mut Panel, busy: f64) {
     let below = high.min(0.0);
     panel.marks.insert(0, Mark::Ground { below });
     if high > 0.0 {
-        panel
-            .marks
-            .push(Mark::level(panel.x.range, 0.0, Look::Plain, 1.0));
+        let zero = Mark::level(panel.x.range, 0.0, Look::Plain, 1.0);
+        panel.marks.push(zero);
     }
-    panel.marks.push(Mark::text(
-        [corner, low],
-        [shift, -10.0],
-        "interference".to_owned(),
-        anchor,
-    ));
+    let name = Mark::text([corner, low], [shift, -10.0], "interference", anchor);
+    panel.marks.push(name);
 }
 
-/// The legend's entry of a line or band.
 pub(super) fn entry(name: &str, look: Look, sample: Swatch) -> Entry {
     Entry {
         name: name.to_owned(),
@@ -87,21 +74,8 @@ pub(super) fn entry(name: &str, look: Look, sample: Swatch) -> Entry {
 /// A panel with the reason why it is empty.
 pub(super) fn empty(x: Axis, words: &str) -> Panel {
     let middle = 0.5 * (x.range[0] + x.range[1]);
-    Panel {
-        title: String::new(),
-        x,
-        y: Axis {
-            bare: true,
-            ..Axis::new("", [0.0, 1.0])
-        },
-        height: 130.0,
-        marks: vec![Mark::text(
-            [middle, 0.5],
-            [0.0; 2],
-            words.to_owned(),
-            Anchor::Middle,
-        )],
-    }
+    let words = Mark::text([middle, 0.5], [0.0; 2], words, Anchor::Middle);
+    Panel::new(x, Axis::bare([0.0, 1.0]), 130.0, vec![words])
 }
 
 /// The number of unproven poses, at the start of a caption, where it is never cut off; empty where all are proven.
@@ -113,7 +87,6 @@ pub(super) fn unproven_note(poses: usize) -> String {
     }
 }
 
-/// The number of unproven poses of a course.
 pub(super) fn unproven_of<'a>(lines: impl Iterator<Item = &'a CourseLine>) -> usize {
     let points = lines.flat_map(|line| &line.points);
     let unproven = points.filter(|point| point.status == Status::Unproven);

@@ -1,15 +1,13 @@
 //! Simulation minus formula over the teeth.
 
 use super::captions::{course_axis, course_caption, empty, entry, unproven_note, unproven_of};
-use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Swatch, range};
+use super::panel::{Look, Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use gearlash::analysis::curves::{Course, CourseLine, CoursePoint};
 use gearlash::analysis::study::Material;
 use gearlash::gear::Side;
 
-/// Fill of the error bound.
 const BOUND: f64 = 0.16;
 
 /// Simulated minus analytic backlash of the right-flank poses at one centre distance, one line per material: models 1 and 2 in
@@ -44,16 +42,12 @@ pub fn difference(
         legend.push(entry("minus model 2, involute", Look::Plain, Swatch::Line));
         let mut marks = of(models[1], Look::Plain);
         marks.extend(of(models[0], Look::Left));
-        panels.push(Panel {
-            title: format!("minus models 1 and 2{}", thin_line_material(course)),
-            x: Axis {
-                name: String::new(),
-                ..course_axis(course)
-            },
-            y: Axis::new("µm", y),
-            height: 230.0,
-            marks,
-        });
+        let x = Axis {
+            name: String::new(),
+            ..course_axis(course)
+        };
+        let title = format!("minus models 1 and 2{}", thin_line_material(course));
+        panels.push(Panel::new(x, Axis::new("µm", y), 230.0, marks).titled(title));
     }
     if let Some(lower) = line_of_action(course, tolerance_um) {
         let (line, bound) = (Swatch::Line, Swatch::Band(BOUND));
@@ -87,7 +81,6 @@ pub fn difference(
     sheet::draw(heading, &details, &legend, &panels)
 }
 
-/// The panel of model 3.
 fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
     let all = || lines().flat_map(|line| &line.points);
@@ -97,22 +90,15 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     let bound = |point: &CoursePoint| point.error_bound_um;
     let sizes = known().chain(all().filter_map(bound)).map(f64::abs);
     let (unit, name) = unit(sizes.reduce(f64::max)?);
-    let mut marks = Vec::new();
-    for line in lines() {
-        marks.push(Mark::band(
-            points(line, bound, -1.0 / unit),
-            points(line, bound, 1.0 / unit),
-            Look::Limit,
-            BOUND,
-        ));
-    }
-    for line in lines() {
-        marks.push(Mark::line(
-            points(line, off, 1.0 / unit),
-            Look::Right,
-            width(line.material),
-        ));
-    }
+    let bands = lines().map(|line| {
+        let [low, high] = [-1.0, 1.0].map(|sign| points(line, bound, sign / unit));
+        Mark::band(low, high, Look::Limit, BOUND)
+    });
+    let curves = lines().map(|line| {
+        let points = points(line, off, 1.0 / unit);
+        Mark::line(points, Look::Right, width(line.material))
+    });
+    let mut marks: Vec<Mark> = bands.chain(curves).collect();
     let values = all().filter_map(off);
     let bounds = all().filter_map(bound).flat_map(|bound| [-bound, bound]);
     let shown = values.chain(bounds).map(|value| value / unit);
@@ -128,22 +114,14 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     } else {
         format!("tolerance ±{tolerance_um} µm: far outside this axis")
     };
-    marks.push(Mark::text(
-        [course.span[0], y[1]],
-        [8.0, 10.0],
-        words,
-        Anchor::Start,
-    ));
-    Some(Panel {
-        title: format!(
-            "minus model 3, separate scale{}",
-            thin_line_material(course)
-        ),
-        x: course_axis(course),
-        y: Axis::new(name, y),
-        height: 230.0,
-        marks,
-    })
+    let corner = [course.span[0], y[1]];
+    marks.push(Mark::text(corner, [8.0, 10.0], words, Anchor::Start));
+    let title = format!(
+        "minus model 3, separate scale{}",
+        thin_line_material(course)
+    );
+    let panel = Panel::new(course_axis(course), Axis::new(name, y), 230.0, marks);
+    Some(panel.titled(title))
 }
 
 /// The points of a line: a value of each pose of the course, times `factor`.
@@ -180,7 +158,6 @@ fn thin_line_material(course: &Course) -> &'static str {
     }
 }
 
-/// Width of a material's line.
 fn width(material: Material) -> f64 {
     match material {
         Material::Most | Material::AsMeasured => 1.8,

@@ -1,8 +1,7 @@
 //! Backlash over the centre distance, as in Figures 20–21 of the founding study.
 
 use super::captions::{backlash_axis, empty, entry, interference, unproven_note, without_value};
-use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Swatch, backlash_range, range};
+use super::panel::{Look, Mark, Panel, Point, Swatch, backlash_range, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use crate::pose_name::pose_name;
@@ -15,24 +14,12 @@ use gearlash_files::numbers::{fixed, trimmed};
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];
 
-/// Backlash of one pose, or the mean of two, over the centre distance: simulated and analytic band, the band with bearing clearance,
+/// Backlash of one pose, or the mean of two, over the centre distance, in `unit`: simulated and analytic band, the band with bearing clearance,
 /// and the measured values.
 ///
 /// # Errors
 /// [`PictureError`] when all poses are proven and there is neither a value nor a measurement.
 pub fn distance(
-    heading: &Heading,
-    curve: &OverDistance,
-    distances: &[AtDistance],
-) -> Result<Chart, PictureError> {
-    distance_in(BacklashUnit::Um, heading, curve, distances)
-}
-
-/// As [`distance`], in `unit`.
-///
-/// # Errors
-/// As [`distance`].
-pub fn distance_in(
     unit: BacklashUnit,
     heading: &Heading,
     curve: &OverDistance,
@@ -65,10 +52,8 @@ pub fn distance_in(
     let any = |ends: &[Vec<Point>; 2]| ends[0].iter().any(|point| point.1.is_some());
     if curve.clearance > 0.0 && any(&with_clearance) {
         marks.extend(band(&with_clearance, Look::Limit, FILLS[0]));
-        let name = format!(
-            "with bearing clearance (a ± {} mm)",
-            trimmed(curve.clearance, 3, 6)
-        );
+        let clearance = trimmed(curve.clearance, 3, 6);
+        let name = format!("with bearing clearance (a ± {clearance} mm)");
         legend.push(entry(&name, Look::Limit, Swatch::LineInBand(FILLS[0])));
     }
     if any(&simulated) {
@@ -86,9 +71,8 @@ pub fn distance_in(
     }
     let ranges: Vec<[Point; 2]> = distances.iter().map(|at| range_of(at, place)).collect();
     for points in ranges.iter().map(|ends| ends.to_vec()) {
-        let look = Look::Plain;
-        marks.push(Mark::dots(points.clone(), look));
-        marks.push(Mark::line(points, look, 1.0));
+        marks.push(Mark::dots(points.clone(), Look::Plain));
+        marks.push(Mark::line(points, Look::Plain, 1.0));
     }
     if !ranges.is_empty() {
         let name = "least and greatest of all poses, every tooth";
@@ -122,13 +106,7 @@ pub fn distance_in(
         let panel = empty(x_axis, "no pose that is proven has a backlash");
         return sheet::draw(heading, &details, &[], &[panel]);
     };
-    let mut panel = Panel {
-        title: String::new(),
-        x: x_axis,
-        y: backlash_axis(unit, y),
-        height: 380.0,
-        marks,
-    };
+    let mut panel = Panel::new(x_axis, backlash_axis(unit, y), 380.0, marks);
     // The bands rise from the lower left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
@@ -152,19 +130,15 @@ fn range_of(at: &AtDistance, place: impl Fn(f64, Option<f64>) -> Point) -> [Poin
     })
 }
 
-/// The matings of the lines, in words.
 fn poses(matings: &[Mating]) -> String {
     let teeth = |mating: &Mating| format!("{}·{}", mating.wheel_tooth, mating.pinion_tooth);
     match matings {
         [one] => pose_name(one),
         poses => {
-            let named = poses
-                .iter()
-                .map(|one| format!("{} flanks {}", one.flank.name(), teeth(one)));
-            format!(
-                "mean of two poses: {} (wheel·pinion)",
-                named.collect::<Vec<_>>().join(", ")
-            )
+            let poses = poses.iter();
+            let named = poses.map(|one| format!("{} flanks {}", one.flank.name(), teeth(one)));
+            let named = named.collect::<Vec<_>>().join(", ");
+            format!("mean of two poses: {named} (wheel·pinion)")
         }
     }
 }

@@ -1,11 +1,10 @@
 //! The field of action: contact lines over the common face, the gap of each section alone, and the leads of the teeth that bind.
 
 use super::captions::entry;
-use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Swatch, range};
+use super::panel::{Look, Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis, TextStyle};
-use crate::pose_name::pose_name;
+use crate::pose_name::{flank_heading, pose_name};
 use gearlash::analysis::curves::{ContactLine, Field, FieldSection, FieldSide, PathLimit};
 use gearlash::contact::ContactKind;
 use gearlash::gear::Side;
@@ -19,7 +18,6 @@ const WIDTHS: [f64; 2] = [1.4, 3.6];
 const SHADE: f64 = 0.2;
 /// Share of the face before its end in which a label is before its line.
 const LABEL_BEFORE: f64 = 0.2;
-/// Distance of a label from its line.
 const LABEL_OFFSET: f64 = 6.0;
 /// Approximate width of a plot, and the style of its labels: the room for them.
 const FIELD_WIDTH: f64 = 704.0;
@@ -28,11 +26,11 @@ const LABEL: TextStyle = TextStyle::new(12.0);
 const SHORT: f64 = 0.01;
 /// Most stretches listed in words.
 const NAMED: usize = 2;
+const ALONG: &str = "axial position z, mm, away from the viewer";
 /// Gaps below this, µm, count as none.
 const NO_GAP_UM: f64 = 5e-3;
 /// Least height of the curve of gaps, µm, above its rounding.
 const LEAST_UM: f64 = 1.0;
-/// Height of the panel with the leads of the teeth that bind.
 const LEADS_HEIGHT: f64 = 150.0;
 /// Number of shades of contact points, and the opacity at the greatest gap.
 const SHADES: usize = 8;
@@ -54,10 +52,8 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
         let lines = sides.iter().map(|side| lines(side, x));
         let leads = sides.iter().filter_map(|side| leads(side, x));
         let [right, left] = sides;
-        let room = Panel {
-            title: "Room over the face: transverse gap of each section".to_owned(),
-            ..gaps(&[right, left], x)
-        };
+        let title = "Room over the face: transverse gap of each section";
+        let room = gaps(&[right, left], x).titled(title);
         lines.chain([room]).chain(leads).collect()
     } else {
         let each = sides.iter();
@@ -89,11 +85,8 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
         entries.push(entry("where it binds", Look::Plain, Swatch::Dot));
     }
     if field.sides.iter().any(|side| !side.fillets.is_empty()) {
-        entries.push(entry(
-            "fillet, root or undercut edge touched first",
-            Look::Third,
-            Swatch::Band(SHADE),
-        ));
+        let name = "fillet, root or undercut edge touched first";
+        entries.push(entry(name, Look::Third, Swatch::Band(SHADE)));
     }
     let details = format!(
         "{} · by each line: teeth, transverse gap",
@@ -109,7 +102,6 @@ fn side_look(side: Side) -> Look {
     }
 }
 
-/// The contact lines of one side.
 fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
     let lines = side.lines.iter();
     let ends = lines.flat_map(|line| line.ends.map(|end| end[1]));
@@ -118,12 +110,8 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
     let mut marks = shades(side);
     for (limit, at) in side.limits.into_iter().zip(side.path) {
         marks.push(Mark::level(x, at, Look::Limit, 1.0));
-        marks.push(Mark::text(
-            [x[1], at],
-            [-4.0, if at == side.path[0] { 11.0 } else { -11.0 }],
-            name(limit),
-            Anchor::End,
-        ));
+        let shift = [-4.0, if at == side.path[0] { 11.0 } else { -11.0 }];
+        marks.push(Mark::text([x[1], at], shift, name(limit), Anchor::End));
     }
     let most = side.lines.iter().flat_map(|line| &line.points);
     let most = most.fold(LEAST_UM * 1e-3, |most, point| most.max(point[2]));
@@ -139,22 +127,15 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
     }
     let binding = &side.binding;
     marks.extend(binding_point(side, binding.place));
-    Panel {
-        title: format!(
-            "{} flanks: wheel {} on pinion {} binds {}",
-            match side.side {
-                Side::Right => "Right",
-                Side::Left => "Left",
-            },
-            binding.wheel_tooth,
-            binding.pinion_tooth,
-            binding_words(side)
-        ),
-        x: Axis::new("", x),
-        y: Axis::new("on the path of contact, mm", y),
-        height: HEIGHTS[0],
-        marks,
-    }
+    let title = format!(
+        "{} flanks: wheel {} on pinion {} binds {}",
+        flank_heading(side.side),
+        binding.wheel_tooth,
+        binding.pinion_tooth,
+        binding_words(side)
+    );
+    let y = Axis::new("on the path of contact, mm", y);
+    Panel::new(Axis::new("", x), y, HEIGHTS[0], marks).titled(title)
 }
 
 /// Whether gaps vary along contact lines.
@@ -200,18 +181,14 @@ fn leads(side: &FieldSide, x: [f64; 2]) -> Option<Panel> {
     marks.push(Mark::line(curve(pinion), Look::Third, 1.4));
     marks.push(Mark::line(curve(&sum), side_look(side.side), 2.0));
     let binding = &side.binding;
-    Some(Panel {
-        title: format!(
-            "Leads of the {} flanks of wheel {} and pinion {}, and their sum",
-            side.side.name(),
-            binding.wheel_tooth,
-            binding.pinion_tooth
-        ),
-        x: Axis::new("axial position z, mm, away from the viewer", x),
-        y: Axis::new("more material, µm", y),
-        height: LEADS_HEIGHT,
-        marks,
-    })
+    let title = format!(
+        "Leads of the {} flanks of wheel {} and pinion {}, and their sum",
+        side.side.name(),
+        binding.wheel_tooth,
+        binding.pinion_tooth
+    );
+    let y = Axis::new("more material, µm", y);
+    Some(Panel::new(Axis::new(ALONG, x), y, LEADS_HEIGHT, marks).titled(title))
 }
 
 /// The ends along the face of the binding contact line. Only involutes touch along a line, over the whole of theirs.
@@ -252,7 +229,6 @@ fn stretch(ends: [f64; 2]) -> String {
     format!("{from} … {to}")
 }
 
-/// The number of pairs in contact.
 fn touching(side: &FieldSide) -> usize {
     let gap = |line: &&ContactLine| line.gap * 1e3 <= NO_GAP_UM;
     side.lines.iter().filter(gap).count()
@@ -291,15 +267,14 @@ fn side_slope(side: &FieldSide) -> f64 {
         let [one, other] = line.ends;
         (other[1] - one[1]) / (other[0] - one[0])
     });
-    slopes
-        .filter(|slope| slope.is_finite())
-        .fold(0.0, |most, slope| {
-            if slope.abs() > f64::abs(most) {
-                slope
-            } else {
-                most
-            }
-        })
+    let finite = slopes.filter(|slope| slope.is_finite());
+    finite.fold(0.0, |most: f64, slope| {
+        if slope.abs() > most.abs() {
+            slope
+        } else {
+            most
+        }
+    })
 }
 
 /// Distance of neighbouring lines along the face, mm; `None` for a single line.
@@ -320,21 +295,14 @@ fn gaps(sides: &[&FieldSide], x: [f64; 2]) -> Panel {
     let y = y.unwrap_or([0.0, LEAST_UM]);
     let mut marks: Vec<Mark> = sides.iter().flat_map(|side| shades(side)).collect();
     for side in sides {
-        marks.push(Mark::line(
-            side.sections.iter().map(|s| (s.at, value(s))).collect(),
-            side_look(side.side),
-            1.6,
-        ));
+        let points = side.sections.iter().map(|s| (s.at, value(s)));
+        marks.push(Mark::line(points.collect(), side_look(side.side), 1.6));
         marks.extend(binding_point(side, 0.0));
     }
     let fillets: String = sides.iter().map(|side| fillets(side)).collect();
-    Panel {
-        title: format!("Transverse gap of each section, the gears in contact{fillets}"),
-        x: Axis::new("axial position z, mm, away from the viewer", x),
-        y: Axis::new("transverse gap, µm", y),
-        height: HEIGHTS[1],
-        marks,
-    }
+    let title = format!("Transverse gap of each section, the gears in contact{fillets}");
+    let y = Axis::new("transverse gap, µm", y);
+    Panel::new(Axis::new(ALONG, x), y, HEIGHTS[1], marks).titled(title)
 }
 
 /// The stretches where fillets touch first, in words.

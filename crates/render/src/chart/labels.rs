@@ -3,27 +3,22 @@
 //! A text has a preferred place in the data. Candidates go up, down and sideways from there; the nearest free one is taken. Where
 //! none is near, the axis gets more room and the texts are placed again.
 
-use super::marks;
 use super::panel::{Mark, Panel};
-use super::thin;
+use super::{marks, thin};
 use crate::kit::{Anchor, Frame, Occupied, Plot, Spot, TextStyle, around};
 
 pub(super) const STYLE: TextStyle = TextStyle::new(12.0);
-/// Height of a line of a text.
 const LINE: f64 = 15.0;
 /// Height of capitals at [`STYLE`], and depth of letters and subscripts below them.
 const CAPITALS: f64 = 0.73 * 12.0;
 const DEPTH: f64 = 3.0;
-/// Distance of a text from the plot's edge.
 const EDGE: f64 = 3.0;
 /// Steps between candidates, down and across.
 const STEPS: [f64; 2] = [3.0, 12.0];
 /// A text more distant than this from its preferred place lacks room (tuned: three lines).
 const NEAR: f64 = 48.0;
-/// Clear space round a text.
 const CLEAR: f64 = 2.0;
 
-/// A placed text.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Label {
     pub lines: Vec<String>,

@@ -1,9 +1,7 @@
 //! Marks in a plot: lines, bands, bars and single values.
 
-use super::overplotting::{self, Overplotting};
-use super::paint::{GROUND_HATCH, INTERFERENCE, Look};
-use super::panel::{Mark, Point};
-use super::thin;
+use super::panel::{GROUND_HATCH, INTERFERENCE, Look, Mark, Point};
+use super::thin::{self, Overplotting};
 use crate::kit::{Frame, Plot, Spot, disc, line, number, polygon};
 use svg::node::Node;
 use svg::node::element::Group;
@@ -39,7 +37,6 @@ fn hatch(frame: &Frame) -> Vec<Spot> {
         .collect()
 }
 
-/// Draws one mark into `group`.
 pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
     let column = 1.0 / plot.scale()[0];
     let spots = |run: &[(f64, f64)]| run.iter().map(|point| plot.spot(*point)).collect();
@@ -84,10 +81,8 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
 
 /// A bar, filled or pale, with its edge.
 pub(super) fn bar(frame: &Frame, look: Look) -> svg::node::element::Rectangle {
-    let bar = frame.rectangle().set("fill", look.colour());
+    let bar = frame.painted(look.colour(), look.colour(), "1.00");
     bar.set("fill-opacity", number(look.bar()))
-        .set("stroke", look.colour())
-        .set("stroke-width", "1.00")
 }
 
 /// Whether one of a panel's lines is drawn as an envelope in `plot`.
@@ -97,11 +92,15 @@ pub(super) fn has_envelope(marks: &[Mark], plot: &Plot) -> bool {
             return false;
         };
         let mut runs = thin::runs(points, 1.0 / plot.scale()[0]).into_iter();
-        runs.any(|run| matches!(overplotting::of(&run, plot.scale()), Overplotting::Solid(_)))
+        runs.any(|run| {
+            matches!(
+                thin::overplotting(&run, plot.scale()),
+                Overplotting::Solid(_)
+            )
+        })
     })
 }
 
-/// Draws a line, one run after the other.
 fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut Group) {
     let spots = |run: &[(f64, f64)]| run.iter().map(|point| plot.spot(*point)).collect();
     let stroke = |run: &[(f64, f64)], width: f64| {
@@ -113,13 +112,13 @@ fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut 
             group.append(disc(plot.spot(alone), width, look.colour()));
             continue;
         }
-        match overplotting::of(&run, plot.scale()) {
+        match thin::overplotting(&run, plot.scale()) {
             Overplotting::Clear => group.append(stroke(&run, width)),
-            Overplotting::Dense => group.append(stroke(&run, overplotting::FINE * width)),
+            Overplotting::Dense => group.append(stroke(&run, thin::FINE * width)),
             Overplotting::Solid([low, high]) => {
                 // Two overlapping fills would be a third colour, so left flanks have edges only.
                 if look != Look::Left {
-                    group.append(area(spots(&low), spots(&high), look, overplotting::FILL));
+                    group.append(area(spots(&low), spots(&high), look, thin::FILL));
                 }
                 group.append(stroke(&low, width));
                 group.append(stroke(&high, width));
@@ -128,7 +127,6 @@ fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut 
     }
 }
 
-/// The area between two lines.
 fn area(low: Vec<Spot>, high: Vec<Spot>, look: Look, opacity: f64) -> svg::node::element::Path {
     let outline: Vec<Spot> = high.into_iter().chain(low.into_iter().rev()).collect();
     polygon(&outline, look.colour()).set("fill-opacity", number(opacity))

@@ -1,7 +1,67 @@
-//! Parts of a chart: panels with two axes and marks, in data coordinates.
+//! Parts of a chart: panels with two axes and marks, in data coordinates; colours and line styles that survive colour-blindness and a
+//! black-and-white printer.
 
-use super::paint::Look;
-use crate::kit::{Anchor, Axis};
+use crate::kit::{Anchor, Axis, GREY, INK, Spot, cross, disc, square};
+use svg::node::element::{Element, Path};
+
+/// Fill of the area of negative backlash: lighter than any band, in grey print too; the hatch distinguishes it from paper.
+pub(super) const INTERFERENCE: &str = "#fdf3f0";
+pub(super) const GROUND_HATCH: &str = "#d99a8c";
+/// Opacity of a bar that is pale beside its neighbour.
+const PALE: f64 = 0.25;
+
+/// Style of a series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Look {
+    /// Right flanks: blue (Okabe–Ito), solid, filled circles.
+    Right,
+    /// Left flanks: vermillion, lighter in grey; dashed, open squares.
+    Left,
+    /// Neither: black, solid.
+    Plain,
+    /// A third series: bluish green, dotted with long gaps, crosses.
+    Third,
+    /// A limit or tolerance: grey, short dashes.
+    Limit,
+}
+
+impl Look {
+    pub(super) fn colour(self) -> &'static str {
+        match self {
+            Look::Right => "#0072b2",
+            Look::Left => "#d55e00",
+            Look::Plain => INK,
+            Look::Third => "#009e73",
+            Look::Limit => GREY,
+        }
+    }
+
+    /// A line in this look's dashes.
+    pub(super) fn dashed(self, line: Path) -> Path {
+        match self {
+            Look::Right | Look::Plain => line,
+            Look::Left => line.set("stroke-dasharray", "7 4"),
+            Look::Third => line.set("stroke-dasharray", "2 3"),
+            Look::Limit => line.set("stroke-dasharray", "3 3"),
+        }
+    }
+
+    pub(super) fn bar(self) -> f64 {
+        match self {
+            Look::Left => PALE,
+            _ => 1.0,
+        }
+    }
+
+    pub(super) fn mark(self, at: Spot) -> Element {
+        const HALF: f64 = 3.5;
+        match self {
+            Look::Right => disc(at, HALF, self.colour()).into(),
+            Look::Left => square(at, HALF, self.colour()).into(),
+            Look::Plain | Look::Third | Look::Limit => cross(at, HALF, self.colour()).into(),
+        }
+    }
+}
 
 /// A value at a place; `None` makes a gap in a line.
 pub(super) type Point = (f64, Option<f64>);
@@ -10,7 +70,9 @@ pub(super) type Point = (f64, Option<f64>);
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
     /// A hatched area over the whole width, up to a value of y.
-    Ground { below: f64 },
+    Ground {
+        below: f64,
+    },
     /// A shade over the whole height between two places.
     Shade {
         x: [f64; 2],
@@ -30,8 +92,10 @@ pub(super) enum Mark {
         look: Look,
         width: f64,
     },
-    /// Single values.
-    Dots { points: Vec<Point>, look: Look },
+    Dots {
+        points: Vec<Point>,
+        look: Look,
+    },
     /// A bar between two corners, filled or as its outline.
     Bar {
         x: [f64; 2],
@@ -56,12 +120,10 @@ impl Mark {
         }
     }
 
-    /// A level line between two places.
     pub fn level(x: [f64; 2], y: f64, look: Look, width: f64) -> Mark {
         Mark::line(x.map(|x| (x, Some(y))).to_vec(), look, width)
     }
 
-    /// An upright line between two values.
     pub fn upright(x: f64, y: [f64; 2], look: Look, width: f64) -> Mark {
         Mark::line(y.map(|y| (x, Some(y))).to_vec(), look, width)
     }
@@ -94,7 +156,6 @@ impl Mark {
     }
 }
 
-/// One plot of a chart.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Panel {
     /// The title above the plot; may be empty.
@@ -104,6 +165,23 @@ pub(super) struct Panel {
     /// Height with its axis, units.
     pub height: f64,
     pub marks: Vec<Mark>,
+}
+
+impl Panel {
+    pub fn new(x: Axis, y: Axis, height: f64, marks: Vec<Mark>) -> Panel {
+        Panel {
+            title: String::new(),
+            x,
+            y,
+            height,
+            marks,
+        }
+    }
+
+    pub fn titled(self, title: impl Into<String>) -> Panel {
+        let title = title.into();
+        Panel { title, ..self }
+    }
 }
 
 /// The sample beside a name in the legend.
@@ -116,7 +194,6 @@ pub(super) enum Swatch {
     Bar,
 }
 
-/// One entry of the legend.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Entry {
     pub name: String,

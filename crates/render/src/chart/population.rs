@@ -1,15 +1,13 @@
 //! Charts of a population: histogram with limits, convergence of its share, contributions to its spread.
 
 use super::captions::entry;
-use super::paint::Look;
-use super::panel::{Mark, Panel, Swatch, range};
+use super::panel::{Look, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use gearlash::population::{BIN_TENTHS_NM, Contributions, Spread, TENTHS_NM_PER_MM};
 use gearlash_files::numbers::{fixed, shortest};
-use gearlash_files::tolerance::{Convergence, ToleranceResult};
+use gearlash_files::tolerance::{Convergence, ToleranceResult, shares};
 
-/// Most bars of a histogram.
 const BARS: i64 = 120;
 /// Height of the picture relative to the tallest bar: the names of three lines fit above.
 const HEADROOM: f64 = 1.28;
@@ -89,16 +87,9 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
         marks.push(Mark::text([at, height], [shift, 8.0], name, anchor));
     }
     let entries = spreads.map(|(name, _, look)| entry(name, look, Swatch::Bar));
-    let panel = Panel {
-        title: String::new(),
-        x: Axis::new("backlash j_wt over the whole mesh cycle, µm", x),
-        y: Axis::new(
-            &format!("assemblies in {} µm", shortest(width as f64 * BIN_UM)),
-            [0.0, top],
-        ),
-        height: 380.0,
-        marks,
-    };
+    let x = Axis::new("backlash j_wt over the whole mesh cycle, µm", x);
+    let name = format!("assemblies in {} µm", shortest(width as f64 * BIN_UM));
+    let panel = Panel::new(x, Axis::new(&name, [0.0, top]), 380.0, marks);
     sheet::draw(heading, "", &entries, &[panel])
 }
 
@@ -128,24 +119,21 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
         each.map(|(x, value)| (x, value.map(|value| value.min(y[1]))))
             .collect()
     };
-    let marks = vec![
-        Mark::band(
-            clipped(|point| point.share.low),
-            clipped(|point| point.share.high),
-            Look::Right,
-            0.2,
-        ),
-        Mark::line(shares, Look::Right, 1.8),
+    let [low, high] = [
+        clipped(|point| point.share.low),
+        clipped(|point| point.share.high),
     ];
+    let band = Mark::band(low, high, Look::Right, 0.2);
+    let marks = vec![band, Mark::line(shares, Look::Right, 1.8)];
     let name = "share so far, and its interval of 95 % (Clopper and Pearson)";
     let entries = [entry(name, Look::Right, Swatch::LineInBand(0.2))];
-    let panel = Panel {
-        title: String::new(),
-        x: Axis::new("assemblies drawn", [0.0, last.assemblies as f64]),
-        y: Axis::new("outside the requirement, ppm", y),
-        height: 320.0,
+    let x = Axis::new("assemblies drawn", [0.0, last.assemblies as f64]);
+    let panel = Panel::new(
+        x,
+        Axis::new("outside the requirement, ppm", y),
+        320.0,
         marks,
-    };
+    );
     sheet::draw(heading, "", &entries, &[panel])
 }
 
@@ -183,14 +171,12 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
             let ends = [percent - error, percent + error];
             marks.push(Mark::level(ends, at, Look::Plain, 1.2));
         }
+        let percent = fixed(100.0 * one.total.value, 1);
+        let name = format!("{} {percent} %", one.factor.name());
         marks.push(Mark::text(
             [0.0, middle + 0.32],
             [4.0, 0.0],
-            format!(
-                "{} {} %",
-                one.factor.name(),
-                fixed(100.0 * one.total.value, 1)
-            ),
+            name,
             Anchor::Start,
         ));
     }
@@ -200,15 +186,48 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
         ("first-order effect", Look::Left),
     ];
     let entries = entries.map(|(name, look)| entry(name, look, Swatch::Bar));
-    let panel = Panel {
-        title: String::new(),
-        x: Axis::new("share of the variance, %; lines: ± 2 standard errors", x),
-        y: Axis {
-            bare: true,
-            ..Axis::new("", [0.0, count])
-        },
-        height: 70.0 + 56.0 * count,
-        marks,
-    };
+    let x = Axis::new("share of the variance, %; lines: ± 2 standard errors", x);
+    let panel = Panel::new(x, Axis::bare([0.0, count]), 70.0 + 56.0 * count, marks);
     sheet::draw(heading, "", &entries, &[panel])
+}
+
+/// Pictures of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pictures {
+    /// Histogram with limits; `None` where no assembly has a backlash.
+    pub histogram: Option<Chart>,
+    /// The share outside the requirement over the number of assemblies.
+    pub convergence: Chart,
+    /// Contributions to the extreme that the requirement limits first; `None` where none were computed.
+    pub contributions: Option<Chart>,
+}
+
+/// The pictures of `result`.
+///
+/// # Errors
+/// None for a run of at least one assembly.
+pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
+    let about = &result.about;
+    // The contributions are a picture of their own.
+    let first = shares(result);
+    let heading = |prefix| Heading {
+        prefix,
+        title: &about.title,
+        subtitle: &first,
+    };
+    let least = about.min_mm.is_some() || about.others.iter().any(|one| one.min.is_some());
+    let most = about.max_mm.is_some() || about.others.iter().any(|one| one.max.is_some());
+    let greatest = !least && most;
+    let found = &result.contributions[usize::from(greatest)];
+    let of = ["least", "greatest"][usize::from(greatest)];
+    let subtitle = format!("What the spread of the {of} backlash comes from");
+    let contributions = Heading {
+        subtitle: &subtitle,
+        ..heading("contributions")
+    };
+    Ok(Pictures {
+        histogram: self::histogram(&heading("histogram"), result).ok(),
+        convergence: self::convergence(&heading("convergence"), &result.convergence())?,
+        contributions: self::contributions(&contributions, found).ok(),
+    })
 }

@@ -4,8 +4,7 @@ use super::captions::{
     backlash_axis, course_axis, course_caption, empty, entry, interference, unproven_note,
     unproven_of, without_value,
 };
-use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Swatch, backlash_range};
+use super::panel::{Look, Mark, Panel, Point, Swatch, backlash_range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Anchor;
 use gearlash::analysis::curves::{Course, CourseLine, Extreme};
@@ -14,26 +13,17 @@ use gearlash::gear::Side;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::backlash;
 
-/// Opacity of a band.
 const FILL: f64 = 0.2;
 
 /// Smallest difference that a label shows, µm.
 const SHOWN: f64 = 0.1;
 
-/// Backlash over the teeth at one centre distance: one band per flank, from most to least material, with the teeth that bind at
+/// Backlash over the teeth at one centre distance, in `unit`: one band per flank, from most to least material, with the teeth that bind at
 /// the least and greatest backlash.
 ///
 /// # Errors
 /// [`PictureError`]: none for a course that has poses.
-pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureError> {
-    revolution_in(BacklashUnit::Um, heading, course)
-}
-
-/// As [`revolution`], in `unit`.
-///
-/// # Errors
-/// As [`revolution`].
-pub fn revolution_in(
+pub fn revolution(
     unit: BacklashUnit,
     heading: &Heading,
     course: &Course,
@@ -60,13 +50,8 @@ pub fn revolution_in(
         let details = unproven + &course_caption(course);
         return sheet::draw(heading, &details, &[], &[panel]);
     };
-    let mut panel = Panel {
-        title: String::new(),
-        x: course_axis(course),
-        y: backlash_axis(unit, y),
-        height: 360.0,
-        marks: Vec::new(),
-    };
+    let axis = backlash_axis(unit, y);
+    let mut panel = Panel::new(course_axis(course), axis, 360.0, Vec::new());
     let mut legend = Vec::new();
     // Only one band is filled, because both coincide where there are no pitch deviations.
     for (flank, look, fill) in [
@@ -82,9 +67,8 @@ pub fn revolution_in(
         if let (Some(most), Some(least)) = (most, least) {
             let mut sample = Swatch::Line;
             if fill {
-                panel
-                    .marks
-                    .push(Mark::band(points(most), points(least), look, FILL));
+                let band = Mark::band(points(most), points(least), look, FILL);
+                panel.marks.push(band);
                 sample = Swatch::LineInBand(FILL);
             }
             let name = format!("{name}: most material (below) to least (above)");
@@ -97,9 +81,8 @@ pub fn revolution_in(
             legend.push(entry(&name, look, Swatch::Line));
         }
         let lines = course.lines.iter().filter(|line| line.flank == flank);
-        panel
-            .marks
-            .extend(lines.map(|line| Mark::line(points(line), look, 1.6)));
+        let lines = lines.map(|line| Mark::line(points(line), look, 1.6));
+        panel.marks.extend(lines);
     }
     let busy = course.least.as_ref().map_or(0.0, |least| least.x);
     interference(&mut panel, busy);
@@ -119,9 +102,8 @@ pub fn revolution_in(
             for (word, extreme, shift) in [("least", least, 16.0), ("greatest", greatest, -16.0)] {
                 let y = of_um(extreme.backlash_um);
                 let word = format!("{word} {}", shown(extreme.backlash_um));
-                panel
-                    .marks
-                    .extend(label(&word, extreme, y, shift, panel.x.range));
+                let label = label(&word, extreme, y, shift, panel.x.range);
+                panel.marks.extend(label);
             }
         }
         _ => {}
@@ -134,9 +116,8 @@ pub fn revolution_in(
             continue;
         };
         let y = of_um(um);
-        panel
-            .marks
-            .push(Mark::level(panel.x.range, y, Look::Limit, 1.2));
+        let level = Mark::level(panel.x.range, y, Look::Limit, 1.2);
+        panel.marks.push(level);
         panel.marks.push(Mark::text(
             [panel.x.range[1], y],
             [-8.0, shift],

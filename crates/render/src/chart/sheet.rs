@@ -1,10 +1,10 @@
 //! The SVG element of a chart: title, legend, panels one below the other, and labels above all lines.
 
 use super::labels::{self, Lacking};
-use super::legend::{self, ROW};
 use super::marks;
-use super::panel::{Entry, Mark, Panel};
-use crate::kit::{FONTS, Frame, NUMBERS, Plot, TextStyle, axes, grid};
+use super::marks::bar;
+use super::panel::{Entry, Mark, Panel, Swatch};
+use crate::kit::{FONTS, Frame, NUMBERS, Plot, TextStyle, axes, grid, line, number};
 use gearlash_files::characters::plain;
 use svg::node::Node;
 use svg::node::element::{Group, SVG, Title};
@@ -12,7 +12,6 @@ use svg::node::element::{Group, SVG, Title};
 /// Layout of a chart for one screen width. Units of the `viewBox` are pixels there.
 struct Layout {
     width: f64,
-    /// Margin on both sides of the sheet.
     margin: f64,
     /// Left edge of every plot, with room for the numbers and the name of the y axis.
     left: f64,
@@ -22,7 +21,6 @@ struct Layout {
     details: TextStyle,
     /// Most lines of a title and of a line of details.
     lines: [usize; 2],
-    /// Suffix of the chart's ids.
     suffix: &'static str,
 }
 
@@ -37,7 +35,6 @@ const WIDE: Layout = Layout {
     lines: [1, 2],
     suffix: "",
 };
-/// For a telephone.
 const NARROW: Layout = Layout {
     width: 390.0,
     margin: 8.0,
@@ -55,7 +52,6 @@ const LINES: [f64; 2] = [20.0, 17.0];
 const X_AXIS: [f64; 2] = [42.0, 22.0];
 /// Height of a y axis per number.
 const NUMBER_HEIGHT: f64 = 32.0;
-/// Height of a line of a panel's title.
 const PANEL_LINE: f64 = 16.0;
 /// How often an axis gets more room for its texts, and how much each time, units.
 const WIDENINGS: usize = 5;
@@ -152,7 +148,7 @@ impl Source {
         }
         // Keeps the room of one line where there is none.
         let above = below + LINES[1] * f64::from(count.max(1));
-        let (legend, rows) = legend::draw(&self.entries, sides, above + 6.0);
+        let (legend, rows) = draw_legend(&self.entries, sides, above + 6.0);
         let mut from = above + ROW * rows as f64;
         let (mut plots, mut drawn) = (Vec::new(), Group::new());
         let mut labels = Group::new().set("class", "gearlash-labels");
@@ -259,7 +255,6 @@ impl Layout {
         f64::max(self.margin, half + 2.0 - left_over)
     }
 
-    /// The lines of a panel's title, and their style.
     fn panel_title(&self, panel: &Panel) -> (TextStyle, Vec<String>) {
         if panel.title.is_empty() {
             return (TextStyle::new(13.0), Vec::new());
@@ -296,4 +291,56 @@ fn element(id: &str, name: &str, [width, height]: [f64; 2], plot: &Plot) -> SVG 
     element
         .add(title)
         .add(ground.rectangle().set("fill", "white"))
+}
+
+const ROW: f64 = 19.0;
+const NAMES: TextStyle = TextStyle::new(12.0);
+const SAMPLE: f64 = 30.0;
+/// Distance of a name from the left end of its entry.
+const NAME: f64 = SAMPLE + 6.0;
+const LINE: f64 = 14.0;
+
+/// The legend between the edges `sides`, with the middle of its first row at `top`; and its number of rows.
+fn draw_legend(entries: &[Entry], sides: [f64; 2], top: f64) -> (Group, usize) {
+    let mut group = Group::new();
+    // The next free place: row, and x.
+    let (mut row, mut x) = (0, sides[0]);
+    for entry in entries {
+        let lines = NAMES.wrapped(&entry.name, sides[1] - sides[0] - NAME, 3);
+        let width = NAME + NAMES.width(&lines[0]);
+        if x > sides[0] && x + width > sides[1] {
+            (row, x) = (row + 1, sides[0]);
+        }
+        let y = top + ROW * row as f64;
+        draw_sample(entry, [x, y], &mut group);
+        for (number, line) in lines.iter().enumerate() {
+            let foot = y + LINE * number as f64 + NAMES.below_middle();
+            group.append(NAMES.text(line, [x + NAME, foot]));
+        }
+        match lines.len() {
+            1 => x += width + 18.0,
+            more => (row, x) = (row + more, sides[0]),
+        }
+    }
+    let rows = row + usize::from(x > sides[0]);
+    (group, rows)
+}
+
+/// The sample of an entry, its left end at `[x, y]`.
+fn draw_sample(entry: &Entry, [x, y]: [f64; 2], group: &mut Group) {
+    let look = entry.look;
+    let frame = Frame::new([x, y - 6.0], [x + SAMPLE, y + 6.0]);
+    if let Swatch::Band(opacity) | Swatch::LineInBand(opacity) = entry.sample {
+        let band = frame.rectangle().set("fill", look.colour());
+        group.append(band.set("fill-opacity", number(opacity)));
+    }
+    match entry.sample {
+        Swatch::Line | Swatch::LineInBand(_) => {
+            let sample = line(&[[x, y], [x + SAMPLE, y]], look.colour(), 1.6);
+            group.append(look.dashed(sample));
+        }
+        Swatch::Bar => group.append(bar(&frame, look)),
+        Swatch::Dot => group.append(look.mark([x + 0.5 * SAMPLE, y])),
+        Swatch::Band(_) => {}
+    }
 }

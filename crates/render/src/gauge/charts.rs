@@ -4,19 +4,20 @@
 //! the range of that grade.
 
 use crate::chart::{
-    BarPanel, BarSeries, Heading, Limits, LineAxes, LineSeries, Look, PictureError, bar_panels,
-    leads, lines, profiles,
+    BarPanel, BarSeries, CurveAxes, Heading, Limits, Look, PictureError, bar_panels, curve, leads,
+    profiles,
 };
-use gearlash::gauge::{GradedReading, PitchReadings, RollPose, RunoutReadings};
+use gearlash::gauge::{GradedReading, PitchReadings, Roll, RollPose, RunoutReadings};
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, um};
 use gearlash_results::gauge::{ByTooth, Chart, GaugedGear, GearSource, Length, lengths, page_name};
 use maud::{DOCTYPE, PreEscaped, html};
 
-/// Values below this, µm, count as level: far below the resolution of a gauge in a shop, far above the rounding of readings. Axes
-/// are at least a hundred times as high.
+/// Values below this, µm, count as level: far below the resolution of a gauge in a shop, far above the rounding of readings.
 const LEVEL: f64 = 1e-3;
+/// Least height of an axis, µm.
+const LEAST: f64 = 100.0 * LEVEL;
 /// The numbering of teeth and the direction of a chart.
 const NUMBERS: &str = "numbers ascend clockwise on the reference face";
 
@@ -25,12 +26,34 @@ const NUMBERS: &str = "numbers ascend clockwise on the reference face";
 /// # Errors
 /// [`PictureError`]: none for a gear that has teeth.
 pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
-    let mut files = length_charts(gauged)?;
-    files.extend(deviation_charts(gauged)?);
-    files.extend(profile_chart(gauged)?);
-    files.extend(lead_charts(gauged)?);
-    files.extend(roll_chart(gauged)?);
-    Ok(files)
+    let read = &gauged.gauged;
+    let mut files: Vec<File> = Vec::new();
+    for length in lengths(gauged) {
+        let by_tooth = length.by_tooth.iter();
+        files.extend(by_tooth.map(|by_tooth| length_chart(gauged, &length, by_tooth)));
+    }
+    files.extend(read.runout.iter().map(|read| runout(gauged, read)));
+    for (chart, read) in [
+        (Chart::PITCH_OWN, &read.pitch_own),
+        (Chart::PITCH_DATUM, &read.pitch_datum),
+    ] {
+        files.extend(read.iter().map(|read| pitch(gauged, chart, read)));
+    }
+    let profile = read.profile.iter().filter(|read| read.deviates());
+    files.extend(
+        profile.map(|read| file(gauged, Chart::PROFILE, |heading| profiles(heading, read))),
+    );
+    // About the axis of the teeth, and about the rotation axis where they differ.
+    let along_face = read.along_face.iter().flat_map(|found| found.leads());
+    files.extend(along_face.map(|read| {
+        let chart = match read.axis {
+            PitchAxis::Own => Chart::LEAD_OWN,
+            PitchAxis::Datum => Chart::LEAD_DATUM,
+        };
+        file(gauged, chart, |heading| leads(heading, read))
+    }));
+    files.extend(read.roll.iter().map(|roll| roll_chart(gauged, roll)));
+    files.into_iter().filter_map(Result::transpose).collect()
 }
 
 /// The charts of one gear on one page: file name and HTML; `None` without charts.
@@ -59,7 +82,6 @@ pub fn page(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureErro
 /// File name and SVG of a chart; `None` where nothing would be visible.
 type File = Result<Option<(String, String)>, PictureError>;
 
-/// Bars over teeth.
 fn bars(gauged: &GaugedGear, chart: Chart, x_axis: &str, panels: &[BarPanel]) -> File {
     let series = panels.iter().flat_map(|panel| panel.series);
     let mut values = series.flat_map(|bars| &bars.values).flatten();
@@ -72,7 +94,6 @@ fn bars(gauged: &GaugedGear, chart: Chart, x_axis: &str, panels: &[BarPanel]) ->
     })
 }
 
-/// A chart, as a file.
 fn file(
     gauged: &GaugedGear,
     chart: Chart,
@@ -112,14 +133,6 @@ fn mean_words(mean: f64, formula: Option<f64>) -> String {
 }
 
 /// Spans, dimensions over pins and thickness: each reading less the mean.
-fn length_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
-    let drawn = lengths(gauged).into_iter().filter_map(|length| {
-        let by_tooth = length.by_tooth.as_ref()?;
-        length_chart(gauged, &length, by_tooth).transpose()
-    });
-    drawn.collect()
-}
-
 fn length_chart(gauged: &GaugedGear, length: &Length, by_tooth: &ByTooth) -> File {
     let values = by_tooth.values.iter();
     let less = values.map(|mm| Some((mm - length.mean) * 1e3));
@@ -128,36 +141,15 @@ fn length_chart(gauged: &GaugedGear, length: &Length, by_tooth: &ByTooth) -> Fil
         values: less.collect(),
         look: Look::Plain,
     }];
+    let mean = mean_words(length.mean, length.formula);
     let panel = BarPanel {
-        title: &format!(
-            "{}, {}",
-            length.name,
-            mean_words(length.mean, length.formula)
-        ),
+        title: &format!("{}, {mean}", length.name),
         y_axis: &format!("{} − mean, µm", by_tooth.symbol),
         series: &series,
         limits: Vec::new(),
         level: LEVEL,
     };
     bars(gauged, by_tooth.chart, by_tooth.tooth, &[panel])
-}
-
-/// Runout and pitch, with the lines of their accuracy grades.
-fn deviation_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
-    let read = &gauged.gauged;
-    let mut files = Vec::new();
-    if let Ok(read) = &read.runout {
-        files.extend(runout(gauged, read)?);
-    }
-    for (name, read) in [
-        (Chart::PITCH_OWN, &read.pitch_own),
-        (Chart::PITCH_DATUM, &read.pitch_datum),
-    ] {
-        if let Ok(read) = read {
-            files.extend(pitch(gauged, name, read)?);
-        }
-    }
-    Ok(files)
 }
 
 fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> File {
@@ -280,36 +272,8 @@ fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
     }
 }
 
-/// Profile deviation over the roll length.
-fn profile_chart(gauged: &GaugedGear) -> File {
-    match &gauged.gauged.profile {
-        Ok(read) if read.deviates() => file(gauged, Chart::PROFILE, |heading| {
-            profiles(heading, read, 100.0 * LEVEL)
-        }),
-        _ => Ok(None),
-    }
-}
-
-/// Leads over the height, about the axis of the teeth, and about the rotation axis where they differ.
-fn lead_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
-    let Some(found) = &gauged.gauged.along_face else {
-        return Ok(Vec::new());
-    };
-    let drawn = found.leads().filter_map(|read| {
-        let chart = match read.axis {
-            PitchAxis::Own => Chart::LEAD_OWN,
-            PitchAxis::Datum => Chart::LEAD_DATUM,
-        };
-        file(gauged, chart, |heading| leads(heading, read, 100.0 * LEVEL)).transpose()
-    });
-    drawn.collect()
-}
-
 /// The double-flank roll test as a curve over one revolution.
-fn roll_chart(gauged: &GaugedGear) -> File {
-    let Ok(roll) = &gauged.gauged.roll else {
-        return Ok(None);
-    };
+fn roll_chart(gauged: &GaugedGear, roll: &Roll) -> File {
     let mean = roll.mean();
     let teeth = gauged.teeth();
     let value = |pose: &RollPose| Some(1e3 * (pose.distance - mean));
@@ -333,18 +297,12 @@ fn roll_chart(gauged: &GaugedGear) -> File {
         mean_words(mean, gauged.gauged.formula.distance)
     );
     let x = format!("tooth of the gear at the master, one revolution back to 1 · {NUMBERS}");
-    let axes = LineAxes {
+    let axes = CurveAxes {
         title: &title,
         x: &x,
-        teeth: Some(teeth),
+        teeth,
         y: "a'' − mean, µm",
-        least: 100.0 * LEVEL,
+        least: LEAST,
     };
-    let line = LineSeries {
-        name: "a''",
-        points,
-        look: Look::Plain,
-        dots: false,
-    };
-    file(gauged, Chart::ROLL, |heading| lines(heading, axes, &[line]))
+    file(gauged, Chart::ROLL, |heading| curve(heading, axes, points))
 }

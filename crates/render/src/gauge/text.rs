@@ -101,7 +101,6 @@ fn deviations(read: &Gauged) -> String {
     text
 }
 
-/// Slope, form and total of profiles.
 fn profile_words(flank: &FlankTraces) -> String {
     let slope = flank_words(flank, "f_Hα", |one| one.slope);
     let form = flank_words(flank, "f_fα", |one| one.form);
@@ -122,7 +121,6 @@ fn flank_words(flank: &FlankTraces, symbol: &str, of: impl Fn(&TraceReading) -> 
     }
 }
 
-/// Leads, spans and runout along the face.
 fn along_face(found: &FaceReadings) -> String {
     let mut text = String::new();
     for lead in found.leads() {

@@ -1,5 +1,6 @@
-//! Points and rectangles of a sheet, y downwards.
+//! Points and rectangles of a sheet, y downwards, and obstacles that labels avoid.
 
+use super::clip;
 use super::paint::INK;
 use gearlash_files::numbers::ascii;
 use svg::node::element::Rectangle;
@@ -12,16 +13,11 @@ pub fn number(value: f64) -> String {
     ascii(value, 2)
 }
 
-/// A rectangle of the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
-    /// Left edge.
     pub left: f64,
-    /// Upper edge.
     pub top: f64,
-    /// Right edge.
     pub right: f64,
-    /// Lower edge.
     pub bottom: f64,
 }
 
@@ -44,7 +40,6 @@ impl Frame {
         self.bottom - self.top
     }
 
-    /// Larger by `margin` on every side.
     pub fn grown(&self, margin: f64) -> Frame {
         Frame::new(
             [self.left - margin, self.top - margin],
@@ -52,7 +47,6 @@ impl Frame {
         )
     }
 
-    /// Whether `other` is entirely inside.
     pub fn holds(&self, other: &Frame) -> bool {
         other.left >= self.left
             && other.right <= self.right
@@ -85,12 +79,16 @@ impl Frame {
         ]
     }
 
-    /// Its outline.
     pub fn border(&self) -> Rectangle {
+        self.painted("none", INK, "1.40")
+    }
+
+    /// It, filled, and its outline.
+    pub fn painted(&self, fill: &str, stroke: &str, width: &str) -> Rectangle {
         self.rectangle()
-            .set("fill", "none")
-            .set("stroke", INK)
-            .set("stroke-width", "1.40")
+            .set("fill", fill)
+            .set("stroke", stroke)
+            .set("stroke-width", width)
     }
 
     pub fn rectangle(&self) -> Rectangle {
@@ -99,5 +97,48 @@ impl Frame {
             .set("y", number(self.top))
             .set("width", number(self.width()))
             .set("height", number(self.height()))
+    }
+}
+
+#[derive(Debug, Default)]
+pub struct Occupied {
+    lines: Vec<[Spot; 2]>,
+    boxes: Vec<Frame>,
+}
+
+/// Clear space round a label, units of the sheet.
+pub const CLEAR: f64 = 3.0;
+
+impl Occupied {
+    pub fn line(&mut self, points: &[Spot]) {
+        self.lines
+            .extend(points.windows(2).map(|pair| [pair[0], pair[1]]));
+    }
+
+    /// Adds the edge of a box.
+    pub fn border(&mut self, frame: Frame) {
+        let corners = frame.corners();
+        self.line(&corners);
+        self.line(&[corners[3], corners[0]]);
+    }
+
+    pub fn frame(&mut self, frame: Frame) {
+        self.boxes.push(frame);
+    }
+
+    pub fn crosses_frame(&self, line: &[Spot; 2]) -> bool {
+        let [from, to] = *line;
+        let boxes = &mut self.boxes.iter();
+        boxes.any(|taken| clip::segment(from, to, taken).is_some())
+    }
+
+    /// Whether `room` and its surroundings within `clear` are free.
+    pub fn is_clear(&self, room: &Frame, clear: f64) -> bool {
+        let room = room.grown(clear);
+        !self.boxes.iter().any(|taken| taken.overlaps(&room))
+            && !self
+                .lines
+                .iter()
+                .any(|[from, to]| clip::segment(*from, *to, &room).is_some())
     }
 }

@@ -6,7 +6,6 @@ use super::sheet::{Ids, line, polygon};
 use svg::node::Node;
 use svg::node::element::{Circle, Definitions, Element, Group, Path, Pattern, Rectangle};
 
-/// A filled circle.
 pub fn disc([x, y]: Spot, radius: f64, fill: &str) -> Circle {
     Circle::new()
         .set("cx", number(x))
@@ -22,13 +21,8 @@ pub fn dot(spot: Spot, radius: f64, filled: bool) -> Circle {
         .set("stroke-width", "1.50")
 }
 
-/// An open square.
 pub fn square(spot: Spot, half: f64, colour: &str) -> Rectangle {
-    around(spot, half)
-        .rectangle()
-        .set("fill", "white")
-        .set("stroke", colour)
-        .set("stroke-width", "1.40")
+    around(spot, half).painted("white", colour, "1.40")
 }
 
 /// Rows of cells that fill `field` from the top, each in its colour. Neighbouring cells of one colour form one rectangle.
@@ -57,13 +51,11 @@ pub fn turned(mut text: Element, at: Spot) -> Element {
     text
 }
 
-/// A diagonal cross.
 pub fn cross([x, y]: Spot, half: f64, colour: &str) -> Group {
     let stroke = |tilt: f64| line(&[[x - half, y - tilt], [x + half, y + tilt]], colour, 1.4);
     Group::new().add(stroke(-half)).add(stroke(half))
 }
 
-/// An open diamond.
 pub fn diamond([x, y]: Spot) -> Path {
     let corners = [[x, y - 6.0], [x + 6.0, y], [x, y + 6.0], [x - 6.0, y]];
     polygon(&corners, "white")
@@ -90,7 +82,6 @@ pub fn arrow(from: Spot, to: Spot, width: f64) -> Group {
         .add(polygon(&[to, side(1.0), side(-1.0)], INK))
 }
 
-/// The bounding box of a disc.
 pub fn around([x, y]: Spot, radius: f64) -> Frame {
     Frame::new([x, y], [x, y]).grown(radius)
 }

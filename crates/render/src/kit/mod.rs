@@ -3,24 +3,21 @@
 //! Snapshots, maps and charts share them. They use the `svg` crate and only features of plain SVG readers: no script, no style
 //! sheet, no `paint-order`. A text with a halo is two elements, and [`area`] describes the limits of clips.
 
-mod area;
 pub mod clip;
 mod frame;
 mod marks;
-mod occupied;
 mod paint;
 mod plot;
 pub mod scale;
-mod scheme;
 mod sheet;
 mod text;
 
-pub use area::{area, define_area, inner_outline, within_area};
-pub use frame::{Frame, Spot, number};
+pub use frame::{CLEAR, Frame, Occupied, Spot, number};
 pub use marks::{around, arrow, cross, diamond, disc, dot, hatch, shaded, square, turned};
-pub use occupied::{CLEAR, Occupied};
-pub use paint::{ACTION, GAP, GREY, HATCH, INK, OVERLAP, PATH, PINION, WHEEL};
+pub use paint::{ACTION, GAP, GREY, HATCH, INK, OVERLAP, PATH, PINION, WHEEL, dark_style};
 pub use plot::{Axis, NUMBERS, Plot, axes, grid};
-pub use scheme::dark_style;
-pub use sheet::{FONTS, HEIGHT, Ids, UNITS_PER_MM, WIDTH, blank_sheet, line, path_data, polygon};
+pub use sheet::{
+    FONTS, HEIGHT, Ids, UNITS_PER_MM, WIDTH, area, blank_sheet, clipped, dashed, define_area,
+    define_frame, group, inner_outline, line, path_data, polygon, within_area,
+};
 pub use text::{Anchor, TextStyle, room};

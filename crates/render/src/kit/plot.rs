@@ -56,7 +56,6 @@ impl Plot {
     }
 }
 
-/// One axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// Quantity and unit.
@@ -79,6 +78,18 @@ impl Axis {
         }
     }
 
+    /// An axis of tooth numbers where `teeth` is stated.
+    pub fn of_teeth(name: &str, range: [f64; 2], teeth: Option<u32>) -> Axis {
+        let axis = Axis::new(name, range);
+        Axis { teeth, ..axis }
+    }
+
+    /// An axis without a name and numbers.
+    pub fn bare(range: [f64; 2]) -> Axis {
+        let axis = Axis::new("", range);
+        Axis { bare: true, ..axis }
+    }
+
     /// Its ticks: at most `most`, and none between two teeth.
     pub fn ticks(&self, most: usize) -> Ticks {
         let [from, to] = self.range;
@@ -89,7 +100,6 @@ impl Axis {
         }
     }
 
-    /// The number at a tick.
     pub fn number(&self, ticks: &Ticks, value: f64) -> String {
         match self.teeth {
             None => ticks.number(value),
@@ -150,16 +160,13 @@ impl Ticks {
         }
     }
 
-    /// The number of the tick at `value`.
     pub fn number(&self, value: f64) -> String {
         fixed(value, self.decimals)
     }
 }
 
-/// Numbers at ticks.
 pub const NUMBERS: TextStyle = TextStyle::new(12.0);
 const NAMES: TextStyle = TextStyle::new(13.0);
-/// Length of a tick.
 const TICK: f64 = 4.0;
 
 /// Lines across a plot at the ticks of both axes, at most `most` of each.
@@ -239,16 +246,11 @@ mod tests {
             let decimals = text.split_once('.').map_or(0, |(_, digits)| digits.len());
             let last = 10f64.powi(-(decimals as i32));
             assert!((read - value).abs() <= 0.5 * last, "{text} at {value}");
-            assert!(
-                (read - value).abs() <= 1e-3 * step,
-                "{text} at {value}, step {step}"
-            );
+            assert!((read - value).abs() <= 1e-3 * step, "{text}, step {step}");
             assert!(seen.insert(text.clone()), "{text} twice: {:?}", ticks.at);
             let slack = 1e-5 * (range[1] - range[0]);
-            assert!(
-                *value >= range[0] - slack && *value <= range[1] + slack,
-                "{value} in {range:?}"
-            );
+            let within = range[0] - slack..=range[1] + slack;
+            assert!(within.contains(value), "{value} in {range:?}");
         }
     }
 
@@ -257,8 +259,7 @@ mod tests {
     fn half_micrometres_have_a_decimal() {
         assert_labels_distinct([-3.36, 0.3], 8);
         let ticks = Ticks::new([-3.36, 0.3], 8);
-        let read = ticks.at.iter().map(|value| ticks.number(*value));
-        assert!(read.into_iter().any(|text| text == "−0.5"));
+        assert!(ticks.at.iter().any(|value| ticks.number(*value) == "−0.5"));
     }
 
     /// By hand: steps of 0.05 would be five.

@@ -1,13 +1,15 @@
-//! The sheet, and the lines on it.
+//! The sheet, the lines on it, and areas that a picture fills, strokes and clips by, each with an id.
+//!
+//! Programs limit what can be used. Inkscape 1.2 shows `<use>` only with XLink's `href`. LibreOffice 7.4 neither clips by a
+//! `<use>` nor clips one. So `href` is XLink's, a clip has its own copy of the path, and the clipped element is a group.
 
-use super::frame::{Spot, number};
-use svg::node::element::{Path, Rectangle, SVG};
+use super::frame::{Frame, Spot, number};
+use svg::Node;
+use svg::node::element::{ClipPath, Definitions, Group, Path, Rectangle, SVG, Use};
 
 /// Width of an A4 sheet in landscape, units of 0.25 mm.
 pub const WIDTH: f64 = 1188.0;
-/// Its height.
 pub const HEIGHT: f64 = 840.0;
-/// Units in a millimetre of paper.
 pub const UNITS_PER_MM: f64 = 4.0;
 
 /// The namespace of references that Inkscape 1.2 also follows.
@@ -47,12 +49,10 @@ impl Ids {
         }
     }
 
-    /// Whether the picture is a sheet of its own.
     pub fn is_sheet(&self) -> bool {
         self.prefix.is_empty()
     }
 
-    /// The id of the element called `name`.
     pub fn of(&self, name: &str) -> String {
         format!("{}{name}", self.prefix)
     }
@@ -90,9 +90,61 @@ pub fn line(points: &[Spot], colour: &str, width: f64) -> Path {
         .set("stroke-width", number(width))
 }
 
+pub fn dashed(points: &[Spot], colour: &str, width: f64, dashes: &str) -> Path {
+    line(points, colour, width).set("stroke-dasharray", dashes)
+}
+
+pub fn group<T: Into<Box<dyn Node>>>(parts: impl IntoIterator<Item = T>) -> Group {
+    parts.into_iter().fold(Group::new(), Group::add)
+}
+
 /// The filled polygon of `points`.
 pub fn polygon(points: &[Spot], fill: &str) -> Path {
     Path::new()
         .set("d", path_data(points, true))
         .set("fill", fill)
+}
+
+/// `definitions` with the inside of `points` as the area `name`.
+pub fn define_area(
+    definitions: Definitions,
+    ids: &Ids,
+    name: &str,
+    points: &[Spot],
+) -> Definitions {
+    let path = Path::new().set("d", path_data(points, true));
+    definitions.add(path.clone().set("id", ids.of(name))).add(
+        ClipPath::new()
+            .set("id", ids.of(&format!("{name}-clip")))
+            .add(path),
+    )
+}
+
+/// The area `name`, to be filled or stroked.
+pub fn area(ids: &Ids, name: &str) -> Use {
+    Use::new().set("xlink:href", format!("#{}", ids.of(name)))
+}
+
+pub fn within_area(ids: &Ids, name: &str) -> Group {
+    clipped(ids, &format!("{name}-clip"))
+}
+
+pub fn clipped(ids: &Ids, name: &str) -> Group {
+    Group::new().set("clip-path", ids.url(name))
+}
+
+/// The inside of `frame` as the limit `name`.
+pub fn define_frame(ids: &Ids, name: &str, frame: &Frame) -> Definitions {
+    let limit = ClipPath::new().set("id", ids.of(name));
+    Definitions::new().add(limit.add(frame.rectangle()))
+}
+
+/// The outline of the area `name`, on its inner side only: half the stroke's width is visible.
+pub fn inner_outline(ids: &Ids, name: &str, colour: &str, width: &str) -> Group {
+    let stroke = area(ids, name)
+        .set("fill", "none")
+        .set("stroke", colour)
+        .set("stroke-width", width)
+        .set("stroke-linejoin", "round");
+    within_area(ids, name).add(stroke)
 }

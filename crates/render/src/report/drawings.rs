@@ -41,7 +41,6 @@ pub(super) fn gears(pair: &PairFile) -> Markup {
     Table::new("Both gears", caption, columns, rows).render()
 }
 
-/// Name and value of each property of both gears.
 fn rows(pair: &PairFile) -> Vec<(&'static str, [String; 2])> {
     let specs = [&pair.spec.wheel, &pair.spec.pinion];
     let dash = || "–".to_owned();
@@ -107,7 +106,6 @@ fn by_its_data(spec: &GearSpec) -> String {
     )
 }
 
-/// The flank offset of an outline.
 fn offset(spec: &EitherGearSpec) -> String {
     let thickness = match spec {
         EitherGearSpec::Outline(spec) => spec.thickness,

@@ -2,11 +2,11 @@
 
 use super::page::Page;
 use super::table::Table;
-use crate::chart::PictureError;
-use crate::chart::{self, Chart, Heading};
+use crate::chart::{self, Chart, Heading, PictureError};
 use crate::pose_name::phase_name;
 use gearlash::analysis::curves::{Course, DistancePoint, Followed};
 use gearlash::gear::Inspection;
+use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::stated_distance;
 use gearlash_results::grades::GearGrades;
 use maud::{Markup, PreEscaped, Render, html};
@@ -14,14 +14,15 @@ use maud::{Markup, PreEscaped, Render, html};
 /// Most centre distances and phases whose curves are in the page (tuned: some 100 kB each).
 const MOST_COURSES: usize = 12;
 
-/// Least height of a profile chart, µm, as for the gauge.
-const LEAST_PROFILE: f64 = 0.1;
-
 /// Backlash over the teeth: the centre distance with the least backlash; the others are collapsed.
 pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
     let draw = |number: usize, course: &Course| {
         let title = format!("Backlash over the teeth {}", place(course));
-        let drawn = chart::revolution(&heading(page, &id(number), &title), course)?;
+        let drawn = chart::revolution(
+            BacklashUnit::Um,
+            &heading(page, &id(number), &title),
+            course,
+        )?;
         Ok(html! {
             figure.chart tabindex="0" {
                 (svg(&drawn))
@@ -32,7 +33,6 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
     over_teeth(page, "backlash over the teeth", draw)
 }
 
-/// Centre distance and phase of a course.
 fn place(course: &Course) -> String {
     format!(
         "at a = {} mm{}",
@@ -41,7 +41,6 @@ fn place(course: &Course) -> String {
     )
 }
 
-/// Id of the chart of a course.
 fn id(number: usize) -> String {
     format!("revolution{number}")
 }
@@ -144,11 +143,9 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, PictureError> {
         };
         let title = format!("Backlash over the centre distance{of}");
         let prefix = format!("distance{number}");
-        figures.push(figure(&chart::distance(
-            &heading(page, &prefix, &title),
-            curve,
-            &page.distances,
-        )?));
+        let heading = heading(page, &prefix, &title);
+        let drawn = chart::distance(BacklashUnit::Um, &heading, curve, &page.distances)?;
+        figures.push(figure(&drawn));
     }
     let others = "backlash of the other measured matings over the centre distance";
     let Some((first, rest)) = figures.split_first() else {
@@ -198,10 +195,10 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, PictureError> {
         (draw("pinion", pinion)?)
         @for gear in page.report.grades {
             @if let Some(read) = gear.profile.as_ref().filter(|read| read.deviates()) {
-                (deviations(page, gear, ["profile", "Profile"], |heading| chart::profiles(heading, read, LEAST_PROFILE))?)
+                (deviations(page, gear, ["profile", "Profile"], |heading| chart::profiles(heading, read))?)
             }
             @if let Some(read) = &gear.lead {
-                (deviations(page, gear, ["lead", "Lead"], |heading| chart::leads(heading, read, LEAST_PROFILE))?)
+                (deviations(page, gear, ["lead", "Lead"], |heading| chart::leads(heading, read))?)
             }
         }
     })
@@ -245,17 +242,14 @@ pub(super) fn collapsed(summary: &str, what: &str, content: Markup) -> Markup {
     }
 }
 
-/// Further `content`, collapsed.
 pub(super) fn more(what: &str, content: Markup) -> Markup {
     collapsed(&format!("More: {what}"), what, content)
 }
 
-/// A chart as a figure of the page.
 pub(super) fn figure(chart: &Chart) -> Markup {
     html! { figure.chart tabindex="0" { (svg(chart)) } }
 }
 
-/// A tall chart as a figure of the page.
 fn tall(chart: &Chart) -> Markup {
     html! { figure.chart.tall tabindex="0" { (svg(chart)) } }
 }

@@ -1,11 +1,11 @@
 //! The input as understood: both gears side by side, the assembly, warnings and remarks.
 
 use super::figures::inspections;
+use super::grades;
 use super::page::Page;
 use super::phrases::{plain, sentence, symbol};
 use super::stated::{face_runout, high_tooth, lead, pitch, profile, runout, thickness};
 use super::table::{Table, cells, columns};
-use super::{grades, notes};
 use crate::chart::PictureError;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, Inspection};
 use gearlash::pair::Member;
@@ -124,7 +124,7 @@ pub(super) fn section(page: &Page, gears: [&GearSpec; 2]) -> Result<Markup, Pict
             (Table::new("Both gears", caption, columns, rows).named_by(1))
             (assembly(page, &pair.spec.assembly))
             @for warning in pair.warnings.iter().chain(&pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
-            (notes::list(page))
+            (grades::notes(page))
             (grades::table(page))
             (inspections(page)?)
         }
@@ -140,7 +140,6 @@ fn named_cells(text: &str) -> Vec<Markup> {
     cells![symbol(letter, index), next(), next()]
 }
 
-/// Pitch deviations of both gears in words.
 fn pitches(page: &Page, gears: [&GearSpec; 2]) -> [String; 2] {
     let [wheel, pinion] = gears;
     let first = page.report.pair.study.materials.first();
@@ -179,7 +178,6 @@ fn properties(page: &Page, list: &[Property]) -> Vec<(&'static str, [String; 2])
     each.collect()
 }
 
-/// The hand of the helix.
 fn hand(gear: &GearSpec) -> String {
     gear.hand.map_or("", Hand::name).to_owned()
 }

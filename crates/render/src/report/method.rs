@@ -73,7 +73,6 @@ fn base_index(page: &Page) -> &'static str {
     }
 }
 
-/// Effects that this run does not model.
 fn not_modelled(page: &Page) -> Vec<&'static str> {
     let study = &page.report.pair.study;
     let mut left_out = vec!["Deflection under load."];

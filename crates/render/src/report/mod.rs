@@ -3,28 +3,20 @@
 //! The page is complete in itself: it contains style, pictures and script. It is built with `maud`: the compiler checks the page,
 //! every text is escaped unless stated otherwise, and no file is read or parsed at run time.
 
-mod checks;
-mod cycle;
 mod drawings;
 mod face;
 mod figures;
 mod grades;
 mod input;
-mod marks;
-mod measured;
 mod method;
 mod models;
-mod notes;
 mod page;
-mod page_frame;
 mod phrases;
-mod poses;
 mod results;
 mod stated;
 mod table;
 mod tolerance;
 mod trust;
-mod unproven;
 mod verdict;
 
 use crate::chart::PictureError;
@@ -32,8 +24,7 @@ use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::outcome::{Agreement, Outcome, by_distance};
 use maud::html;
-use page::Page;
-use page_frame::PageFrame;
+use page::{Page, PageFrame};
 
 pub use page::Report;
 pub use tolerance::{ToleranceReport, tolerance_report};
@@ -78,21 +69,21 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     let by_data = report.pair.spec.by_data();
     let main = html! {
         (verdict::section(&page))
-        (unproven::section(&page))
+        (trust::unproven(&page))
         (results::section(&page)?)
         (face::section(&page)?)
         @if has_checks {
             (trust::section(&page))
-            (checks::section(&page))
+            (models::checks(&page))
         }
         @if let Some(gears) = by_data {
             (input::section(&page, gears)?)
         } @else {
             (drawings::section(&page))
         }
-        (measured::section(&page))
+        (models::measured(&page))
         @if has_checks { (models::section(&page)?) }
-        (poses::section(&page))
+        (results::poses(&page))
         (method::section(&page))
     };
     let page_frame = PageFrame {

@@ -1,14 +1,105 @@
-//! The three formulas compared with the simulation.
+//! The simulation beside checks, measured values and formulas.
 
-use super::figures::difference;
-use super::page::Page;
-use super::phrases::symbol;
+use super::figures::{difference, folded};
+use super::page::{Page, Report};
+use super::phrases::{plain, study, symbol};
 use super::table::{Table, cells, columns};
 use crate::chart::PictureError;
+use gearlash::analysis::diagnosis::Verdict;
+use gearlash::analysis::measured::{MeasuredMating, sides};
 use gearlash::analysis::outcome::{MODELS, deviation};
 use gearlash::pair::GearPair;
 use gearlash_files::numbers::difference_um;
+use gearlash_results::text::check::{doubts, shown};
+use gearlash_results::text::measured_shown;
 use maud::{Markup, html};
+
+pub(super) fn checks(page: &Page) -> Markup {
+    let diagnosis = &page.report.analysis.diagnosis;
+    let several = diagnosis.groups.len() > 1;
+    let listed_runs = page.report.analysis.runs.iter();
+    let poses: usize = listed_runs.map(|run| run.poses.len()).sum();
+    let outcome = match diagnosis.verdict() {
+        Verdict::Pass => "Every check passes.",
+        Verdict::Warn => "No check fails; some values are outside the recommended range.",
+        Verdict::Unproven => {
+            "No check fails, but some are unproven: whether their limits are met is not known."
+        }
+        Verdict::Fail => "A check fails.",
+    };
+    html! {
+        section id="checks" {
+            h2 { "Checks" }
+            p {
+                (outcome)
+                " “Formula” is of the gears’ mean teeth, “outlines” as found at the " (poses) " poses that the pair file asks for."
+                @if !page.report.analysis.extremes.runs.is_empty() {
+                    " The zero-backlash centre distance is that of the whole hunting cycle; the other checks are of these poses."
+                }
+                @if several { " Each check is shown at its worst centre distance and material." }
+            }
+            (Table::of_shown("Checks", html! {}, &shown(diagnosis)))
+            @for reason in doubts(diagnosis) { p { strong { "Unproven: " } (plain(reason)) "." } }
+            (study())
+            p.note {
+                "A contact is named by the curves that meet: tip-fillet is a tip on its mate’s fillet, undercut-edge the edge that undercut "
+                "leaves at the foot of the involute. “0.25 pitch beyond”: turned on by a quarter of a tooth from where that flank passes "
+                "through the operating pitch point."
+            }
+        }
+    }
+}
+
+/// The number of measured values within their bands; `None` without measurements.
+pub(super) fn sentence(report: &Report) -> Option<String> {
+    if report.analysis.measured.is_empty() {
+        return None;
+    }
+    let [below, inside, above] = sides(&report.analysis.measured, |mating| mating.simulated);
+    let of = below + inside + above;
+    let mut text = format!(
+        "{inside} of {of} measured values lie inside the simulated band, {below} below it, {above} above it"
+    );
+    if report.pair.study.bearing_clearance > 0.0 {
+        let [_, inside, _] = sides(&report.analysis.measured, |mating| mating.with_clearance);
+        text += &format!("; {inside} of {of} with the bearing clearance taken in");
+    }
+    Some(text + ".")
+}
+
+pub(super) fn measured(page: &Page) -> Markup {
+    let report = page.report;
+    let Some(sentence) = sentence(report) else {
+        return html! {};
+    };
+    let caption = html! {
+        "Backlash, µm. Bands from most to least material, means of the mating’s right-flank and left-flank pose. "
+        "↓ ↑: below or above the simulated band. Predicted: as printed in the file of measurements. Analytic: model 2 (involute)."
+    };
+    let shown = measured_shown(&report.pair.study, &report.analysis.measured);
+    let table = Table::of_shown("Measured and predicted backlash", caption, &shown);
+    html! {
+        section id="measured" {
+            h2 { "Measured and predicted" }
+            p { (sentence) }
+            (folded("Measured matings", &table))
+            (sources(&report.analysis.measured))
+        }
+    }
+}
+
+fn sources(measured: &[MeasuredMating]) -> Markup {
+    let mut sources: Vec<&str> = Vec::new();
+    for mating in measured {
+        let source = mating.row.source.as_str();
+        if !source.is_empty() && !sources.contains(&source) {
+            sources.push(source);
+        }
+    }
+    html! {
+        @if !sources.is_empty() { p.note { "Source as that file names it: " (plain(&sources.join("; "))) "." } }
+    }
+}
 
 /// The inputs of each formula, in the order of [`MODELS`].
 const NAMES: [(&str, &str); 3] = [

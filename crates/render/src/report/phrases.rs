@@ -24,12 +24,10 @@ pub(super) fn sentence(words: &str) -> String {
     }
 }
 
-/// `j_wt` as a symbol.
 pub(super) fn j_wt() -> Markup {
     symbol("j", "wt")
 }
 
-/// A symbol with its index.
 pub(super) fn symbol(letter: &str, index: &str) -> Markup {
     html! { @if !letter.is_empty() { i { (letter) } } @if !index.is_empty() { sub { (index) } } }
 }

@@ -33,7 +33,6 @@ fn measured(length: &LengthSpec) -> String {
     }
 }
 
-/// The tooth thickness, as measured or stated.
 pub(super) fn thickness(stated: &ThicknessSpec) -> String {
     let statement = &stated.statement;
     let mut parts = Vec::new();
@@ -105,7 +104,6 @@ pub(super) fn runout(stated: &RunoutSpec) -> String {
     planes.unwrap_or_else(|| fitted_number(stated.total()))
 }
 
-/// The tooth of the runout.
 pub(super) fn high_tooth(stated: &RunoutSpec) -> String {
     let tooth = |plane: RunoutPlaneSpec| fitted_number(plane.high_tooth);
     let planes = stated.planes.map(|planes| planes.map(tooth).join(", "));
@@ -138,14 +136,12 @@ pub(super) fn pitch(stated: Option<&PitchSpec>, by_tooth: bool) -> String {
     }
 }
 
-/// Profile deviations as stated.
 pub(super) fn profile(stated: Option<&ProfileSpec>) -> String {
     stated.map_or("not given".to_owned(), |stated| {
         by_flank(stated.flanks().map(flank_profile))
     })
 }
 
-/// Lead deviations as stated.
 pub(super) fn lead(stated: Option<&LeadSpec>) -> String {
     let Some(stated) = stated else {
         return "not given".to_owned();
@@ -167,8 +163,7 @@ fn by_flank([right, left]: [String; 2]) -> String {
 
 fn flank_lead(stated: &FlankLeadSpec) -> String {
     let mut parts = Vec::new();
-    let um = [("slope", stated.slope_um), ("crowning", stated.crowning_um)];
-    for (name, um) in um {
+    for (name, um) in [("slope", stated.slope_um), ("crowning", stated.crowning_um)] {
         parts.extend(um.map(|um| format!("{name} {} µm", shortest(um))));
     }
     parts.extend(stated.helix_slope_um.as_ref().map(|slope| match slope {

@@ -1,12 +1,11 @@
 //! The page of a population of pairs.
 
 use super::figures::{collapsed, figure};
-use super::marks::mark;
-use super::page_frame::PageFrame;
+use super::page::PageFrame;
 use super::phrases::{j_wt, plain, with_symbols};
-use super::table::{Table, cells, columns};
+use super::table::{Table, cells, columns, mark};
 use super::{drawings, stated};
-use crate::tolerance::Pictures;
+use crate::chart::population::Pictures;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::population::{CONFIDENCE, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS};
 use gearlash_files::numbers::{rounded, shortest};
@@ -112,7 +111,6 @@ fn input(report: &ToleranceReport) -> Markup {
     }
 }
 
-/// Table of two gears given by data.
 fn gears_by_data(gears: [&GearSpec; 2]) -> Markup {
     let of = |value: &dyn Fn(&GearSpec) -> String| gears.map(value);
     let mut rows = vec![
@@ -143,7 +141,6 @@ fn gears_by_data(gears: [&GearSpec; 2]) -> Markup {
     Table::new("Gears", html! { "Gears as stated" }, columns, rows).render()
 }
 
-/// The statements of a table of the pair file.
 fn stated_table(caption: &str, table: &serde_json::Value) -> Markup {
     let mut rows = Vec::new();
     statements("", table, &mut rows);

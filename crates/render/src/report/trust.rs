@@ -1,13 +1,13 @@
-//! The reliability of the numbers.
+//! The reliability of the numbers; unproven poses with their reasons.
 
-use super::measured::sentence;
+use super::models::sentence;
 use super::page::Page;
-use super::phrases::j_wt;
-use super::unproven;
+use super::phrases::{j_wt, plain, pose};
 use gearlash::analysis::extremes::WIDTH;
-use gearlash::analysis::outcome::{MODELS, deviation};
+use gearlash::analysis::outcome::{MODELS, PoseOfRun, deviation};
 use gearlash::contact::{Method, MethodAgreement};
-use gearlash_files::numbers::{bound_um, difference_um, shortest};
+use gearlash_files::numbers::{bound_um, difference_um, shortest, stated_distance};
+use gearlash_results::doubts;
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -34,7 +34,7 @@ pub(super) fn section(page: &Page) -> Markup {
 fn answer(page: &Page) -> String {
     let of = &page.agreement;
     let (fails, bad) = (of.formula_fails(), of.unexplained());
-    if let Some(unproven) = unproven::count(page) {
+    if let Some(unproven) = count(page) {
         return format!(
             "Not without a check: {unproven}. What happens there is not known. Please report the pair file."
         );
@@ -163,6 +163,60 @@ fn off_line(page: &Page) -> Markup {
             (_, 1) => { "; at 1 of them that costs no more than " (tolerance) " µm." }
             (all, slight) if all == slight => { ", which costs no more than " (tolerance) " µm." }
             (_, slight) => { "; at " (slight) " of them that costs no more than " (tolerance) " µm." }
+        }
+    }
+}
+
+/// Most poses that are listed individually (tuned: a screen).
+const MOST_LISTED: usize = 12;
+
+/// The number of unproven poses, in words; `None` where all are proven.
+pub(super) fn count(page: &Page) -> Option<String> {
+    let poses = page.whole.poses;
+    let (unproven, ends) = (page.whole.unproven, page.whole.unproven_ends);
+    let with_clearance = page.report.pair.study.bearing_clearance > 0.0;
+    let mut parts = Vec::new();
+    match unproven {
+        0 => {}
+        1 => parts.push(format!("1 of {poses} poses is unproven")),
+        _ => parts.push(format!("{unproven} of {poses} poses are unproven")),
+    }
+    for (end, name) in ends.into_iter().zip(["a − c", "a + c"]) {
+        if with_clearance && end > 0 {
+            parts.push(format!(
+                "{end} of {poses} are unproven at {name} of the bearing clearance"
+            ));
+        }
+    }
+    (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// Each of them with its reason and unverified values; empty where all are proven.
+pub(super) fn unproven(page: &Page) -> Markup {
+    let runs = page.all.iter().copied();
+    let unproven = runs.flat_map(|run| run.unproven().map(move |pose| PoseOfRun { run, pose }));
+    let unproven: Vec<PoseOfRun> = unproven.collect();
+    html! {
+        @if let Some(count) = count(page) {
+            section id="unproven" {
+                h2 { "Unproven poses" }
+                p {
+                    strong { (count) "." }
+                    " A certificate failed there, a contact was lost, or the two methods differ by more than their error bounds. "
+                    "No table, curve or verdict of this page takes such a pose in; the values below are doubtful and are listed for inspection only."
+                }
+                ul {
+                    @for found in unproven.iter().take(MOST_LISTED) {
+                        li {
+                            (pose(*found)) ", centre distance " (stated_distance(found.run.run.assembly.center_distance())) " mm, "
+                            (found.run.run.material.words()) ": " (plain(&doubts(found.pose)))
+                        }
+                    }
+                }
+                @if unproven.len() > MOST_LISTED {
+                    p.note { (unproven.len() - MOST_LISTED) " more; " code { "gearlash simulate --format json" } " lists them all." }
+                }
+            }
         }
     }
 }

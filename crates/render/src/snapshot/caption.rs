@@ -14,12 +14,11 @@ const LEAST: f64 = 9.0;
 
 /// Title, mating and result, from `left` on and no wider than `room`.
 pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
-    let result = in_room(
-        TextStyle::new(16.0),
-        &result_line(view, scene),
-        [left, 97.0],
-        room,
-    );
+    with_result(view, &result_line(view, scene), left, room)
+}
+
+fn with_result(view: &Snapshot, result: &str, left: f64, room: f64) -> Group {
+    let result = in_room(TextStyle::new(16.0), result, [left, 97.0], room);
     heading(view, left, room).add(result)
 }
 
@@ -29,7 +28,6 @@ fn in_room(style: TextStyle, words: &str, at: Spot, room: f64) -> Element {
     style.text(&style.shortened(words, room), at)
 }
 
-/// Title and mating.
 pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
     let (title, pose) = (TextStyle::new(24.0).bold(), TextStyle::new(16.0).grey());
     Group::new()
@@ -75,9 +73,12 @@ pub fn draw_turning(
             steps.len()
         );
     }
-    let words = format!("{words} · {}", drawn_contact(scene));
-    let result = in_room(TextStyle::new(16.0), &words, [left, 97.0], room);
-    heading(view, left, room).add(result)
+    with_result(
+        view,
+        &format!("{words} · {}", drawn_contact(scene)),
+        left,
+        room,
+    )
 }
 
 fn result_line(view: &Snapshot, scene: &Scene) -> String {

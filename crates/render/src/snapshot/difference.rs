@@ -3,19 +3,18 @@
 use super::subject::{INSETS, MAIN};
 use super::view::{MARGIN, View};
 use crate::kit::{
-    ACTION, Frame, GAP, HEIGHT, INK, Ids, OVERLAP, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH,
-    arrow, blank_sheet, clip, dot, line, polygon, scale,
+    ACTION, Frame, GAP, HEIGHT, INK, Ids, OVERLAP, Spot, TextStyle, WHEEL, WIDTH, arrow,
+    blank_sheet, clip, clipped, define_frame, dot, line, polygon, scale,
 };
 use gearlash::outline::{Deviation, OutlineDifference, OutlineGear};
 use gearlash_files::numbers::{fixed, signed_um};
 use gearlash_files::outlines::ComparedOutlines;
 use gearlash_results::{difference_sentence, turn_words};
 use nalgebra::Point2;
-use svg::node::element::{ClipPath, Definitions, Group};
+use svg::node::element::Group;
 
 /// The largest deviation is enlarged to this share of a pitch at the tips, so that it is visible and stays with its tooth.
 const ENLARGED: f64 = 0.15;
-/// Pitches across the height of an inset.
 const PITCHES: f64 = 1.6;
 /// Points nearer than this on the sheet are merged: half a line's width.
 const MERGE_WITHIN: f64 = 0.5;
@@ -26,7 +25,7 @@ pub fn outline_difference(compared: &ComparedOutlines) -> String {
     let found = &compared.difference;
     let factor = factor(a, compared.farthest().beyond.abs());
     let fits = 0.5 * (MAIN.height() - 60.0) / a.tip_radius();
-    let main = view(MAIN, Point2::origin(), fits);
+    let main = View::at_most(MAIN, Point2::origin(), fits, scale::FINE);
     let ids = Ids::default();
     let teeth = [1, found.greatest.tooth, found.least.tooth];
     let mut sheet = blank_sheet(WIDTH, HEIGHT)
@@ -37,15 +36,12 @@ pub fn outline_difference(compared: &ComparedOutlines) -> String {
     let pitch = a.pitch() * a.tip_radius();
     let places = [("greatest", &found.greatest), ("least", &found.least)];
     for ((name, at), frame) in places.into_iter().zip(INSETS) {
-        let near = view(frame, at.point, frame.height() / (PITCHES * pitch));
-        let style = TextStyle::new(14.0);
+        let fits = frame.height() / (PITCHES * pitch);
+        let near = View::at_most(frame, at.point, fits, scale::FINE);
         let words = words(compared, name, at);
+        let style = TextStyle::new(14.0).fitted(&words, frame.width(), 9.0);
         sheet = sheet
-            .add(
-                style
-                    .fitted(&words, frame.width(), 9.0)
-                    .text(&words, [frame.left, frame.top - 8.0]),
-            )
+            .add(style.text(&words, [frame.left, frame.top - 8.0]))
             .add(outlines(found, &near, name, &ids, factor))
             .add(mark(at, &near, factor))
             .add(frame.border())
@@ -56,14 +52,6 @@ pub fn outline_difference(compared: &ComparedOutlines) -> String {
         .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale))
         .add(legend(factor));
     format!("{sheet}\n")
-}
-
-fn view(frame: Frame, middle: Point2<f64>, fits: f64) -> View {
-    View {
-        frame,
-        middle,
-        scale: UNITS_PER_MM * scale::at_most(fits / UNITS_PER_MM, scale::FINE),
-    }
 }
 
 /// Enlargement of deviations: 1, 2 or 5 times a power of ten, at least 1.
@@ -81,7 +69,6 @@ fn enlarged(at: &Deviation, factor: f64) -> Point2<f64> {
     at.point + at.normal * (factor * at.beyond)
 }
 
-/// A's metal, B's line, and the area between them.
 fn outlines(found: &OutlineDifference, view: &View, id: &str, ids: &Ids, factor: f64) -> Group {
     let wide = view.frame.grown(MARGIN);
     let spots = |at: &Deviation| [at.point, enlarged(at, factor)].map(|point| view.spot(point));
@@ -105,11 +92,9 @@ fn outlines(found: &OutlineDifference, view: &View, id: &str, ids: &Ids, factor:
     }
     places.extend(places.first().copied());
     let lines = [0, 1].map(|k| places.iter().map(|place| place[k]).collect::<Vec<Spot>>());
-    let frame = ids.of(&format!("{id}-frame"));
-    let clipped = ClipPath::new().set("id", frame).add(view.frame.rectangle());
-    let mut group = Group::new()
-        .set("clip-path", ids.url(&format!("{id}-frame")))
-        .add(Definitions::new().add(clipped))
+    let limit = format!("{id}-frame");
+    let mut group = clipped(ids, &limit)
+        .add(define_frame(ids, &limit, &view.frame))
         .add(polygon(&clip::polygon(&lines[0], &wide), WHEEL));
     for (more, strip) in &strips {
         let back = strip.iter().rev().map(|place| place[1]);
@@ -172,18 +157,11 @@ fn caption(compared: &ComparedOutlines, factor: f64) -> Group {
     let warning = format!("deviations × {factor}: B is not to scale");
     let (sentence, turned) = (difference_sentence(compared), turn_words(compared));
     let right = second.bold().end().colour("#a32014");
+    let first = heading.fitted(&title, room, 14.0);
+    let grey = second.grey().fitted(&turned, room, 11.0);
     Group::new()
-        .add(
-            heading
-                .fitted(&title, room, 14.0)
-                .verbatim(&heading.shortened(&title, 1.6 * room), [left, 46.0]),
-        )
-        .add(
-            second
-                .grey()
-                .fitted(&turned, room, 11.0)
-                .text(&turned, [left, 73.0]),
-        )
+        .add(first.verbatim(&heading.shortened(&title, 1.6 * room), [left, 46.0]))
+        .add(grey.text(&turned, [left, 73.0]))
         .add(second.text(&second.shortened(&sentence, room), [left, 97.0]))
         .add(right.text(&warning, [MAIN.right, MAIN.top - 8.0]))
 }
@@ -191,15 +169,8 @@ fn caption(compared: &ComparedOutlines, factor: f64) -> Group {
 fn legend(factor: f64) -> Group {
     let y = 772.0;
     let style = TextStyle::new(13.0);
-    let lines = [
-        (INK, 1.6, "A".to_owned(), 30.0),
-        (
-            ACTION,
-            1.2,
-            format!("B, its distance from A × {factor}"),
-            130.0,
-        ),
-    ];
+    let of_b = format!("B, its distance from A × {factor}");
+    let lines = [(INK, 1.6, "A", 30.0), (ACTION, 1.2, of_b.as_str(), 130.0)];
     let fills = [
         (OVERLAP, "B has more material", 430.0),
         (GAP, "B has less material", 680.0),
@@ -208,17 +179,12 @@ fn legend(factor: f64) -> Group {
     for (colour, width, words, x) in lines {
         group = group
             .add(line(&[[x, y], [x + 36.0, y]], colour, width))
-            .add(style.text(&words, [x + 44.0, y + 4.5]));
+            .add(style.text(words, [x + 44.0, y + 4.5]));
     }
     for (colour, words, x) in fills {
-        let corners = [
-            [x, y - 6.0],
-            [x + 36.0, y - 6.0],
-            [x + 36.0, y + 6.0],
-            [x, y + 6.0],
-        ];
+        let frame = Frame::new([x, y - 6.0], [x + 36.0, y + 6.0]);
         group = group
-            .add(polygon(&corners, colour))
+            .add(polygon(&frame.corners(), colour))
             .add(style.text(words, [x + 44.0, y + 4.5]));
     }
     group

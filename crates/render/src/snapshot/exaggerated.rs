@@ -1,20 +1,20 @@
 //! The deviations of both gears, enlarged until they are visible, over the ghosts of perfect teeth.
 
 use super::caption;
-use super::main_view;
+use super::labels::tooth_numbers;
 use super::subject::{INSETS, MAIN, Snapshot, names};
-use super::view::{MARGIN, View};
+use super::view::{MARGIN, View, mesh_view};
 use crate::kit::{
     Frame, HEIGHT, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, WHEEL, WIDTH, area,
-    blank_sheet, clip, define_area, inner_outline, line, number, path_data,
+    blank_sheet, clip, clipped, dashed, define_area, define_frame, inner_outline, line, number,
+    polygon,
 };
 use gearlash::contact::Exaggeration;
 use gearlash::gear::Placed;
 use gearlash::pair::{Member, Pose};
 use gearlash_files::numbers::{rounded, um};
-use svg::node::element::{ClipPath, Definitions, Group, Path};
+use svg::node::element::{Group, Path};
 
-/// Perfect teeth.
 const GHOST_DASH: &str = "5 3";
 /// Teeth narrower than this on the sheet are drawn as circles only.
 const LEAST_TOOTH: f64 = 4.0;
@@ -22,12 +22,11 @@ const LEAST_TOOTH: f64 = 4.0;
 /// The SVG text of `view`'s gears, with the enlarged deviations of `gears`.
 pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     let scene = view.scene();
-    let main = main_view::view(&scene, MAIN);
+    let main = mesh_view(&scene, MAIN);
     let mut occupied = Occupied::default();
     let mesh = mesh(view, gears, &main, &mut occupied);
     let mating = view.drawn_pose().mating();
-    let ([wheel_numbers, pinion_numbers], _) =
-        main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
+    let ([wheel_numbers, pinion_numbers], _) = tooth_numbers(&scene, &main, mating, &mut occupied);
     let mut sheet = blank_sheet(WIDTH, HEIGHT)
         .add(caption::heading(view, MAIN.left, WIDTH - 2.0 * MAIN.left))
         .add(warning(gears))
@@ -43,7 +42,6 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     format!("{}\n", sheet.add(legend(modified.contains(&true))))
 }
 
-/// The warning that the picture is exaggerated.
 fn warning(gears: &Exaggeration) -> Group {
     let words = format!(
         "deviations × {}: not to scale · gears at their nominal rotation, not in contact",
@@ -60,12 +58,8 @@ fn mesh(view: &Snapshot, gears: &Exaggeration, main: &View, occupied: &mut Occup
         let points = Exaggeration::outline_near(placed, main.middle, main.reach(), main.chord());
         clip::polygon(&main.spots(&points), &wide)
     };
-    let mut definitions = Definitions::new().add(
-        ClipPath::new()
-            .set("id", "mesh-frame")
-            .add(main.frame.rectangle()),
-    );
     let ids = Ids::default();
+    let mut definitions = define_frame(&ids, "mesh-frame", &main.frame);
     let mut metal = Group::new();
     let mut ghosts = Group::new();
     for (member, fill) in Member::BOTH.into_iter().zip([WHEEL, PINION]) {
@@ -81,17 +75,14 @@ fn mesh(view: &Snapshot, gears: &Exaggeration, main: &View, occupied: &mut Occup
             .add(inner_outline(&ids, name, INK, "2.40"));
         ghosts = ghosts.add(ghost_line(&ghost, 1.2));
     }
-    Group::new()
-        .set("clip-path", "url(#mesh-frame)")
+    clipped(&ids, "mesh-frame")
         .add(definitions)
         .add(metal)
         .add(ghosts)
 }
 
 fn ghost_line(points: &[Spot], width: f64) -> Path {
-    Path::new()
-        .set("d", path_data(points, true))
-        .set("fill", "none")
+    polygon(points, "none")
         .set("stroke", OVERLAP)
         .set("stroke-width", number(width))
         .set("stroke-dasharray", GHOST_DASH)
@@ -120,11 +111,11 @@ fn whole_gear(pose: &Pose, gears: &Exaggeration, member: Member, frame: Frame) -
     let title = title.text(&format!("the whole {name}"), [frame.left, frame.top - 9.0]);
     let mut group = Group::new().add(title).add(frame.border());
     for (placed, is_ghost) in [(&drawn, false), (&perfect, true)] {
-        let rings = if gear.basic_data().angular_pitch() * gear.tip_radius() * scale < LEAST_TOOTH {
+        let tooth = gear.basic_data().angular_pitch() * gear.tip_radius() * scale;
+        let rings = if tooth < LEAST_TOOTH {
             let circles = [gear.tip_radius(), gear.root_radius()];
-            circles
-                .map(|radius| seen.arc(placed.centre(), radius))
-                .to_vec()
+            let circles = circles.map(|radius| seen.arc(placed.centre(), radius));
+            circles.to_vec()
         } else {
             let points = Exaggeration::outline_near(placed, placed.centre(), reach, seen.chord());
             vec![seen.spots(&points)]
@@ -133,11 +124,8 @@ fn whole_gear(pose: &Pose, gears: &Exaggeration, member: Member, frame: Frame) -
             group = group.add(if is_ghost {
                 ghost_line(&ring, 0.7)
             } else {
-                Path::new()
-                    .set("d", path_data(&ring, true))
-                    .set("fill", fill)
-                    .set("stroke", INK)
-                    .set("stroke-width", "0.90")
+                let metal = polygon(&ring, fill).set("stroke", INK);
+                metal.set("stroke-width", "0.90")
             });
         }
     }
@@ -186,19 +174,12 @@ fn whole_gear(pose: &Pose, gears: &Exaggeration, member: Member, frame: Frame) -
 
 fn legend(modified: bool) -> Group {
     let [x, y] = [MAIN.left, 772.0];
+    let ghost = [[x + 390.0, y], [x + 426.0, y]];
     let mut group = Group::new()
         .add(line(&[[x, y], [x + 36.0, y]], INK, 2.4))
-        .add(
-            line(&[[x + 390.0, y], [x + 426.0, y]], OVERLAP, 1.2)
-                .set("stroke-dasharray", GHOST_DASH),
-        );
-    for (words, left) in [
-        ("outline, its deviations enlarged", 44.0),
-        (
-            "perfect teeth of nominal thickness, without eccentricity",
-            434.0,
-        ),
-    ] {
+        .add(dashed(&ghost, OVERLAP, 1.2, GHOST_DASH));
+    let perfect = "perfect teeth of nominal thickness, without eccentricity";
+    for (words, left) in [("outline, its deviations enlarged", 44.0), (perfect, 434.0)] {
         group = group.add(TextStyle::new(13.0).text(words, [x + left, y + 4.5]));
     }
     let note = if modified {

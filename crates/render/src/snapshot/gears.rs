@@ -1,15 +1,15 @@
 //! Both gears in one view: metal, gap, overlap, circles, lines of action.
 
-use super::contact_bands;
+use super::contacts;
 use super::view::{MARGIN, View};
 use crate::kit::{
-    ACTION, Frame, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, area, clip,
-    define_area, inner_outline, line, path_data, within_area,
+    self, ACTION, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, area, clip,
+    clipped, dashed, define_area, define_frame, inner_outline, line, polygon, within_area,
 };
 use gearlash::contact::{DrawnContact, Scene};
 use gearlash::gear::Side;
 use gearlash::pair::Member;
-use svg::node::element::{ClipPath, Definitions, Group, Path};
+use svg::node::element::Group;
 
 /// The drawing of a view's gears, and their polygons, wheel first.
 pub struct Gears {
@@ -17,18 +17,14 @@ pub struct Gears {
     pub metal: [Vec<Spot>; 2],
 }
 
-/// How the gears of one view are drawn.
 #[derive(Debug, Clone, Copy)]
 pub struct Look<'a> {
     /// Distinguishes the definitions of one view from another's.
     pub id: &'a str,
-    /// Ids of the picture.
     pub ids: &'a Ids,
-    /// The sides whose lines of action are shown.
     pub sides: &'a [Side],
     /// Whether outlines are drawn over an overlap, or the overlap over them.
     pub outlines_last: bool,
-    /// Width of the bands on the touching curves.
     pub band: f64,
 }
 
@@ -47,18 +43,20 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
         clip::polygon(&view.spots(&outline), &wide)
     });
     metal.iter().for_each(|polygon| occupied.line(polygon));
-    let mut group =
-        clipped(frame, (id, ids), &names, &metal).add(frame.rectangle().set("fill", "white"));
+    let limit = format!("{id}-frame");
+    let mut definitions = define_frame(ids, &limit, frame);
+    for (polygon, name) in metal.iter().zip(&names) {
+        definitions = define_area(definitions, ids, name, polygon);
+    }
+    let mut group = clipped(ids, &limit)
+        .add(definitions)
+        .add(frame.rectangle().set("fill", "white"));
     for contact in scene.contacts() {
         // The gap area ends at whole chords; a finer chord keeps its ends in place.
         let room = scene.room_between(contact, view.chord() / 16.0);
         let room = clip::polygon(&view.spots(&room), &wide);
         if !room.is_empty() {
-            group = group.add(
-                Path::new()
-                    .set("d", path_data(&room, true))
-                    .set("fill", GAP),
-            );
+            group = group.add(polygon(&room, GAP));
         }
     }
     for (name, fill) in names.iter().zip([WHEEL, PINION]) {
@@ -71,17 +69,10 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     let overlap = [OVERLAP.to_owned(), ids.url("hatch")]
         .map(|fill| within_area(ids, &names[0]).add(area(ids, &names[1]).set("fill", fill)));
     let touching = scene.contacts().iter().filter(shown);
-    let bands = touching.fold(Group::new(), |bands, contact| {
-        bands.add(contact_bands::bands(
-            scene,
-            contact,
-            view,
-            &ids.of(id),
-            look.band,
-        ))
-    });
-    let [outlines, overlap] =
-        [outlines, overlap].map(|layers| layers.into_iter().fold(Group::new(), Group::add));
+    let id = ids.of(id);
+    let bands = touching.map(|contact| contacts::bands(scene, contact, view, &id, look.band));
+    let bands = kit::group(bands);
+    let [outlines, overlap] = [outlines, overlap].map(kit::group);
     let layers = if look.outlines_last {
         [overlap, bands, outlines]
     } else {
@@ -90,29 +81,9 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     group = layers.into_iter().fold(group, Group::add);
     group = lines_over(scene, view, look.sides, group, occupied);
     for contact in scene.contacts().iter().filter(shown) {
-        group = group.add(contact_bands::limits(scene, contact, view, occupied));
+        group = group.add(contacts::limits(scene, contact, view, occupied));
     }
     Gears { group, metal }
-}
-
-/// An empty group for gears with these names, clipped to `frame`; with each one's `metal` defined, also as a clip.
-pub fn clipped(
-    frame: &Frame,
-    (id, ids): (&str, &Ids),
-    names: &[String; 2],
-    metal: &[Vec<Spot>; 2],
-) -> Group {
-    let mut definitions = Definitions::new().add(
-        ClipPath::new()
-            .set("id", ids.of(&format!("{id}-frame")))
-            .add(frame.rectangle()),
-    );
-    for (polygon, name) in metal.iter().zip(names) {
-        definitions = define_area(definitions, ids, name, polygon);
-    }
-    Group::new()
-        .set("clip-path", ids.url(&format!("{id}-frame")))
-        .add(definitions)
 }
 
 /// Pitch and base circles, line of centres, lines of action with the paths of contact.
@@ -133,14 +104,14 @@ pub fn lines_over(
         for (centre, radius, dash) in [Some(pitch), base].into_iter().flatten() {
             for run in clip::runs(&view.arc(centre, radius), &wide) {
                 occupied.line(&run);
-                group = group.add(line(&run, GREY, 1.1).set("stroke-dasharray", dash));
+                group = group.add(dashed(&run, GREY, 1.1, dash));
             }
         }
     }
     let axes = Member::BOTH.map(|member| view.spot(scene.assembly().axis(member)));
     if let Some(centres) = clip::segment(axes[0], axes[1], &wide) {
         occupied.line(&centres);
-        group = group.add(line(&centres, GREY, 1.1).set("stroke-dasharray", CENTRES_DASH));
+        group = group.add(dashed(&centres, GREY, 1.1, CENTRES_DASH));
     }
     for side in sides {
         let Some(action) = scene.line_of_action(*side) else {
@@ -150,11 +121,8 @@ pub fn lines_over(
             let ends = [view.spot(from), view.spot(to)];
             if let Some(path) = clip::segment(ends[0], ends[1], &wide) {
                 occupied.line(&path);
-                group = group.add(
-                    line(&path, PATH, 6.0)
-                        .set("stroke-linecap", "round")
-                        .set("stroke-opacity", "0.75"),
-                );
+                let path = line(&path, PATH, 6.0).set("stroke-linecap", "round");
+                group = group.add(path.set("stroke-opacity", "0.75"));
             }
         }
         let ends = action.ends.map(|end| view.spot(end));
@@ -166,9 +134,6 @@ pub fn lines_over(
     group
 }
 
-/// Long dash, dot.
 pub const PITCH_DASH: &str = "14 3 2 3";
-/// Short dashes.
 pub const BASE_DASH: &str = "5 4";
-/// Long dash, two dots.
 pub const CENTRES_DASH: &str = "22 4 2 4 2 4";

@@ -1,13 +1,12 @@
 //! A contact, enlarged until its gap is visible.
 
-use super::contact_marks::{self, IN_INSET};
+use super::contacts::{self, IN_INSET};
+use super::gears;
 use super::gears::Look;
-use super::tooth_numbers::centred;
+use super::labels::{centred, overlap_label};
 use super::view::View;
-use super::{contact_bands, gears, overlap_label};
-use crate::kit::{
-    self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, UNITS_PER_MM, clip, line, scale,
-};
+use crate::kit::{self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, clip, line, scale};
+use crate::pose_name::flank_heading;
 use gearlash::contact::{
     Contact, ContactClass, ContactKind, DrawnContact, FreePlacement, Scene, Status,
 };
@@ -22,13 +21,10 @@ use svg::node::element::{Element, Group, Rectangle};
 const GAP_WIDTH: f64 = 90.0;
 /// Greatest enlargement of a closed contact relative to the main view: both flanks visibly curve away.
 const ENLARGEMENT: f64 = 12.0;
-/// Least enlargement of any inset.
 const LEAST: f64 = 2.0;
 /// Greatest enlargement, units per millimetre: 1 µm is then 40 units, and the contact's own error is visible.
 const GREATEST: f64 = 40_000.0;
-/// Least type size of the heading.
 const SMALLEST: f64 = 9.0;
-/// Type size inside.
 const SIZE: f64 = 14.0;
 
 /// The view of one contact in `frame`, for a main view at `main` units per millimetre.
@@ -39,11 +35,8 @@ pub fn view(contact: &DrawnContact, frame: Frame, main: f64) -> View {
     } else {
         ENLARGEMENT * main
     };
-    View {
-        frame,
-        middle: center(&contact.on_locked, &contact.on_free),
-        scale: UNITS_PER_MM * scale::at_most(wanted / UNITS_PER_MM, scale::ISO_5455),
-    }
+    let middle = center(&contact.on_locked, &contact.on_free);
+    View::at_most(frame, middle, wanted, scale::ISO_5455)
 }
 
 /// The enlarged contact with its frame and the gears' names.
@@ -55,17 +48,17 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, ids: &Ids) -> Gr
         ids,
         sides: &[contact.side],
         outlines_last: true,
-        band: contact_bands::BANDS[1],
+        band: contacts::BANDS[1],
     };
     let gears = gears::draw(scene, view, &look, &mut occupied);
-    let mark = contact_marks::draw(contact, view, IN_INSET, &mut occupied)
+    let mark = contacts::marks(contact, view, IN_INSET, &mut occupied)
         .set("clip-path", ids.url(&format!("{id}-frame")));
-    let label = overlap_label::draw(scene, contact, view, &mut occupied);
+    let label = overlap_label(scene, contact, view, &mut occupied);
     let teeth = [contact.contact.wheel.tooth, contact.contact.pinion.tooth];
-    let group = Group::new().add(gears.group).add(mark).add(label);
+    let drawn = Group::new().add(gears.group).add(mark).add(label);
     let names = names(teeth, &gears.metal, view, &mut occupied);
-    let group = names.into_iter().fold(group, Group::add);
-    group.add(view.frame.border())
+    let drawn = names.into_iter().fold(drawn, Group::add);
+    drawn.add(view.frame.border())
 }
 
 /// Names of wheel and pinion with these tooth numbers, each on its own metal where there is room.
@@ -87,23 +80,14 @@ pub fn names(
     placed
 }
 
-/// The frame of a side without contact.
 pub fn empty(frame: Frame) -> Rectangle {
-    frame
-        .rectangle()
-        .set("fill", "#f4f5f6")
-        .set("stroke", GREY)
-        .set("stroke-width", "1.00")
-        .set("stroke-dasharray", "6 4")
+    let empty = frame.painted("#f4f5f6", GREY, "1.00");
+    empty.set("stroke-dasharray", "6 4")
 }
 
-/// The caption of an inset in `frame`.
 pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame: &Frame) -> Group {
     let Frame { left, top, .. } = *frame;
-    let name = match side {
-        Side::Right => "Right",
-        Side::Left => "Left",
-    };
+    let name = flank_heading(side);
     let (first, second) = match contact {
         None => (
             format!("{name} flanks: no contact"),

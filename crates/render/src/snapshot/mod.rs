@@ -2,27 +2,20 @@
 
 mod animation;
 mod caption;
-mod contact_bands;
-mod contact_marks;
+mod contacts;
 mod difference;
 mod exaggerated;
 mod gears;
 mod inset;
+mod labels;
 mod legend;
-mod main_view;
-mod overlap_label;
 mod picture;
-mod pitch_chart;
-mod pose_picture;
 mod subject;
-mod tooth_numbers;
-mod turning;
 mod view;
 
 pub use animation::animation;
 pub use difference::outline_difference;
 pub use exaggerated::exaggerated;
-pub use picture::snapshot;
-pub use pose_picture::pose_picture;
-pub(crate) use pose_picture::pose_picture_in_page;
+pub(crate) use picture::pose_picture_in_page;
+pub use picture::{pose_picture, snapshot};
 pub use subject::Snapshot;

@@ -1,18 +1,22 @@
-//! The contact snapshot: one pose, true to scale, on an A4 sheet.
+//! The contact snapshot: one pose, true to scale, on an A4 sheet; for helical gears in the section where the flank of the pose touches.
 //!
 //! The mesh zone is on the left, both contacts enlarged on the right, the upper one above; caption above and legend below. Same
 //! input, same bytes.
 
-use super::contact_marks::{self, IN_MAIN};
+use super::contacts::{self, IN_MAIN};
 use super::gears::Look;
 use super::inset::Link;
+use super::labels::tooth_numbers;
 use super::legend::Shown;
 use super::subject::{Layout, SHEET, Snapshot, in_page, names};
-use super::view::View;
-use super::{caption, contact_bands, gears, inset, legend, main_view};
+use super::view::{View, mesh_view};
+use super::{caption, gears, inset, legend};
 use crate::kit::{Frame, HEIGHT, Ids, Occupied, blank_sheet, hatch, scale};
-use gearlash::contact::{DrawnContact, Scene, Status};
+use gearlash::analysis::study::Material;
+use gearlash::contact::{DrawnContact, MeshSection, PoseResult, Scene, Status};
+use gearlash::error::Error;
 use gearlash::gear::Side;
+use gearlash::outline::AssembledPair;
 use gearlash::pair::Member;
 use svg::node::element::{Group, SVG};
 
@@ -32,7 +36,7 @@ pub fn snapshot_in_page(view: &Snapshot, prefix: &str, label: &str) -> String {
 fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
     let scene = view.scene();
     let frame = layout.main;
-    let main = main_view::view(&scene, frame);
+    let main = mesh_view(&scene, frame);
     let mut occupied = Occupied::default();
     // The lines of action of both sides; a thin overlap is visible over the outlines.
     let look = Look {
@@ -40,7 +44,7 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
         ids,
         sides: &Side::BOTH,
         outlines_last: scene.status() == Status::Jammed,
-        band: contact_bands::BANDS[0],
+        band: contacts::BANDS[0],
     };
     let drawn = gears::draw(&scene, &main, &look, &mut occupied);
     let mut over = Group::new().set("clip-path", ids.url("mesh-frame"));
@@ -56,7 +60,7 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
         let link = Link::new(&main, &enlarged);
         occupied.border(link.shown);
         links.push(link);
-        over = over.add(contact_marks::draw(contact, &main, IN_MAIN, &mut occupied));
+        over = over.add(contacts::marks(contact, &main, IN_MAIN, &mut occupied));
         insets = insets
             .add(inset::draw(&scene, contact, &enlarged, ids))
             .add(scale::bar(
@@ -66,7 +70,7 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
     }
     let mating = view.drawn_pose().mating();
     let ([wheel_numbers, pinion_numbers], taken) =
-        main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
+        tooth_numbers(&scene, &main, mating, &mut occupied);
     let links = links.iter().fold(Group::new(), |group, link| {
         group.add(link.draw(&taken, layout.is_sheet))
     });
@@ -129,8 +133,46 @@ fn legend_content(scene: &Scene, main: &View) -> Shown {
         gap: any(&|contact| contact.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
         touching: touches.filter_map(|touch| touch.curve.part()).collect(),
-        form: !is_drawn && any(&|m| !contact_bands::below_form(m).is_empty()),
-        tangent: any(&|m| !contact_bands::tangent_points(scene, m, main).is_empty()),
+        form: !is_drawn && any(&|m| !contacts::below_form(m).is_empty()),
+        tangent: any(&|m| !contacts::tangent_points(scene, m, main).is_empty()),
         outlines: is_drawn,
     }
+}
+
+/// The section that is drawn for helical gears.
+fn section(assembly: &AssembledPair, pose: &PoseResult) -> Result<Option<MeshSection>, Error> {
+    match assembly.data() {
+        Some(pair) => MeshSection::binding(pair, pose),
+        None => Ok(None),
+    }
+}
+
+/// `pose` of `assembly` as the SVG text of a sheet.
+///
+/// # Errors
+/// As [`MeshSection::binding`].
+pub fn pose_picture(
+    title: &str,
+    assembly: &AssembledPair,
+    material: Material,
+    pose: &PoseResult,
+) -> Result<String, Error> {
+    let section = section(assembly, pose)?;
+    let view = Snapshot::of_result(title, assembly, material, pose, section.as_ref());
+    Ok(snapshot(&view))
+}
+
+/// The picture for a page, with ids that begin with `id`. `words` describes it, given the place of the section of helical gears,
+/// mm.
+pub(crate) fn pose_picture_in_page(
+    title: &str,
+    assembly: &AssembledPair,
+    material: Material,
+    pose: &PoseResult,
+    (id, words): (&str, impl Fn(Option<f64>) -> String),
+) -> Result<[String; 2], Error> {
+    let section = section(assembly, pose)?;
+    let words = words(section.as_ref().map(MeshSection::at));
+    let view = Snapshot::of_result(title, assembly, material, pose, section.as_ref());
+    Ok([snapshot_in_page(&view, id, &words), words])
 }

@@ -58,7 +58,6 @@ impl<'a> Snapshot<'a> {
     }
 }
 
-/// The mesh zone's frame.
 pub const MAIN: Frame = Frame::new([30.0, 142.0], [610.0, 730.0]);
 /// The insets' frames, the upper one first.
 pub const INSETS: [Frame; 2] = [
@@ -66,22 +65,17 @@ pub const INSETS: [Frame; 2] = [
     Frame::new([662.0, 492.0], [1158.0, 730.0]),
 ];
 
-/// Positions in a picture.
 #[derive(Debug, Clone, Copy)]
 pub struct Layout {
-    /// The width of the picture.
     pub width: f64,
-    /// The mesh zone's frame.
     pub main: Frame,
     /// The insets' frames, the upper one first.
     pub insets: [Frame; 2],
-    /// The start of the legend.
     pub legend: Spot,
     /// Whether the picture contains the caption and leaders to the insets.
     pub is_sheet: bool,
 }
 
-/// The layout of an A4 sheet.
 pub const SHEET: Layout = Layout {
     width: WIDTH,
     main: MAIN,
@@ -126,7 +120,6 @@ pub fn in_page(prefix: &str, label: &str, draw: impl Fn(&Ids, &Layout) -> (SVG, 
     drawn.concat()
 }
 
-/// Room below the legend's last row.
 const FOOT: f64 = 16.0;
 
 /// The gears' names over the mesh zone.

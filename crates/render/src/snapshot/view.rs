@@ -1,6 +1,9 @@
-//! A view of the gears: the millimetres that a frame of the sheet shows, and the scale.
+//! Views of the gears: the millimetres that a frame of the sheet shows, and the scale; the view of the mesh zone.
 
-use crate::kit::{Frame, Spot};
+use crate::kit::{Frame, Spot, UNITS_PER_MM, scale};
+use gearlash::contact::Scene;
+use gearlash::gear::Side;
+use gearlash::pair::Member;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 
@@ -8,7 +11,6 @@ use std::f64::consts::{PI, TAU};
 /// paper, an eighth of the thinnest line.
 pub const CHORD: f64 = 0.05;
 
-/// A frame of the sheet and what it shows.
 #[derive(Debug, Clone, Copy)]
 pub struct View {
     pub frame: Frame,
@@ -19,6 +21,15 @@ pub struct View {
 }
 
 impl View {
+    /// The view about `middle` at the greatest scale of a `series` that is at most `limit` units per millimetre.
+    pub fn at_most(frame: Frame, middle: Point2<f64>, limit: f64, series: &[f64]) -> View {
+        View {
+            frame,
+            middle,
+            scale: UNITS_PER_MM * scale::at_most(limit / UNITS_PER_MM, series),
+        }
+    }
+
     /// Radius of a disc about [`Self::middle`] that contains the frame's content and a margin, mm.
     pub fn reach(&self) -> f64 {
         let frame = self.frame.grown(MARGIN);
@@ -30,14 +41,12 @@ impl View {
         CHORD / self.scale
     }
 
-    /// The place of a point of the gears on the sheet.
     pub fn spot(&self, point: Point2<f64>) -> Spot {
         let from_middle = (point - self.middle) * self.scale;
         let [x, y] = self.frame.middle();
         [x + from_middle.x, y - from_middle.y]
     }
 
-    /// The places of points on the sheet.
     pub fn spots(&self, points: &[Point2<f64>]) -> Vec<Spot> {
         points.iter().map(|point| self.spot(*point)).collect()
     }
@@ -69,3 +78,46 @@ impl View {
 
 /// Distance beyond a frame's edge that is drawn before clipping, so that no outline runs along the edge.
 pub const MARGIN: f64 = 12.0;
+
+/// Pitches shown above and below the line of centres: with one and a half each gear shows three whole teeth, more than ever mate
+/// in ordinary pairs.
+const PITCHES: f64 = 1.5;
+const BORDER: f64 = 1.0;
+/// Base tangent points up to this distance are brought into view, modules: two pitches, a third more than is shown anyway.
+const NEAR: f64 = 6.3;
+
+/// The view of the mesh zone in `frame`: about the middle between the tip circles, with both root
+/// circles, the paths of contact and the contacts in it.
+pub fn mesh_view(scene: &Scene, frame: Frame) -> View {
+    let [wheel, pinion] = Member::BOTH.map(|member| scene.placed(member).radii());
+    let module = scene.module();
+    let distance = scene.assembly().center_distance();
+    let middle = Point2::new(0.5 * (wheel[0] + distance - pinion[0]), 0.0);
+    let mut half = Vector2::new(0.0, PITCHES * std::f64::consts::PI * module);
+    let mut include = |point: Point2<f64>| {
+        half = half.sup(&((point - middle).abs().add_scalar(BORDER * module)));
+    };
+    include(Point2::new(wheel[1], 0.0));
+    include(Point2::new(distance - pinion[1], 0.0));
+    for contact in scene.contacts() {
+        include(contact.on_locked);
+        include(contact.on_free);
+    }
+    for side in Side::BOTH {
+        let Some(action) = scene.line_of_action(side) else {
+            continue;
+        };
+        action.path.iter().flatten().copied().for_each(&mut include);
+        let contacts = scene.contacts().iter();
+        for contact in contacts.filter(|contact| contact.side == side) {
+            let is_limit = Member::BOTH.map(|m| contact.is_below_form_circle(m));
+            let ends = action.ends.into_iter().zip(is_limit);
+            // Tangent points of large gears are too far off to justify the smaller scale.
+            let is_near = |end: &Point2<f64>| (end - middle).norm() <= NEAR * module;
+            ends.filter(|(end, is_limit)| *is_limit && is_near(end))
+                .for_each(|(end, _)| include(end));
+        }
+    }
+    let fits = f64::min(0.5 * frame.width() / half.x, 0.5 * frame.height() / half.y);
+    View::at_most(frame, middle, fits, scale::FINE)
+}

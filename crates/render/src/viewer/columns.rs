@@ -1,13 +1,10 @@
 //! The results in columns for the script: one entry per pose.
 
-use super::contacts::touching;
 use super::precision::{Precision, degrees};
-use super::readout;
-use super::section::HelicalColumns;
+use super::readout::{self, HelicalColumns, touching};
 use super::viewed::Viewed;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{Course, CourseLine};
-use gearlash::analysis::study::Study;
 use gearlash::contact::PoseResult;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
@@ -18,52 +15,22 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// The words of a column by its name; its values are indices into them.
-type Words = BTreeMap<String, Vec<String>>;
+pub type Words = BTreeMap<String, Vec<String>>;
 
 /// Decimals of a number that is neither a backlash nor a place.
 const DECIMALS: usize = 6;
 
-/// All runs.
 #[derive(Serialize)]
 pub struct Columns {
-    free: &'static str,
-    words: Words,
-    runs: Vec<RunColumns>,
+    pub free: &'static str,
+    pub words: Words,
+    pub runs: Vec<RunColumns>,
     /// Index of the run and pose shown first.
-    start: [usize; 2],
+    pub start: [usize; 2],
     #[serde(skip_serializing_if = "Option::is_none")]
-    helical: Option<HelicalColumns>,
+    pub helical: Option<HelicalColumns>,
 }
 
-impl Columns {
-    /// The columns of `runs`. `start` is the index of the run and pose shown first.
-    pub fn new(
-        study: &Study,
-        runs: &[Viewed],
-        charts: &[(&str, &Course)],
-        start: [usize; 2],
-        outlines: &[&AssembledPair],
-        precision: Precision,
-    ) -> Columns {
-        let mut words = Words::new();
-        let helical = runs.get(start[0]).and_then(|first| {
-            let pose = first.poses().nth(start[1])?;
-            HelicalColumns::of(&first.shown.run.run.assembly, &pose.simulated)
-        });
-        let runs = runs
-            .iter()
-            .map(|viewed| RunColumns::new(viewed, charts, outlines, precision, &mut words));
-        Columns {
-            free: study.locked.mate().name(),
-            runs: runs.collect(),
-            words,
-            start,
-            helical,
-        }
-    }
-}
-
-/// The index of the `outlines` of `run`.
 pub fn outline_of(outlines: &[&AssembledPair], run: &ComparedRun) -> usize {
     let own = |pair: &&AssembledPair| pair.has_gears_of(&run.run.assembly);
     outlines.iter().position(own).unwrap_or(0)
@@ -74,7 +41,6 @@ pub fn free_rotation(pose: &PoseResult) -> f64 {
     touching(pose, Side::Right).map_or(pose.pose.free_rotation(), |contact| contact.rotation)
 }
 
-/// A run in columns for the script.
 #[derive(Serialize)]
 pub struct RunColumns {
     label: String,
@@ -82,7 +48,6 @@ pub struct RunColumns {
     /// Index of its outlines.
     outlines: usize,
     pitch_radius_mm: [f64; 2],
-    /// Number of poses in the run.
     of: usize,
     /// Numbers of the contained poses, from 1; `None`: all.
     number: Option<Vec<usize>>,

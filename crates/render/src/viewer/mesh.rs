@@ -1,15 +1,18 @@
-//! The mesh of a page: its runs, picture, controls and columns.
+//! The mesh of a page: its runs, picture, controls and columns; and one pose for a page that asks for each pose.
 
-use super::columns::Columns;
+use super::columns::{Columns, RunColumns, Words};
+use super::drawing;
 use super::precision::Precision;
-use super::viewed::{Viewed, outlines};
-use super::{drawing, readout, section};
+use super::readout::{self, HelicalColumns};
+use super::viewed::{Shown, Viewed, outlines, run_of};
+use crate::kit::dark_style;
+use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::curves::Course;
-use gearlash::analysis::study::Study;
+use gearlash::analysis::study::{Material, Study};
+use gearlash::contact::PoseResult;
 use gearlash::outline::AssembledPair;
 
 const CONTROLS: &str = include_str!("controls.html");
-/// Additional controls for helical gears.
 const SECTION_CONTROLS: &str = include_str!("section.html");
 
 /// The runs of a page, and the gears that it draws.
@@ -55,7 +58,7 @@ impl<'a> Mesh<'a> {
             "<div class=\"viewer-controls\" id=\"viewer-controls\" hidden>\n{more}{CONTROLS}</div>\n{section}{}{}{}\
              <p class=\"viewer-note\">{} Outlines: chords within {} µm of the curves, places to {} µm, rotations to 1e-6°.</p>\n",
             drawing::draw(&self.outlines, run, pose, self.precision),
-            section::note(assembly, &pose.simulated),
+            readout::note(assembly, &pose.simulated),
             readout::draw(viewed, number),
             readout::LEGEND,
             self.precision.chord_um(),
@@ -63,18 +66,72 @@ impl<'a> Mesh<'a> {
         )
     }
 
-    /// The columns for the script.
     pub fn columns(&self, charts: &[(&str, &Course)]) -> Columns {
         let [first, number] = self.start;
-        let place = self.runs[first].numbers.binary_search(&number);
-        let shown = [first, place.unwrap_or(0)];
-        Columns::new(
-            self.study,
-            &self.runs,
-            charts,
-            shown,
-            &self.outlines,
-            self.precision,
-        )
+        let viewed = &self.runs[first];
+        let place = viewed.numbers.binary_search(&number).unwrap_or(0);
+        let pose = viewed.poses().nth(place);
+        let assembly = &viewed.shown.run.run.assembly;
+        let mut words = Words::new();
+        let runs = self.runs.iter().map(|viewed| {
+            RunColumns::new(viewed, charts, &self.outlines, self.precision, &mut words)
+        });
+        Columns {
+            free: self.study.locked.mate().name(),
+            runs: runs.collect(),
+            words,
+            start: [first, place],
+            helical: pose.and_then(|pose| HelicalColumns::of(assembly, &pose.simulated)),
+        }
+    }
+}
+
+/// A pose, and the gears of every material of its study.
+pub struct LivePose<'a> {
+    study: &'a Study,
+    pairs: &'a [(Material, AssembledPair)],
+    run: ComparedRun,
+}
+
+impl<'a> LivePose<'a> {
+    /// `pose` of the pair at `chosen` of `pairs`, which has every material of `study`; `None` without that pair.
+    pub fn new(
+        study: &'a Study,
+        pairs: &'a [(Material, AssembledPair)],
+        chosen: usize,
+        pose: PoseResult,
+    ) -> Option<LivePose<'a>> {
+        let pair = pairs.get(chosen)?.clone();
+        Some(LivePose {
+            study,
+            pairs,
+            run: run_of(pair, None, ComparedPose::from(pose)),
+        })
+    }
+
+    fn mesh(&self) -> Option<Mesh<'_>> {
+        let viewed = Viewed {
+            shown: Shown {
+                run: &self.run,
+                is_worst_of_cycle: false,
+            },
+            numbers: vec![0],
+        };
+        let pairs = self.pairs.iter().map(|(_, pair)| pair);
+        Mesh::new(self.study, vec![viewed], [0, 0], pairs)
+    }
+
+    /// The picture with its controls, for `mesh.js`.
+    pub fn html(&self) -> String {
+        let html = self.mesh().map_or(String::new(), |mesh| mesh.html(""));
+        dark_style(&html) + &html
+    }
+
+    /// The columns that `mesh.js` moves the picture by.
+    ///
+    /// # Errors
+    /// None for results of a simulation: the columns are numbers and names.
+    pub fn columns(&self) -> Result<serde_json::Value, serde_json::Error> {
+        serde_json::to_value(self.mesh().map(|mesh| mesh.columns(&[])))
     }
 }

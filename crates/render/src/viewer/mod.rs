@@ -8,17 +8,13 @@
 //! `precision.rs` defines, rotations to 1e-6°. `j_wt` is the result's own f64.
 
 mod columns;
-mod contacts;
 mod drawing;
-mod live;
-mod marks;
 mod mesh;
 mod precision;
 mod readout;
-mod section;
 mod viewed;
 
-pub use live::LivePose;
+pub use mesh::LivePose;
 
 use gearlash::analysis::Analysis;
 use gearlash::analysis::curves::Course;
@@ -98,7 +94,6 @@ pub fn fragment(
     Ok(html)
 }
 
-/// The suffix of an ordinal number.
 fn ordinal(number: usize) -> &'static str {
     match (number % 10, number % 100) {
         (1, tens) if tens != 11 => "st",

@@ -23,17 +23,13 @@ const PIXELS: f64 = 800.0;
 /// Decimals of a rotation in degrees: 2 nm at a radius of 130 mm.
 pub const DEGREES: usize = 6;
 
-/// Chordal error and decimals of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Precision {
-    /// Chordal error of outlines, mm.
     pub chord: f64,
-    /// Decimals of a coordinate in mm.
     pub decimals: usize,
 }
 
 impl Precision {
-    /// The precision for the gears of `assembly`.
     pub fn of(assembly: &AssembledPair) -> Precision {
         let module = assembly.module();
         let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear_reach(member));
@@ -52,7 +48,6 @@ impl Precision {
         self.chord * PIXELS / OFF
     }
 
-    /// Length of the last decimal, mm.
     pub fn unit(&self) -> String {
         match self.decimals {
             0 => "1".to_owned(),
@@ -65,7 +60,6 @@ impl Precision {
         (value * 10f64.powi(self.decimals as i32)).round() as i64
     }
 
-    /// Chordal error, µm, two digits.
     pub fn chord_um(&self) -> f64 {
         two_digits_up(self.chord * 1e3)
     }

@@ -8,10 +8,8 @@ use gearlash::contact::{Status, first_least, worst_pose};
 use gearlash::outline::AssembledPair;
 use std::collections::BTreeSet;
 
-/// A run of the page.
 #[derive(Clone, Copy)]
 pub struct Shown<'a> {
-    /// The run.
     pub run: &'a ComparedRun,
     /// Whether it is the worst pose of the mesh cycle, in addition to the even poses of the revolutions.
     pub is_worst_of_cycle: bool,
@@ -19,14 +17,12 @@ pub struct Shown<'a> {
 
 /// A run, and the selection of its poses.
 pub struct Viewed<'a> {
-    /// The run.
     pub shown: Shown<'a>,
     /// Indices of the selected poses, ascending.
     pub numbers: Vec<usize>,
 }
 
 impl<'a> Viewed<'a> {
-    /// The poses, in order.
     pub fn poses(&self) -> impl Iterator<Item = &'a ComparedPose> {
         let poses = &self.shown.run.poses;
         self.numbers.iter().map(|number| &poses[*number])
@@ -51,7 +47,6 @@ pub fn viewed<'a>(runs: &[Shown<'a>], most: usize, start: [usize; 2]) -> (Vec<Vi
     (runs.collect(), every)
 }
 
-/// A run of one pose.
 pub fn run_of(
     (material, assembly): (Material, AssembledPair),
     phase: Option<(u32, u32)>,

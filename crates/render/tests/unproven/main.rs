@@ -4,7 +4,6 @@
 //! pair touches near a tip, the certificate must refuse the exact result, and the two methods must differ; elsewhere nothing may
 //! change. The exact method on the pair of the polygons determines these poses, and the polygons' results there.
 
-mod checks;
 mod outputs;
 mod poses;
 
@@ -13,8 +12,10 @@ use gearlash::analysis::simulate::Run;
 use gearlash::analysis::study::{RunPlan, Study};
 use gearlash::contact::{CutPair, Method, PoseResult, Unproven, sweep};
 use gearlash::pair::{GearPair, Member};
-use gearlash_files::{self as input, PairFile};
+use gearlash_files::{PairFile, read_text};
 use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::LazyLock;
 
 /// 160 poses.
 const REVOLUTION: &str = "[sweep]\nrevolutions = \"wheel\"\nsteps_per_pitch = 8\n";
@@ -36,11 +37,20 @@ fn text(thicker: u32, lower: f64, rest: &str) -> String {
     )
 }
 
+/// 20 and 20 teeth whose tips are so wide, mm, that they hardly reach each other: 43.5 mm of 44 mm at which those of 44 mm pass.
+fn far(tip: f64, rest: &str) -> String {
+    let gear = format!(
+        "teeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\ntip_diameter_mm = {tip}\n"
+    );
+    format!("[wheel]\n{gear}[pinion]\n{gear}[assembly]\ncenter_distance_mm = 43.5\n{rest}")
+}
+
 fn read(text: &str) -> PairFile {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("pair.toml");
-    std::fs::write(&file, text).unwrap();
-    input::read(&file).unwrap()
+    read_text(Path::new("pair.toml"), text).unwrap()
+}
+
+fn on() -> ControlFlow<()> {
+    ControlFlow::Continue(())
 }
 
 /// A study, its one plan, and the polygons of another pair.
@@ -72,25 +82,32 @@ impl Case {
         }
     }
 
-    /// A revolution whose poses near a tip of tooth 5 are not proven.
-    fn low_tips() -> Case {
-        Case::of(REVOLUTION)
-    }
-
-    /// The same pair; `rest` follows its centre distance.
-    fn of(rest: &str) -> Case {
+    /// The pair with low tips on its polygons; `rest` follows its centre distance.
+    fn low_tips(rest: &str) -> Case {
         Case::new(&text(5, 0.0, rest), &text(5, 0.2, rest))
     }
 
-    fn swept(&self, method: Method) -> Vec<PoseResult> {
-        swept(self.plan.assembly.data().unwrap(), &self.cut, method, self)
+    /// A pair whose polygons have nothing to touch.
+    fn far(rest: &str) -> Case {
+        Case::new(&far(44.0, rest), &far(43.0, rest))
     }
 
-    /// The results of the exact method on the pair itself, and on that of the polygons, without certificates.
-    fn exact(&self) -> [Vec<PoseResult>; 2] {
-        let method = Method::Exact { certify: false };
-        [self.plan.assembly.data().unwrap(), &self.other]
-            .map(|pair| swept(pair, &self.cut, method, self))
+    fn swept(&self, method: Method) -> Vec<PoseResult> {
+        self.swept_as(self.plan.assembly.data().unwrap(), method)
+    }
+
+    fn swept_as(&self, pair: &GearPair, method: Method) -> Vec<PoseResult> {
+        let clearance = self.study.bearing_clearance;
+        sweep(pair, &self.cut, method, &self.plan.matings, clearance, &on).unwrap()
+    }
+
+    /// The poses by a method, each with the result of the exact method there on the pair itself, and on that of the polygons, without
+    /// certificates.
+    fn beside_exact(&self, method: Method) -> impl Iterator<Item = [PoseResult; 3]> {
+        let [own, other] = [self.plan.assembly.data().unwrap(), &self.other]
+            .map(|pair| self.swept_as(pair, BELIEVED));
+        let poses = self.swept(method).into_iter().zip(own).zip(other);
+        poses.map(|((pose, own), other)| [pose, own, other])
     }
 
     fn compared(&self, method: Method) -> Vec<ComparedRun> {
@@ -104,15 +121,11 @@ impl Case {
     }
 }
 
-fn swept(pair: &GearPair, cut: &CutPair, method: Method, case: &Case) -> Vec<PoseResult> {
-    let clearance = case.study.bearing_clearance;
-    sweep(pair, cut, method, &case.plan.matings, clearance, &|| {
-        ControlFlow::Continue(())
-    })
-    .unwrap()
-}
+/// A revolution whose poses near a tip of tooth 5 are not proven.
+static LOW_TIPS: LazyLock<Case> = LazyLock::new(|| Case::low_tips(REVOLUTION));
 
 const CERTIFIED: Method = Method::Checked;
+const BELIEVED: Method = Method::Exact { certify: false };
 
 fn unproven(pose: &PoseResult) -> Option<&Unproven> {
     pose.found.as_ref().err()

@@ -1,6 +1,6 @@
 //! Which poses are not proven, why, and what is kept of them.
 
-use super::{CERTIFIED, Case, REVOLUTION, unproven};
+use super::{CERTIFIED, Case, LOW_TIPS, REVOLUTION, unproven};
 use gearlash::contact::{
     Method, MethodAgreement, PolygonDifference, PoseResult, Status, sweep, worst_pose,
 };
@@ -10,22 +10,22 @@ use std::ops::ControlFlow;
 /// Whether the two pairs differ at a pose, which the exact method decides.
 fn differ(own: &PoseResult, other: &PoseResult) -> bool {
     let [own, other] = [own, other].map(|pose| pose.proven().unwrap());
-    [(own.right, other.right), (own.left, other.left)]
-        .into_iter()
-        .any(|(own, other)| (own.unwrap().rotation - other.unwrap().rotation).abs() > 1e-9)
+    let sides = [(own.right, other.right), (own.left, other.left)];
+    sides.into_iter().any(|(own, other)| {
+        let turn = own.unwrap().rotation - other.unwrap().rotation;
+        turn.abs() > 1e-9
+    })
 }
 
+/// Nor is it the worst, which it would be.
 #[test]
 fn a_refused_certificate_leaves_its_pose_alone_unproven() {
-    let case = Case::low_tips();
-    let [own, other] = case.exact();
-    let certified = case.swept(CERTIFIED);
-    assert_eq!(certified.len(), 160);
+    let (mut certified, mut exact) = (Vec::new(), Vec::new());
     let mut refused = 0;
-    for ((pose, own), other) in certified.iter().zip(&own).zip(&other) {
-        if differ(own, other) {
+    for [pose, own, other] in LOW_TIPS.beside_exact(CERTIFIED) {
+        if differ(&own, &other) {
             refused += 1;
-            let doubt = unproven(pose).unwrap();
+            let doubt = unproven(&pose).unwrap();
             assert!(doubt.reason.starts_with("the certificate failed: on the "));
             assert!(doubt.reason.contains("nothing touches at the rotation"));
             assert_eq!((doubt.exact, doubt.polygon), (own.backlash, None));
@@ -34,38 +34,40 @@ fn a_refused_certificate_leaves_its_pose_alone_unproven() {
             assert_eq!(pose.range(), [None; 2]);
             assert!(!pose.interferes() && !pose.just_touches());
         } else {
-            assert_eq!(pose.found, own.found)
+            assert_eq!(pose.found, own.found);
         }
+        certified.push(pose);
+        exact.push(own);
     }
     // Where tooth 5 comes into contact and leaves it, on either side.
-    assert_eq!(refused, 4);
+    assert_eq!((certified.len(), refused), (160, 4));
+    let worst = |poses: &[PoseResult]| worst_pose(poses.iter().enumerate()).unwrap();
+    assert!(certified[worst(&exact)].found.is_err());
+    assert!(certified[worst(&certified)].found.is_ok());
 }
 
 #[test]
 fn two_methods_that_differ_beyond_both_bounds_leave_both_values_in_doubt() {
-    let case = Case::low_tips();
-    let [own, other] = case.exact();
-    for ((pose, own), other) in case.swept(Method::Both).iter().zip(&own).zip(&other) {
-        let [exact, polygon] = [own, other].map(|pose| pose.backlash.unwrap());
+    let mut poses = Vec::new();
+    for [pose, own, other] in LOW_TIPS.beside_exact(Method::Both) {
+        let [exact, polygon] = [&own, &other].map(|pose| pose.backlash.unwrap());
         let Some(PolygonDifference::Value(difference)) = pose.polygon_difference else {
             panic!("{pose:?}");
         };
         assert!((difference - (polygon - exact)).abs() < 1e-9);
-        if differ(own, other) {
-            let doubt = unproven(pose).unwrap();
+        if differ(&own, &other) {
+            let doubt = unproven(&pose).unwrap();
             assert_eq!(doubt.exact, Some(exact));
             assert!((doubt.polygon.unwrap() - polygon).abs() < 1e-9);
-            assert!(
-                doubt.reason.contains("more than both error bounds"),
-                "{doubt:?}"
-            );
+            let reason = &doubt.reason;
+            assert!(reason.contains("more than both error bounds"), "{reason}");
             assert_eq!(pose.backlash, None);
         } else {
-            assert_eq!((pose.proven(), pose.backlash), (own.proven(), own.backlash))
+            assert_eq!((pose.proven(), pose.backlash), (own.proven(), own.backlash));
         }
+        poses.push(pose);
     }
     // The sum of what each pose is judged by: those beyond are the unproven ones.
-    let poses = case.swept(Method::Both);
     let agreement = MethodAgreement::of(&poses);
     let doubtful = poses.iter().filter(|pose| pose.found.is_err()).count();
     assert_eq!((agreement.beyond, agreement.one_alone), (doubtful, 0));
@@ -73,25 +75,13 @@ fn two_methods_that_differ_beyond_both_bounds_leave_both_values_in_doubt() {
     assert!(agreement.largest.is_finite() && !agreement.agrees());
 }
 
-/// Teeth that hardly reach each other: 43.5 mm of 44 mm at which the tips pass. With tips of 0.5 mm less on both polygons
-/// they have nothing to touch.
 #[test]
 fn a_value_of_one_method_alone_is_in_doubt() {
-    let pair = |tip: f64| {
-        format!(
-            "[wheel]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\ntip_diameter_mm = {tip}\n\
-             [pinion]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\ntip_diameter_mm = {tip}\n\
-             [assembly]\ncenter_distance_mm = 43.5\n[sweep]\nmating = [[1, 1]]\n"
-        )
-    };
-    let case = Case::new(&pair(44.0), &pair(43.0));
-    let [own, other] = case.exact();
-    for ((pose, own), other) in case.swept(Method::Both).iter().zip(&own).zip(&other) {
-        assert_eq!(
-            (own.status(), other.status()),
-            (Status::Clear, Status::NoContact)
-        );
-        let doubt = unproven(pose).unwrap();
+    let case = Case::far("[sweep]\nmating = [[1, 1]]\n");
+    for [pose, own, other] in case.beside_exact(Method::Both) {
+        let statuses = [own.status(), other.status()];
+        assert_eq!(statuses, [Status::Clear, Status::NoContact]);
+        let doubt = unproven(&pose).unwrap();
         assert_eq!((doubt.exact, doubt.polygon), (own.backlash, None));
         let reason =
             "the exact method finds clear, the polygon method no contact. Rely on neither value;";
@@ -102,48 +92,27 @@ fn a_value_of_one_method_alone_is_in_doubt() {
 
 #[test]
 fn an_end_of_the_bearing_clearance_is_in_doubt_by_itself() {
-    let case = Case::of(&format!("bearing_clearance_mm = 0.01\n{REVOLUTION}"));
-    let [own, other] = case.exact();
-    let certified = case.swept(CERTIFIED);
+    let case = Case::low_tips(&format!("bearing_clearance_mm = 0.01\n{REVOLUTION}"));
     let mut refused = [0; 2];
-    for ((pose, own), other) in certified.iter().zip(&own).zip(&other) {
+    for [pose, own, other] in case.beside_exact(CERTIFIED) {
+        let mut doubts = usize::from(pose.found.is_err());
         for end in [0, 1] {
             let differs = (own.range()[end].unwrap() - other.range()[end].unwrap()).abs() > 1e-8;
             assert_eq!(pose.is_end_unproven(end), differs);
             assert_eq!(pose.range()[end], own.range()[end].filter(|_| !differs));
             refused[end] += usize::from(differs);
+            doubts += usize::from(differs);
         }
-        let doubts = pose.unproven().count();
-        let ends = [0, 1]
-            .iter()
-            .filter(|end| pose.is_end_unproven(**end))
-            .count();
-        assert_eq!(doubts, ends + usize::from(pose.found.is_err()));
+        assert_eq!(pose.unproven().count(), doubts);
     }
     assert!(refused[0] > 0 && refused[1] > 0);
 }
 
 #[test]
-fn an_unproven_pose_is_not_the_worst() {
-    let case = Case::low_tips();
-    let [own, _] = case.exact();
-    let certified = case.swept(CERTIFIED);
-    let worst = |poses: &[PoseResult]| worst_pose(poses.iter().enumerate()).unwrap();
-    // It would be the worst.
-    assert!(certified[worst(&own)].found.is_err());
-    assert!(certified[worst(&certified)].found.is_ok());
-}
-
-#[test]
 fn ctrl_c_still_ends_a_sweep() {
-    let case = Case::low_tips();
-    let (pair, cut, matings) = (
-        case.plan.assembly.data().unwrap(),
-        &case.cut,
-        &case.plan.matings,
-    );
-    let ended = sweep(pair, cut, CERTIFIED, matings, 0.0, &|| {
-        ControlFlow::Break(())
-    });
+    let pair = LOW_TIPS.plan.assembly.data().unwrap();
+    let matings = &LOW_TIPS.plan.matings;
+    let off = || ControlFlow::Break(());
+    let ended = sweep(pair, &LOW_TIPS.cut, CERTIFIED, matings, 0.0, &off);
     assert!(matches!(ended, Err(Error::Interrupted)));
 }

@@ -1,0 +1,113 @@
+//! The field of action: lines, gaps and shades stand where the library has them.
+
+use super::drawn::{HALF, LEFT, Picture, RIGHT, Spot, is_at, place};
+use super::{METHOD, heading, on};
+use gearlash::analysis::curves::Field;
+use gearlash::contact::{ContactKind, CutPair, sweep};
+use gearlash::gear::Side;
+use gearlash::pair::{GearPair, Mating};
+use gearlash_render::chart::{self, Chart};
+
+/// 27/51 with measured pitch, 0.3 of a pitch beyond a mating.
+fn field() -> Field {
+    let study = super::study("../docs/files/helical_measured.toml");
+    let (_, wheel, pinion) = &study.materials[0];
+    let pair: GearPair = study.pair(wheel, pinion, 190.0).unwrap();
+    let mating = Mating {
+        wheel_tooth: 4,
+        pinion_tooth: 16,
+        flank: Side::Right,
+        fraction: 0.3,
+    };
+    let cut = CutPair::for_certificates(wheel, pinion);
+    let poses = sweep(&pair, &cut, METHOD, &[mating], 0.0, &on).unwrap();
+    Field::of(&pair, &poses[0]).unwrap()
+}
+
+fn drawn(field: &Field) -> Chart {
+    chart::field(&heading("field", "Field"), field).unwrap()
+}
+
+#[test]
+fn lines_and_gaps_are_where_the_data_are() {
+    let field = field();
+    let chart = drawn(&field);
+    let picture = Picture::of(&chart.svg);
+    for (number, (side, colour)) in field.sides.iter().zip([RIGHT, LEFT]).enumerate() {
+        let [lines, gaps] = [&chart.panels[2 * number], &chart.panels[2 * number + 1]];
+        let drawn = picture.lines_of(colour);
+        let ends = |[from, to]: [Spot; 2]| {
+            let mut drawn = drawn.iter();
+            drawn.any(|line| is_at(line[0], from) && is_at(line[line.len() - 1], to))
+        };
+        assert!(side.lines.len() > 1);
+        for line in &side.lines {
+            let name = format!("{}·{}", line.wheel_tooth, line.pinion_tooth);
+            assert!(ends(line.ends.map(|end| place(lines, end))), "{name}");
+        }
+        let gap = [0, side.sections.len() - 1].map(|k| {
+            let section = &side.sections[k];
+            place(gaps, [section.at, section.gap.unwrap() * 1e3])
+        });
+        assert!(ends(gap));
+        let binding = &side.binding;
+        let words = format!(
+            "wheel {} on pinion {} binds",
+            binding.wheel_tooth, binding.pinion_tooth
+        );
+        assert!(chart.svg.contains(&words), "{words}");
+    }
+}
+
+/// A stretch in which fillets are touched is shaded in both panels of its side, and named; without one there is none.
+#[test]
+fn fillets_are_shaded() {
+    let mut field = field();
+    const GREEN: &str = "#009e73";
+    let shades = |field: &Field| drawn(field).svg.matches(GREEN).count();
+    assert_eq!(shades(&field), 0);
+    let stretch = [-12.5, 3.25];
+    field.sides[0].fillets = vec![stretch];
+    // Its sample in the legend, and one a panel.
+    assert_eq!(shades(&field), 3);
+    let chart = drawn(&field);
+    let picture = Picture::of(&chart.svg);
+    assert!(picture.says(|text| text.contains("fillet, root or undercut edge touched first")));
+    assert!(picture.says(|text| text.contains("shaded: z = −12.5 … 3.25 mm")));
+    let plot = &chart.panels[0];
+    let mut shades = picture.areas.iter().filter(|area| area.fill == GREEN);
+    let shade = shades.find(|area| (area.room[1] - plot.top).abs() < HALF);
+    let [left, _, right, _] = shade.unwrap().room;
+    for (at, z) in [left, right].into_iter().zip(stretch) {
+        assert!((at - place(plot, [z, 0.0])[0]).abs() < HALF, "{z}: {at}");
+    }
+}
+
+/// A cross where a point binds, none where a whole line does.
+#[test]
+fn a_line_binds_without_a_point() {
+    let mut field = field();
+    for (kind, words, point) in [
+        (ContactKind::TipInvolute, "mm, tip-involute", true),
+        (ContactKind::Involute, "binds along its line, z = ", false),
+    ] {
+        for side in &mut field.sides {
+            side.lines[0].binds = true;
+            side.binding.kind = kind;
+        }
+        let svg = drawn(&field).svg;
+        assert_eq!(svg.matches(words).count(), 2, "{words}");
+        assert_eq!(svg.contains("where it binds"), point);
+    }
+}
+
+/// Few of its sections: what they are is tested above.
+#[test]
+fn small_field_of_action() {
+    let mut field = field();
+    for side in &mut field.sides {
+        let few = side.sections.iter().step_by(24);
+        side.sections = few.copied().collect();
+    }
+    insta::assert_snapshot!(drawn(&field).svg);
+}

@@ -1,0 +1,233 @@
+//! The answers of the page against the same files read from disk.
+
+use super::{last, page, path, silent};
+use gearlash::analysis::study::Study;
+use gearlash::analysis::{Analysis, Plan};
+use gearlash::contact::Method;
+use gearlash::gear::Side;
+use gearlash::pair::Mating;
+use gearlash_files::read;
+use gearlash_results::verdict::lines;
+use gearlash_web::answers::{LivePlace, Page};
+use serde_json::Value;
+use std::io::{Cursor, Read};
+
+/// A page with these files, and the answer to opening the first.
+fn opened(names: &[&str]) -> (Page, Value) {
+    let mut page = page(names.iter().map(|name| path(name)));
+    let found = page.open(&last(&path(names[0])));
+    (page, found)
+}
+
+fn study(name: &str) -> Study {
+    read(&path(name)).expect("an example can be read").study
+}
+
+fn certified(study: &Study) -> Plan<'_> {
+    Plan::new(study, Method::Exact { certify: true })
+}
+
+/// Two drawings of one pair.
+const DRAWINGS: [&str; 2] = [
+    "fixtures/outlines/wheel_20.dxf",
+    "fixtures/outlines/pinion_20.svg",
+];
+
+/// Source: the pair read from disk, as the program does.
+#[test]
+fn a_verdict_is_that_of_the_files_on_disk() {
+    let examples: [&[&str]; 4] = [
+        &["docs/files/sheet.toml", "docs/files/wheel.csv"],
+        &["docs/files/jams.toml"],
+        &["docs/files/helical.toml"],
+        &[
+            "fixtures/outlines/drawn_20x20.toml",
+            DRAWINGS[0],
+            DRAWINGS[1],
+        ],
+    ];
+    for names in examples {
+        let (page, found) = opened(names);
+        assert!(found["title"].is_string(), "{names:?}: {found}");
+        let result = page.result(&silent);
+        let study = study(names[0]);
+        let plan = certified(&study).with_remedies().with_checks();
+        let analysis = Analysis::silently(&plan).unwrap();
+        let text = lines(&analysis.verdict()).to_string();
+        assert_eq!(result["verdict"]["text"], text, "{names:?}");
+        assert!(result["curve"][1].as_str().unwrap().contains("-narrow"));
+    }
+}
+
+/// The third line states the teeth; the table is missing.
+#[test]
+fn problems_have_their_lines_and_a_missing_table_its_name() {
+    let mut page = Page::default();
+    let text = "title = \"é\"\n[wheel]\nteeth = 20.5\n";
+    page.files.add("pair.toml", text.as_bytes().to_vec());
+    let found = page.open("pair.toml");
+    let problems = found["problems"].as_array().expect("it has problems");
+    let teeth = problems.iter().find(|one| one["key"] == "wheel.teeth");
+    let teeth = teeth.expect("the teeth are wrong");
+    assert_eq!(teeth["line"], 3);
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let [from, to] = ["from", "to"].map(|end| teeth[end].as_u64().unwrap() as usize);
+    assert_eq!(String::from_utf16_lossy(&units[from..to]), "teeth = 20.5");
+    let (_, found) = opened(&["docs/files/sheet.toml"]);
+    let missing = found.to_string().contains("add the file wheel.csv");
+    assert!(missing, "{found}");
+}
+
+/// Source: the library's pose and, for the whole cycle, its extremes at the same distance.
+#[test]
+fn a_moved_pair_has_the_backlash_of_its_distance() {
+    let name = "docs/files/jams.toml";
+    let (page, _) = opened(&[name]);
+    let study = study(name);
+    let a = study.center_distances[0] + 0.3;
+    let place = LivePlace {
+        distance: a,
+        material: 0,
+        teeth: [1, 1],
+        left: true,
+        fraction: 0.25,
+    };
+    let live = page.live(&place);
+    let (_, assembly) = study.pairs(a).unwrap().remove(0);
+    let mating = Mating {
+        wheel_tooth: 1,
+        pinion_tooth: 1,
+        flank: Side::Left,
+        fraction: 0.25,
+    };
+    let own = assembly.lost_motion(mating).unwrap().backlash.unwrap() * 1e3;
+    assert_eq!(live["j_wt_um"].as_f64(), Some(own));
+    let run = &live["mesh"]["runs"][0];
+    assert_eq!(run["j_wt_um"][0], live["j_wt_um"]);
+    assert_eq!(run["center_distance_mm"], a);
+    for (answer, key, part) in [
+        (page.mesh(&place), "html", "id=\"viewer-pinion\""),
+        (page.picture(&place), "svg", "<svg"),
+    ] {
+        assert!(answer[key].as_str().unwrap().contains(part), "{key}");
+    }
+    let band = page.live_band(a, false);
+    let moved = study.at(vec![a]).unwrap();
+    let analysis = Analysis::silently(&certified(&moved).with_extremes()).unwrap();
+    let verdict = analysis.verdict();
+    let least = verdict.least().unwrap().1.low * 1e3;
+    assert_eq!(band["least_um"].as_f64(), Some(least));
+    let wrong = page.live(&LivePlace {
+        teeth: [0, 1],
+        ..place
+    });
+    let reason = wrong["failed"].as_str().unwrap();
+    assert!(reason.contains("teeth 1"), "{wrong}");
+}
+
+/// A band takes the least from the thickest gears and the greatest from the thinnest. Source: the extremes of both materials. The pair that
+/// jams has no proof: all effort finds what a verdict does.
+#[test]
+fn a_band_has_the_extremes_of_all_materials() {
+    let examples: [&[&str]; 5] = [
+        &["docs/files/drawing.toml"],
+        &["docs/files/sheet.toml", "docs/files/wheel.csv"],
+        &["docs/files/helical.toml"],
+        &["docs/files/jams.toml"],
+        &["fixtures/karba_44x44.toml", "fixtures/karba_tables_5_6.csv"],
+    ];
+    for names in examples {
+        let (page, found) = opened(names);
+        let a = found["distances_mm"][0].as_f64().unwrap();
+        for more in [0.0, 0.02] {
+            let Ok(study) = study(names[0]).at(vec![a + more]) else {
+                continue;
+            };
+            let analysis = Analysis::silently(&certified(&study).with_extremes()).unwrap();
+            let verdict = analysis.verdict();
+            let quick = page.live_band(a + more, false);
+            let is_proven = verdict.runs.iter().all(|run| run.is_proven());
+            assert_eq!(quick["is_proven"], is_proven, "{names:?}: {quick}");
+            let band = page.live_band(a + more, true);
+            let least = verdict.least().map(|(_, least)| least.low);
+            let greatest = verdict.greatest().map(|(_, greatest)| greatest.high);
+            for (name, end) in [("least_um", least), ("greatest_um", greatest)] {
+                let (own, shown) = (end.map(|mm| mm * 1e3), band[name].as_f64());
+                let is_same = match (own, shown) {
+                    (Some(own), Some(shown)) => (own - shown).abs() < 2e-3,
+                    (own, shown) => own == shown,
+                };
+                assert!(is_same, "{names:?}, {name}: {own:?} {shown:?}");
+            }
+            assert_eq!(band["state"], lines(&verdict).state.name(), "{names:?}");
+        }
+    }
+}
+
+/// A band does not say from where the pair assembles or up to where it is in mesh: these are not searched, and "at no centre distance"
+/// would be wrong.
+#[test]
+fn a_band_says_nothing_of_other_distances() {
+    let (page, found) = opened(&["docs/files/jams.toml"]);
+    for end in [0, 1] {
+        let a = found["range_mm"][end].as_f64().unwrap();
+        let band = page.live_band(a, false);
+        assert!(band["status"].is_string(), "{band}");
+        assert!(!band.to_string().contains("no centre distance"), "{band}");
+    }
+}
+
+/// Two drawings without a pair file: the text that is made can be opened, and the gears touch there.
+#[test]
+fn two_drawings_make_a_pair_file() {
+    let (mut page, _) = opened(&DRAWINGS);
+    let made = page.of_drawings(["wheel_20.dxf", "pinion_20.svg"], "");
+    let text = made["text"].as_str().expect("both state their unit");
+    page.files.add("pair.toml", text.as_bytes().to_vec());
+    let found = page.open("pair.toml");
+    let a = found["distances_mm"][0].as_f64().unwrap();
+    let band = page.live_band(a, false);
+    let least = band["least_um"].as_f64().unwrap();
+    // Rounded up to 1 µm, the distance leaves at most 2 µm tan α_w.
+    assert!((-1e-3..2.0).contains(&least), "{a}: {least}");
+}
+
+/// A table alone: what is understood of it, and lines that name it.
+#[test]
+fn a_table_is_understood() {
+    let (page, _) = opened(&["docs/files/wheel.csv"]);
+    let found = page.understand("wheel.csv");
+    let toml = found["toml"].as_str().unwrap();
+    assert!(toml.contains("wheel.csv"), "{toml}");
+    let text = found["text"].as_str().unwrap();
+    // Lines of the table are shown though no folder holds it.
+    assert!(text.contains("pitch") && text.contains("\"Max\""), "{text}");
+    let none = page.understand("pinion.csv");
+    assert!(none["failed"].is_string());
+}
+
+/// A table that was given without its folder.
+#[test]
+fn a_table_is_found_by_its_name_alone() {
+    let (mut page, _) = opened(&["docs/files/wheel.csv"]);
+    let text = std::fs::read_to_string(path("docs/files/sheet.toml")).unwrap();
+    let text = text.replace("\"wheel.csv\"", "\"./sheets/wheel.csv\"");
+    page.files.add("pair.toml", text.into_bytes());
+    let found = page.open("pair.toml");
+    assert!(found["title"].is_string(), "{found}");
+}
+
+/// The archive holds every file as it was given. Source: the crate `zip`, which checks its sums.
+#[test]
+fn the_archive_holds_the_files() {
+    let names = ["docs/files/sheet.toml", "docs/files/wheel.csv"];
+    let (page, _) = opened(&names);
+    let mut archive = zip::ZipArchive::new(Cursor::new(page.zip())).unwrap();
+    assert_eq!(archive.len(), names.len());
+    for name in names {
+        let mut found = Vec::new();
+        let mut file = archive.by_name(&last(&path(name))).unwrap();
+        file.read_to_end(&mut found).unwrap();
+        assert_eq!(found, std::fs::read(path(name)).unwrap());
+    }
+}

@@ -1,6 +1,7 @@
 //! Dimensions over pins between displaced flanks, found by rolling both flanks until one circle touches both.
 
 use super::random_pair::case;
+use super::spans::drawing;
 use super::*;
 use gearlash::gear::{Face, thickness};
 use nalgebra::{Complex, Matrix2, Vector2};
@@ -33,11 +34,7 @@ pub(super) fn centre(base: f64, low: f64, high: f64, radius: f64) -> Complex<f64
 fn over_pins(gear: &AsBuilt, pin: f64) -> Vec<f64> {
     let basic_data = gear.gear().basic_data();
     let (z, base) = (basic_data.teeth(), gear.gear().base_radius());
-    let sign = if gear.face() == Face::Front {
-        -1.0
-    } else {
-        1.0
-    };
+    let sign = gear.face().ascending();
     let centre_of = |space: u32| {
         let next = space % z + 1;
         // Counted along ascending numbers; the flanks at the ascending end of a tooth are own right ones.
@@ -64,14 +61,11 @@ proptest! {
         let gear = recipe.build(1.0).unwrap();
         let pin = 1.75 * 2.0;
         prop_assume!(thickness::check_pins(gear.gear(), pin).is_ok());
-        let column = |n: usize| -> Vec<f64> { recipe.per_tooth_um.iter().map(|row| row[n]).collect() };
+        let per_tooth: Vec<f64> = recipe.per_tooth_um.iter().map(|row| row[0]).collect();
         let mut over = over_pins(&gear, pin);
-        let face = if recipe.face == Face::Front { "front" } else { "back" };
         let keys = |list: &[f64], space: &str| format!(
-            "teeth = {}\nmodule_mm = 2.0\nprofile_shift = {:?}\nreference_face = {face:?}\n\
-             pitch = {{ kind = \"cumulative\", right_um = {:?}, left_um = {:?} }}\n\
-             thickness = {{ per_tooth_um = {:?}, over_pins = {{ pin_mm = {pin}, mm = {list:?}{space} }} }}",
-            recipe.teeth, recipe.shift, column(1), column(2), column(0),
+            "{}thickness = {{ per_tooth_um = {per_tooth:?}, over_pins = {{ pin_mm = {pin}, mm = {list:?}{space} }} }}",
+            drawing(recipe)
         );
         let study = pair(&keys(&over, ""));
         let base = |study: &PairFile| wheel(study).gear().base_thickness();

@@ -16,26 +16,19 @@ fn spans(gear: &AsBuilt, k: u32) -> Vec<f64> {
     (1..=z)
         .map(|first| {
             let last = (first + k - 2) % z + 1;
-            match gear.face() {
-                Face::Front => {
-                    separation + place(gear, Side::Left, first) - place(gear, Side::Right, last)
-                }
-                Face::Back => {
-                    separation + place(gear, Side::Left, last) - place(gear, Side::Right, first)
-                }
-            }
+            let (left, right) = match gear.face() {
+                Face::Front => (first, last),
+                Face::Back => (last, first),
+            };
+            separation + place(gear, Side::Left, left) - place(gear, Side::Right, right)
         })
         .collect()
 }
 
 /// The recipe's drawing and pitch, for a pair file.
-fn drawing(recipe: &Recipe) -> String {
+pub(super) fn drawing(recipe: &Recipe) -> String {
     let column = |n: usize| -> Vec<f64> { recipe.per_tooth_um.iter().map(|row| row[n]).collect() };
-    let face = if recipe.face == Face::Front {
-        "front"
-    } else {
-        "back"
-    };
+    let face = ["back", "front"][usize::from(recipe.face == Face::Front)];
     format!(
         "teeth = {}\nmodule_mm = 2.0\nprofile_shift = {:?}\nreference_face = {face:?}\n\
          pitch = {{ kind = \"cumulative\", right_um = {:?}, left_um = {:?} }}\n",
@@ -132,23 +125,15 @@ fn thickness_that_no_span_shows_is_not_made_up() {
     assert!(wheel(&six).flank_offset(Side::Left, 7) == 0.0);
     assert_eq!(six.study.notes[0].all_round.unwrap().amplification, None);
     assert_eq!(six.warnings.len(), 1, "{:?}", six.warnings);
-    assert!(
-        six.warnings[0].contains("spans over 5 teeth would"),
-        "{}",
-        six.warnings[0]
-    );
+    let words = "spans over 5 teeth would";
+    assert!(six.warnings[0].contains(words), "{:?}", six.warnings);
 
     // By hand: one reading 4 µm up raises teeth of its cycle by ±4 µm/cos α, all others by none, about the mean of 4/44 µm.
     let five = spans(5, 41.69, "");
-    assert_eq!(
-        five.study.notes[0].all_round.unwrap().amplification,
-        Some(11)
-    );
-    assert!(
-        five.warnings[0].contains("up to 11-fold, 3.3-fold when random"),
-        "{}",
-        five.warnings[0]
-    );
+    let amplification = five.study.notes[0].all_round.unwrap().amplification;
+    assert_eq!(amplification, Some(11));
+    let words = "up to 11-fold, 3.3-fold when random";
+    assert!(five.warnings[0].contains(words), "{:?}", five.warnings);
     let base = 41.69 + 0.004 / 44.0 - 4.0 * 3.0 * std::f64::consts::PI * 20f64.to_radians().cos();
     assert!((wheel(&five).gear().base_thickness() - base).abs() < 1e-12);
     for tooth in 1..=44u32 {

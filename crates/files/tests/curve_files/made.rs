@@ -1,20 +1,12 @@
 //! Curve files as a P40 writes them, MADE: no real one is public.
 
+use crate::tables::formats::{others, tenths};
 use std::f64::consts::TAU;
 
 /// Points of a trace.
 pub const POINTS: usize = 20;
 /// Diameter of the probe, mm.
 pub const PROBE: f64 = 2.0;
-
-/// A deviation of tooth `tooth`, in tenths of a µm.
-pub fn tenths(tooth: u32) -> f64 {
-    f64::from((tooth * 7) % 31) / 10.0 - 1.5
-}
-
-pub fn other(tooth: u32) -> f64 {
-    tenths(tooth) + f64::from(tooth % 3) / 10.0
-}
 
 /// A spur gear of module 3, 20°.
 pub struct Made {
@@ -86,7 +78,7 @@ impl Made {
             );
         }
         text += "\nFußkreisdurchmesser / Höhe :     7.500\n  49.5 49.6\nKopfkreisdurchmesser / Höhe : 7.500\n  54.0 54.1\n";
-        for (side, values) in [("linke", tenths as fn(u32) -> f64), ("rechte", other)] {
+        for (side, values) in [("linke", tenths as fn(u32) -> f64), ("rechte", others)] {
             text += &format!("\n    {side} Zahnflanke\n    Zahn-Nr.  fp  Fp  Fr\n\n");
             for tooth in 1..=z {
                 let before = values(if tooth == 1 { z } else { tooth - 1 });

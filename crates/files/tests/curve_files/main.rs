@@ -6,10 +6,11 @@ mod mutants;
 
 use crate::mutant;
 use crate::pair_with_table::pair;
+use crate::tables::formats::{others, tenths};
 use gearlash::contact::ExactKernel;
 use gearlash::pair::Pose;
 use gearlash_files::{PairFile, Problem, read};
-use made::{Made, POINTS, other, tenths};
+use made::{Made, POINTS};
 use std::fs;
 use tempfile::TempDir;
 
@@ -30,16 +31,14 @@ fn good(made: &Made, keys: &str) -> PairFile {
 fn lost_motion(study: &PairFile) -> Vec<f64> {
     let runs = study.study.runs().unwrap();
     let of = |run: &gearlash::analysis::study::RunPlan| {
-        let kernel = ExactKernel::new(run.assembly.data().unwrap());
-        let motion = |mating| {
-            kernel
-                .lost_motion(&Pose::new(run.assembly.data().unwrap(), mating))
-                .unwrap()
-        };
-        run.matings
+        let pair = run.assembly.data().unwrap();
+        let kernel = ExactKernel::new(pair);
+        let motion = |mating| kernel.lost_motion(&Pose::new(pair, mating)).unwrap();
+        let angles = run
+            .matings
             .iter()
-            .map(|mating| motion(*mating).angle().unwrap())
-            .collect::<Vec<_>>()
+            .map(|mating| motion(*mating).angle().unwrap());
+        angles.collect::<Vec<f64>>()
     };
     runs.iter().flat_map(of).collect()
 }
@@ -50,30 +49,21 @@ fn lost_motion_as_with_our_own_tables() {
     let made = Made::new(44);
     let from_file = "pitch = { kind = \"cumulative\", file = \"gear.mka\" }\nrunout = { at = \"space\", file = \"gear.mka\" }\nthickness.allowance_um = -20.0\nprofile = { trace = { file = \"gear.mka\" } }";
     let list = |value: fn(u32) -> f64| {
-        let values: Vec<String> = (1..=44)
-            .map(|tooth| format!("{:.1}", value(tooth)))
-            .collect();
-        format!("[{}]", values.join(", "))
+        let values = (1..=44).map(|tooth| format!("{:.1}", value(tooth)));
+        format!("[{}]", values.collect::<Vec<_>>().join(", "))
     };
     let trace = |side: &str| {
         let values = (1..POINTS).map(|i| format!("{:.2}", Made::deviation(side, i)));
-        let (at, um) = (
-            made.rolls()[1..].to_vec(),
-            values.collect::<Vec<_>>().join(", "),
-        );
+        let (at, um) = (&made.rolls()[1..], values.collect::<Vec<_>>().join(", "));
         format!("trace = {{ tooth = 2, roll_length_mm = {at:?}, deviation_um = [{um}] }}")
     };
-    let (total, tooth) = {
-        let study = good(&made, from_file);
-        (
-            study.spec.wheel.data().unwrap().runout.total_um.unwrap(),
-            study.spec.wheel.data().unwrap().runout.high_tooth.unwrap(),
-        )
-    };
+    let study = good(&made, from_file);
+    let runout = &study.spec.wheel.data().unwrap().runout;
+    let (total, tooth) = (runout.total_um.unwrap(), runout.high_tooth.unwrap());
     let inline = format!(
         "pitch = {{ kind = \"cumulative\", left_um = {}, right_um = {} }}\nrunout = {{ total_um = {total:?}, high_tooth = {tooth:?} }}\nthickness.allowance_um = -20.0\nprofile = {{ left = {{ {} }}, right = {{ {} }} }}",
         list(tenths),
-        list(other),
+        list(others),
         trace("links"),
         trace("rechts")
     );
@@ -92,11 +82,11 @@ fn lost_motion_as_with_our_own_tables() {
     assert!(remarks.contains(holes), "{remarks}");
     let [found, expected] = [&found, &expected].map(lost_motion);
     assert_eq!((found.len(), expected.len()), (88, 88));
-    let worst = found
+    let off = found
         .iter()
         .zip(&expected)
-        .map(|(f, e)| (f - e).abs() * 66e3)
-        .fold(0.0, f64::max);
+        .map(|(f, e)| (f - e).abs() * 66e3);
+    let worst = off.fold(0.0, f64::max);
     println!("lost motion differs by at most {worst} µm");
     // The same numbers as text; the diameters of the traces have twelve decimals.
     assert!(worst <= 1e-6, "{worst} µm");

@@ -13,11 +13,8 @@ fn lines_in_any_order_make_the_loop() {
     for round in 0..20 {
         let one = loop_of("dxf", &dxf(&drawn_lines));
         assert_eq!((one.segments.len(), one.bound_mm), (36, 0.0));
-        let mut found: Vec<[f64; 2]> = one
-            .segments
-            .iter()
-            .map(|s| [s.start().x, s.start().y])
-            .collect();
+        let start = |segment: &PathSegment| [segment.start().x, segment.start().y];
+        let mut found: Vec<[f64; 2]> = one.segments.iter().map(start).collect();
         let mut expected = corners.clone();
         let order = |a: &[f64; 2], b: &[f64; 2]| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]));
         found.sort_by(order);
@@ -26,12 +23,9 @@ fn lines_in_any_order_make_the_loop() {
         let (a, b) = (choice.below(36), choice.below(36));
         drawn_lines.swap(a, b);
         let (from, to) = (corners[round], corners[round + 1]);
-        let turned = line(to, from);
-        if let Some(place) = drawn_lines
-            .iter()
-            .position(|line| *line == made::line(from, to))
-        {
-            drawn_lines[place] = turned;
+        let place = drawn_lines.iter().position(|one| *one == line(from, to));
+        if let Some(place) = place {
+            drawn_lines[place] = line(to, from);
         }
     }
 }
@@ -84,12 +78,8 @@ fn branches_are_reported_with_their_point() {
     let mut whisker = lines(&[[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]]);
     whisker.push(line([5.0, 0.0], [9.0, 9.0]));
     let error = drawn("dxf", &dxf(&whisker), &in_mm()).unwrap_err();
-    assert!(
-        error
-            .to_string()
-            .contains("more than two ends meet at (5.000000, 0.000000) mm"),
-        "{error}"
-    );
+    let words = "more than two ends meet at (5.000000, 0.000000) mm";
+    assert!(error.to_string().contains(words), "{error}");
     assert!(error.help.contains("drawn twice"));
 }
 
@@ -110,12 +100,8 @@ fn construction_lines_are_left_out() {
     entities.push(line([1.0, -30.0], [1.0, 30.0]));
     let drawing = drawn("dxf", &dxf(&entities), &in_mm()).unwrap();
     assert_eq!(drawing.loops.len(), 1);
-    assert!(
-        drawing.remarks[0]
-            .starts_with("left out: open line beside the outline (2, the first in line "),
-        "{:?}",
-        drawing.remarks
-    );
+    let words = "left out: open line beside the outline (2, the first in line ";
+    assert!(drawing.remarks[0].starts_with(words), "{drawing:?}");
     // Two gaps of the outline, and a bore that is closed.
     entities.remove(3);
     entities.remove(20);
@@ -143,24 +129,20 @@ fn a_hundred_thousand_ends_take_no_time() {
     let svg_of = |teeth: u32| {
         let corners = corners(teeth);
         let next = corners.iter().skip(1).chain(&corners[..1]);
-        let paths: String = corners
+        let path = |[[x, y], [u, v]]: [[f64; 2]; 2]| format!("<path d=\"M {x} {y} L {u} {v}\"/>\n");
+        let paths = corners
             .iter()
             .zip(next)
-            .map(|(a, b)| format!("<path d=\"M {} {} L {} {}\"/>\n", a[0], a[1], b[0], b[1]))
-            .collect();
-        made::svg(&paths)
+            .map(|(from, to)| path([*from, *to]));
+        made::svg(&paths.collect::<String>())
     };
     let text = svg_of(20_000);
+    let options = Options {
+        join_mm: 1e-5,
+        ..in_mm()
+    };
     let start = Instant::now();
-    let drawing = drawn(
-        "svg",
-        &text,
-        &Options {
-            join_mm: 1e-5,
-            ..in_mm()
-        },
-    )
-    .unwrap();
+    let drawing = drawn("svg", &text, &options).unwrap();
     assert_eq!(drawing.loops[0].segments.len(), 80_000);
     assert!(start.elapsed().as_secs_f64() < 5.0, "{:?}", start.elapsed());
     let crowd = (0..80_000).map(|y| format!("<path d=\"M 0 0 L 1 {y}\"/>\n"));

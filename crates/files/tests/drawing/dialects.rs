@@ -12,21 +12,11 @@ fn with_blocks(blocks: &[(&str, Vec<String>)], entities: &[String]) -> String {
         section.push("ENDBLK 8 0".to_owned());
     }
     section.push("ENDSEC".to_owned());
-    let lines: String = section
+    let lines = section
         .iter()
-        .flat_map(|one| {
-            format!("0 {one}")
-                .split(' ')
-                .map(str::to_owned)
-                .collect::<Vec<_>>()
-        })
-        .map(|word| word + "\n")
-        .collect();
-    in_units(Some(4), entities).replacen(
-        "  0\nSECTION\n  2\nENTITIES\n",
-        &(lines + "0\nSECTION\n2\nENTITIES\n"),
-        1,
-    )
+        .map(|one| format!("0\n{}\n", one.replace(' ', "\n")));
+    let lines = lines.collect::<String>() + "0\nSECTION\n2\nENTITIES\n";
+    in_units(Some(4), entities).replacen("  0\nSECTION\n  2\nENTITIES\n", &lines, 1)
 }
 
 /// An arc and its chord, moved, turned, scaled, mirrored and nested: the image of each point is known.
@@ -40,10 +30,8 @@ fn blocks_are_placed() {
     let blocks = [("HALF", half), ("OUTER", nested)];
     let loop_of = |insert: &str| {
         let drawing = drawn("dxf", &with_blocks(&blocks, &[insert.to_owned()]), &in_mm());
-        drawing
-            .unwrap_or_else(|error| panic!("{insert}: {error}"))
-            .loops
-            .remove(0)
+        let drawing = drawing.unwrap_or_else(|error| panic!("{insert}: {error}"));
+        drawing.loops[0].clone()
     };
     // The top of the arc, (1, 2), and the middle of the chord, (1, 0).
     for (insert, images) in [
@@ -71,16 +59,12 @@ fn blocks_are_placed() {
 /// Blocks that contain themselves, or multiply without end, are errors.
 #[test]
 fn endless_blocks_are_refused() {
-    let inside = |name: &str| vec![format!("INSERT 8 0 2 {name} 10 0 20 0")];
-    let itself = with_blocks(&[("A", inside("A"))], &inside("A"));
+    let inside = |name: &str| [format!("INSERT 8 0 2 {name} 10 0 20 0")];
+    let itself = with_blocks(&[("A", inside("A").to_vec())], &inside("A"));
     let error = drawn("dxf", &itself, &in_mm()).unwrap_err().to_string();
     assert!(error.ends_with("blocks nested deeper than 16"), "{error}");
-    let many = |name: &str| {
-        vec![format!(
-            "INSERT 8 0 2 {name} 10 0 20 0 70 30000 71 30000 44 1 45 1"
-        )]
-    };
-    let empty = with_blocks(&[("A", Vec::new()), ("B", many("A"))], &many("B"));
+    let many = |name: &str| inside(name).map(|insert| insert + " 70 30000 71 30000 44 1 45 1");
+    let empty = with_blocks(&[("A", Vec::new()), ("B", many("A").to_vec())], &many("B"));
     let error = drawn("dxf", &empty, &in_mm()).unwrap_err().to_string();
     assert_eq!(error, "has more than 1000000 entities");
 }
@@ -91,18 +75,13 @@ fn measurement_states_metric_units() {
     let with = |value: i32| {
         let text = in_units(Some(0), &lines(&made::corners(9)));
         let more = format!("  9\n$MEASUREMENT\n 70\n{value}\n  9\n$EXTMIN");
-        drawn(
-            "dxf",
-            &text.replacen("  9\n$EXTMIN", &more, 1),
-            &Options::default(),
-        )
+        let text = text.replacen("  9\n$EXTMIN", &more, 1);
+        drawn("dxf", &text, &Options::default())
     };
     assert_eq!(with(1).unwrap().unit_mm, 1.0);
     let error = with(0).unwrap_err();
-    assert!(
-        error.reason.starts_with("the unit is not stated"),
-        "{error}"
-    );
+    let words = "the unit is not stated";
+    assert!(error.reason.starts_with(words), "{error}");
 }
 
 /// A clone is drawn where it is moved to, by its own place and its transform.

@@ -23,28 +23,20 @@ fn a_list_is_read_as_it_is_written() {
         for (found, expected) in drawing.loops[0].segments.iter().zip(&expected.segments) {
             assert!((found.end() - expected.end()).norm() < 1e-14, "{text}");
         }
-        assert_eq!(
-            drawing.remarks.len(),
-            usize::from(text.contains("7.25, 2\n7.25"))
-        );
+        let repeats = text.contains("7.25, 2\n7.25");
+        assert_eq!(drawing.remarks.len(), usize::from(repeats));
     }
 }
 
 /// Both derivatives are continuous at every point, the last and the first included: the definition of the spline.
 #[test]
 fn the_smooth_curve_has_no_kink_and_no_jump_of_curvature() {
-    let points = [
-        [9.0, 1.0],
-        [5.0, 7.0],
-        [-1.0, 8.0],
-        [-7.5, 2.0],
-        [-3.0, -6.0],
-        [-2.9, -6.2],
-        [4.0, -7.0],
-    ];
+    let points = points("9 1, 5 7, -1 8, -7.5 2, -3 -6, -2.9 -6.2, 4 -7");
     let text: String = points.iter().map(|[x, y]| format!("{x},{y}\n")).collect();
     let segments = smooth(&text);
     assert_eq!(segments.len(), points.len());
+    // Three are enough.
+    assert_eq!(smooth("0,0\n5,0\n0,5\n").len(), 3);
     for index in 0..points.len() {
         let (PathSegment::Cubic(a), PathSegment::Cubic(b)) =
             (segments[index], segments[(index + 1) % points.len()])
@@ -56,10 +48,8 @@ fn the_smooth_curve_has_no_kink_and_no_jump_of_curvature() {
         let first = (a[3] - a[2]) / h - (b[1] - b[0]) / k;
         let second =
             ((a[3] - a[2]) - (a[2] - a[1])) / h / h - ((b[2] - b[1]) - (b[1] - b[0])) / k / k;
-        assert!(
-            first.norm() < 1e-13 && second.norm() < 1e-11,
-            "{first} {second}"
-        );
+        let off = (first.norm(), second.norm());
+        assert!(off.0 < 1e-13 && off.1 < 1e-11, "{off:?}");
     }
 }
 
@@ -68,15 +58,8 @@ fn the_smooth_curve_has_no_kink_and_no_jump_of_curvature() {
 fn the_smooth_curve_through_a_circle_is_round() {
     let off = |count: u32| {
         let angle = |index: u32| std::f64::consts::TAU * f64::from(index) / f64::from(count);
-        let text: String = (0..count)
-            .map(|index| {
-                format!(
-                    "{:.15},{:.15}\n",
-                    20.0 * angle(index).cos(),
-                    20.0 * angle(index).sin()
-                )
-            })
-            .collect();
+        let at = |(sin, cos): (f64, f64)| format!("{:.15},{:.15}\n", 20.0 * cos, 20.0 * sin);
+        let text: String = (0..count).map(|index| at(angle(index).sin_cos())).collect();
         let at = |segment: &PathSegment| (segment.at(0.5).coords.norm() - 20.0).abs();
         smooth(&text).iter().map(at).fold(0.0, f64::max)
     };
@@ -84,10 +67,4 @@ fn the_smooth_curve_through_a_circle_is_round() {
     assert!((coarse / fine - 16.0).abs() < 0.5, "{coarse:e} {fine:e}");
     let step: f64 = std::f64::consts::TAU / 40.0;
     assert!(coarse < 20.0 * step.powi(4) / 100.0, "{coarse:e}");
-}
-
-/// Three points are enough for both.
-#[test]
-fn three_points_are_an_outline() {
-    assert_eq!(smooth("0,0\n5,0\n0,5\n").len(), 3);
 }

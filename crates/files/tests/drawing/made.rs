@@ -21,12 +21,8 @@ pub fn in_units(insunits: Option<i32>, entities: &[String]) -> String {
     text += "  0\nSECTION\n  2\nENTITIES\n";
     for entity in entities {
         for (index, word) in format!("0 {entity}").split(' ').enumerate() {
-            let word = if index % 2 == 0 {
-                format!("{word:>3}")
-            } else {
-                word.to_owned()
-            };
-            writeln!(text, "{word}").unwrap();
+            let width = [3, 0][index % 2];
+            writeln!(text, "{word:>width$}").unwrap();
         }
     }
     text += "  0\nENDSEC\n  0\nSECTION\n  2\nOBJECTS\n  0\nDICTIONARY\n  5\nC\n100\nAcDbDictionary\n  3\nACAD_GROUP\n350\nD\n  0\nENDSEC\n  0\nEOF\n";
@@ -34,21 +30,15 @@ pub fn in_units(insunits: Option<i32>, entities: &[String]) -> String {
 }
 
 /// A straight line.
-pub fn line(from: [f64; 2], to: [f64; 2]) -> String {
-    format!(
-        "LINE 8 TEETH 10 {} 20 {} 11 {} 21 {}",
-        from[0], from[1], to[0], to[1]
-    )
+pub fn line([x, y]: [f64; 2], [u, v]: [f64; 2]) -> String {
+    format!("LINE 8 TEETH 10 {x} 20 {y} 11 {u} 21 {v}")
 }
 
 /// Straight lines around.
 pub fn lines(points: &[[f64; 2]]) -> Vec<String> {
     let next = points.iter().skip(1).chain(&points[..1]);
-    points
-        .iter()
-        .zip(next)
-        .map(|(from, to)| line(*from, *to))
-        .collect()
+    let pairs = points.iter().zip(next);
+    pairs.map(|(from, to)| line(*from, *to)).collect()
 }
 
 /// A light polyline of x, y, bulge.
@@ -71,15 +61,9 @@ pub fn spline(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64]
         knots.len(),
         points.len()
     );
-    knots
-        .iter()
-        .for_each(|knot| write!(text, " 40 {knot}").unwrap());
-    weights
-        .iter()
-        .for_each(|weight| write!(text, " 41 {weight}").unwrap());
-    points
-        .iter()
-        .for_each(|[x, y]| write!(text, " 10 {x} 20 {y} 30 0").unwrap());
+    text.extend(knots.iter().map(|knot| format!(" 40 {knot}")));
+    text.extend(weights.iter().map(|weight| format!(" 41 {weight}")));
+    text.extend(points.iter().map(|[x, y]| format!(" 10 {x} 20 {y} 30 0")));
     text
 }
 

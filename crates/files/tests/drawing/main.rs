@@ -20,11 +20,8 @@ use std::path::Path;
 
 /// Reads `text` as a file that ends in `ending`.
 fn drawn(ending: &str, text: &str, options: &Options) -> Result<Drawing, DrawingError> {
-    let read = read(
-        Path::new(&format!("gear.{ending}")),
-        text.as_bytes(),
-        options,
-    );
+    let name = format!("gear.{ending}");
+    let read = read(Path::new(&name), text.as_bytes(), options);
     if let Ok(drawing) = &read {
         check_sound(drawing);
     }
@@ -49,11 +46,8 @@ fn smooth(text: &str) -> Vec<PathSegment> {
         smooth: true,
         ..in_mm()
     };
-    drawn("csv", text, &options)
-        .unwrap()
-        .loops
-        .remove(0)
-        .segments
+    let drawing = drawn("csv", text, &options).unwrap();
+    drawing.loops[0].segments.clone()
 }
 
 /// The one loop of `text` in mm.

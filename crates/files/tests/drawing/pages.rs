@@ -3,6 +3,12 @@
 use super::*;
 use made::svg;
 
+/// Checks that these points lie on the loop, y reversed.
+fn check_mirrored(one: &DrawnPath, points: &[Vec<[f64; 2]>]) {
+    let below = points.concat().into_iter().map(|[x, y]| [x, -y]);
+    check_through(one, &below.collect::<Vec<_>>());
+}
+
 /// svgpathtools 1.8.0: segment, parameters 0, 1/4, 1/2, 3/4. y is reversed here.
 #[test]
 fn path_data_is_that_of_svgpathtools() {
@@ -18,10 +24,7 @@ fn path_data_is_that_of_svgpathtools() {
     let data = "M10,20 q 5,-8 11,2 t 7,3 A 6 6 0 0 1 30 40 a 9 4 30 1 0 -12 5 S 8,44 9,30 Z";
     let one = loop_of("svg", &svg(&format!("<path id=\"p\" d=\"{data}\"/>")));
     assert_eq!(one.name, "p");
-    for points in &points {
-        let below: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, -y]).collect();
-        check_through(&one, &below);
-    }
+    check_mirrored(&one, &points);
     // The curves and the round arc are what they were: parameter for parameter.
     for (segment, points) in one.segments.iter().zip(&points[..3]) {
         for (step, [x, y]) in points.iter().enumerate() {
@@ -49,10 +52,7 @@ fn transforms_are_products_of_matrices() {
         "<g transform=\"translate(10,5) rotate(30 4 3)\"><path transform=\"skewX(20) scale(1.5 -0.7)\" d=\"M1,2 l 6,1 c 1,3 -2,5 -4,4 q -3,-1 -4,1 a 5 3 20 0 1 2 -6 Z\"/></g>",
     );
     let one = loop_of("svg", &page);
-    for points in &points {
-        let below: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, -y]).collect();
-        check_through(&one, &below);
-    }
+    check_mirrored(&one, &points);
 }
 
 /// A circle under turns, even scales and mirrors stays an arc; under a stretch it is an ellipse of known axes.
@@ -66,36 +66,27 @@ fn transforms_keep_circles_where_they_are_round() {
     // (1, 0.5) scaled is (-2, 1), turned and moved, y reversed.
     let centre = Point2::new(3.0 - 2.0 * cos - sin, -(4.0 - 2.0 * sin + cos));
     assert_eq!(one.segments.len(), 2);
-    for segment in &one.segments {
-        let PathSegment::Arc {
-            centre: found,
-            radius,
-            ..
-        } = segment
-        else {
-            panic!("{segment:?}")
-        };
-        assert!((found - centre).norm() < 1e-14 && (radius - 3.0).abs() < 1e-14);
-    }
-    let one = loop_of(
-        "svg",
-        &svg("<circle transform=\"scale(3 1)\" cx=\"1\" cy=\"2\" r=\"2\"/>"),
-    );
-    check_through(
-        &one,
-        &[
-            [9.0, -2.0],
-            [3.0, 0.0],
-            [-3.0, -2.0],
-            [3.0 + 6.0 * 0.6, -2.0 - 2.0 * 0.8],
-        ],
-    );
+    let is_round = |segment: &PathSegment| {
+        matches!(segment, PathSegment::Arc { centre: found, radius, .. }
+            if (found - centre).norm() < 1e-14 && (radius - 3.0).abs() < 1e-14)
+    };
+    assert!(one.segments.iter().all(is_round), "{one:?}");
+    let page = svg("<circle transform=\"scale(3 1)\" cx=\"1\" cy=\"2\" r=\"2\"/>");
+    let one = loop_of("svg", &page);
+    let ellipse = points("9 -2, 3 0, -3 -2");
+    check_through(&one, &ellipse);
+    check_through(&one, &[[3.0 + 6.0 * 0.6, -2.0 - 2.0 * 0.8]]);
     assert!(one.bound_mm > 0.0);
 }
 
 /// The unit by width over the width of the view box; the area of a square by hand.
 #[test]
 fn the_page_states_the_unit() {
+    let page = |size: &str| {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" {size}><rect width=\"3\" height=\"3\"/></svg>"
+        )
+    };
     for (width, view, mm) in [
         ("40mm", 40.0, 1.0),
         ("2in", 50.8, 1.0),
@@ -103,27 +94,19 @@ fn the_page_states_the_unit() {
         ("72pt", 254.0, 0.1),
         ("6pc", 25.4, 1.0),
     ] {
-        let text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{width}\" viewBox=\"0 0 {view} {view}\"><rect width=\"3\" height=\"3\"/></svg>"
-        );
-        let drawing = drawn("svg", &text, &Options::default()).unwrap();
+        let size = format!("width=\"{width}\" height=\"{width}\" viewBox=\"0 0 {view} {view}\"");
+        let drawing = drawn("svg", &page(&size), &Options::default()).unwrap();
         let corner = drawing.loops[0].segments[1].end();
-        assert!(
-            (corner - Point2::new(3.0 * mm, -3.0 * mm)).norm() < 1e-12,
-            "{corner}"
-        );
+        let off = corner - Point2::new(3.0 * mm, -3.0 * mm);
+        assert!(off.norm() < 1e-12, "{corner}");
     }
+    let pixels = "width=\"40\" height=\"40\" viewBox=\"0 0 40 40\"";
     for (words, given) in [
-        (
-            "width=\"40\" height=\"40\" viewBox=\"0 0 40 40\"",
-            Unit::Inch,
-        ),
+        (pixels, Unit::Inch),
         ("", Unit::Cm),
         ("width=\"40mm\" height=\"40mm\"", Unit::Um),
     ] {
-        let text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" {words}><rect width=\"3\" height=\"3\"/></svg>"
-        );
+        let text = page(words);
         let unstated = drawn("svg", &text, &Options::default()).unwrap_err();
         let words = "the unit is not stated";
         assert!(unstated.reason.starts_with(words), "{unstated}");
@@ -164,10 +147,6 @@ fn what_is_no_outline_is_left_out() {
     assert_eq!(radii(None), (vec![3.0, 4.0], 2));
     assert_eq!(radii(Some("a")), (vec![3.0, 4.0], 0));
     assert_eq!(radii(Some("b")), (vec![3.0], 0));
-}
-
-#[test]
-fn the_mixed_page_has_four_loops() {
-    let drawing = drawn("svg", &made::mixed_svg(), &Options::default()).unwrap();
-    assert_eq!((drawing.loops.len(), drawing.remarks.len()), (4, 0));
+    let mixed = drawn("svg", &made::mixed_svg(), &Options::default()).unwrap();
+    assert_eq!((mixed.loops.len(), mixed.remarks.len()), (4, 0));
 }

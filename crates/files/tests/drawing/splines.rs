@@ -11,6 +11,12 @@ const POINTS: [[f64; 2]; 6] = [
     [7.0, -6.0],
     [1.0, -4.0],
 ];
+const WEIGHTS: [f64; 6] = [1.0, 2.0, 0.5, 1.5, 1.0, 0.8];
+const CLAMPED: &str = "0 0 0 0 1 2.5 3 3 3 3";
+
+fn numbers(text: &str) -> Vec<f64> {
+    text.split(' ').map(|word| word.parse().unwrap()).collect()
+}
 
 /// A point of a rational spline (de Boor 1972).
 fn de_boor(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64], t: f64) -> [f64; 2] {
@@ -32,31 +38,24 @@ fn de_boor(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64], t
             row[index] = [blend(0), blend(1), blend(2)];
         }
     }
-    [
-        row[degree][0] / row[degree][2],
-        row[degree][1] / row[degree][2],
-    ]
+    let [x, y, weight] = row[degree];
+    [x / weight, y / weight]
 }
 
-/// A spline, closed by a straight line, as the loop of its drawing.
-fn closed(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64]) -> DrawnPath {
+/// A spline, closed by a straight line, as the loop of its drawing, which goes through its points.
+fn check(degree: usize, knots: &str, points: &[[f64; 2]], weights: &[f64]) -> DrawnPath {
+    let knots = numbers(knots);
     let domain = [knots[degree], knots[points.len()]];
-    let ends = domain.map(|t| de_boor(degree, knots, points, weights, t));
-    let mut entities = vec![spline(degree, knots, points, weights)];
+    let at = |t: f64| de_boor(degree, &knots, points, weights, t);
+    let mut entities = vec![spline(degree, &knots, points, weights)];
+    let ends = domain.map(at);
     if ends[0] != ends[1] {
         entities.push(line(ends[0], ends[1]));
     }
-    loop_of("dxf", &dxf(&entities))
-}
-
-fn check(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64]) -> DrawnPath {
-    let one = closed(degree, knots, points, weights);
-    let domain = [knots[degree], knots[points.len()]];
-    let on: Vec<[f64; 2]> = (0..=100)
-        .map(|step| domain[0] + (domain[1] - domain[0]) * f64::from(step) / 100.0)
-        .map(|t| de_boor(degree, knots, points, weights, t))
-        .collect();
-    check_through(&one, &on);
+    let one = loop_of("dxf", &dxf(&entities));
+    let steps = (0..=100).map(|step| f64::from(step) / 100.0);
+    let on = steps.map(|share| at(domain[0] + (domain[1] - domain[0]) * share));
+    check_through(&one, &on.collect::<Vec<_>>());
     one
 }
 
@@ -64,16 +63,15 @@ fn check(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64]) -> 
 #[test]
 fn splines_without_weights_are_exact() {
     for (degree, knots, spans) in [
-        (1, &[0.0, 0.0, 1.0, 2.0, 3.5, 4.0, 5.0, 5.0][..], 5),
-        (2, &[0.0, 0.0, 0.0, 1.0, 2.5, 3.0, 4.0, 4.0, 4.0], 4),
-        (2, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0], 4),
-        (3, &[0.0, 0.0, 0.0, 0.0, 1.0, 2.5, 3.0, 3.0, 3.0, 3.0], 3),
-        (3, &[-2.0, 0.0, 0.5, 1.0, 2.0, 2.0, 3.0, 3.5, 4.0, 7.0], 2),
-        (3, &[0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0], 2),
+        (1, "0 0 1 2 3.5 4 5 5", 5),
+        (2, "0 0 0 1 2.5 3 4 4 4", 4),
+        (2, "0 1 2 3 4 5 6 7 8", 4),
+        (3, CLAMPED, 3),
+        (3, "-2 0 0.5 1 2 2 3 3.5 4 7", 2),
+        (3, "0 0 0 0 1 1 2 2 2 2", 2),
     ] {
         let one = check(degree, knots, &POINTS, &[]);
-        assert_eq!(one.bound_mm, 0.0);
-        assert_eq!(one.segments.len(), spans + 1);
+        assert_eq!((one.bound_mm, one.segments.len()), (0.0, spans + 1));
         let same = check(degree, knots, &POINTS, &[2.5; 6]);
         assert_eq!(same.segments[..spans], one.segments[..spans]);
     }
@@ -82,68 +80,41 @@ fn splines_without_weights_are_exact() {
 /// Points of ezdxf 1.4.5: `BSpline(points, order, knots, weights).point(t)`.
 #[test]
 fn splines_go_through_the_points_of_ezdxf() {
-    let uniform: Vec<f64> = (0..10).map(f64::from).collect();
-    let one = closed(3, &uniform, &POINTS, &[]);
-    check_through(
-        &one,
-        &points(
+    for (degree, knots, weights, on) in [
+        (
+            3,
+            "0 1 2 3 4 5 6 7 8 9",
+            &[][..],
             "4.166666666666666 4.833333333333333, 6.014666666666667 5.284, 10.291666666666666 1.4374999999999998, 8.158854166666666 -4.5703125, 6.833333333333333 -5.0",
         ),
-    );
-    let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 2.5, 3.0, 3.0, 3.0, 3.0];
-    let one = closed(3, &knots, &POINTS, &[1.0, 2.0, 0.5, 1.5, 1.0, 0.8]);
-    check_through(
-        &one,
-        &points(
+        (
+            3,
+            CLAMPED,
+            &WEIGHTS,
             "2.98564997186269 4.252110298255488, 6.443181818181818 4.420454545454545, 10.51475919212843 -0.397909702933007, 7.45921676228486 -4.957844849089549",
         ),
-    );
-    let one = closed(
-        5,
-        &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0],
-        &POINTS,
-        &[],
-    );
-    check_through(
-        &one,
-        &points(
+        (
+            5,
+            "0 0 0 0 0 0 1 1 1 1 1 1",
+            &[],
             "2.068660000000001 2.313860000000001, 7.079236181199999 2.6761128602, 8.3125 0.8125, 3.83634 -4.432860000000001",
         ),
-    );
+    ] {
+        check_through(&check(degree, knots, &POINTS, weights), &points(on));
+    }
 }
 
 /// Weights and degrees above 3: within the bound, which is below 10 nm and not zero.
 #[test]
 fn other_splines_lie_within_their_bound() {
-    let weights = [1.0, 2.0, 0.5, 1.5, 1.0, 0.8];
     for (degree, knots, weights) in [
-        (
-            2,
-            &[0.0, 0.0, 0.0, 1.0, 2.5, 3.0, 4.0, 4.0, 4.0][..],
-            &weights[..],
-        ),
-        (
-            3,
-            &[0.0, 0.0, 0.0, 0.0, 1.0, 2.5, 3.0, 3.0, 3.0, 3.0],
-            &weights,
-        ),
-        (
-            5,
-            &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0],
-            &[],
-        ),
-        (
-            4,
-            &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0],
-            &weights,
-        ),
+        (2, "0 0 0 1 2.5 3 4 4 4", &WEIGHTS[..]),
+        (3, CLAMPED, &WEIGHTS),
+        (5, "0 0 0 0 0 0 1 1 1 1 1 1", &[]),
+        (4, "0 1 2 3 4 5 6 7 8 9 10", &WEIGHTS),
     ] {
-        let one = check(degree, knots, &POINTS, weights);
-        assert!(
-            one.bound_mm > 0.0 && one.bound_mm <= 1e-5,
-            "{}",
-            one.bound_mm
-        );
+        let bound = check(degree, knots, &POINTS, weights).bound_mm;
+        assert!(bound > 0.0 && bound <= 1e-5, "{bound}");
     }
 }
 
@@ -151,57 +122,33 @@ fn other_splines_lie_within_their_bound() {
 #[test]
 fn a_rational_circle_is_round() {
     let half = 0.5_f64.sqrt();
-    let points = [
-        [5.0, 0.0],
-        [5.0, 5.0],
-        [0.0, 5.0],
-        [-5.0, 5.0],
-        [-5.0, 0.0],
-        [-5.0, -5.0],
-        [0.0, -5.0],
-        [5.0, -5.0],
-        [5.0, 0.0],
-    ];
-    let knots = [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0, 4.0, 4.0, 4.0];
-    let one = closed(
-        2,
-        &knots,
-        &points,
-        &[1.0, half, 1.0, half, 1.0, half, 1.0, half, 1.0],
-    );
+    let points = points("5 0, 5 5, 0 5, -5 5, -5 0, -5 -5, 0 -5, 5 -5, 5 0");
+    let weights = [1.0, half, 1.0, half, 1.0, half, 1.0, half, 1.0];
+    let one = check(2, "0 0 0 1 1 2 2 3 3 4 4 4", &points, &weights);
     for segment in &one.segments {
         for step in 0..=20 {
             let off = segment.at(f64::from(step) / 20.0).coords.norm() - 5.0;
             assert!(off.abs() <= one.bound_mm + 1e-14, "{off:e}");
         }
     }
-    assert!(
-        one.bound_mm < 1e-5 && one.segments.len() < 100,
-        "{}",
-        one.segments.len()
-    );
+    assert!(one.bound_mm < 1e-5 && one.segments.len() < 100, "{one:?}");
 }
 
 /// Some programs write no z of flat splines.
 #[test]
 fn splines_without_z_are_the_same() {
-    let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 2.5, 3.0, 3.0, 3.0, 3.0];
-    let entities = [spline(3, &knots, &POINTS, &[]), line(POINTS[5], POINTS[0])];
+    let spline = spline(3, &numbers(CLAMPED), &POINTS, &[]);
+    let entities = [spline, line(POINTS[5], POINTS[0])];
     let flat = entities.clone().map(|entity| entity.replace(" 30 0", ""));
-    assert_eq!(
-        loop_of("dxf", &dxf(&flat)).segments,
-        loop_of("dxf", &dxf(&entities)).segments
-    );
+    let [flat, entities] = [flat, entities].map(|each| loop_of("dxf", &dxf(&each)).segments);
+    assert_eq!(flat, entities);
 }
 
 /// Inkscape and OpenJSCAD write a z at each vertex of a light polyline; others leave noise in it.
 #[test]
 fn light_polylines_with_z_are_the_same() {
-    let flat = polyline(
-        true,
-        &[[9.0, 0.0, 0.4], [0.0, 9.0, 0.0], [-9.0, 0.0, 0.2]],
-        "",
-    );
+    let vertices = [[9.0, 0.0, 0.4], [0.0, 9.0, 0.0], [-9.0, 0.0, 0.2]];
+    let flat = polyline(true, &vertices, "");
     let expected = loop_of("dxf", &dxf(std::slice::from_ref(&flat)));
     for z in ["0", "1e-9"] {
         let with_z = flat.replacen(" 42 ", " 30 0 42 ", 1);
@@ -213,10 +160,8 @@ fn light_polylines_with_z_are_the_same() {
     }
     let high = flat.replace(" 42 0.4", " 30 1 42 0.4");
     let error = drawn("dxf", &dxf(&[high]), &in_mm()).unwrap_err();
-    assert!(
-        error.to_string().contains("a point of another z"),
-        "{error}"
-    );
+    let words = "a point of another z";
+    assert!(error.to_string().contains(words), "{error}");
 }
 
 /// A periodic spline, its first three points repeated behind, closes by itself.

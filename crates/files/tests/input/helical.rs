@@ -3,7 +3,7 @@
 use super::*;
 use gearlash::contact::ExactKernel;
 use gearlash::gear::{Gear, Hand};
-use gearlash::pair::Pose;
+use gearlash::pair::{Mating, Pose};
 
 const HELICAL: &str = r#"
 [wheel]
@@ -51,16 +51,12 @@ fn hand_and_face_are_read() {
 #[test]
 fn a_helix_angle_of_0_is_a_spur_gear() {
     let spur = HELICAL.replace("helix_angle_deg = 15", "helix_angle_deg = 0");
-    let plain = [
-        "hand = \"left\"\n",
-        "hand = \"right\"\n",
-        "face_width_mm = 30\n",
-        "face_mm = [-5, 40]\n",
-        "helix_angle_deg = 0\n",
-    ];
-    let plain = plain
-        .into_iter()
-        .fold(spur.clone(), |text, line| text.replace(line, ""));
+    let is_plain = |line: &&str| {
+        !["hand", "face", "helix"]
+            .iter()
+            .any(|key| line.starts_with(key))
+    };
+    let plain = spur.lines().filter(is_plain).collect::<Vec<_>>().join("\n");
     let [one, other] = [spur, plain].map(|text| study(&text).study);
     assert_eq!(one, other);
 }
@@ -72,10 +68,7 @@ fn an_offset_turns_the_runout_against_the_teeth() {
         "face_mm = [-5, 40]",
         "face_mm = [-5, 40]\nrunout = { total_um = 20, high_tooth = 3 }",
     );
-    let high = |text: &str| {
-        let study = study(text).study;
-        study.materials[0].2.high_tooth()
-    };
+    let high = |text: &str| study(text).study.materials[0].2.high_tooth();
     assert_eq!(high(&text), 3.0);
     let moved = high(&text.replace("= 78\n", "= 78\nface_offset_mm = 10\n"));
     let radius = 45.0 / f64::to_radians(15.0).cos();
@@ -88,22 +81,16 @@ fn an_offset_turns_the_runout_against_the_teeth() {
 
 /// A pair with runouts at 60 °C; coefficients of the wheel, the pinion and the housing.
 fn warm([wheel, pinion, housing]: [f64; 3]) -> String {
-    let of = |expansion: f64| format!("expansion_per_k = {expansion:e}");
-    HELICAL
-        .replace(
-            "face_width_mm = 30\n",
-            &format!("face_width_mm = 30\n{}\n", of(wheel)),
-        )
-        .replace(
-            "[-5, 40]\n",
-            &format!("[-5, 40]\nrunout = {{ total_um = 20, high_tooth = 3 }}\n{}\n", of(pinion)),
-        )
-        .replace(
-            "= 78\n",
-            &format!(
-                "= 78\nface_offset_mm = 4\ntemperature_c = 60\nhousing_expansion_per_k = {housing:e}\n"
-            ),
-        )
+    let wheel = format!("_mm = 30\nexpansion_per_k = {wheel:e}");
+    let pinion = format!(
+        "[-5, 40]\nrunout = {{ total_um = 20, high_tooth = 3 }}\nexpansion_per_k = {pinion:e}"
+    );
+    let assembly = format!(
+        "= 78\nface_offset_mm = 4\ntemperature_c = 60\nhousing_expansion_per_k = {housing:e}\n"
+    );
+    let text = HELICAL.replace("_mm = 30", &wheel);
+    text.replace("[-5, 40]", &pinion)
+        .replace("= 78\n", &assembly)
 }
 
 /// Where all parts expand equally, all lengths of the result do, including those along the axis.
@@ -111,22 +98,17 @@ fn warm([wheel, pinion, housing]: [f64; 3]) -> String {
 fn a_pair_that_expands_evenly_has_all_its_lengths_times_the_same() {
     let backlash = |text: &str| {
         let run = study(text).study.runs().unwrap().remove(0);
-        let kernel = ExactKernel::new(run.assembly.data().unwrap());
         let radius = run.assembly.operating_pitch_radius(run.assembly.free());
-        let found: Vec<f64> = run
+        let pair = run.assembly.data().unwrap();
+        let kernel = ExactKernel::new(pair);
+        let lost = |mating: &Mating| kernel.lost_motion(&Pose::new(pair, *mating)).unwrap();
+        let found = run
             .matings
             .iter()
-            .map(|mating| {
-                let pose = Pose::new(run.assembly.data().unwrap(), *mating);
-                kernel.lost_motion(&pose).unwrap().angle().unwrap() * radius
-            })
-            .collect();
-        (run.assembly.data().unwrap().face(), found)
+            .map(|mating| lost(mating).angle().unwrap() * radius);
+        (pair.face(), found.collect::<Vec<f64>>())
     };
-    let ((cold_face, cold), (warm_face, warm)) = (
-        backlash(&warm([0.0; 3])),
-        backlash(&warm([25e-6, 25e-6, 25e-6])),
-    );
+    let [(cold_face, cold), (warm_face, warm)] = [0.0, 25e-6].map(|k| backlash(&warm([k; 3])));
     assert_eq!(cold_face, [-1.0, 15.0]);
     for k in [0, 1] {
         assert!((warm_face[k] - 1.001 * cold_face[k]).abs() < 1e-12);
@@ -152,7 +134,10 @@ fn gears_that_expand_unlike_keep_their_helix_angle() {
         assert!((data.reference_radius() - radius).abs() < 1e-12);
         // `r_b τ = tan β_b` of both.
         let lead = data.base_radius() * data.twist().abs();
-        assert!((lead - data.base_helix_angle().tan()).abs() < 1e-15);
+        assert!(
+            (lead - data.base_helix_angle().tan()).abs() < 1e-15,
+            "{lead}"
+        );
     }
     // From −5 mm of the pinion, 4 mm off, to 15 mm of the wheel.
     let face = run.assembly.data().unwrap().face();
@@ -165,16 +150,9 @@ fn gears_that_expand_unlike_keep_their_helix_angle() {
 /// A drawing's runout, of which no high tooth is stated, and uncertainties: read as those of a spur pair.
 #[test]
 fn runout_of_any_direction_and_uncertainties_are_read() {
-    let text = HELICAL
-        .replace(
-            "face_width_mm = 30",
-            "face_width_mm = 30\nrunout.total_um = 20\nthickness.allowance_um = -50",
-        )
-        .replace(
-            "= 78\n",
-            "= 78\n[uncertainty]\nallowance_um = 2\ncenter_distance_um = 3\n",
-        );
-    let study = study(&text).study;
+    let wheel = "_mm = 30\nrunout.total_um = 20\nthickness.allowance_um = -50";
+    let uncertain = "[uncertainty]\nallowance_um = 2\ncenter_distance_um = 3\n";
+    let study = study(&(HELICAL.replace("_mm = 30", wheel) + uncertain)).study;
     assert!(study.materials[0].1.any_direction());
     // `A_st = A_sn/cos β`, `cos α_t` of which is left at the base circle.
     let transverse = (f64::to_radians(20.0).tan() / f64::to_radians(15.0).cos()).atan();
@@ -186,71 +164,64 @@ fn runout_of_any_direction_and_uncertainties_are_read() {
 /// `b ≥ W_k sin β_b + b_M cos β_b`, with the contact width `b_M = 1.2 + 0.018 W_k` that shops leave: here with `sin β_b = sin 15° cos 20°`.
 #[test]
 fn a_face_too_short_for_the_span_is_a_warning() {
-    let with = |face: &str| {
-        let text = HELICAL.replace(
-            "face_width_mm = 30",
-            &format!("face_width_mm = {face}\nthickness.span = {{ teeth = 3, mm = 23.0 }}"),
-        );
-        study(&text).warnings
+    let with = |face: f64| {
+        let keys = format!("_mm = {face}\nthickness.span = {{ teeth = 3, mm = 23.0 }}");
+        study(&HELICAL.replace("_mm = 30", &keys)).warnings
     };
     let sin = f64::to_radians(15.0).sin() * f64::to_radians(20.0).cos();
     let needed = 23.0 * sin + (1.2 + 0.018 * 23.0) * (1.0 - sin * sin).sqrt();
-    assert_eq!(with(&format!("{}", needed + 1e-6)), Vec::<String>::new());
-    let warned = with(&format!("{}", needed - 1e-6));
-    assert!(
-        warned[0].contains("wheel.face_mm: a span over 3 teeth needs a face of 7.1"),
-        "{warned:?}"
-    );
+    assert_eq!(with(needed + 1e-6), [""; 0]);
+    let warned = with(needed - 1e-6);
+    let words = "wheel.face_mm: a span over 3 teeth needs a face of 7.1";
+    assert!(warned[0].contains(words), "{warned:?}");
 }
 
-/// FVA Workbench's 27 teeth, example 1-3: 147.077 mm over balls and 147.311 mm over pins are the nominal thickness.
+/// FVA Workbench's 27 teeth, example 1-3: 147.077 mm over balls and 147.311 mm over pins are the nominal thickness. Both are equal for a spur
+/// gear, and the echo has the stated one.
 #[test]
 fn a_dimension_is_over_balls_or_over_pins() {
-    const GEAR: &str = "[wheel]\nteeth = 27\nmodule_mm = 4.5\npressure_angle_deg = 20\nhelix_angle_deg = 21\nhand = \"right\"\nface_width_mm = 50\n\
-        profile_shift = 0.3\nrack.root_radius = 0.25\nthickness.over_pins = OVER\n\
-        [pinion]\nteeth = 51\nmodule_mm = 4.5\npressure_angle_deg = 20\nhelix_angle_deg = 21\nhand = \"left\"\nface_width_mm = 50\n\
-        [assembly]\ncenter_distance_mm = 190\n";
-    let gear = |over: &str| study(&GEAR.replace("OVER", over));
+    let gear = |teeth: u32, hand: &str, more: &str| {
+        format!(
+            "teeth = {teeth}\nmodule_mm = 4.5\npressure_angle_deg = 20\nhelix_angle_deg = 21\nhand = \"{hand}\"\nface_width_mm = 50\n{more}\n"
+        )
+    };
+    let helical = |over: &str| {
+        let more =
+            format!("profile_shift = 0.3\nrack.root_radius = 0.25\nthickness.over_pins = {over}");
+        let (wheel, pinion) = (gear(27, "right", &more), gear(51, "left", ""));
+        study(&format!(
+            "[wheel]\n{wheel}[pinion]\n{pinion}[assembly]\ncenter_distance_mm = 190\n"
+        ))
+    };
     let (ball, pin) = ("147.07716569057362", "147.3111662932581");
+    let each = |mm: &str| format!("[{mm}, {mm}], space = [1, 9]");
     for (kind, mm) in [
-        ("ball", ball.to_owned()),
-        ("pin", pin.to_owned()),
-        ("pin", format!("[{pin}, {pin}], space = [1, 9]")),
-        ("ball", format!("[{ball}, {ball}], space = [1, 9]")),
+        ("ball", ball),
+        ("pin", pin),
+        ("pin", &each(pin)),
+        ("ball", &each(ball)),
     ] {
-        let over = &format!("{{ pin_mm = 9, kind = \"{kind}\", mm = {mm} }}");
-        let file = gear(over);
+        let over = format!("{{ pin_mm = 9, kind = \"{kind}\", mm = {mm} }}");
+        let file = helical(&over);
         let wheel = built(&file, Member::Wheel);
         let nominal = wheel.design().nominal_base_thickness();
         assert!((wheel.base_thickness() - nominal).abs() < 1e-9, "{over}");
-        let thickness = &echo(&file)["wheel"]["thickness"];
-        assert_eq!(thickness["over_pins"]["kind"], kind, "{over}");
+        assert_eq!(echo(&file)["wheel"]["thickness"]["over_pins"]["kind"], kind);
     }
-    let [thin, right] = ["pin", "ball"].map(|kind| {
-        let over = format!("{{ pin_mm = 9, kind = \"{kind}\", mm = 147.07716569057362 }}");
-        built(&gear(&over), Member::Wheel).base_thickness()
-    });
-    assert!(thin < right - 0.05, "{thin} {right}");
-}
-
-/// Both are equal for a spur gear, and the echo has the stated one.
-#[test]
-fn of_a_spur_gear_balls_and_pins_are_the_same() {
-    let spur = HELICAL
-        .replace("helix_angle_deg = 15", "helix_angle_deg = 0")
-        .replace(
-            "face_width_mm = 30",
-            "thickness.over_pins = { pin_mm = 5.5, KIND mm = 68.3 }",
+    let spur = |kind: &str| {
+        let over = format!("thickness.over_pins = {{ pin_mm = 5.5, {kind} mm = 68.3 }}");
+        let file = study(
+            &HELICAL
+                .replace("= 15", "= 0")
+                .replace("face_width_mm = 30", &over),
         );
-    let read = |kind: &str| {
-        let file = study(&spur.replace("KIND", kind));
         let kind = echo(&file)["wheel"]["thickness"]["over_pins"]["kind"].clone();
         (built(&file, Member::Wheel).base_thickness(), kind)
     };
-    let (none, echo) = read("");
+    let (none, echo) = spur("");
     assert!(echo.is_null());
     for kind in ["ball", "pin"] {
-        let (base, echo) = read(&format!("kind = \"{kind}\","));
-        assert_eq!((base, echo), (none, kind.into()));
+        let found = spur(&format!("kind = \"{kind}\","));
+        assert_eq!(found, (none, kind.into()));
     }
 }

@@ -59,50 +59,35 @@ fn loss(wheel: &str, pinion: &str) -> f64 {
 /// Source: a closed form, exact where all teeth are equal: the loss is the greatest sum of leads on the right plus that on the left.
 #[test]
 fn leads_cost_what_closed_forms_say() {
-    let crown = "lead = { crowning_um = 8, zero_mm = ZERO }";
-    let cases = [
+    for (keys, expected) in [
         // A crown costs nothing if pitch and thickness were measured on it, twice its height if they were measured at an end.
-        (crown.replace("ZERO", "10"), 0.0),
-        (crown.replace("ZERO", "0"), 16.0),
-        (crown.replace("ZERO", "20"), 16.0),
+        ("lead = { crowning_um = 8, zero_mm = 10 }", 0.0),
+        ("lead = { crowning_um = 8, zero_mm = 0 }", 16.0),
+        ("lead = { crowning_um = 8, zero_mm = 20 }", 16.0),
         // Tapered teeth: half the slope on both flanks at one end.
-        ("lead = { slope_um = 6, over = \"face\" }".to_owned(), 6.0),
+        ("lead = { slope_um = 6, over = \"face\" }", 6.0),
         // The evaluation range is 1 mm shorter at both ends: 5 % of the width.
         (
-            "lead = { slope_um = 6, over = \"range\" }".to_owned(),
+            "lead = { slope_um = 6, over = \"range\" }",
             6.0 * 20.0 / 18.0,
         ),
-        (
-            "lead = { slope_um = 6, range_mm = [5, 15] }".to_owned(),
-            12.0,
-        ),
+        ("lead = { slope_um = 6, range_mm = [5, 15] }", 12.0),
         // A turned helix: half of it at the far end of one flank, and at the near end of the other.
-        (
-            "lead = { helix_slope_um = \"6 r\", over = \"face\" }".to_owned(),
-            6.0,
-        ),
-        (
-            "lead = { helix_slope_um = \"6 l\", over = \"face\" }".to_owned(),
-            6.0,
-        ),
+        ("lead = { helix_slope_um = \"6 r\", over = \"face\" }", 6.0),
+        ("lead = { helix_slope_um = \"6 l\", over = \"face\" }", 6.0),
         // A helix slope of one flank: half of it.
         (
-            "lead.right = { helix_slope_um = \"6 r\" }\nlead.over = \"face\"".to_owned(),
+            "lead.right = { helix_slope_um = \"6 r\" }\nlead.over = \"face\"",
             3.0,
         ),
         // Reliefs only take material off.
-        (
-            "lead = { end_relief = { um = 9, length_mm = 4 } }".to_owned(),
-            0.0,
-        ),
+        ("lead = { end_relief = { um = 9, length_mm = 4 } }", 0.0),
         // Where the teeth were measured at a relieved end, the rest is thicker.
         (
-            "lead = { end_relief = { um = 9, length_mm = 4, end = \"far\" }, zero_mm = 20 }"
-                .to_owned(),
+            "lead = { end_relief = { um = 9, length_mm = 4, end = \"far\" }, zero_mm = 20 }",
             18.0,
         ),
-    ];
-    for (keys, expected) in &cases {
+    ] {
         for found in [loss(keys, ""), loss("", keys)] {
             assert!((found - expected).abs() < 1e-6, "{keys}: {found}");
         }
@@ -122,12 +107,8 @@ fn leads_cost_what_closed_forms_say() {
 fn the_offset_moves_the_leads_of_a_spur_pinion() {
     let off = |keys: &str| {
         let text = SPUR.replace("WHEEL", "lead = { crowning_um = 0 }");
-        let text = text.replace("PINION", keys);
-        j_bt(
-            &study(&text.replace("= 60.2", "= 60.2\nface_offset_mm = 6")),
-            (1, 1),
-            Side::Right,
-        )
+        let text = text.replace("= 60.2", "= 60.2\nface_offset_mm = 6");
+        j_bt(&study(&text.replace("PINION", keys)), (1, 1), Side::Right)
     };
     let tapered = "lead = { slope_um = 6, over = \"face\" }";
     // Seen by its back, the pinion's reference face is the far one: its thick end is in mesh.
@@ -182,16 +163,13 @@ fn helical(wheel: &str, pinion: &str) -> PairFile {
 /// The pair seen from behind: faces swap, heights change their sign, the right flanks of the picture become the left ones.
 #[test]
 fn the_pair_seen_from_behind_has_the_same_backlash() {
-    let front = helical(
-        "reference_face = \"front\"\nface_mm = [-12, 18]",
-        "reference_face = \"back\"\nface_mm = [-5, 40]",
-    );
-    let behind = helical(
-        "reference_face = \"back\"\nface_mm = [-18, 12]",
-        "reference_face = \"front\"\nface_mm = [-40, 5]",
-    );
+    let [front, back] = ["front", "back"].map(|name| format!("reference_face = \"{name}\"\n"));
+    let (wheel, pinion) = ("face_mm = [-12, 18]", "face_mm = [-5, 40]");
+    let front_view = helical(&(front.clone() + wheel), &(back.clone() + pinion));
+    let (wheel, pinion) = ("face_mm = [-18, 12]", "face_mm = [-40, 5]");
+    let behind = helical(&(back + wheel), &(front + pinion));
     for teeth in [(1, 1), (2, 1), (9, 4)] {
-        let seen = j_bt(&front, teeth, Side::Right);
+        let seen = j_bt(&front_view, teeth, Side::Right);
         let mirrored = j_bt(&behind, teeth, Side::Left);
         assert!(
             (seen - mirrored).abs() < 1e-6,
@@ -269,20 +247,17 @@ fn a_table_of_traces_is_the_same_as_lists() {
         "lead = {{ right = {{ trace = [{right}, {other}] }}, left = {{ trace = {left} }} }}"
     );
     let file = "lead = { trace = { file = \"lead.csv\" } }";
-    let folder = TempDir::new().unwrap();
     let german = table.replace(',', ";").replace('.', ",");
     let german = german.replace("from_reference_face_mm", "Höhe [mm]");
     let mut texts = Vec::new();
     for (keys, table) in [(lists.as_str(), &table), (file, &table), (file, &german)] {
-        let path = folder.path().join("pair.toml");
-        fs::write(folder.path().join("lead.csv"), table).unwrap();
-        fs::write(&path, SPUR.replace("WHEEL", keys).replace("PINION", "")).unwrap();
-        let read = read(&path).unwrap_or_else(|error| panic!("{error}"));
+        let pair = SPUR.replace("WHEEL", keys).replace("PINION", "");
+        let folder = folder(&[("lead.csv", table), ("pair.toml", &pair)]);
+        let read = read(&folder.path().join("pair.toml"));
+        let read = read.unwrap_or_else(|error| panic!("{error}"));
         let remarks = read.remarks.concat();
-        assert!(
-            remarks.contains("traces of 2 of 36 right flanks"),
-            "{remarks}"
-        );
+        let words = "traces of 2 of 36 right flanks";
+        assert!(remarks.contains(words), "{remarks}");
         texts.push(echo(&read).to_string());
     }
     assert_eq!(texts[0], texts[1]);

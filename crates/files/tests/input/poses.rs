@@ -21,10 +21,8 @@ fn matings_of_the_reference_poses() {
             .flat_map(|run| run.matings.iter().map(move |mating| (run, *mating)));
         assert_eq!(ours.clone().count(), reference.len());
         for ((run, mating), reference) in ours.zip(&reference) {
-            assert_eq!(
-                run.assembly.center_distance(),
-                reference["center_distance_mm"]
-            );
+            let distance = run.assembly.center_distance();
+            assert_eq!(distance, reference["center_distance_mm"]);
             assert_eq!(run.material.name(), reference["material"]);
             assert_eq!(mating.wheel_tooth, reference["wheel_tooth"]);
             assert_eq!(mating.pinion_tooth, reference["pinion_tooth"]);
@@ -44,65 +42,53 @@ fn matings_of_the_reference_poses() {
     assert_eq!(poses, 126);
 }
 
-#[test]
-fn without_sweep_and_measured_one_wheel_revolution() {
-    let study = study(PAIR);
-    let expected = SweepPlan::Revolution {
-        pitches: 20,
-        steps_per_pitch: 16,
-        start: (1, 1),
-    };
-    assert_eq!(study.study.sweep, Some(expected));
-    assert_eq!(study.study.runs().unwrap()[0].matings.len(), 320);
-}
-
-/// lcm(20, 30) = 60.
+/// One wheel revolution without [sweep], or as asked: lcm(20, 30) = 60.
 #[test]
 fn revolutions_as_asked() {
     let keys = "[sweep]\nrevolutions = \"hunting\"\nsteps_per_pitch = 2\nstart = [20, 30]";
-    let expected = SweepPlan::Revolution {
-        pitches: 60,
-        steps_per_pitch: 2,
-        start: (20, 30),
-    };
-    let study = study(&format!("{PAIR}{keys}"));
-    assert_eq!(study.study.sweep, Some(expected));
-    let matings = &study.study.runs().unwrap()[0].matings;
-    assert_eq!(matings.len(), 120);
-    assert_eq!((matings[0].wheel_tooth, matings[0].pinion_tooth), (20, 30));
-    assert_eq!((matings[1].wheel_tooth, matings[1].fraction), (20, 0.5));
+    for (keys, pitches, steps_per_pitch, start) in [("", 20, 16, (1, 1)), (keys, 60, 2, (20, 30))] {
+        let study = study(&format!("{PAIR}{keys}")).study;
+        let expected = SweepPlan::Revolution {
+            pitches,
+            steps_per_pitch,
+            start,
+        };
+        assert_eq!(study.sweep, Some(expected));
+        let matings = &study.runs().unwrap()[0].matings;
+        assert_eq!(matings.len() as u64, pitches * u64::from(steps_per_pitch));
+        assert_eq!((matings[0].wheel_tooth, matings[0].pinion_tooth), start);
+        let second = (matings[1].wheel_tooth, matings[1].fraction);
+        assert_eq!(second, (start.0, 1.0 / f64::from(steps_per_pitch)));
+    }
 }
 
-#[test]
-fn a_sweep_beside_measured_rows_wins() {
-    let text = fs::read_to_string("../../fixtures/karba_44x44.toml").unwrap();
-    let text = text.replace("[assembly]", "[assembly]\ncenter_distance_mm = [132.5]")
-        + "[sweep]\nmating = [[1, 2]]\n";
-    let study = study(&text);
-    assert_eq!(study.study.center_distances, [132.5]);
-    assert_eq!(study.study.measured.len(), 36);
-    assert_eq!(study.study.runs().unwrap()[0].matings.len(), 2);
-    assert_eq!(study.warnings, [""; 0]);
-}
-
-/// Without [sweep] the measured rows say where: other centre distances are not run, and said to be not.
+/// Without [sweep] the measured rows say where: other centre distances, or a band of them, are not run, and said to be not.
 #[test]
 fn centre_distances_beside_measured_rows() {
     let text = fs::read_to_string("../../fixtures/karba_44x44.toml").unwrap();
-    let with = |list: &str| {
-        study(&text.replace(
-            "[assembly]",
-            &format!("[assembly]\ncenter_distance_mm = {list}"),
-        ))
+    let with = |stated: &str, more: &str| {
+        let keys = format!("[assembly]\ncenter_distance_mm = {stated}");
+        study(&(text.replace("[assembly]", &keys) + more))
     };
     let rows = [132.04, 132.09, 132.1, 132.15, 132.21];
-    let same = with("[132.21, 132.15, 132.09, 132.04, 132.1]");
-    assert_eq!(same.study.center_distances, rows);
-    assert_eq!(same.warnings, [""; 0]);
-    let other = with("132.21");
-    assert_eq!(other.study.center_distances, rows);
-    assert_eq!(other.warnings.len(), 1);
-    assert!(other.warnings[0].starts_with("assembly.center_distance_mm is not used"));
+    for (stated, is_used) in [
+        ("[132.21, 132.15, 132.09, 132.04, 132.1]", true),
+        ("132.21", false),
+        ("{ nominal_mm = 132.1, tolerance_um = 60 }", false),
+    ] {
+        let file = with(stated, "");
+        assert_eq!(file.study.center_distances, rows, "{stated}");
+        assert_eq!(file.study.band, None);
+        let unused = "assembly.center_distance_mm is not used";
+        let is_said = |warning: &String| warning.starts_with(unused);
+        assert_eq!(file.warnings.len(), usize::from(!is_used), "{stated}");
+        assert!(file.warnings.iter().all(is_said), "{:?}", file.warnings);
+    }
+    let swept = with("[132.5]", "[sweep]\nmating = [[1, 2]]\n");
+    assert_eq!(swept.study.center_distances, [132.5]);
+    assert_eq!(swept.study.measured.len(), 36);
+    assert_eq!(swept.study.runs().unwrap()[0].matings.len(), 2);
+    assert_eq!(swept.warnings, [""; 0]);
 }
 
 /// A spreadsheet's CSV: columns in another order, carriage returns, quotes, blank lines; a German one; one without the sources.
@@ -160,36 +146,19 @@ fn a_band_of_centre_distances() {
         assert_eq!(file.study.band, Some(band), "{value}");
         // The echo keeps what was written, and reads back as the same.
         let written: toml::Table = toml::from_str(&format!("band = {value}")).unwrap();
+        let written = written["band"].as_table().unwrap().iter();
+        let number = |value: &toml::Value| value.to_string().parse::<f64>().unwrap();
+        let written: serde_json::Map<String, Value> = written
+            .map(|(key, value)| (key.clone(), number(value).into()))
+            .collect();
         let echo = echo(&file);
-        let echoed = echo["assembly"]["center_distance_mm"].as_object().unwrap();
-        let written = written["band"].as_table().unwrap();
-        assert_eq!(echoed.len(), written.len(), "{value}");
-        for (key, value) in written {
-            let number = value.as_float().or(value.as_integer().map(|i| i as f64));
-            assert_eq!(echoed[key].as_f64(), number, "{key}");
-        }
-        assert!(
-            is_same(&read_as("pair.json", echo.to_string()), &file),
-            "{value}"
-        );
+        let stated = |echo: &Value| echo["assembly"]["center_distance_mm"].clone();
+        assert_eq!(stated(&echo), Value::Object(written));
+        let again = read_as("pair.json", echo.to_string());
+        assert!(is_same(&again, &file), "{value}");
         let other = file.at(vec![75.3]).unwrap();
         assert_eq!(other.study.band, None);
-        let echo = super::echo(&other);
-        assert_eq!(
-            echo["assembly"]["center_distance_mm"],
-            serde_json::json!([75.3])
-        );
+        assert_eq!(stated(&super::echo(&other)), serde_json::json!([75.3]));
     }
     assert_eq!(with("[75.15, 75.25]").study.band, None);
-}
-
-/// Measured rows without [sweep] are run at their distances, not at those of a band.
-#[test]
-fn a_band_beside_measured_rows() {
-    let text = fs::read_to_string("../../fixtures/karba_44x44.toml").unwrap();
-    let band = "[assembly]\ncenter_distance_mm = { nominal_mm = 132.1, tolerance_um = 60 }";
-    let study = study(&text.replace("[assembly]", band));
-    assert_eq!(study.study.center_distances.len(), 5);
-    assert_eq!(study.study.band, None);
-    assert!(study.warnings[0].starts_with("assembly.center_distance_mm is not used"));
 }

@@ -14,22 +14,15 @@ fn wheel_base(study: &PairFile) -> Vec<f64> {
 /// z 20, x 0 (even) and z 21, x 0.1 (odd), m 3, 20°.
 #[test]
 fn every_statement_of_the_same_tooth_gives_the_same_base_thickness() {
-    for (teeth, shift, base, span, over_pins) in [
-        (
-            20,
-            0.0,
-            "5.249735670974402",
-            "22.9625242755357",
-            "67.34917010670293",
-        ),
-        (
-            21,
-            0.1,
-            "5.496964375582293",
-            "23.20975298014359",
-            "70.65919178333365",
-        ),
+    // Teeth, profile shift, base thickness, span and dimension over pins.
+    for stated in [
+        "20 0.0 5.249735670974402 22.9625242755357 67.34917010670293",
+        "21 0.1 5.496964375582293 23.20975298014359 70.65919178333365",
     ] {
+        let stated: Vec<&str> = stated.split(' ').collect();
+        let [teeth, shift, base, span, over_pins] = stated[..] else {
+            panic!("{stated:?}");
+        };
         let expected: f64 = base.parse().unwrap();
         for statement in [
             format!("base_thickness_mm = {base}"),
@@ -59,18 +52,16 @@ fn min_and_max_make_least_and_most_material() {
         "base_thickness_mm = { min = 5.24, max = 5.26 }",
     ] {
         let study = wheel(&format!("thickness.{statement}"));
-        let materials: Vec<Material> = study.study.materials.iter().map(|m| m.0).collect();
-        assert_eq!(materials, [Material::Most, Material::Least], "{statement}");
+        let [most, least] = &study.study.materials[..] else {
+            panic!("{statement}");
+        };
+        assert_eq!((most.0, least.0), (Material::Most, Material::Least));
         let base = wheel_base(&study);
         assert!(base[0] > base[1], "{statement}: {base:?}");
-        assert_eq!(
-            study.study.materials[0].2, study.study.materials[1].2,
-            "the pinion has one thickness"
-        );
+        assert_eq!(most.2, least.2, "the pinion has one thickness");
         let runs = study.study.runs().unwrap();
-        assert_eq!(runs.len(), 2);
-        assert_eq!(runs[0].material.name(), "most");
-        assert_eq!(runs[1].material.name(), "least");
+        let names: Vec<&str> = runs.iter().map(|run| run.material.name()).collect();
+        assert_eq!(names, ["most", "least"]);
     }
 }
 

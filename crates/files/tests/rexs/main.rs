@@ -1,6 +1,5 @@
 //! Gearbox models (REXS). The models are made, from the public grammar of the format.
 
-mod left_out;
 mod mutations;
 mod oracle;
 mod read;

@@ -1,4 +1,4 @@
-//! The pairs of stages against the second reading, and zipped models. `tests/sessions/rexs_stages.txt` holds what each stage becomes.
+//! The pairs of stages against the second reading, and zipped models. `tests/sessions/rexs_stages.txt` and `rexs_faults.txt` hold what each stage becomes.
 
 use super::oracle::Model;
 use super::*;

@@ -3,8 +3,11 @@
 use super::*;
 use oracle::{Rows, column, delimited, protocol, shop};
 
-/// The right data of a table for a number of teeth: a list a column; `None` where it is malformed.
-pub type Oracle = fn(&[u8], u32) -> Option<Vec<Vec<f64>>>;
+/// Lists of values, one a column.
+pub type Lists = Vec<Vec<f64>>;
+
+/// The right data of a table for a number of teeth; `None` where it is malformed.
+pub type Oracle = fn(&[u8], u32) -> Option<Lists>;
 
 /// A format: the file's name, the keys that name it, a table for a number of teeth, and the content of its rows.
 pub struct Format {
@@ -13,13 +16,13 @@ pub struct Format {
     pub table: fn(u32) -> Vec<u8>,
     pub oracle: Oracle,
     /// The understood values, in the same order.
-    pub understood: fn(&PairFile) -> Vec<Vec<f64>>,
+    pub understood: fn(&PairFile) -> Lists,
     /// The allowed difference of both for a value and a number of teeth: 0 where values are copied.
     pub tolerance: fn(f64, u32) -> f64,
 }
 
 impl Format {
-    pub fn agrees(&self, study: &PairFile, expected: &[Vec<f64>], teeth: u32) -> bool {
+    pub fn agrees(&self, study: &PairFile, expected: &Lists, teeth: u32) -> bool {
         let understood = (self.understood)(study);
         let near =
             |(one, other): (&f64, &f64)| (one - other).abs() <= (self.tolerance)(*other, teeth);
@@ -45,30 +48,32 @@ fn rows(teeth: u32, row: impl Fn(u32) -> String) -> String {
     (1..=teeth).map(row).collect()
 }
 
-fn flanks(rows: Rows) -> Vec<Vec<f64>> {
+pub fn flanks(rows: Rows) -> Lists {
     vec![column(&rows, 0), column(&rows, 1)]
 }
 
-pub fn pitch_lists(study: &PairFile) -> Vec<Vec<f64>> {
+pub fn pitch_lists(study: &PairFile) -> Lists {
     ["right_um", "left_um"]
         .map(|list| echoed(study, "pitch", list))
         .to_vec()
 }
 
-pub const FORMATS: [Format; 6] = [
-    Format {
-        name: "pitch.csv",
-        keys: "pitch = { kind = \"cumulative\", file = \"pitch.csv\" }",
-        table: |teeth| {
-            let row = |tooth| format!("{tooth},{:.1},{:.1}\n", tenths(tooth), others(tooth));
-            format!("tooth,left (µm),right (µm)\n{}", rows(teeth, row)).into_bytes()
-        },
-        oracle: |bytes, teeth| {
-            delimited(bytes, teeth, &[["right", "recht"], ["left", "link"]]).map(flanks)
-        },
-        understood: pitch_lists,
-        tolerance: |_, _| 0.0,
+const PITCH: Format = Format {
+    name: "pitch.csv",
+    keys: "pitch = { kind = \"cumulative\", file = \"pitch.csv\" }",
+    table: |teeth| {
+        let row = |tooth| format!("{tooth},{:.1},{:.1}\n", tenths(tooth), others(tooth));
+        format!("tooth,left (µm),right (µm)\n{}", rows(teeth, row)).into_bytes()
     },
+    oracle: |bytes, teeth| {
+        delimited(bytes, teeth, &[["right", "recht"], ["left", "link"]]).map(flanks)
+    },
+    understood: pitch_lists,
+    tolerance: |_, _| 0.0,
+};
+
+pub const FORMATS: [Format; 6] = [
+    PITCH,
     Format {
         name: "german.csv",
         keys: "pitch = { kind = \"cumulative\", file = \"german.csv\" }",
@@ -80,11 +85,7 @@ pub const FORMATS: [Format; 6] = [
             // Windows-1252 has these letters at their Unicode numbers.
             text.chars().map(|letter| letter as u8).collect()
         },
-        oracle: |bytes, teeth| {
-            delimited(bytes, teeth, &[["right", "recht"], ["left", "link"]]).map(flanks)
-        },
-        understood: pitch_lists,
-        tolerance: |_, _| 0.0,
+        ..PITCH
     },
     Format {
         name: "shop.csv",
@@ -101,8 +102,7 @@ pub const FORMATS: [Format; 6] = [
             format!("{head}{}{foot}", rows(teeth, row)).into_bytes()
         },
         oracle: |bytes, teeth| shop(bytes, teeth).map(flanks),
-        understood: pitch_lists,
-        tolerance: |_, _| 0.0,
+        ..PITCH
     },
     Format {
         name: "thickness.csv",
@@ -115,7 +115,7 @@ pub const FORMATS: [Format; 6] = [
             delimited(bytes, teeth, &[["thickness", "dicke"]]).map(|rows| vec![column(&rows, 0)])
         },
         understood: |study| vec![echoed(study, "thickness", "per_tooth_um")],
-        tolerance: |_, _| 0.0,
+        ..PITCH
     },
     Format {
         name: "runout.csv",
@@ -177,7 +177,6 @@ pub const FORMATS: [Format; 6] = [
             let [left, right] = protocol(bytes, teeth, 1)?;
             Some(vec![column(&right, 0), column(&left, 0)])
         },
-        understood: pitch_lists,
-        tolerance: |_, _| 0.0,
+        ..PITCH
     },
 ];

@@ -12,12 +12,12 @@ const FLANKS: [[&str; 2]; 2] = [["right", "rechts"], ["left", "links"]];
 /// The pair of the made sheets with their wheel's pitch as the tests' own reading has it.
 fn inline(kind: &str, right: &[f64], left: &[f64]) -> PairFile {
     let keys = format!("pitch = {{ kind = \"{kind}\", right_um = {right:?}, left_um = {left:?} }}");
-    read_with("unused", b"", &pair(44, &keys)).unwrap()
+    super::good("unused", b"", &pair(44, &keys))
 }
 
 fn from_file(name: &str, table: &[u8], kind: &str) -> PairFile {
     let keys = format!("pitch = {{ kind = \"{kind}\", file = \"{name}\" }}");
-    read_with(name, table, &pair(44, &keys)).unwrap_or_else(|problems| panic!("{problems:#?}"))
+    super::good(name, table, &pair(44, &keys))
 }
 
 #[test]
@@ -137,16 +137,9 @@ fn runout_is_the_first_harmonic_of_the_readings() {
         let keys = format!("runout = {{ file = \"r.csv\", at = \"{at}\" }}");
         let study = read_with("r.csv", table.as_bytes(), &pair(44, &keys)).unwrap();
         let wheel = &study.study.materials[0].1;
-        assert!(
-            (1000.0 * wheel.eccentricity() - e).abs() < left_out,
-            "{}",
-            wheel.eccentricity()
-        );
-        assert!(
-            (wheel.high_tooth() - high).abs() < 1e-9,
-            "{}",
-            wheel.high_tooth()
-        );
+        let (found, found_high) = (wheel.eccentricity(), wheel.high_tooth());
+        assert!((1000.0 * found - e).abs() < left_out, "{found}");
+        assert!((found_high - high).abs() < 1e-9, "{found_high}");
         let stated = &study.spec.wheel.data().unwrap().runout;
         assert_eq!(stated.total(), 2000.0 * wheel.eccentricity());
         assert_eq!(stated.high_tooth, Some(wheel.high_tooth()));
@@ -164,14 +157,12 @@ fn runout_is_the_first_harmonic_of_the_readings() {
 /// Readings that are all the same have no high tooth.
 #[test]
 fn no_runout_needs_no_high_tooth() {
-    let rows: Vec<String> = (1..=44).map(|tooth| format!("{tooth},0")).collect();
-    let table = format!("tooth,runout\n{}", rows.join("\n"));
+    let rows: String = (1..=44).map(|tooth| format!("{tooth},0\n")).collect();
+    let table = format!("tooth,runout\n{rows}");
     let keys = "runout = { file = \"r.csv\", at = \"tooth\" }";
-    let study = read_with("r.csv", table.as_bytes(), &pair(44, keys)).unwrap();
-    assert_eq!(
-        echo(&study)["wheel"]["runout"],
-        serde_json::json!({ "total_um": 0.0 })
-    );
+    let study = super::good("r.csv", table.as_bytes(), &pair(44, keys));
+    let expected = serde_json::json!({ "total_um": 0.0 });
+    assert_eq!(echo(&study)["wheel"]["runout"], expected);
 }
 
 /// The pair of the fixtures: its echo, without any file, gives the same study.

@@ -1,10 +1,9 @@
 //! Inspection tables in files: each layout gives the study of the same lists written inline, each fault has its line.
 
 mod cases;
-mod formats;
+pub mod formats;
 mod good;
-mod mutated_workbooks;
-mod mutations;
+pub mod mutations;
 mod oracle;
 mod profiles;
 mod protocols;
@@ -35,6 +34,11 @@ fn read_pair(path: &Path) -> Result<PairFile, Vec<Problem>> {
         assert!(!error.problems.is_empty());
         error.problems
     })
+}
+
+/// Reads a good pair with `table` as the file `name` beside it.
+fn good(name: &str, table: &[u8], pair: &str) -> PairFile {
+    read_with(name, table, pair).unwrap_or_else(|problems| panic!("{problems:#?}"))
 }
 
 /// The values of a list of the wheel as understood.

@@ -3,53 +3,73 @@
 //! The tests' own [`oracle`] reads the mutants. They are seeded: every run sees the same ones.
 
 use super::*;
-use formats::{FORMATS, Format, pitch_lists};
+use formats::{FORMATS, Format, Lists, pitch_lists};
 use mutant::{Choice, count, mutant};
 use rayon::prelude::*;
 
-/// Reads `count` mutants of a table of `teeth` teeth; the numbers of errors and of right data.
-fn run(format: &Format, teeth: u32, count: usize) -> (usize, usize) {
-    let good = (format.table)(teeth);
-    let text = pair(teeth, format.keys);
-    let folder = TempDir::new().unwrap();
-    let (table, path) = (
-        folder.path().join(format.name),
-        folder.path().join("pair.toml"),
-    );
-    fs::write(&path, text).unwrap();
-    let mut choice = Choice(u64::from(teeth));
-    let (mut errors, mut right) = (0, 0);
-    for number in 0..=count {
-        let bytes = if number == 0 {
-            good.clone()
-        } else {
-            mutant(&good, &mut choice)
-        };
-        fs::write(&table, &bytes).unwrap();
-        let shown = || String::from_utf8_lossy(&bytes[..bytes.len().min(2000)]).into_owned();
-        match read_pair(&path) {
-            Ok(study) => {
-                let expected = (format.oracle)(&bytes, teeth);
-                let agrees = expected
-                    .as_ref()
-                    .is_some_and(|expected| format.agrees(&study, expected, teeth));
-                assert!(agrees, "{number}: not {expected:?} of {}", shown());
-                right += 1;
-            }
-            Err(problems) => {
-                assert!(number > 0, "{problems:#?}");
-                let right = (format.oracle)(&bytes, teeth).is_some();
-                for problem in problems {
-                    check(format.name, OF_THE_FILE, &problem, right);
-                }
-                errors += 1;
-            }
-        }
-    }
-    (errors, right)
+/// A table `name` of a gear, which these `keys` name, and its mutants.
+pub struct Garbled<'a> {
+    pub name: &'a str,
+    pub keys: &'a str,
+    pub teeth: u32,
+    pub count: usize,
+    /// Starts of messages about the whole file; every other one is about a line.
+    pub of_the_file: &'a [&'a str],
 }
 
-/// Faults of a whole text file; every other fault is in a line.
+impl Garbled<'_> {
+    /// Reads the files that `file` makes, the first a good one, each with its right data and whether they may be of a gear that cannot be.
+    /// Returns the numbers of errors and of right data.
+    pub fn run(
+        &self,
+        mut file: impl FnMut(usize) -> (Vec<u8>, Option<Lists>, bool),
+        agree: impl Fn(&PairFile, &Lists) -> bool,
+    ) -> (usize, usize) {
+        let folder = TempDir::new().unwrap();
+        let path = folder.path().join("pair.toml");
+        fs::write(&path, pair(self.teeth, self.keys)).unwrap();
+        let (mut errors, mut right) = (0, 0);
+        for number in 0..=self.count {
+            let (bytes, expected, may_be_refused) = file(number);
+            fs::write(folder.path().join(self.name), &bytes).unwrap();
+            match read_pair(&path) {
+                Ok(study) => {
+                    let agrees = expected.as_ref().is_some_and(|right| agree(&study, right));
+                    let shown = String::from_utf8_lossy(&bytes[..bytes.len().min(2000)]);
+                    assert!(agrees, "{number}: not {expected:?} of {shown}");
+                    right += 1;
+                }
+                Err(problems) => {
+                    assert!(number > 0, "{problems:#?}");
+                    for problem in problems {
+                        self.check(&problem, may_be_refused);
+                    }
+                    errors += 1;
+                }
+            }
+        }
+        (errors, right)
+    }
+
+    fn check(&self, problem: &Problem, may_be_refused: bool) {
+        assert!(!problem.help.is_empty(), "{problem}");
+        let Some((_, message)) = problem.reason.split_once(&format!("{}: ", self.name)) else {
+            let rest = problem.reason.ends_with(" more problems like the last one");
+            assert!(rest || may_be_refused, "{problem}");
+            return;
+        };
+        let line = message.strip_prefix("line ").and_then(|rest| {
+            let (line, reason) = rest.split_once(": ")?;
+            (!reason.is_empty()).then(|| line.parse::<u64>().ok())?
+        });
+        let is_of_the_file = || self.of_the_file.iter().any(|of| message.starts_with(of));
+        assert!(
+            line.is_some_and(|line| line > 0) || is_of_the_file(),
+            "{problem}"
+        );
+    }
+}
+
 const OF_THE_FILE: &[&str] = &[
     "no line names the columns ",
     "is empty",
@@ -66,44 +86,40 @@ pub const OF_THE_WORKBOOK: &[&str] = &[
     "is empty",
 ];
 
-/// A table that is read right may still be of a gear that cannot be: `right` says whether it was.
-pub fn check(name: &str, of_the_file: &[&str], problem: &Problem, right: bool) {
-    assert!(!problem.help.is_empty(), "{problem}");
-    let Some((_, message)) = problem.reason.split_once(&format!("{name}: ")) else {
-        let rest = problem.reason.ends_with(" more problems like the last one");
-        assert!(rest || right, "{problem}");
-        return;
+fn garbled(format: &Format, teeth: u32, count: usize) -> (usize, usize) {
+    let good = (format.table)(teeth);
+    let mut choice = Choice(u64::from(teeth));
+    let Format { name, keys, .. } = *format;
+    let garbled = Garbled {
+        name,
+        keys,
+        teeth,
+        count,
+        of_the_file: OF_THE_FILE,
     };
-    let line = message.strip_prefix("line ").and_then(|rest| {
-        let (line, reason) = rest.split_once(": ")?;
-        (!reason.is_empty()).then(|| line.parse::<u64>().ok())?
-    });
-    assert!(
-        line.is_some_and(|line| line > 0)
-            || of_the_file.iter().any(|words| message.starts_with(words)),
-        "{problem}"
-    );
+    let file = |number| {
+        let bytes = match number {
+            0 => good.clone(),
+            _ => mutant(&good, &mut choice),
+        };
+        let expected = (format.oracle)(&bytes, teeth);
+        let is_right = expected.is_some();
+        (bytes, expected, is_right)
+    };
+    garbled.run(file, |study, right| format.agrees(study, right, teeth))
 }
 
-/// Mutants of each format.
+/// Mutants of each format, and the same mistakes among 10 000 lines.
 #[test]
 fn garbled_tables() {
     FORMATS.par_iter().for_each(|format| {
-        let (errors, right) = run(format, 17, count());
-        assert_eq!(errors + right, count() + 1);
+        let (errors, right) = garbled(format, 17, count());
         assert!(
             5 * errors > 2 * count() && 60 * right > count(),
             "{}: {errors} errors, {right} right",
             format.name
         );
-    });
-}
-
-/// The same mistakes among 10 000 lines.
-#[test]
-fn garbled_tables_of_ten_thousand_lines() {
-    FORMATS.par_iter().for_each(|format| {
-        let (errors, right) = run(format, 10_000, 60);
+        let (errors, right) = garbled(format, 10_000, 60);
         assert!(
             errors > 15 && right > 1,
             "{}: {errors} errors, {right} right",
@@ -116,21 +132,23 @@ fn garbled_tables_of_ten_thousand_lines() {
 #[test]
 fn garbled_workbooks() {
     let good = fs::read("../../fixtures/sheets/pitch.xlsx").unwrap();
-    let text = pair(44, "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }");
-    let expected = pitch_lists(&read_with("p.xlsx", &good, &text).unwrap());
+    let keys = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
+    let expected = pitch_lists(&read_with("p.xlsx", &good, &pair(44, keys)).unwrap());
+    let garbled = Garbled {
+        name: "p.xlsx",
+        keys,
+        teeth: 44,
+        count: 2000,
+        of_the_file: OF_THE_WORKBOOK,
+    };
     let mut choice = Choice(44);
-    let mut errors = 0;
-    for number in 0..2000 {
-        let bytes = mutant(&good, &mut choice);
-        match read_with("p.xlsx", &bytes, &text) {
-            Ok(study) => assert_eq!(pitch_lists(&study), expected, "{number}"),
-            Err(problems) => {
-                errors += 1;
-                for problem in problems {
-                    check("p.xlsx", OF_THE_WORKBOOK, &problem, false);
-                }
-            }
-        }
-    }
+    let file = |number| {
+        let bytes = match number {
+            0 => good.clone(),
+            _ => mutant(&good, &mut choice),
+        };
+        (bytes, Some(expected.clone()), false)
+    };
+    let (errors, _) = garbled.run(file, |study, right| pitch_lists(study) == *right);
     assert!(errors > 1000, "{errors}");
 }

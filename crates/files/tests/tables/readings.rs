@@ -1,71 +1,56 @@
 //! Spans and dimensions over pins all round, from files: the study of the same lists written inline.
 
 use super::*;
-use rust_xlsxwriter::Workbook;
+use written_book::{columns, written};
 
 /// As a German Excel writes it, in Windows-1252: these letters have their Unicode numbers there.
-fn german(heading: &str, readings: &[(u32, f64)]) -> Vec<u8> {
-    let row = |(place, mm): &(u32, f64)| format!("{place};{mm:.3}\r\n").replace('.', ",");
+fn german(heading: &str, readings: &[[f64; 2]]) -> Vec<u8> {
+    let row = |[mm, place]: &[f64; 2]| format!("{place};{mm:.3}\r\n").replace('.', ",");
     let rows: String = readings.iter().map(row).collect();
     let text = format!("Zahn-Nr.;{heading}\r\n{rows}");
     text.chars().map(|letter| letter as u8).collect()
 }
 
-fn workbook(heading: &str, readings: &[(u32, f64)]) -> Vec<u8> {
-    let mut workbook = Workbook::new();
-    let sheet = workbook.add_worksheet();
-    sheet.write(0, 0, heading).unwrap();
-    sheet.write(0, 1, "tooth").unwrap();
-    for (row, (place, mm)) in (1..).zip(readings) {
-        sheet.write(row, 0, *mm).unwrap();
-        sheet.write(row, 1, *place).unwrap();
-    }
-    workbook.save_to_buffer().unwrap()
-}
-
-/// Readings of about `mm` at all places of 44 but the last two, rising by 1 µm up to the fifth, in descending order.
-fn readings(mm: f64) -> Vec<(u32, f64)> {
-    let reading = |place: u32| (place, mm + f64::from(place % 5) / 1000.0);
-    (1..=42).rev().map(reading).collect()
-}
-
-fn same(statement: &str, place_key: &str, headings: [&str; 2], mm: f64) {
-    let readings = readings(mm);
-    let (mut places, mut values) = (Vec::new(), Vec::new());
-    for (place, mm) in readings.iter().rev() {
-        places.push(*place);
-        // The value in three decimals.
-        values.push(format!("{mm:.3}").parse::<f64>().unwrap());
-    }
-    let rounded: Vec<(u32, f64)> = places
-        .iter()
-        .copied()
-        .zip(values.iter().copied())
-        .rev()
-        .collect();
-    let keys = |rest: &str| pair(44, &format!("thickness.{statement}, {rest} }}"));
-    let list = keys(&format!("mm = {values:?}, {place_key} = {places:?}"));
-    let expected = read_with("unused", b"", &list).unwrap_or_else(|message| panic!("{message:#?}"));
-    for (name, table) in [
-        ("w.csv", german(headings[0], &rounded)),
-        ("w.xlsx", workbook(headings[1], &rounded)),
+/// Readings of three decimals at all places of 44 but the last two, in descending order.
+///
+/// W_6 = m cos α ((k − 1/2) π + z inv α) = 50.559 mm without allowance. M_dK = d_b/cos α_K + D_M = 139.5 mm, inv α_K = inv α + D_M/d_b − π/(2 z).
+#[test]
+fn readings_in_files_are_those_of_lists() {
+    for (statement, place, headings, least_um) in [
+        (
+            "span = { teeth = 6",
+            "first_tooth",
+            ["Zahnweite (mm)", "span (mm)"],
+            50_500,
+        ),
+        (
+            "over_pins = { pin_mm = 5.25",
+            "space",
+            ["Zweirollenmaß [mm]", "over pins (mm)"],
+            139_400,
+        ),
     ] {
-        let found = read_with(name, &table, &keys(&format!("file = \"{name}\"")));
-        let found = found.unwrap_or_else(|message| panic!("{message:#?}"));
-        assert!(is_same(&found, &expected), "{name}");
+        let places: Vec<u32> = (1..=42).collect();
+        let mm: Vec<f64> = places
+            .iter()
+            .map(|place| f64::from(least_um + place % 5) / 1000.0)
+            .collect();
+        let mut readings: Vec<[f64; 2]> = Vec::new();
+        for (mm, place) in mm.iter().zip(&places).rev() {
+            readings.push([*mm, f64::from(*place)]);
+        }
+        let keys = |rest: &str| pair(44, &format!("thickness.{statement}, {rest} }}"));
+        let list = keys(&format!("mm = {mm:?}, {place} = {places:?}"));
+        let expected = good("unused", b"", &list);
+        for (name, table) in [
+            ("w.csv", german(headings[0], &readings)),
+            (
+                "w.xlsx",
+                written(&columns([headings[1], "tooth"], &readings)),
+            ),
+        ] {
+            let found = good(name, &table, &keys(&format!("file = \"{name}\"")));
+            assert!(is_same(&found, &expected), "{name}");
+        }
     }
-}
-
-/// W_6 = m cos α ((k − 1/2) π + z inv α) = 50.559 mm without allowance.
-#[test]
-fn spans() {
-    let headings = ["Zahnweite (mm)", "span (mm)"];
-    same("span = { teeth = 6", "first_tooth", headings, 50.5);
-}
-
-/// M_dK = d_b/cos α_K + D_M = 139.5 mm without allowance, inv α_K = inv α + D_M/d_b − π/(2 z).
-#[test]
-fn pins() {
-    let headings = ["Zweirollenmaß [mm]", "over pins (mm)"];
-    same("over_pins = { pin_mm = 5.25", "space", headings, 139.4);
 }

@@ -3,46 +3,38 @@
 use super::*;
 use rust_xlsxwriter::{Chart, ChartType, ExcelDateTime, Format, Workbook};
 use std::io::{Read, Write};
-use written_book::{Cell, write};
+use written_book::{Cell, columns, fill, write};
 
-/// Pitch of four teeth in the sheet `name`, the cell of the third row and column left to `third`.
-fn sheet(workbook: &mut Workbook, name: &str, third: impl Fn(&mut rust_xlsxwriter::Worksheet)) {
+const KEYS: &str = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
+
+/// Adds a sheet `name` of pitch; cells left to `change`.
+fn sheet(workbook: &mut Workbook, name: &str, change: impl Fn(&mut rust_xlsxwriter::Worksheet)) {
+    let rows = (1..=44).map(|tooth| [f64::from(tooth), 0.5, 0.0]);
+    let cells = columns(
+        ["tooth", "left (µm)", "right (µm)"],
+        &rows.collect::<Vec<_>>(),
+    );
     let sheet = workbook.add_worksheet().set_name(name).unwrap();
-    for (column, heading) in ["tooth", "left (µm)", "right (µm)"].iter().enumerate() {
-        sheet.write(0, column as u16, *heading).unwrap();
-    }
-    for row in 1..=44 {
-        sheet.write(row, 0, row).unwrap();
-        sheet.write(row, 1, 0.5).unwrap();
-        sheet.write(row, 2, 0).unwrap();
-    }
-    third(sheet);
+    fill(sheet, &cells);
+    change(sheet);
 }
 
-fn error_text(workbook: &mut Workbook, keys: &str) -> String {
+/// What is read of tooth 3, or the problems below the file's name.
+fn outcome(workbook: &mut Workbook, keys: &str) -> String {
     let table = workbook.save_to_buffer().unwrap();
-    let keys = format!("pitch = {{ kind = \"cumulative\", file = \"p.xlsx\"{keys} }}");
-    match read_with("p.xlsx", &table, &pair(44, &keys)) {
-        Ok(study) => format!(
-            "left of tooth 3 is {}",
-            echoed(&study, "pitch", "left_um")[2]
-        ),
-        Err(error_text) => {
-            let message = |problem: &Problem| {
-                problem
-                    .to_string()
-                    .split("/p.xlsx: ")
-                    .last()
-                    .unwrap()
-                    .to_owned()
-            };
-            error_text
-                .iter()
-                .map(message)
-                .collect::<Vec<_>>()
-                .join("\n")
+    let keys = KEYS.replace(" }", &format!("{keys} }}"));
+    let problems = match read_with("p.xlsx", &table, &pair(44, &keys)) {
+        Ok(study) => {
+            let left = echoed(&study, "pitch", "left_um");
+            return format!("left of tooth 3 is {}", left[2]);
         }
-    }
+        Err(problems) => problems,
+    };
+    let message = |problem: &Problem| {
+        let text = problem.to_string();
+        text.rsplit("/p.xlsx: ").next().unwrap().to_owned()
+    };
+    problems.iter().map(message).collect::<Vec<_>>().join("\n")
 }
 
 #[test]
@@ -59,7 +51,7 @@ fn cells() {
         Some((3, 4, text("a remark"))),
         Some((50, 1, Cell::Number(7.0))),
     ];
-    let error_text = cases.map(|case| {
+    let outcomes = cases.map(|case| {
         let mut workbook = Workbook::new();
         sheet(&mut workbook, "Pitch", |sheet| match &case {
             Some((row, column, Cell::Nothing)) => {
@@ -72,9 +64,9 @@ fn cells() {
             Some((row, column, cell)) => write(sheet, *row, *column, cell),
             None => {}
         });
-        error_text(&mut workbook, "")
+        outcome(&mut workbook, "")
     });
-    insta::assert_snapshot!(error_text.join("\n"));
+    insta::assert_snapshot!(outcomes.join("\n"));
 }
 
 #[test]
@@ -82,7 +74,7 @@ fn sheets() {
     let mut workbook = Workbook::new();
     sheet(&mut workbook, "Rad 1", |_| {});
     workbook.add_worksheet().set_name("leer").unwrap();
-    let one = error_text(&mut workbook, "");
+    let one = outcome(&mut workbook, "");
     sheet(&mut workbook, "Rad 2", |sheet| {
         sheet.write(3, 1, 2).unwrap();
     });
@@ -93,7 +85,7 @@ fn sheets() {
         ", sheet = \"leer\"",
         ", sheet = 2",
     ];
-    let several = cases.map(|keys| error_text(&mut workbook, keys));
+    let several = cases.map(|keys| outcome(&mut workbook, keys));
     insta::assert_snapshot!(format!("{one}\n{}", several.join("\n")));
 }
 
@@ -123,11 +115,12 @@ fn formats_of_dates() {
                 let format = Format::new().set_num_format(*code);
                 sheet.write_number_with_format(3, 1, 0.25, &format).unwrap();
             });
-            let found = error_text(&mut workbook, "");
-            assert_eq!(found.contains("a date or time"), is_date, "{code}: {found}");
+            let found = outcome(&mut workbook, "");
+            let is_read = found == "left of tooth 3 is 0.25";
+            let is_refused = found.contains("a date or time");
             assert_eq!(
-                found == "left of tooth 3 is 0.25",
-                !is_date,
+                [is_refused, is_read],
+                [is_date, !is_date],
                 "{code}: {found}"
             );
         }
@@ -159,11 +152,10 @@ fn escapes_of_texts() {
     sheet(&mut workbook, "Pitch", |sheet| {
         sheet.write(3, 1, "0,75").unwrap();
     });
-    let good = workbook.save_to_buffer().unwrap();
-    let keys = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
+    let book = workbook.save_to_buffer().unwrap();
     for (text, value) in [("0,75", 0.75), ("_x0030_,5", 0.5), ("0,&#50;_x0035_", 0.25)] {
-        let table = changed(&good, "0,75", text);
-        let study = read_with("p.xlsx", &table, &pair(44, keys)).unwrap();
+        let table = changed(&book, "0,75", text);
+        let study = good("p.xlsx", &table, &pair(44, KEYS));
         assert_eq!(echoed(&study, "pitch", "left_um")[2], value, "{text}");
     }
 }
@@ -177,7 +169,7 @@ fn a_chart_sheet_beside_the_table() {
     chart.add_series().set_values("Pitch!$B$2:$B$45");
     let page = workbook.add_chartsheet();
     page.insert_chart(0, 0, &chart).unwrap();
-    assert_eq!(error_text(&mut workbook, ""), "left of tooth 3 is 0.5");
+    assert_eq!(outcome(&mut workbook, ""), "left of tooth 3 is 0.5");
 }
 
 /// A reference that comes round to another cell in 32 bits: row 2^32 + 3 is no row 3.
@@ -188,32 +180,26 @@ fn a_reference_beyond_the_last_cell() {
     let good = workbook.save_to_buffer().unwrap();
     for beyond in ["B4294967300", "AAAAAAAAAA4"] {
         let table = changed(&good, "r=\"B4\"", &format!("r=\"{beyond}\""));
-        let keys = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
-        let error_text = read_with("p.xlsx", &table, &pair(44, keys)).unwrap_err();
+        let problems = read_with("p.xlsx", &table, &pair(44, KEYS)).unwrap_err();
         let expected = format!("no spreadsheet has a cell \"{beyond}\"");
-        assert!(error_text[0].reason.ends_with(&expected), "{error_text:#?}");
+        assert!(problems[0].reason.ends_with(&expected), "{problems:#?}");
     }
 }
 
 #[test]
 fn broken_containers() {
     let good = fs::read("../../fixtures/sheets/pitch.xlsx").unwrap();
-    let keys = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
+    let whole = good.len();
     for broken in [
         &good[..0],
         &good[..1],
-        &good[..good.len() / 2],
-        &good[..good.len() - 1],
+        &good[..whole / 2],
+        &good[..whole - 1],
         b"tooth,left,right\n1,2,3",
     ] {
-        let error_text = read_with("p.xlsx", broken, &pair(44, keys)).unwrap_err();
-        assert_eq!(error_text.len(), 1, "{error_text:#?}");
-        assert!(
-            error_text[0]
-                .reason
-                .contains("cannot be read as an .xlsx workbook"),
-            "{}",
-            error_text[0]
-        );
+        let problems = read_with("p.xlsx", broken, &pair(44, KEYS)).unwrap_err();
+        assert_eq!(problems.len(), 1, "{problems:#?}");
+        let words = "cannot be read as an .xlsx workbook";
+        assert!(problems[0].reason.contains(words), "{problems:#?}");
     }
 }

@@ -85,14 +85,17 @@ mod tests {
     use super::*;
     use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-    /// Closed form: √2, from either side.
+    /// Closed forms: √2, from either side; the sine is greatest at π/2.
     #[test]
-    fn bisection_brackets_a_root_to_the_last_bit() {
+    fn searches_bracket_a_root_and_a_maximum() {
         let [low, high] = bisect(1.0, 2.0, 0.0, |x| x * x < 2.0);
         assert!(low * low < 2.0 && high * high >= 2.0 && low.next_up() == high);
         assert!((high - SQRT_2).abs() <= f64::EPSILON);
         let [high, low] = bisect(2.0, 1.0, 1e-3, |x| x * x >= 2.0);
         assert!(low < SQRT_2 && SQRT_2 <= high && high - low <= 1e-3);
+        let (greatest, [low, high]) = golden_section(1.0, 2.0, 1e-6, f64::sin);
+        assert!((greatest - 1.0).abs() < 1e-12 && high - low <= 1e-6);
+        assert!(low - 1e-7 <= FRAC_PI_2 && FRAC_PI_2 <= high + 1e-7);
     }
 
     #[test]
@@ -103,14 +106,6 @@ mod tests {
             if count < 3 { Ok(true) } else { Err(count) }
         });
         assert_eq!(found, Err(3));
-    }
-
-    /// Closed form: the sine is greatest at π/2.
-    #[test]
-    fn a_golden_section_brackets_a_maximum() {
-        let (greatest, [low, high]) = golden_section(1.0, 2.0, 1e-6, f64::sin);
-        assert!((greatest - 1.0).abs() < 1e-12 && high - low <= 1e-6);
-        assert!(low - 1e-7 <= FRAC_PI_2 && FRAC_PI_2 <= high + 1e-7);
     }
 
     #[test]

@@ -624,60 +624,46 @@ fn tops(places: &[f64], rate: impl Fn(f64) -> f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{BasicGearData, Deviations, Face, Gear, GearDesign, Hand};
+    use crate::gear::{Deviations, Face, GearDesign, Hand};
     use crate::pair::Mating;
-
-    fn gear(teeth: u32, face: Face, helix: f64, hand: Hand, eccentricity: f64) -> AsBuilt {
-        let data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();
-        let data = data.with_helix(helix, hand).unwrap();
-        let deviations = Deviations {
-            eccentricity,
-            high_tooth: 2.3,
-            ..Deviations::default()
-        };
-        let gear = Gear::nominal(GearDesign::standard(data)).unwrap();
-        AsBuilt::new(gear, face, &deviations).unwrap()
-    }
 
     /// No contact exists outside the window. Source: the contact of every tooth. The gears are eccentric, either one locked. One is
     /// undercut, so its involutes begin within the path of contact. Helical gears have faces on either side of the measuring plane.
     #[test]
     fn no_tooth_that_touches_is_outside_the_window() {
-        let faces = [[0.0, 0.0], [-70.0, -20.0], [15.0, 80.0], [-30.0, 45.0]];
         let (mut found, mut beside) = (0, 0);
-        for (face, free_off) in faces
+        for (face, free_off, teeth) in [[0.0, 0.0], [-70.0, -20.0], [15.0, 80.0], [-30.0, 45.0]]
             .into_iter()
             .flat_map(|face| [(face, 0.0), (face, 1.4)])
+            .flat_map(|(face, off)| [[19, 23], [8, 47]].map(|teeth| (face, off, teeth)))
         {
-            for teeth in [[19, 23], [8, 47]] {
-                let helix = if face == [0.0; 2] { 0.0 } else { 0.3 };
-                let wheel = gear(teeth[0], Face::Front, helix, Hand::Right, 0.9);
-                let pinion = gear(teeth[1], Face::Back, helix, Hand::Left, free_off);
-                for locked in Member::BOTH {
-                    let sum = f64::from(teeth[0] + teeth[1]);
-                    let distance = 1.5 * sum / f64::cos(helix) + 2.6;
-                    let (wheel, pinion) = (wheel.clone(), pinion.clone());
-                    let pair = GearPair::with_locked(wheel, pinion, distance, locked);
-                    let pair = pair.unwrap().with_face(face).unwrap();
-                    for k in 0..400u32 {
-                        let mating = Mating {
-                            wheel_tooth: 1 + k % teeth[0],
-                            pinion_tooth: 1 + (5 * k) % teeth[1],
-                            flank: Side::Right,
-                            fraction: f64::from(k % 13) / 13.0,
-                        };
-                        let pose = Pose::new(&pair, mating);
-                        for side in Side::BOTH {
-                            let own: Vec<SideContact> =
-                                OneSide::new(&pair, &pose, side).contacts().collect();
-                            let one = OneSide::new(&pair, &pose, side);
-                            let anywhere = f64::NEG_INFINITY..=f64::INFINITY;
-                            let each = (-60..=60).filter_map(|steps| one.contact(steps, &anywhere));
-                            assert_eq!(own, each.collect::<Vec<_>>(), "{face:?} {free_off} {k}");
-                            found += own.len();
-                            beside += own.iter().filter(|contact| contact.section != 0.0).count();
-                        }
-                    }
+            let helix_deg = if face == [0.0; 2] { 0.0 } else { 17.0 };
+            let gear = |teeth, side, hand, eccentricity| {
+                let design = GearDesign::plain(teeth, 3.0).helical(helix_deg, hand);
+                design.built(side, &Deviations::off_axis(eccentricity, 2.3))
+            };
+            let wheel = gear(teeth[0], Face::Front, Hand::Right, 0.9);
+            let pinion = gear(teeth[1], Face::Back, Hand::Left, free_off);
+            let sum = f64::from(teeth[0] + teeth[1]);
+            let distance = 1.5 * sum / helix_deg.to_radians().cos() + 2.6;
+            for locked in Member::BOTH {
+                let gears = (wheel.clone(), pinion.clone());
+                let pair = GearPair::with_locked(gears.0, gears.1, distance, locked);
+                let pair = pair.unwrap().with_face(face).unwrap();
+                for (k, side) in (0..400u32).flat_map(|k| Side::BOTH.map(|side| (k, side))) {
+                    let mating = Mating {
+                        fraction: f64::from(k % 13) / 13.0,
+                        ..Mating::at(1 + k % teeth[0], 1 + (5 * k) % teeth[1], Side::Right)
+                    };
+                    let pose = Pose::new(&pair, mating);
+                    let own: Vec<SideContact> =
+                        OneSide::new(&pair, &pose, side).contacts().collect();
+                    let one = OneSide::new(&pair, &pose, side);
+                    let anywhere = f64::NEG_INFINITY..=f64::INFINITY;
+                    let each = (-60..=60).filter_map(|steps| one.contact(steps, &anywhere));
+                    assert_eq!(own, each.collect::<Vec<_>>(), "{face:?} {free_off} {k}");
+                    found += own.len();
+                    beside += own.iter().filter(|contact| contact.section != 0.0).count();
                 }
             }
         }

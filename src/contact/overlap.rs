@@ -179,24 +179,29 @@ fn crossing(a: [Point2<f64>; 2], b: [Point2<f64>; 2], edges: [usize; 2]) -> Opti
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::{PI, TAU};
 
     fn polygon(points: &[[f64; 2]]) -> Vec<Point2<f64>> {
-        points.iter().map(|[x, y]| Point2::new(*x, *y)).collect()
+        points.iter().map(|point| Point2::from(*point)).collect()
     }
 
-    /// Two unit squares offset by a quarter in both directions share 9/16; a comb and a bar share one piece per tooth.
+    fn square(at: f64) -> Vec<Point2<f64>> {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        polygon(&corners.map(|corner| corner.map(|x| x + at)))
+    }
+
+    fn circle(x: f64) -> Vec<Point2<f64>> {
+        let angle = |i: u32| f64::from(i) * TAU / 10_000.0 + 0.1;
+        (0..10_000)
+            .map(|i| Point2::new(x + angle(i).cos(), angle(i).sin()))
+            .collect()
+    }
+
+    /// Two unit squares offset by a quarter in both directions share 9/16; a comb and a bar share one piece per tooth. Two unit circles a
+    /// distance 1 apart share 2π/3 − √3/2: an inscribed polygon of n corners lacks the part 2π²/(3 n²) of its circle.
     #[test]
     fn pieces_have_the_area_of_elementary_geometry() {
-        let square = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
-        let moved: Vec<_> = square
-            .iter()
-            .map(|p| p + nalgebra::Vector2::new(0.25, 0.25))
-            .collect();
-        let pieces = overlaps(&square, &moved);
-        assert_eq!(pieces.len(), 1);
-        assert_eq!(pieces[0].area, 0.5625);
-        assert_eq!(overlaps(&moved, &square)[0].area, 0.5625);
-        let comb = polygon(&[
+        let comb = [
             [0.0, -1.0],
             [5.0, -1.0],
             [5.0, 1.0],
@@ -209,37 +214,22 @@ mod tests {
             [1.0, 0.0],
             [1.0, 1.0],
             [0.0, 1.0],
-        ]);
-        let bar = polygon(&[[-1.0, 0.5], [6.0, 0.5], [6.0, 2.0], [-1.0, 2.0]]);
-        let areas: Vec<f64> = overlaps(&comb, &bar)
-            .iter()
-            .map(|piece| piece.area)
-            .collect();
-        assert_eq!(areas, [0.5, 0.5, 0.5]);
-        let far: Vec<_> = square
-            .iter()
-            .map(|p| p + nalgebra::Vector2::new(3.0, 0.0))
-            .collect();
-        assert!(overlaps(&square, &far).is_empty());
-    }
-
-    /// Two unit circles a distance 1 apart share 2π/3 − √3/2.
-    #[test]
-    fn a_lens_of_two_circles() {
-        let circle = |x: f64| -> Vec<Point2<f64>> {
-            let angle = |i: u32| f64::from(i) * std::f64::consts::TAU / 10_000.0 + 0.1;
-            (0..10_000)
-                .map(|i| Point2::new(x + angle(i).cos(), angle(i).sin()))
-                .collect()
-        };
-        let pieces = overlaps(&circle(0.0), &circle(1.0));
-        let expected = 2.0 * std::f64::consts::PI / 3.0 - 0.5 * 3f64.sqrt();
-        assert_eq!(pieces.len(), 1);
-        // An inscribed polygon of n corners lacks the part 2π²/(3 n²) of its circle.
-        assert!(
-            (pieces[0].area - expected).abs() < 1e-6,
-            "{}",
-            pieces[0].area
-        );
+        ];
+        let bar = [[-1.0, 0.5], [6.0, 0.5], [6.0, 2.0], [-1.0, 2.0]];
+        let lens = 2.0 * PI / 3.0 - 0.5 * 3f64.sqrt();
+        for (one, other, expected, within) in [
+            (square(0.0), square(0.25), vec![0.5625], 0.0),
+            (square(0.25), square(0.0), vec![0.5625], 0.0),
+            (square(0.0), square(3.0), vec![], 0.0),
+            (polygon(&comb), polygon(&bar), vec![0.5; 3], 0.0),
+            (circle(0.0), circle(1.0), vec![lens], 1e-6),
+        ] {
+            let pieces = overlaps(&one, &other);
+            assert_eq!(pieces.len(), expected.len());
+            for (piece, area) in pieces.iter().zip(expected) {
+                let off = (piece.area - area).abs();
+                assert!(off <= within, "{} of {area}", piece.area);
+            }
+        }
     }
 }

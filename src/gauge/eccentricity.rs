@@ -88,35 +88,31 @@ mod tests {
     /// around that is 2 (closed form: N = diag(z/2, z/2, z)). If half of them are bunched, the centre is less certain.
     #[test]
     fn errors_of_points_reach_the_bound_of_the_centre() {
-        let circle = |place: fn(f64) -> f64| -> Vec<Point2<f64>> {
-            let angles = (0..24).map(|i| TAU * place(f64::from(i) / 24.0));
-            let at = |angle: f64| Point2::new(50.0 * angle.cos() + 0.2, 50.0 * angle.sin() - 0.1);
-            angles.map(at).collect()
+        let at = |turn: f64| Vector2::new((TAU * turn).cos(), (TAU * turn).sin());
+        let circle = |share: f64| -> Vec<Point2<f64>> {
+            let each = (0..24).map(|i| share * f64::from(i) / 24.0);
+            each.map(|turn| Point2::new(0.2, -0.1) + 50.0 * at(turn))
+                .collect()
         };
-        let even = circle(|part| part);
+        let even = circle(1.0);
         let (found, growth) = centre(&even).unwrap();
         assert!((found - Vector2::new(0.2, -0.1)).norm() < 1e-13, "{found}");
         // Its own eccentricity of 0.22 on 50 mm shifts the directions of the points by that ratio.
         assert!((growth - 2.0).abs() < 2.0 * 0.23 / 50.0 * 2.0, "{growth}");
-        for points in [even, circle(|part| 0.3 * part)] {
+        for points in [even, circle(0.3)] {
             let (found, growth) = centre(&points).unwrap();
-            let mut most: f64 = 0.0;
-            for direction in 0..12 {
-                // Outwards if that moves the centre along `along`, otherwise inwards.
-                let along = Vector2::new(
-                    (TAU * f64::from(direction) / 12.0).cos(),
-                    (TAU * f64::from(direction) / 12.0).sin(),
-                );
-                let delta = 1e-6;
-                let moved = |i: usize| -> Vector2<f64> {
-                    let mut one = points.clone();
-                    let out = (one[i].coords - found).normalize();
-                    one[i] += delta * out;
-                    centre(&one).unwrap().0 - found
-                };
-                let sum: f64 = (0..points.len()).map(|i| moved(i).dot(&along).abs()).sum();
-                most = most.max(sum / delta);
-            }
+            let delta = 1e-6;
+            let moved = |i: usize| -> Vector2<f64> {
+                let mut one = points.clone();
+                one[i] += delta * (points[i].coords - found).normalize();
+                centre(&one).unwrap().0 - found
+            };
+            // Outwards if that moves the centre along a direction, otherwise inwards.
+            let sums = (0..12).map(|direction| {
+                let along = at(f64::from(direction) / 12.0);
+                (0..24).map(|i| moved(i).dot(&along).abs()).sum::<f64>() / delta
+            });
+            let most = sums.fold(0.0, f64::max);
             assert!(most <= growth * (1.0 + 1e-6), "{most} {growth}");
             // The bound adds lengths, the worst case only their components along one direction: 2/π of them for even points.
             assert!(most > 0.6 * growth, "{most} {growth}");

@@ -950,23 +950,24 @@ pub(super) fn modified(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{GearDesign, Pitch, Profile, Side};
+    use crate::gear::{GearDesign, Profile, Side};
+    use std::f64::consts::TAU;
 
     /// Both half teeth of a space end in the same direction, on either face, whatever the deviations; the land
     /// widens and narrows with the space, and a space closed at its root leaves none.
     #[test]
     fn root_lands_meet_in_the_middle_of_the_space() {
-        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
+        let design = GearDesign::plain(20, 2.0);
+        let gear = design.gear();
         let mut right = vec![0.0; 20];
         (right[4], right[9]) = (0.9, -0.9);
         let deviations = Deviations {
             per_tooth: (0..20).map(|k| 0.01 * f64::from(k % 3)).collect(),
-            pitch: Some(Pitch::from_cumulative(&right, &[0.0; 20])),
-            ..Deviations::default()
+            ..Deviations::default().with_pitch(&right, &[0.0; 20])
         };
         let (start, middle) = Profile::new(&gear).range(ProfilePart::Root);
         for face in [Face::Front, Face::Back] {
-            let built = AsBuilt::new(gear.clone(), face, &deviations).unwrap();
+            let built = design.built(face, &deviations);
             let end = |side: Side, tooth: u32| {
                 let turned = built.tooth_angle(f64::from(tooth)) + built.flank_offset(side, tooth);
                 turned + side.sense() * built.root_end(side, tooth)
@@ -975,7 +976,7 @@ mod tests {
                 let next = built.counter_clockwise(tooth, 1);
                 let apart = end(Side::Left, tooth) - end(Side::Right, next);
                 let closed = built.root_end(Side::Left, tooth) == start;
-                let whole = apart - std::f64::consts::TAU * (apart / std::f64::consts::TAU).round();
+                let whole = apart - TAU * (apart / TAU).round();
                 assert!(closed || whole.abs() < 1e-14, "{whole} at tooth {tooth}");
             }
             let ends = (1..=20).map(|tooth| built.root_end(Side::Right, tooth));
@@ -988,43 +989,29 @@ mod tests {
     #[test]
     fn a_gear_varied_is_the_gear_made_so() {
         let design = GearDesign::plain(30, 2.0);
-        let wave = |phase: f64| -> Vec<f64> {
-            (0..30)
-                .map(|k| 0.004 * (f64::from(k) + phase).sin())
-                .collect()
+        let deviations = |thick: f64, phase: f64| {
+            let wave = |phase: f64| -> Vec<f64> {
+                let each = 0..30;
+                each.map(|k| 0.004 * (f64::from(k) + phase).sin()).collect()
+            };
+            Deviations {
+                per_tooth: vec![thick; 30],
+                ..Deviations::off_axis(0.01, 3.0).with_pitch(&wave(phase), &wave(2.0 * phase))
+            }
         };
-        let deviations = |per_tooth: Vec<f64>, phase: f64| Deviations {
-            per_tooth,
-            pitch: Some(Pitch::from_cumulative(&wave(phase), &wave(2.0 * phase))),
-            eccentricity: 0.01,
-            high_tooth: 3.0,
-            ..Deviations::default()
-        };
-        let thick = vec![0.002; 30];
-        for face in [Face::Front, Face::Back] {
-            let nominal = Gear::nominal(design).unwrap();
-            let own = deviations(Vec::new(), 1.0);
-            let plain = AsBuilt::new(nominal, face, &own).unwrap();
-            let varied = plain
-                .varied(-0.05, &deviations(thick.clone(), 0.3))
-                .unwrap();
+        let (own, further) = (deviations(0.0, 1.0), deviations(0.002, 0.3));
+        for (face, turned) in [(Face::Front, Face::Back), (Face::Back, Face::Front)] {
+            let varied = design.built(face, &own).varied(-0.05, &further).unwrap();
             let base = design.nominal_base_thickness() - 0.05 * 20f64.to_radians().cos();
             let gear = Gear::new(design, base).unwrap();
-            let own = AsBuilt::new(gear.clone(), face, &own).unwrap();
-            let other = AsBuilt::new(gear.clone(), face, &deviations(thick.clone(), 0.3)).unwrap();
-            let turned = match face {
-                Face::Front => Face::Back,
-                Face::Back => Face::Front,
-            };
-            let over = AsBuilt::new(gear, turned, &deviations(thick.clone(), 0.3)).unwrap();
-            assert_eq!(other.facing(turned), over);
+            let built = |face, stated| AsBuilt::new(gear.clone(), face, stated).unwrap();
+            let (own, other) = (built(face, &own), built(face, &further));
+            assert_eq!(other.facing(turned), built(turned, &further));
             assert_eq!(varied.gear(), own.gear());
             assert_eq!((varied.eccentricity(), varied.high_tooth()), (0.01, 3.0));
-            for side in Side::BOTH {
-                for tooth in 1..=30 {
-                    let sum = own.flank_offset(side, tooth) + other.flank_offset(side, tooth);
-                    assert!((varied.flank_offset(side, tooth) - sum).abs() < 1e-16);
-                }
+            for (side, tooth) in (1..=30).flat_map(|tooth| Side::BOTH.map(|side| (side, tooth))) {
+                let sum = own.flank_offset(side, tooth) + other.flank_offset(side, tooth);
+                assert!((varied.flank_offset(side, tooth) - sum).abs() < 1e-16);
             }
         }
     }

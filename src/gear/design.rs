@@ -359,11 +359,3 @@ impl GearDesign {
         }
     }
 }
-
-#[cfg(test)]
-impl GearDesign {
-    /// The usual gear of tests: 20°, ISO 53 profile A, no profile shift.
-    pub(crate) fn plain(teeth: u32, module: f64) -> GearDesign {
-        GearDesign::standard(BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap())
-    }
-}

@@ -505,4 +505,4 @@ fn greatest([low, high]: [f64; 2]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

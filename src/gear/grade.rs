@@ -141,10 +141,6 @@ fn rounded(um: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn basic_data(teeth: u32, module: f64) -> BasicGearData {
-        BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap()
-    }
-
     /// The rule of rounding at its borders.
     #[test]
     fn rounds_by_size() {
@@ -163,21 +159,19 @@ mod tests {
 
     #[test]
     fn refuses_what_the_formulas_do_not_cover() {
+        let data = |teeth, module| BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap();
         for (teeth, module) in [(4, 3.0), (1001, 1.0), (5, 0.9), (300, 60.0), (40, 0.4)] {
-            let gear = basic_data(teeth, module);
             for graded in GradedQuantity::ALL {
-                assert!(graded.tolerance(&gear, 6).is_err(), "{teeth} {module}");
+                let tolerance = graded.tolerance(&data(teeth, module), 6);
+                assert!(tolerance.is_err(), "{teeth} {module}");
             }
         }
-        assert!(
-            GradedQuantity::Runout
-                .tolerance(&basic_data(40, 3.0), 12)
-                .is_err()
-        );
-        assert!(
-            GradedQuantity::Runout
-                .tolerance(&basic_data(40, 3.0), 0)
-                .is_err()
-        );
+        for grade in [0, 12] {
+            assert!(
+                GradedQuantity::Runout
+                    .tolerance(&data(40, 3.0), grade)
+                    .is_err()
+            );
+        }
     }
 }

@@ -310,12 +310,12 @@ fn step((a, b): (f64, f64), chordal_error: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Gear, GearDesign};
+    use crate::gear::GearDesign;
 
     /// A point at a fraction of a chord has the parameter at that fraction, clamped to the chord's ends.
     #[test]
     fn a_part_of_a_chord_is_that_part_of_its_parameters() {
-        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
+        let gear = GearDesign::plain(20, 2.0).gear();
         for side in Side::BOTH {
             let half = HalfTooth::new(&Profile::new(&gear), side, 1e-3);
             for (index, segment) in half.segments().iter().enumerate() {

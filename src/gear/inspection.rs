@@ -97,31 +97,29 @@ impl Inspection {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Deviations, Face, Gear, GearDesign};
+    use crate::gear::{Deviations, Face, GearDesign};
 
     /// A tooth thicker by `t` has flanks `t/2` off their places: pitch counts from their mean.
     #[test]
     fn pitch_is_about_the_mean_of_the_flanks() {
-        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
-        let built = |thicker: &dyn Fn(u32) -> f64, face| {
-            let deviations = Deviations {
-                per_tooth: (0..20).map(thicker).collect(),
-                ..Deviations::default()
-            };
-            Inspection::of(&AsBuilt::new(gear.clone(), face, &deviations).unwrap())
-        };
         for face in [Face::Front, Face::Back] {
-            let alike = built(&|_| 0.03, face);
-            let one = built(&|tooth| if tooth == 4 { 0.04 } else { 0.0 }, face);
-            for flank in [Flank::Right, Flank::Left] {
-                for (index, found) in alike.cumulative(flank).iter().enumerate() {
-                    assert!(found.abs() < 1e-15);
-                    let own = if index == 4 { 0.02 } else { 0.0 };
-                    let found = one.cumulative(flank)[index];
-                    let size = (found.abs() - (own - 0.02 / 20.0f64).abs()).abs();
-                    assert!(size < 1e-15, "{found} at {index}");
+            for (thicker, own, mean) in [([0.03; 2], 0.0, 0.0), ([0.04, 0.0], 0.02, 0.001)] {
+                let mut per_tooth = vec![thicker[1]; 20];
+                per_tooth[4] = thicker[0];
+                let deviations = Deviations {
+                    per_tooth,
+                    ..Deviations::default()
+                };
+                let found = Inspection::of(&GearDesign::plain(20, 2.0).built(face, &deviations));
+                for flank in [Flank::Right, Flank::Left] {
+                    let found = found.cumulative(flank);
+                    for (index, found) in found.iter().enumerate() {
+                        let own: f64 = if index == 4 { own } else { 0.0 };
+                        let off = found.abs() - (own - mean).abs();
+                        assert!(off.abs() < 1e-15, "{found} at {index}");
+                    }
+                    assert!(found.iter().sum::<f64>().abs() < 1e-15);
                 }
-                assert!(one.cumulative(flank).iter().sum::<f64>().abs() < 1e-15);
             }
         }
     }

@@ -27,6 +27,8 @@ mod readings;
 mod runout;
 mod side;
 mod spans;
+#[cfg(test)]
+mod test_gears;
 pub mod thickness;
 
 pub use as_built::{AsBuilt, Deviations};

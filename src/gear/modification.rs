@@ -220,42 +220,28 @@ mod tests {
     use super::*;
     use crate::gear::GearDesign;
 
-    fn trace(tooth: Option<u32>, deviation: f64) -> Trace {
-        Trace {
-            tooth,
-            points: vec![(0.2, deviation), (0.4, deviation)],
-        }
-    }
-
-    fn curves(traces: &[(Option<u32>, f64)]) -> Result<Vec<Arc<DeviationCurve>>, GearError> {
-        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
-        let traces = traces.iter().map(|&(tooth, value)| trace(tooth, value));
-        let modification = Modification {
-            traces: traces.collect(),
-            ..Modification::default()
-        };
-        modification.curves(&gear)
-    }
-
-    /// Teeth without a trace take the mean of the others: 3 µm for constant traces of 1, 2 and 6 µm.
+    /// Teeth without a trace take the mean of the others: 3 µm for constant traces of 1, 2 and 6 µm. A trace of all teeth excludes other
+    /// traces, and no tooth has two.
     #[test]
     fn teeth_without_a_trace_have_the_mean_of_the_others() {
-        let found = curves(&[(Some(1), 1e-3), (Some(5), 2e-3), (Some(20), 6e-3)]).unwrap();
-        assert_eq!(found.len(), 20);
-        for (k, curve) in found.iter().enumerate() {
-            let expected = match k {
-                0 => 1e-3,
-                4 => 2e-3,
-                19 => 6e-3,
-                _ => 3e-3,
+        let curves = |traces: &[(Option<u32>, f64)]| {
+            let trace = |&(tooth, deviation): &(Option<u32>, f64)| Trace {
+                tooth,
+                points: vec![(0.2, deviation), (0.4, deviation)],
             };
-            assert!((curve.at(0.3) - expected).abs() < 1e-15, "tooth {}", k + 1);
+            let modification = Modification {
+                traces: traces.iter().map(trace).collect(),
+                ..Modification::default()
+            };
+            modification.curves(&GearDesign::plain(20, 2.0).gear())
+        };
+        let found = curves(&[(Some(1), 1e-3), (Some(5), 2e-3), (Some(20), 6e-3)]).unwrap();
+        let mut expected = [3e-3; 20];
+        (expected[0], expected[4], expected[19]) = (1e-3, 2e-3, 6e-3);
+        assert_eq!(found.len(), 20);
+        for (curve, expected) in found.iter().zip(expected) {
+            assert!((curve.at(0.3) - expected).abs() < 1e-15, "{expected}");
         }
-    }
-
-    /// A trace of all teeth excludes other traces, and no tooth has two.
-    #[test]
-    fn a_trace_of_all_teeth_excludes_others() {
         assert_eq!(curves(&[(None, 1e-3)]).unwrap().len(), 1);
         for traces in [
             [(None, 1e-3), (None, 2e-3)],

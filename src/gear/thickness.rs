@@ -346,21 +346,15 @@ pub fn check_pins(gear: &Gear, pin: f64) -> Result<(), GearError> {
 mod tests {
     use super::*;
     use crate::gear::{BasicRack, GearDesign, Hand};
+    use std::f64::consts::PI;
 
     /// A gear with 30 teeth of module 2, its tip lowered by `lower`, mm.
     fn gear(helix_deg: f64, rack: BasicRack, lower: f64) -> Gear {
-        let basic_data = BasicGearData::new(30, 2.0, 20f64.to_radians()).unwrap();
-        let basic_data = match helix_deg {
-            0.0 => basic_data,
-            _ => basic_data
-                .with_helix(helix_deg.to_radians(), Hand::Right)
-                .unwrap(),
-        };
-        let tip = 2.0 * (basic_data.reference_radius() + 2.0 - lower);
+        let design = GearDesign::plain(30, 2.0).helical(helix_deg, Hand::Right);
         let design = GearDesign {
             rack,
-            tip_diameter: Some(tip),
-            ..GearDesign::standard(basic_data)
+            tip_diameter: Some(2.0 * (design.basic_data.reference_radius() + 2.0 - lower)),
+            ..design
         };
         Gear::new(design, design.nominal_base_thickness() - 0.02).unwrap()
     }
@@ -369,27 +363,6 @@ mod tests {
     fn lean(helix_deg: f64) -> f64 {
         let sin = helix_deg.to_radians().sin() * 20f64.to_radians().cos();
         (1.0 - sin * sin).sqrt()
-    }
-
-    /// The centre of a ball that touches at a roll lies `D_M cos β_b/2` up the base tangent. Source: the radius of the centre by
-    /// `inv α_K`, for helix angles up to 50°.
-    #[test]
-    fn a_ball_has_its_centre_up_the_base_tangent_from_where_it_touches() {
-        for helix_deg in [0.0, 15.0, 45.0, 50.0] {
-            let gear = gear(helix_deg, BasicRack::ISO_53_A, 0.0);
-            let (data, base) = (gear.basic_data(), gear.base_radius());
-            for share in [0.0, 0.3, 0.7, 1.0] {
-                let roll = gear.form_roll() + share * (gear.tip_roll() - gear.form_roll());
-                let ball = pin_touching(data, roll, gear.base_thickness());
-                let up = roll + ball * lean(helix_deg) / (2.0 * base);
-                let centre = pin_centre_radius(data, ball, gear.base_thickness());
-                let off = centre - base.hypot(base * up);
-                assert!(
-                    ball > 0.0 && off.abs() < 1e-11,
-                    "{helix_deg} {share}: {off}"
-                );
-            }
-        }
     }
 
     /// Closed form: for a spur gear the chord at the radius `r_y` is `2 r_y sin ψ`, `r_a − r_y cos ψ` below the tip, with
@@ -411,104 +384,80 @@ mod tests {
         }
         for helix_deg in [15.0, 45.0] {
             let gear = gear(helix_deg, BasicRack::ISO_53_A, 0.0);
-            let data = gear.basic_data();
-            let virtual_diameter = 2.0 * 30.0 / helix_deg.to_radians().cos().powi(3);
-            let thickness = 2.0 * std::f64::consts::FRAC_PI_2;
-            let chord = virtual_diameter * (thickness / virtual_diameter).sin();
-            let sagitta = virtual_diameter / 2.0 * (1.0 - (thickness / virtual_diameter).cos());
-            let height = gear.tip_radius() - data.reference_radius() + sagitta;
+            let (data, tip) = (gear.basic_data(), gear.tip_radius());
+            let diameter = 2.0 * 30.0 / helix_deg.to_radians().cos().powi(3);
+            let (sin, cos) = (PI / diameter).sin_cos();
+            let height = tip - data.reference_radius() + 0.5 * diameter * (1.0 - cos);
             let nominal = gear.design().nominal_base_thickness();
-            let addendum = chordal_addendum(data, gear.tip_radius(), nominal);
+            let addendum = chordal_addendum(data, tip, nominal);
             assert!((addendum - height).abs() < 1e-12, "{addendum} {height}");
-            let found = base_from_chord(data, gear.tip_radius(), height, chord).unwrap();
-            assert!(
-                (found - nominal).abs() < 1e-11,
-                "{helix_deg}: {found} {nominal}"
-            );
+            let found = base_from_chord(data, tip, height, diameter * sin).unwrap();
+            assert!((found - nominal).abs() < 1e-11, "{helix_deg}: {found}");
         }
     }
 
-    /// An error states contact, top and bottom of a pin, and the gear's circles. Source: the pin's centre by the base tangent.
+    /// An error states contact, top and bottom of a pin, and the gear's circles. Source: the centre of a ball that touches at a roll
+    /// lies `D_M cos β_b/2` up the base tangent.
     #[test]
     fn errors_say_where_a_pin_stands() {
         let high = BasicRack::new(1.0, 1.25, 0.0).unwrap();
         // Tips below the reference circle: pins near the form circle protrude and reach the root.
         let shallow = BasicRack::new(1.0, 1.05, 0.0).unwrap();
-        let (mut below, mut in_root, mut off) = (0, 0, 0);
-        for helix_deg in [0.0, 30.0] {
-            for (rack, lower) in [(high, 0.0), (high, 1.0), (shallow, 2.5)] {
-                let gear = gear(helix_deg, rack, lower);
-                let base = gear.base_radius();
-                let form = 2.0 * gear.form_radius();
-                let (tip, root) = (2.0 * gear.tip_radius(), 2.0 * gear.root_radius());
-                let length = gear.tip_roll() - gear.form_roll();
-                for k in -2..=42 {
-                    let roll = gear.form_roll() + length * (0.025 * f64::from(k) + 1e-3);
-                    let pin = pin_touching(gear.basic_data(), roll, gear.base_thickness());
-                    let up = roll + pin * lean(helix_deg) / (2.0 * base);
-                    let centre = 2.0 * base.hypot(base * up);
-                    // No involute is nearer than the base circle.
-                    let contact = 2.0 * base.hypot(base * roll.max(0.0));
-                    let check = |found: [f64; 3], expected: [f64; 3]| {
-                        let close = found
-                            .iter()
-                            .zip(expected)
-                            .all(|(a, b)| (a - b).abs() < 1e-9);
-                        assert!(close, "{helix_deg} {lower} {k}: {found:?} {expected:?}");
-                    };
-                    let result = check_pins(&gear, pin);
-                    if !(0..40).contains(&k) {
-                        let Err(GearError::PinOffInvolute {
-                            contact_diameter_mm,
-                            form_diameter_mm,
-                            tip_diameter_mm,
-                            ..
-                        }) = result
-                        else {
-                            panic!("{helix_deg} {lower} {k}: {result:?}");
-                        };
-                        check(
-                            [contact_diameter_mm, form_diameter_mm, tip_diameter_mm],
-                            [contact, form, tip],
-                        );
-                        off += 1;
-                    } else if centre + pin <= tip {
-                        let Err(GearError::PinBelowTip {
-                            pin_top_diameter_mm,
-                            tip_diameter_mm,
-                            ..
-                        }) = result
-                        else {
-                            panic!("{helix_deg} {lower} {k}: {result:?}");
-                        };
-                        check(
-                            [pin_top_diameter_mm, tip_diameter_mm, pin],
-                            [centre + pin, tip, pin],
-                        );
-                        below += 1;
-                    } else if centre - pin < root {
-                        let Err(GearError::PinInRoot {
-                            pin_bottom_diameter_mm,
-                            root_diameter_mm,
-                            ..
-                        }) = result
-                        else {
-                            panic!("{helix_deg} {lower} {k}: {result:?}");
-                        };
-                        check(
-                            [pin_bottom_diameter_mm, root_diameter_mm, pin],
-                            [centre - pin, root, pin],
-                        );
-                        in_root += 1;
-                    } else {
-                        assert!(result.is_ok(), "{helix_deg} {lower} {k}: {result:?}");
-                    }
-                }
+        let mut met = [0; 4];
+        for (helix_deg, (rack, lower)) in [0.0, 30.0, 50.0].into_iter().flat_map(|helix_deg| {
+            [(high, 0.0), (high, 1.0), (shallow, 2.5)].map(|tip| (helix_deg, tip))
+        }) {
+            let gear = gear(helix_deg, rack, lower);
+            let (base, thickness) = (gear.base_radius(), gear.base_thickness());
+            let [form, tip, root] =
+                [gear.form_radius(), gear.tip_radius(), gear.root_radius()].map(|r| 2.0 * r);
+            let length = gear.tip_roll() - gear.form_roll();
+            for k in -2..=42 {
+                let roll = gear.form_roll() + length * (0.025 * f64::from(k) + 1e-3);
+                let pin = pin_touching(gear.basic_data(), roll, thickness);
+                let up = roll + pin * lean(helix_deg) / (2.0 * base);
+                let centre = 2.0 * base.hypot(base * up);
+                let found = 2.0 * pin_centre_radius(gear.basic_data(), pin, thickness);
+                assert!((found - centre).abs() < 2e-11, "{helix_deg} {k}");
+                // No involute is nearer than the base circle.
+                let contact = 2.0 * base.hypot(base * roll.max(0.0));
+                let (what, expected) = if !(0..40).contains(&k) {
+                    (1, [contact, form, tip])
+                } else if centre + pin <= tip {
+                    (2, [centre + pin, tip, pin])
+                } else if centre - pin < root {
+                    (3, [centre - pin, root, pin])
+                } else {
+                    (0, [0.0; 3])
+                };
+                let (said, numbers) = match check_pins(&gear, pin) {
+                    Err(GearError::PinOffInvolute {
+                        contact_diameter_mm,
+                        form_diameter_mm,
+                        tip_diameter_mm,
+                        ..
+                    }) => (1, [contact_diameter_mm, form_diameter_mm, tip_diameter_mm]),
+                    Err(GearError::PinBelowTip {
+                        pin_top_diameter_mm,
+                        tip_diameter_mm,
+                        pin_mm,
+                    }) => (2, [pin_top_diameter_mm, tip_diameter_mm, pin_mm]),
+                    Err(GearError::PinInRoot {
+                        pin_bottom_diameter_mm,
+                        root_diameter_mm,
+                        pin_mm,
+                    }) => (3, [pin_bottom_diameter_mm, root_diameter_mm, pin_mm]),
+                    other => (0, other.map(|()| [0.0; 3]).unwrap()),
+                };
+                let close = numbers
+                    .iter()
+                    .zip(expected)
+                    .all(|(a, b)| (a - b).abs() < 1e-9);
+                let case = format!("{helix_deg} {lower} {k}: {numbers:?} {expected:?}");
+                assert!(said == what && close, "{case}");
+                met[what] += 1;
             }
         }
-        assert!(
-            off > 5 && below > 0 && in_root > 0,
-            "{off} {below} {in_root}"
-        );
+        assert!(met.iter().all(|count| *count > 0), "{met:?}");
     }
 }

@@ -487,22 +487,19 @@ mod tests {
         }
     }
 
-    /// Number of pairs and sum of their distances of the best assignment of the wheels from `wheel` on to free pinions.
+    /// Number of pairs, and less the sum of their distances, of the best assignment of the wheels from `wheel` on to free pinions.
     fn brute(matrix: &Matrix, wheel: usize, free: u32) -> (usize, i64) {
         if wheel == matrix.wheels {
             return (0, 0);
         }
-        let mut best = brute(matrix, wheel + 1, free);
-        for pinion in 0..matrix.pinions {
-            if free & 1 << pinion != 0 && matrix.meets(wheel, pinion) {
+        let meeting = (0..matrix.pinions)
+            .filter(|pinion| free & 1 << pinion != 0 && matrix.meets(wheel, *pinion))
+            .map(|pinion| {
                 let (pairs, off) = brute(matrix, wheel + 1, free & !(1 << pinion));
-                let here = (pairs + 1, off + matrix.steps(wheel, pinion));
-                if here.0 > best.0 || here.0 == best.0 && here.1 < best.1 {
-                    best = here;
-                }
-            }
-        }
-        best
+                (pairs + 1, off - matrix.steps(wheel, pinion))
+            });
+        let without = brute(matrix, wheel + 1, free);
+        meeting.fold(without, |one, other| one.max(other))
     }
 
     proptest! {
@@ -518,7 +515,7 @@ mod tests {
             let matrix = matrix(wheels, pinions, &off[..wheels * pinions]);
             let found = matrix.assign();
             let sum: i64 = found.pairs.iter().map(|(w, p)| matrix.steps(*w, *p)).sum();
-            prop_assert_eq!((found.pairs.len(), sum), brute(&matrix, 0, u32::MAX));
+            prop_assert_eq!((found.pairs.len(), -sum), brute(&matrix, 0, u32::MAX));
             prop_assert!(found.is_best);
         }
 
@@ -529,14 +526,16 @@ mod tests {
         ) {
             let matrix = matrix(8, 8, &off);
             let pairs = matrix.nearest_first();
-            for (index, (wheel, pinion)) in pairs.iter().enumerate() {
-                prop_assert!(matrix.meets(*wheel, *pinion));
-                prop_assert!(pairs[..index].iter().all(|other| other.0 != *wheel && other.1 != *pinion));
-            }
-            for wheel in (0..8).filter(|wheel| pairs.iter().all(|pair| pair.0 != *wheel)) {
-                for pinion in (0..8).filter(|pinion| pairs.iter().all(|pair| pair.1 != *pinion)) {
-                    prop_assert!(!matrix.meets(wheel, pinion));
-                }
+            let own = |member: fn(&(usize, usize)) -> usize| {
+                pairs.iter().map(member).collect::<std::collections::BTreeSet<usize>>()
+            };
+            let (wheels, pinions) = (own(|pair| pair.0), own(|pair| pair.1));
+            prop_assert_eq!([wheels.len(), pinions.len()], [pairs.len(); 2]);
+            for (wheel, pinion) in (0..8).flat_map(|wheel| (0..8).map(move |pinion| (wheel, pinion))) {
+                let is_over = !wheels.contains(&wheel) && !pinions.contains(&pinion);
+                let is_pair = pairs.contains(&(wheel, pinion));
+                prop_assert!(matrix.meets(wheel, pinion) || !is_pair);
+                prop_assert!(!(matrix.meets(wheel, pinion) && is_over));
             }
         }
     }

@@ -213,57 +213,41 @@ fn ln_sinh_ratio(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gear::GearDesign;
 
-    /// Parseval: `Σ F_i² = 2/z Σ |harmonic|²` of an odd number of values about their mean.
-    #[test]
-    fn the_energy_of_the_harmonics_is_that_of_the_teeth() {
-        for z in [3u32, 7, 45] {
-            let list = |k: u32| {
-                (0..z)
-                    .map(|i| f64::from((i * i * k + 5 * i) % 13))
-                    .collect()
-            };
-            let (right, left): (Vec<f64>, Vec<f64>) = (list(3), list(7));
-            let pitch = Pitch::from_cumulative(&right, &left);
-            let squares = Flank::BOTH.map(|side| pitch.flank(side).iter().map(|f| f * f).sum());
-            let of_teeth: f64 = squares.iter().sum();
-            let energy: f64 = harmonics(&pitch).iter().map(|h| h.energy).sum();
-            let of_harmonics = 2.0 / f64::from(z) * energy;
-            assert!(
-                (of_harmonics - of_teeth).abs() < 1e-12 * of_teeth,
-                "z = {z}"
-            );
-        }
+    /// Both flanks of `z` teeth by their tooth from 0.
+    fn pitch(z: u32, right: impl Fn(u32) -> f64, left: impl Fn(u32) -> f64) -> Pitch {
+        let right: Vec<f64> = (0..z).map(right).collect();
+        let left: Vec<f64> = (0..z).map(left).collect();
+        Pitch::from_cumulative(&right, &left)
     }
 
-    /// Parseval: the cross sum over the harmonics equals that over the teeth, `z` even or odd.
+    /// Parseval: the cross sum over the harmonics equals that over the teeth, `z` even or odd. `Σ F_i² = 2/z Σ |harmonic|²` of an odd
+    /// number of values about their mean.
     #[test]
-    fn the_quick_sum_is_that_of_the_harmonics() {
+    fn sums_over_the_harmonics_are_those_over_the_teeth() {
         for z in [3u32, 4, 7, 8, 44, 45] {
             let wave = |i: u32, k: u32| f64::from((i * k * k + 3 * i) % 17) - 8.0;
-            let right: Vec<f64> = (0..z).map(|i| wave(i, 5)).collect();
-            let left: Vec<f64> = (0..z).map(|i| wave(i, 3)).collect();
-            let pitch = Pitch::from_cumulative(&right, &left);
+            let pitch = pitch(z, |i| wave(i, 5), |i| wave(i, 3));
             let [right, left] = Flank::BOTH.map(|side| pitch.flank(side));
-            let quick = cross_sum(right, left);
-            let slow: f64 = harmonics(&pitch).iter().map(|h| h.cross).sum();
-            let size: f64 = harmonics(&pitch).iter().map(|h| h.energy).sum();
-            assert!(
-                (quick - slow).abs() <= 1e-12 * size,
-                "z = {z}: {quick}, {slow}"
-            );
+            let harmonics = harmonics(&pitch);
+            let cross: f64 = harmonics.iter().map(|h| h.cross).sum();
+            let energy: f64 = harmonics.iter().map(|h| h.energy).sum();
+            let off = (cross_sum(right, left) - cross).abs();
+            assert!(off <= 1e-12 * energy, "z = {z}: {off}");
+            let of_teeth: f64 = right.iter().chain(left).map(|f| f * f).sum();
+            let off = (2.0 / f64::from(z) * energy - of_teeth).abs();
+            assert!(z % 2 == 0 || off < 1e-12 * of_teeth, "z = {z}: {off}");
         }
     }
 
     /// `F = A cos φ` on the right flanks alone: the common part `A/2` leaves `±A/2`, whose harmonics are `A z/4` each.
     #[test]
     fn what_a_wave_of_both_flanks_leaves_of_a_wave_of_one() {
-        let (z, amplitude) = (12, 3.0);
-        let wave = |i: u32| amplitude * (TAU * f64::from(i) / f64::from(z)).cos();
-        let right: Vec<f64> = (0..z).map(wave).collect();
-        let pitch = Pitch::from_cumulative(&right, &vec![0.0; z as usize]);
-        let left_over = 2.0 * (amplitude * f64::from(z) / 4.0).powi(2);
-        assert!((first_harmonic_difference(&pitch) - left_over).abs() < 1e-12 * left_over);
+        let wave = |i: u32| 3.0 * (TAU * f64::from(i) / 12.0).cos();
+        let found = first_harmonic_difference(&pitch(12, wave, |_| 0.0));
+        let left_over: f64 = 2.0 * 9.0 * 9.0;
+        assert!((found - left_over).abs() < 1e-12 * left_over);
     }
 
     /// A random walk, or white noise if `white`; the left flank opposes the right one by `share`.
@@ -309,21 +293,18 @@ mod tests {
     #[test]
     fn single_deviations_are_judged_by_their_own_harmonics() {
         let mut lesser = [0; 2];
-        for seed in 0..40 {
-            for white in [false, true] {
-                let pitch = random_pitch(17, seed, 0.4, white);
-                let single = differences(&pitch);
-                for from in [1, 2] {
-                    let bound = |pitch: &Pitch| {
-                        let harmonics = harmonics(pitch);
-                        chernoff_bound(harmonics[from - 1..].iter().map(|h| (h.energy, h.cross)))
-                    };
-                    let (whole, steps) = (bound(&pitch), bound(&single));
-                    let found = p_value_bound(&harmonics(&pitch), from, 17);
-                    let expected = whole.min(steps);
-                    assert!((found / expected - 1.0).abs() < 1e-9, "{found}, {expected}");
-                    lesser[usize::from(steps < whole)] += usize::from(expected < 0.9);
-                }
+        for (seed, white) in (0..40).flat_map(|seed| [(seed, false), (seed, true)]) {
+            let pitch = random_pitch(17, seed, 0.4, white);
+            for from in [1, 2] {
+                let bound = |pitch: &Pitch| {
+                    let harmonics = harmonics(pitch);
+                    chernoff_bound(harmonics[from - 1..].iter().map(|h| (h.energy, h.cross)))
+                };
+                let (whole, steps) = (bound(&pitch), bound(&differences(&pitch)));
+                let found = p_value_bound(&harmonics(&pitch), from, 17);
+                let expected = whole.min(steps);
+                assert!((found / expected - 1.0).abs() < 1e-9, "{found}, {expected}");
+                lesser[usize::from(steps < whole)] += usize::from(expected < 0.9);
             }
         }
         assert!(lesser.iter().all(|count| *count > 10), "{lesser:?}");
@@ -344,21 +325,11 @@ mod tests {
             let below = unrelated.iter().filter(|&&found| found <= p).count() as f64;
             // Four standard deviations of a binomial count above what is expected at the most.
             let most = p * DRAWN as f64;
-            assert!(
-                below <= most + 4.0 * most.sqrt(),
-                "{below} of {DRAWN} below {p}"
-            );
+            assert!(below <= most + 4.0 * most.sqrt(), "{below} below {p}");
         }
         let opposed = found(0.95);
-        assert!(
-            opposed.iter().all(|&found| found > 0.0 && found < 1e-3),
-            "{opposed:?}"
-        );
-        let alike = random_pitch(24, 1, 0.0, false).flank(Flank::Right).to_vec();
-        assert_eq!(
-            anticorrelation_p_value(&Pitch::from_cumulative(&alike, &alike)),
-            1.0
-        );
+        let is_tiny = |found: &f64| *found > 0.0 && *found < 1e-3;
+        assert!(opposed.iter().all(is_tiny), "{opposed:?}");
     }
 
     /// Equal long waves and opposed short ones, or the reverse: cumulative and single deviations give different bounds, and the
@@ -370,104 +341,96 @@ mod tests {
             amplitude * each.sum::<f64>()
         };
         // The left flanks have the right ones' waves with these signs.
-        let pitch = |[long, short]: [f64; 2], signs: [f64; 2]| {
-            let flank = |[one, other]: [f64; 2]| -> Vec<f64> {
-                let each = 0..40;
-                each.map(|at| waves(1..5, long * one, at) + waves(8..16, short * other, at))
-                    .collect()
+        for ([long, short], signs) in [
+            ([6.0, 4.0], [1.0, -1.0]),
+            ([10.0, 2.5], [-1.0, 1.0]),
+            ([6.0, 4.0], [1.0, 1.0]),
+        ] {
+            let flank = |[one, other]: [f64; 2]| {
+                move |at: u32| waves(1..5, long * one, at) + waves(8..16, short * other, at)
             };
-            Pitch::from_cumulative(&flank([1.0, 1.0]), &flank(signs))
-        };
-        for (sizes, signs) in [([6.0, 4.0], [1.0, -1.0]), ([10.0, 2.5], [-1.0, 1.0])] {
-            let pitch = pitch(sizes, signs);
+            let pitch = pitch(40, flank([1.0, 1.0]), flank(signs));
             let [right, left] = Flank::BOTH.map(|side| pitch.flank(side));
             let single = Flank::BOTH.map(|side| pitch.single(side));
             let sums = [cross_sum(right, left), cross_sum(&single[0], &single[1])];
-            assert!(
-                sums[0] * signs[0] > 0.0 && sums[1] * signs[1] > 0.0,
-                "{sums:?}"
-            );
+            let is_so = (0..2).all(|k| sums[k] * signs[k] > 0.0);
+            assert!(is_so, "{sums:?}");
             let found = anticorrelation_p_value(&pitch);
-            assert!(found < 0.05, "{signs:?}: {found}");
+            if signs == [1.0, 1.0] {
+                assert_eq!(found, 1.0);
+            } else {
+                assert!(found < 0.05, "{signs:?}: {found}");
+            }
         }
-        assert_eq!(anticorrelation_p_value(&pitch([6.0, 4.0], [1.0, 1.0])), 1.0);
-    }
-
-    /// First harmonic of a curve, counted from the zero of an eccentricity, on a gear with half teeth of `π/2z`.
-    fn once_round(curve: &[f64], side: Flank) -> Complex<f64> {
-        let z = curve.len() as f64;
-        let start = -side.sense() * (TAU / (4.0 * z) - 20f64.to_radians());
-        let wave = |(i, f): (usize, &f64)| {
-            let angle = TAU * i as f64 / z + start;
-            Complex::new(f * angle.cos(), -f * angle.sin())
-        };
-        curve.iter().enumerate().map(wave).sum()
     }
 
     /// Source: the bounded integral by numeric quadrature; the energies of single deviations; the first harmonics.
     #[test]
     fn opposed_first_harmonics_are_as_improbable_as_the_integral_says() {
         let (mut by_first, mut unlike) = (0, 0);
-        for z in [15, 16, 3] {
-            let gear = Gear::nominal(crate::gear::GearDesign::plain(z.max(12), 2.0)).unwrap();
-            for seed in 0..120 {
-                let mut pitch = random_pitch(z, seed, 0.2, seed % 2 == 0);
-                // Waves with a growing difference.
-                let [right, left] = Flank::BOTH.map(|side| {
-                    let start =
-                        -side.sense() * (TAU / (4.0 * f64::from(z.max(12))) - 20f64.to_radians());
-                    let own = pitch.flank(side).iter().enumerate();
-                    let wave = |i: usize| (TAU * i as f64 / f64::from(z) + start).cos();
-                    let size = 0.06 * (seed % 30) as f64 * side.sense();
-                    own.map(|(i, f)| f + size * wave(i)).collect::<Vec<f64>>()
-                });
-                pitch = Pitch::from_cumulative(&right, &left);
-                let found = datum_anticorrelation_p_value(&pitch, &gear);
-                let [right, left] = Flank::BOTH.map(|side| pitch.flank(side));
-                if cross_sum(right, left) >= 0.0 {
-                    assert_eq!(found, 1.0);
-                    unlike += 1;
-                    continue;
-                }
-                if z == 3 {
-                    // Only first harmonics: three times k.
-                    let [u, v] = Flank::BOTH.map(|side| {
-                        let turn = -side.sense() * (TAU / 48.0 - TAU / 12.0);
-                        once_round(pitch.flank(side), side) * Complex::from_polar(1.0, -turn)
-                    });
-                    let k = (u + v).norm_sqr() / (u - v).norm_sqr();
-                    let expected = (3.0 * k).min(1.0);
-                    assert!((found - expected).abs() < 1e-9, "{found} {expected}");
-                    continue;
-                }
-                let [u, v] = Flank::BOTH.map(|side| once_round(pitch.flank(side), side));
-                let (s, d) = ((u + v).norm_sqr(), (u - v).norm_sqr());
-                let single = harmonics(&differences(&pitch));
-                let per_first = (2.0 * (TAU / (2.0 * f64::from(z))).sin()).powi(2);
-                let others: f64 = single[1..].iter().map(|h| 2.0 * h.energy / per_first).sum();
-                let n = 2.0 * (single.len() - 1) as f64;
-                let (k, q) = (s / d, d / (d + others));
-                let x = k * (1.0 - q).powf(n) * (1.0 + n * q);
-                const STEPS: u32 = 20_000;
-                let integral: f64 = (0..STEPS)
-                    .map(|i| {
-                        let q = (f64::from(i) + 0.5) / f64::from(STEPS);
-                        let at_most = x * (1.0 + n) * q / ((1.0 - q).powf(n) * (1.0 + n * q));
-                        at_most.min(1.0) * n * (1.0 - q).powf(n - 1.0) / f64::from(STEPS)
-                    })
-                    .sum();
-                let rest = p_value_bound(&harmonics(&pitch), 2, z as usize);
-                let first = found / 3.0;
-                if found < 1.0 && first < rest * (1.0 - 1e-12) {
-                    by_first += 1;
-                    let case = format!("{z} {seed}: {first} {integral}");
-                    assert!(first >= integral * (1.0 - 1e-3), "{case}");
-                    // The bound loses `1 + n q ≥ 1` and a factor of (1 + n)/n.
-                    assert!(first <= 2.5 * integral, "{case}");
-                } else {
-                    assert_eq!(found, (3.0 * rest).min(1.0), "{z} {seed}");
-                    assert!(3.0 * integral.min(rest) >= 0.3 * found, "{z} {seed}");
-                }
+        for (z, seed) in [15, 16, 3]
+            .into_iter()
+            .flat_map(|z| (0..120).map(move |seed| (z, seed)))
+        {
+            let teeth = z.max(12);
+            let gear = GearDesign::plain(teeth, 2.0).gear();
+            // Zero of an eccentricity, on a gear with half teeth of `π/2z`.
+            let start =
+                |side: Flank| -side.sense() * (TAU / (4.0 * f64::from(teeth)) - 20f64.to_radians());
+            let angle = |side, i: usize| TAU * i as f64 / f64::from(z) + start(side);
+            // Waves with a growing difference.
+            let drawn = random_pitch(z, seed, 0.2, seed % 2 == 0);
+            let [right, left] = Flank::BOTH.map(|side| {
+                let size = 0.06 * (seed % 30) as f64 * side.sense();
+                let own = drawn.flank(side).iter().enumerate();
+                own.map(|(i, f)| f + size * angle(side, i).cos())
+                    .collect::<Vec<f64>>()
+            });
+            let pitch = Pitch::from_cumulative(&right, &left);
+            let found = datum_anticorrelation_p_value(&pitch, &gear);
+            let [right, left] = Flank::BOTH.map(|side| pitch.flank(side));
+            if cross_sum(right, left) >= 0.0 {
+                assert_eq!(found, 1.0);
+                unlike += 1;
+                continue;
+            }
+            let [u, v]: [Complex<f64>; 2] = Flank::BOTH.map(|side| {
+                let wave = |(i, f): (usize, &f64)| Complex::from_polar(*f, -angle(side, i));
+                pitch.flank(side).iter().enumerate().map(wave).sum()
+            });
+            let (s, d) = ((u + v).norm_sqr(), (u - v).norm_sqr());
+            let k: f64 = s / d;
+            if z == 3 {
+                // Only first harmonics: three times k.
+                let expected = (3.0 * k).min(1.0);
+                assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+                continue;
+            }
+            let single = harmonics(&differences(&pitch));
+            let per_first = (2.0 * (TAU / (2.0 * f64::from(z))).sin()).powi(2);
+            let others: f64 = single[1..].iter().map(|h| 2.0 * h.energy / per_first).sum();
+            let n = 2.0 * (single.len() - 1) as f64;
+            let q = d / (d + others);
+            let x = k * (1.0 - q).powf(n) * (1.0 + n * q);
+            const STEPS: u32 = 20_000;
+            let integral: f64 = (0..STEPS)
+                .map(|i| {
+                    let q = (f64::from(i) + 0.5) / f64::from(STEPS);
+                    let at_most = x * (1.0 + n) * q / ((1.0 - q).powf(n) * (1.0 + n * q));
+                    at_most.min(1.0) * n * (1.0 - q).powf(n - 1.0) / f64::from(STEPS)
+                })
+                .sum();
+            let rest = p_value_bound(&harmonics(&pitch), 2, z as usize);
+            let first = found / 3.0;
+            let case = format!("{z} {seed}: {first} {integral}");
+            if found < 1.0 && first < rest * (1.0 - 1e-12) {
+                by_first += 1;
+                // The bound loses `1 + n q ≥ 1` and a factor of (1 + n)/n.
+                let is_near = first >= integral * (1.0 - 1e-3) && first <= 2.5 * integral;
+                assert!(is_near, "{case}");
+            } else {
+                assert_eq!(found, (3.0 * rest).min(1.0), "{case}");
+                assert!(3.0 * integral.min(rest) >= 0.3 * found, "{case}");
             }
         }
         assert!(by_first > 30 && unlike > 5, "{by_first} {unlike}");

@@ -73,16 +73,14 @@ pub(super) fn findings(teeth: u32, leads: &[Lead; 2]) -> Vec<Finding> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{BasicGearData, EndRelief, GearDesign, Trace};
+    use crate::gear::{EndRelief, GearDesign, Trace};
     use crate::metrology::Measurements;
 
     /// A gear of module 3 with these leads of its left flanks.
     fn measured(lead: Lead) -> Result<Vec<Finding>, Vec<MeasurementError>> {
-        let data = BasicGearData::new(20, 3.0, 20f64.to_radians()).unwrap();
-        let design = GearDesign::standard(data);
         let measurements = Measurements {
             leads: [Lead::default(), lead],
-            ..Measurements::nominal(design, Face::Back)
+            ..Measurements::nominal(GearDesign::plain(20, 3.0), Face::Back)
         };
         measurements.measure().map(|gear| gear.findings)
     }
@@ -96,57 +94,61 @@ mod tests {
         }
     }
 
+    fn trace(tooth: Option<u32>, points: &[(f64, f64)]) -> Trace {
+        Trace {
+            tooth,
+            points: points.to_vec(),
+        }
+    }
+
     #[test]
     fn errors_name_flank_and_key() {
-        let relief = |length| EndRelief {
-            amount: 0.01,
-            length,
-            at_far_end: true,
-            parabolic: false,
+        let beyond = Lead {
+            range: [-2.0, 38.0],
+            ..lead()
         };
-        let one_point = Trace {
-            tooth: None,
-            points: vec![(1.0, 0.0)],
+        let zero = Lead {
+            zero: 41.0,
+            ..lead()
         };
-        let cases = [
-            (
-                LeadKey::Range,
-                Lead {
-                    range: [-2.0, 38.0],
-                    ..lead()
-                },
-            ),
-            (
-                LeadKey::Range,
-                Lead {
-                    zero: 41.0,
-                    ..lead()
-                },
-            ),
-            (
-                LeadKey::EndRelief,
-                Lead {
-                    end_reliefs: vec![relief(50.0)],
-                    ..lead()
-                },
-            ),
-            (
-                LeadKey::Trace,
-                Lead {
-                    traces: vec![one_point],
-                    ..lead()
-                },
-            ),
-            // Thicker than the space at the far end.
-            (
-                LeadKey::All,
-                Lead {
-                    slope: 12.0,
-                    ..lead()
-                },
-            ),
-        ];
-        for (expected, lead) in cases {
+        let no_face = Lead {
+            face: [5.0; 2],
+            range: [5.0; 2],
+            ..lead()
+        };
+        let reversed = Lead {
+            range: [38.0, 2.0],
+            ..lead()
+        };
+        let relieved = |amount, length| Lead {
+            end_reliefs: vec![EndRelief {
+                amount,
+                length,
+                at_far_end: true,
+                parabolic: false,
+            }],
+            ..lead()
+        };
+        let traced = |points: &[(f64, f64)]| Lead {
+            traces: vec![trace(None, points)],
+            ..lead()
+        };
+        // Thicker than the space at the far end.
+        let steep = Lead {
+            slope: 12.0,
+            ..lead()
+        };
+        for (expected, lead) in [
+            (LeadKey::Range, beyond),
+            (LeadKey::Range, zero),
+            (LeadKey::Range, no_face),
+            (LeadKey::Range, reversed),
+            (LeadKey::EndRelief, relieved(0.01, 50.0)),
+            (LeadKey::EndRelief, relieved(-0.001, 5.0)),
+            (LeadKey::Trace, traced(&[(1.0, 0.0)])),
+            (LeadKey::Trace, traced(&[(1.0, 0.0), (1.0, 0.0)])),
+            (LeadKey::All, steep),
+        ] {
             match &measured(lead).unwrap_err()[..] {
                 [MeasurementError::Lead { flank, key, .. }] => {
                     assert_eq!((*flank, *key), (Flank::Left, expected));
@@ -158,20 +160,14 @@ mod tests {
 
     #[test]
     fn teeth_without_a_trace_are_reported() {
-        let trace = |tooth| Trace {
-            tooth: Some(tooth),
-            points: vec![(0.0, 0.0), (40.0, 0.005)],
-        };
-        let traces = vec![trace(1), trace(6), trace(11)];
+        let ends = [(0.0, 0.0), (40.0, 0.005)];
+        let traces = [1, 6, 11].map(|tooth| trace(Some(tooth), &ends)).to_vec();
         let found = measured(Lead { traces, ..lead() }).unwrap();
-        let (flank, measured, teeth) = (Flank::Left, 3, 20);
-        assert_eq!(
-            found,
-            [Finding::LeadOfSomeTeeth {
-                flank,
-                measured,
-                teeth
-            }]
-        );
+        let expected = Finding::LeadOfSomeTeeth {
+            flank: Flank::Left,
+            measured: 3,
+            teeth: 20,
+        };
+        assert_eq!(found, [expected]);
     }
 }

@@ -190,53 +190,35 @@ fn half_ends(gear: &OutlineGear) -> impl Iterator<Item = [f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign};
-    use crate::pair::{GearPair, Pose};
+    use crate::gear::Placed;
+    use crate::pair::{GearPair, Mating, Pose};
 
     /// Centres and teeth near a place equal those of the gears given by data, at every pitch of a revolution, on either face. Source:
     /// [`crate::gear::Placed`].
     #[test]
     fn teeth_stand_where_those_of_the_data_do() {
-        let built = |teeth, face| {
-            let deviations = Deviations {
-                eccentricity: 0.05,
-                high_tooth: 3.25,
-                ..Deviations::default()
-            };
-            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
-            AsBuilt::new(gear, face, &deviations).unwrap()
-        };
-        let (wheel, pinion) = (built(20, Face::Front), built(13, Face::Back));
-        let outlines = [&wheel, &pinion].map(OutlineGear::from);
-        let distance = 33.2;
+        let assembly = GearPair::plain([20, 13], [0.05; 2], 33.2, Member::Wheel);
+        let outlines = Member::BOTH.map(|member| OutlineGear::from(assembly.gear(member)));
         let [one, other] = outlines;
-        let pair = OutlinePair::new(one, other, distance, Member::Wheel).unwrap();
-        let assembly = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
-        for step in 0..20 {
+        let pair = OutlinePair::new(one, other, 33.2, Member::Wheel).unwrap();
+        let place = Point2::new(20.0, 1.0);
+        for (step, member) in (0..20).flat_map(|step| Member::BOTH.map(|member| (step, member))) {
             let mating = Mating {
-                wheel_tooth: 1,
-                pinion_tooth: 1,
-                flank: Side::Right,
                 fraction: f64::from(step) + 0.3,
+                ..Mating::FIRST
             };
             let rotation = Pose::new(&assembly, mating).locked_rotation();
-            let place = Point2::new(20.0, 1.0);
-            for (member, gear) in [
-                (Member::Wheel, assembly.gear(Member::Wheel)),
-                (Member::Pinion, assembly.gear(Member::Pinion)),
-            ] {
-                let tooth_1 = member.mate_direction() + rotation;
-                let placed = crate::gear::Placed::new(gear, pair.axis(member), tooth_1);
-                let centre = pair.centre(member, rotation);
-                assert!((centre - placed.centre()).norm() < 1e-12);
-                for reach in [3.0, 9.0, 200.0] {
-                    let found = pair.teeth_near(member, rotation, place, reach);
-                    let numbers: Vec<u32> = found.iter().map(|tooth| tooth.0).collect();
-                    assert_eq!(numbers, placed.teeth_near(place, reach));
-                    for (tooth, direction) in found {
-                        let off = (direction - placed.direction(tooth)) / std::f64::consts::TAU;
-                        assert!((off - off.round()).abs() < 1e-12, "{tooth}");
-                    }
+            let tooth_1 = member.mate_direction() + rotation;
+            let placed = Placed::new(assembly.gear(member), pair.axis(member), tooth_1);
+            let centre = pair.centre(member, rotation);
+            assert!((centre - placed.centre()).norm() < 1e-12);
+            for reach in [3.0, 9.0, 200.0] {
+                let found = pair.teeth_near(member, rotation, place, reach);
+                let numbers: Vec<u32> = found.iter().map(|tooth| tooth.0).collect();
+                assert_eq!(numbers, placed.teeth_near(place, reach));
+                for (tooth, direction) in found {
+                    let off = (direction - placed.direction(tooth)) / std::f64::consts::TAU;
+                    assert!((off - off.round()).abs() < 1e-12, "{tooth}");
                 }
             }
         }

@@ -121,39 +121,14 @@ pub fn arcmin(angle: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{AsBuilt, BasicGearData, Face, GearDesign};
 
-    /// Gears 30/20 of module 2 at 20°, at a distance where cos α_wt is 0.9: `r_w = r_b/0.9`.
-    fn pair() -> GearPair {
-        let gear = |teeth| {
-            let data = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
-            AsBuilt::perfect(
-                Gear::nominal(GearDesign::standard(data)).unwrap(),
-                Face::Front,
-            )
-        };
-        let a = 50.0 * 20f64.to_radians().cos() / 0.9;
-        GearPair::new(gear(30), gear(20), a).unwrap()
-    }
-
-    /// The inverse: `j_bn = (d_b1 + d_b2) (inv α_wt − inv α_w0)` at `a_0 = a − j_r`, and its first order `j_wt/(2 tan α_wt)`.
+    /// Base circles of 30/20 teeth at `cos α_wt` = 0.9: inv α_wt = √0.19/0.9 − acos 0.9 = 0.0333. A backlash above (d_b1 + d_b2) times that
+    /// remains at any distance.
     #[test]
-    fn without_radial_backlash_none_is_left() {
-        let pair = pair();
-        let a = pair.center_distance();
-        let involute = |a: f64| {
-            let angle = (50.0 * 20f64.to_radians().cos() / a).acos();
-            angle.tan() - angle
-        };
-        for j_wt in [-0.3, -0.01, 1e-3, 0.1, 0.4] {
-            let j_r = pair.backlash(j_wt).j_r.unwrap();
-            let j_bn = 100.0 * 20f64.to_radians().cos() * (involute(a) - involute(a - j_r));
-            assert!((j_bn - 0.9 * j_wt).abs() < 1e-13, "{j_bn} of {j_wt}");
-            let first_order = j_wt * 0.9 / (2.0 * 0.19f64.sqrt());
-            assert!((j_r / first_order - 1.0).abs() < 0.5 * j_wt.abs());
-        }
-        // inv α_wt = √0.19/0.9 − acos 0.9 = 0.0333: a backlash above (d_b1 + d_b2) times that remains at any distance.
-        let most = 100.0 * 20f64.to_radians().cos() * (0.19f64.sqrt() / 0.9 - 0.9f64.acos()) / 0.9;
+    fn too_much_backlash_is_left_at_any_distance() {
+        let sum = 50.0 * 20f64.to_radians().cos();
+        let pair = GearPair::plain([30, 20], [0.0; 2], sum / 0.9, Member::Wheel);
+        let most = 2.0 * sum * (0.19f64.sqrt() / 0.9 - 0.9f64.acos()) / 0.9;
         assert!(pair.backlash(0.999 * most).j_r.is_some());
         assert_eq!(pair.backlash(1.001 * most).j_r, None);
     }

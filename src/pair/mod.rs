@@ -9,6 +9,8 @@ mod iso_286;
 mod pose;
 mod section;
 mod sweep_plan;
+#[cfg(test)]
+mod test_pairs;
 
 pub use backlash::{Backlash, BacklashUnit, arcmin};
 pub(crate) use facing_teeth::FacingTeeth;

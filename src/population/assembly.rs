@@ -225,33 +225,32 @@ mod tests {
     use crate::contact::Doubt;
     use crate::pair::Mating;
 
-    fn found(status: Status, [least, greatest]: [Option<Option<Doubt>>; 2]) -> Outcome {
-        let mating = Mating::FIRST;
+    /// An outcome without extremes is unproven; a jammed pair is proven if its one extreme is.
+    #[test]
+    fn nothing_is_proven_of_an_outcome_without_values() {
         let extreme = |doubt: Option<Doubt>| Extreme {
             low: 0.1,
             high: if doubt.is_some() { 0.2 } else { 0.1 },
             found: 0.1,
-            mating,
+            mating: Mating::FIRST,
             doubt,
         };
-        let found = Extremes {
-            matings: 1,
-            status,
-            least: least.map(extreme),
-            greatest: greatest.map(extreme),
-            lost: None,
-        };
-        Outcome::of(&found, WIDTH)
-    }
-
-    /// An outcome without extremes is unproven; a jammed pair is proven if its one extreme is.
-    #[test]
-    fn nothing_is_proven_of_an_outcome_without_values() {
-        let doubt = Some(Some(Doubt::Effort));
-        assert!(!found(Status::Jammed, [None, None]).is_proven);
-        assert!(found(Status::Jammed, [None, Some(None)]).is_proven);
-        assert!(!found(Status::Jammed, [None, doubt]).is_proven);
-        assert!(!found(Status::Clear, [Some(None), doubt]).is_proven);
-        assert!(found(Status::Clear, [Some(None), Some(None)]).is_proven);
+        let doubted = Some(Some(Doubt::Effort));
+        for (status, least, greatest, expected) in [
+            (Status::Jammed, None, None, false),
+            (Status::Jammed, None, Some(None), true),
+            (Status::Jammed, None, doubted, false),
+            (Status::Clear, Some(None), doubted, false),
+            (Status::Clear, Some(None), Some(None), true),
+        ] {
+            let found = Extremes {
+                matings: 1,
+                status,
+                least: least.map(extreme),
+                greatest: greatest.map(extreme),
+                lost: None,
+            };
+            assert_eq!(Outcome::of(&found, WIDTH).is_proven, expected);
+        }
     }
 }

@@ -285,67 +285,58 @@ mod tests {
     /// Normal: quantiles of the tables of any handbook. The others: their inverse CDF by hand.
     #[test]
     fn quantiles_are_those_of_the_distributions() {
+        let uniform = Scatter::uniform(-1.0, 3.0).unwrap();
+        let triangular = Scatter::triangular(0.0, 1.0, 4.0).unwrap();
+        let rayleigh = Scatter::rayleigh(2.0).unwrap();
+        let below = Scatter::rayleigh_below(10.0).unwrap();
+        let table = Scatter::table(&[1.0, 2.0, 5.0, 7.0]).unwrap();
+        // C_pk = 1.5 and the nearer limit 9 away: σ = 2.
+        let within = Scatter::normal_within(-10.0, 20.0, -1.0, 1.5).unwrap();
+        assert_eq!(within.limits(), [-10.0, 20.0]);
+        let mut cases = vec![
+            (within, 0.8413447460685429, 1.0, 1e-12),
+            (uniform, 0.25, 0.0, 0.0),
+            // F(1) = 1/4; above it 1 − (4 − x)²/12.
+            (triangular.clone(), 0.25, 1.0, 1e-15),
+            (triangular, 1.0 - 1.0 / 12.0, 3.0, 1e-15),
+            (rayleigh, 1.0 - (-0.5f64).exp(), 2.0, 1e-14),
+            (below, LIMIT_SHARE, 10.0, 1e-13),
+            (table.clone(), 0.1, 1.0, 0.0),
+            (table.clone(), 0.3, 2.0, 0.0),
+            (table.clone(), 0.6, 5.0, 0.0),
+            (table, 0.9, 7.0, 0.0),
+        ];
         for (p, z) in [
             (0.5, 0.0),
             (0.975, 1.959963984540054),
             (0.001349898031630095, -3.0),
             (0.8413447460685429, 1.0),
         ] {
-            let scatter = Scatter::normal(2.0, 0.5).unwrap();
-            assert!((scatter.at(p) - (2.0 + 0.5 * z)).abs() < 1e-12, "{p}");
+            cases.push((Scatter::normal(2.0, 0.5).unwrap(), p, 2.0 + 0.5 * z, 1e-12));
             // The crate's error function is good to 1.4e-11 (seen here).
             assert!((normal_share(z) - p).abs() < 1e-10);
         }
-        assert_eq!(Scatter::uniform(-1.0, 3.0).unwrap().at(0.25), 0.0);
-        let triangular = Scatter::triangular(0.0, 1.0, 4.0).unwrap();
-        // F(1) = 1/4; above it 1 − (4 − x)²/12.
-        assert!((triangular.at(0.25) - 1.0).abs() < 1e-15);
-        assert!((triangular.at(1.0 - 1.0 / 12.0) - 3.0).abs() < 1e-15);
-        let rayleigh = Scatter::rayleigh(2.0).unwrap();
-        assert!((rayleigh.at(1.0 - (-0.5f64).exp()) - 2.0).abs() < 1e-14);
-        let below = Scatter::rayleigh_below(10.0).unwrap();
-        assert!((below.at(LIMIT_SHARE) - 10.0).abs() < 1e-13);
-        let table = Scatter::table(&[1.0, 2.0, 5.0, 7.0]).unwrap();
-        assert_eq!(
-            [0.1, 0.3, 0.6, 0.9].map(|p| table.at(p)),
-            [1.0, 2.0, 5.0, 7.0]
-        );
-    }
-
-    #[test]
-    fn capability_sets_the_standard_deviation() {
-        // C_pk = 1.5 and the nearer limit 9 away: σ = 2.
-        let scatter = Scatter::normal_within(-10.0, 20.0, -1.0, 1.5).unwrap();
-        assert!((scatter.at(0.8413447460685429) - 1.0).abs() < 1e-12);
-        assert_eq!(scatter.limits(), [-10.0, 20.0]);
+        for (scatter, p, expected, within) in cases {
+            let off = (scatter.at(p) - expected).abs();
+            assert!(off <= within, "{scatter:?} at {p}: {off}");
+        }
     }
 
     #[test]
     fn numbers_that_describe_nothing_are_refused() {
-        assert!(matches!(
-            Scatter::fixed(f64::NAN),
-            Err(ScatterError::NotFinite)
-        ));
-        assert!(matches!(
-            Scatter::uniform(1.0, 0.0),
-            Err(ScatterError::Limits { .. })
-        ));
-        assert!(matches!(
-            Scatter::triangular(0.0, 2.0, 1.0),
-            Err(ScatterError::Outside { .. })
-        ));
-        assert!(matches!(
+        use ScatterError::{Empty, Limits, NotFinite, NotPositive, Outside};
+        let error = |scatter: Result<Scatter, ScatterError>| scatter.unwrap_err();
+        assert!(matches!(error(Scatter::fixed(f64::NAN)), NotFinite));
+        assert!(matches!(error(Scatter::uniform(1.0, 0.0)), Limits { .. }));
+        let beyond = Scatter::triangular(0.0, 2.0, 1.0);
+        assert!(matches!(error(beyond), Outside { .. }));
+        for scatter in [
             Scatter::normal(0.0, 0.0),
-            Err(ScatterError::NotPositive { .. })
-        ));
-        assert!(matches!(
             Scatter::normal_within(0.0, 1.0, 1.0, 1.0),
-            Err(ScatterError::NotPositive { .. })
-        ));
-        assert!(matches!(
             Scatter::rayleigh(-1.0),
-            Err(ScatterError::NotPositive { .. })
-        ));
-        assert!(matches!(Scatter::table(&[]), Err(ScatterError::Empty)));
+        ] {
+            assert!(matches!(error(scatter), NotPositive { .. }));
+        }
+        assert!(matches!(error(Scatter::table(&[])), Empty));
     }
 }

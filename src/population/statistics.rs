@@ -179,6 +179,8 @@ mod tests {
 
     /// Source: both ends by the binomial distribution itself, summed. At the lower end `count` or more are drawn with
     /// 2.5 %, at the upper end `count` or fewer. None and all: 1 − 0.025^(1/n) (Clopper and Pearson 1934).
+    ///
+    /// For large samples the interval is k ± 1.96 √(k (1 − k/n)) + O(1) (normal approximation; Wilson's shift is below 4).
     #[test]
     fn intervals_are_those_of_the_binomial_distribution() {
         let up_to = |k: u64, n: u64, p: f64| -> f64 {
@@ -192,29 +194,24 @@ mod tests {
         };
         for (k, n) in [(1, 10), (31, 100_000), (7, 20), (310, 10_000), (19, 20)] {
             let share = Share::of(k, n);
-            let (below, above) = (1.0 - up_to(k - 1, n, share.low), up_to(k, n, share.high));
-            assert!((below - 0.025).abs() < 1e-8, "{k} of {n}: {below}");
-            assert!((above - 0.025).abs() < 1e-8, "{k} of {n}: {above}");
+            for drawn in [1.0 - up_to(k - 1, n, share.low), up_to(k, n, share.high)] {
+                assert!((drawn - 0.025).abs() < 1e-8, "{k} of {n}: {drawn}");
+            }
         }
-        let none = Share::of(0, 100);
+        let (none, all) = (Share::of(0, 100), Share::of(100, 100));
         assert!(none.low == 0.0 && (none.high - (1.0 - 0.025f64.powf(0.01))).abs() < 1e-10);
-        let all = Share::of(100, 100);
         assert!(all.high == 1.0 && (all.low - 0.025f64.powf(0.01)).abs() < 1e-10);
-    }
-
-    /// For large samples the interval is k ± 1.96 √(k (1 − k/n)) + O(1) (normal approximation; Wilson's shift is below 4).
-    #[test]
-    fn intervals_of_the_largest_samples_hold_their_share() {
-        for n in [1_000_000u64, 1_000_000_000] {
-            for k in [1, 10, 1000, n / 1000, n / 2, n - 1000, n - 1] {
-                let share = Share::of(k, n);
-                assert!(share.low < share.share && share.share < share.high);
-                let (all, count) = (n as f64, k as f64);
-                let reach = 1.959964 * (count * (1.0 - count / all)).sqrt();
-                for end in [share.low, share.high] {
-                    let apart = ((end - share.share) * all).abs();
-                    assert!((apart - reach).abs() < 5.0, "{k} of {n}: {apart} {reach}");
-                }
+        for (n, k) in [1_000_000u64, 1_000_000_000]
+            .into_iter()
+            .flat_map(|n| [1, 10, 1000, n / 1000, n / 2, n - 1000, n - 1].map(|k| (n, k)))
+        {
+            let share = Share::of(k, n);
+            assert!(share.low < share.share && share.share < share.high);
+            let (all, count) = (n as f64, k as f64);
+            let reach = 1.959964 * (count * (1.0 - count / all)).sqrt();
+            for end in [share.low, share.high] {
+                let apart = ((end - share.share) * all).abs();
+                assert!((apart - reach).abs() < 5.0, "{k} of {n}: {apart} {reach}");
             }
         }
     }

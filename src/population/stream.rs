@@ -63,21 +63,21 @@ mod tests {
     #[test]
     fn every_draw_has_numbers_of_its_own() {
         let mut seen = std::collections::HashSet::new();
-        for seed in 0..3 {
-            for run in [Run::Population, Run::First, Run::Second] {
-                for number in [1, 2, u64::MAX] {
-                    for quantity in 0..3 {
-                        let draw = Draw { seed, run, number };
-                        let mut stream = draw.stream(quantity);
-                        for _ in 0..100 {
-                            let uniform = stream.uniform();
-                            assert!(0.0 < uniform && uniform < 1.0);
-                            assert!(seen.insert(uniform.to_bits()));
-                        }
-                        let again = draw.stream(quantity).uniform();
-                        assert!(seen.contains(&again.to_bits()));
-                    }
+        let runs = [Run::Population, Run::First, Run::Second];
+        for (seed, run, number) in (0..3)
+            .flat_map(|seed| runs.map(|run| (seed, run)))
+            .flat_map(|(seed, run)| [1, 2, u64::MAX].map(|number| (seed, run, number)))
+        {
+            let draw = Draw { seed, run, number };
+            for quantity in 0..3 {
+                let mut stream = draw.stream(quantity);
+                for _ in 0..100 {
+                    let uniform = stream.uniform();
+                    assert!(0.0 < uniform && uniform < 1.0);
+                    assert!(seen.insert(uniform.to_bits()));
                 }
+                let again = draw.stream(quantity).uniform();
+                assert!(seen.contains(&again.to_bits()));
             }
         }
     }
@@ -91,13 +91,14 @@ mod tests {
             number: 1,
         };
         let mut stream = draw.stream(0);
-        let n = 100_000;
-        let numbers: Vec<f64> = (0..n).map(|_| stream.uniform() - 0.5).collect();
-        let mean = numbers.iter().sum::<f64>() / f64::from(n);
-        let variance = numbers.iter().map(|x| x * x).sum::<f64>() / f64::from(n);
-        let root = f64::from(n).sqrt();
-        assert!(mean.abs() < 5.0 * (1.0f64 / 12.0).sqrt() / root);
+        let n = 1e5;
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for _ in 0..100_000 {
+            let off = stream.uniform() - 0.5;
+            (sum, squares) = (sum + off, squares + off * off);
+        }
+        assert!((sum / n).abs() < 5.0 * (1.0 / 12.0 / n).sqrt());
         // The variance of (x − 1/2)² is 1/80 − 1/144.
-        assert!((variance - 1.0 / 12.0).abs() < 5.0 * (1.0f64 / 180.0).sqrt() / root);
+        assert!((squares / n - 1.0 / 12.0).abs() < 5.0 * (1.0 / 180.0 / n).sqrt());
     }
 }

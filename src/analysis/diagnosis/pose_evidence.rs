@@ -231,16 +231,8 @@ pub(super) fn place(mating: &Mating) -> String {
 mod tests {
     use super::*;
     use crate::contact::Touch;
-    use crate::gear::{AsBuilt, Face, Gear, GearDesign, ProfilePart};
+    use crate::gear::ProfilePart::{self, Fillet, Involute, Tip};
     use nalgebra::{Point2, Vector2};
-
-    fn pair(teeth: [u32; 2]) -> GearPair {
-        let gear =
-            |z, face| AsBuilt::perfect(Gear::nominal(GearDesign::plain(z, 2.0)).unwrap(), face);
-        let distance = f64::from(teeth[0] + teeth[1]) + 0.1;
-        let (wheel, pinion) = (gear(teeth[0], Face::Front), gear(teeth[1], Face::Back));
-        GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
-    }
 
     /// A contact at these radii. Only radius, curve and tooth matter here.
     fn contact(wheel: (ProfilePart, f64), pinion: (ProfilePart, f64), teeth: [u32; 2]) -> Contact {
@@ -260,12 +252,24 @@ mod tests {
         }
     }
 
+    fn pair(teeth: [u32; 2]) -> GearPair {
+        let distance = f64::from(teeth[0] + teeth[1]) + 0.1;
+        GearPair::plain(teeth, [0.0; 2], distance, Member::Wheel)
+    }
+
     /// Least, greatest and lowest contact, by hand: 42.5 and 42.3 on the fillet, 45 on the flank, 46.1 on the tip. The
     /// lowest is the first of two at one radius.
     #[test]
     fn the_lowest_contact_is_the_first_at_the_least_radius() {
-        use ProfilePart::{Fillet, Involute, Tip};
         let pair = pair([44, 44]);
+        let all = [
+            (Fillet, 42.5, 1),
+            (Tip, 46.1, 2),
+            (Fillet, 42.3, 3),
+            (Involute, 45.0, 4),
+            (Fillet, 42.3 - 1e-12, 5),
+            (Fillet, 42.4, 6),
+        ];
         let tell = |contacts: &[(ProfilePart, f64, u32)]| {
             let mut touched = Touched::default();
             for &(curve, radius, tooth) in contacts {
@@ -276,20 +280,13 @@ mod tests {
             }
             touched
         };
-        let all = [
-            (Fillet, 42.5, 1),
-            (Tip, 46.1, 2),
-            (Fillet, 42.3, 3),
-            (Involute, 45.0, 4),
-            (Fillet, 42.3 - 1e-12, 5),
-            (Fillet, 42.4, 6),
-        ];
-        let whole = tell(&all);
-        let (mut first, rest) = (tell(&all[..2]), tell(&all[2..]));
-        first.extend(Member::Wheel, &rest);
-        let (mut late, early) = (tell(&all[2..]), tell(&all[..2]));
-        late.extend(Member::Wheel, &early);
-        for touched in [whole, first, late] {
+        let joined = |[one, other]: [&[(ProfilePart, f64, u32)]; 2]| {
+            let mut sum = tell(one);
+            sum.extend(Member::Wheel, &tell(other));
+            sum
+        };
+        let (early, late) = (&all[..2], &all[2..]);
+        for touched in [tell(&all), joined([early, late]), joined([late, early])] {
             assert_eq!(touched.greatest, Some(46.1));
             assert_eq!(touched.least, Some(42.3 - 1e-12));
             assert_eq!(touched.below, 4);
@@ -302,24 +299,16 @@ mod tests {
     /// The edge that undercut leaves is below the involute of its own gear, not of the mate. A flank without undercut has none.
     #[test]
     fn an_edge_is_below_the_involute_of_its_own_gear() {
-        use ProfilePart::Involute;
         for (teeth, undercut) in [([44, 9], true), ([44, 44], false)] {
             let pair = pair(teeth);
-            let form = |member| pair.gear(member).gear().form_radius();
-            let (wheel, pinion) = (form(Member::Wheel), form(Member::Pinion));
-            assert_eq!(pair.gear(Member::Pinion).gear().is_undercut(), undercut);
+            let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member).gear());
+            assert_eq!(pinion.is_undercut(), undercut);
             for (off, at_edge) in [(0.0, true), (5e-8, true), (2e-7, false), (1.0, false)] {
-                let contact = contact((Involute, wheel + 1.0), (Involute, pinion + off), [1, 1]);
-                let is_below = |member| {
-                    let mut touched = Touched::default();
-                    touched.add(&pair, member, Side::Left, &contact)
-                };
-                assert!(!is_below(Member::Wheel), "{teeth:?} {off}");
-                assert_eq!(
-                    is_below(Member::Pinion),
-                    undercut && at_edge,
-                    "{teeth:?} {off}"
-                );
+                let radii = [wheel.form_radius() + 1.0, pinion.form_radius() + off];
+                let contact = contact((Involute, radii[0]), (Involute, radii[1]), [1, 1]);
+                let is_below = Member::BOTH
+                    .map(|member| Touched::default().add(&pair, member, Side::Left, &contact));
+                assert_eq!(is_below, [false, undercut && at_edge], "{teeth:?} {off}");
             }
         }
     }

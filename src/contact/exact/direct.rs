@@ -433,6 +433,3 @@ impl AtRotation {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

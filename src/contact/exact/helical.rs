@@ -29,8 +29,6 @@ mod facing;
 mod leads;
 mod profiles;
 mod roots;
-#[cfg(test)]
-mod tests;
 mod turning;
 
 use super::flank_problem::{FlankProblem, PosedFlanks};

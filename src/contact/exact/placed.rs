@@ -99,34 +99,33 @@ impl<'a> Placed<'a> {
 mod tests {
     use super::*;
     use crate::contact::gap::turn;
-    use crate::gear::{Gear, GearDesign, Profile};
+    use crate::gear::{GearDesign, Profile};
+
+    fn shape(teeth: u32) -> HalfToothShape {
+        HalfToothShape::new(&Profile::new(&GearDesign::plain(teeth, 2.0).gear()))
+    }
 
     /// Source: every thousandth of the land of an eccentric gear, turned to either side of the line of centres.
     #[test]
     fn a_tip_land_is_as_near_as_its_nearest_point() {
-        let gear = Gear::nominal(GearDesign::plain(17, 2.0)).unwrap();
-        let shape = HalfToothShape::new(&Profile::new(&gear));
+        let shape = shape(17);
         let far = shape.tip_corner().conj();
         let half = shape.tip_corner().arg().abs();
         for centre in [C::new(40.0, 0.0), C::new(39.0, 0.7), C::new(0.6, -41.0)] {
             for step in -12..=12 {
-                let towards_axis = turn((-centre).arg() + 0.4 * half * f64::from(step));
                 let placed = Placed {
                     shape: &shape,
                     centre,
-                    direction: towards_axis,
+                    direction: turn((-centre).arg() + 0.4 * half * f64::from(step)),
                     far,
                     root_end: 0.0,
                 };
-                let points =
-                    (-1000..=1000).map(|k| turn(half * f64::from(k) / 1000.0) * shape.tip_radius);
-                let nearest = points
+                let nearest = (-1000..=1000)
+                    .map(|k| turn(half * f64::from(k) / 1000.0) * shape.tip_radius)
                     .map(|point| placed.own_to_axis(point))
                     .fold(f64::INFINITY, f64::min);
-                assert!(
-                    (placed.least_land_radius() - nearest).abs() < 1e-6,
-                    "{centre} {step}"
-                );
+                let off = placed.least_land_radius() - nearest;
+                assert!(off.abs() < 1e-6, "{centre} {step}");
             }
         }
     }
@@ -137,8 +136,7 @@ mod tests {
     fn corners_are_where_the_outline_has_no_one_normal() {
         use ProfilePart::{Fillet, Involute, Root, Tip};
         for (teeth, undercut) in [(20, false), (9, true)] {
-            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
-            let shape = HalfToothShape::new(&Profile::new(&gear));
+            let shape = shape(teeth);
             let (low, high) = shape.range(Root);
             for (root_end, root) in [(high.max(low + 0.01), true), (low, false)] {
                 let placed = Placed {

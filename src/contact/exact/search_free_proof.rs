@@ -291,21 +291,18 @@ fn hollow((fillet, gamma): (&HalfToothShape, f64), mate: &Teeth, radius: f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Hand, Side};
+    use crate::gear::{BasicRack, Deviations, Face, GearDesign, Hand, Side};
 
-    fn teeth(count: u32, helix_deg: f64, profile_shift: f64, round: f64) -> Teeth {
-        let basic_data = BasicGearData::new(count, 2.0, 20f64.to_radians()).unwrap();
-        let basic_data = basic_data
-            .with_helix(helix_deg.to_radians(), Hand::Left)
-            .unwrap();
+    fn teeth(count: u32, helix_deg: f64, shift: f64, round: f64) -> Teeth {
+        let design = GearDesign::plain(count, 2.0).helical(helix_deg, Hand::Left);
+        let radius = design.basic_data.reference_radius();
         let design = GearDesign {
-            basic_data,
-            profile_shift,
             rack: BasicRack::new(1.0, 1.25, round).unwrap(),
             // Low enough that no tooth is pointed.
-            tip_diameter: Some(2.0 * basic_data.reference_radius() + 4.0 * profile_shift + 0.4),
+            tip_diameter: Some(2.0 * radius + 4.0 * shift + 0.4),
+            ..design.shifted(shift)
         };
-        let gear = AsBuilt::perfect(Gear::nominal(design).unwrap(), Face::Front);
+        let gear = design.built(Face::Front, &Deviations::default());
         Teeth::new(&gear, Side::Right)
     }
 

@@ -574,8 +574,31 @@ impl Trigonometry for NearStart {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
+
+    /// Rotation of the free gear where involutes with these base radii touch, and the direction of the line of action, at 20°.
+    ///
+    /// The gears are `off` their axes in the directions `phases`, and the locked one has turned by `x`. By Newton's method from the
+    /// length of the line of action.
+    pub(in crate::contact::exact) fn touch(
+        bases: [f64; 2],
+        off: [f64; 2],
+        phases: [f64; 2],
+        x: f64,
+    ) -> (f64, f64) {
+        let sum = bases[0] + bases[1];
+        let distance = sum / 20f64.to_radians().cos();
+        let (mut mu, mut beta) = (0.0, 0.0);
+        for _ in 0..60 {
+            let between =
+                C::from(distance) - turn(x + phases[0]) * off[0] + turn(mu + phases[1]) * off[1];
+            let length = (between.norm_sqr() - sum * sum).sqrt();
+            beta = between.arg() + length.atan2(sum);
+            mu -= (length - bases[0] * (beta - x) - bases[1] * (beta - mu)) / bases[1];
+        }
+        (mu, beta)
+    }
 
     fn separation(bases: [f64; 2], rolls: [f64; 2]) -> Separation {
         Separation {
@@ -605,16 +628,15 @@ mod tests {
             let beyond: f64 = roll - form;
             form * beyond.cos() + beyond.sin() - roll
         };
-        let plays = [0.08, 0.06];
         let [locked, free] = [farther(0.01, 0.01 - 0.08), farther(0.02, -0.02 - 0.06)];
         let expected = (30.0 * locked + 20.0 * free) / 20.0;
         assert!(locked > 0.0 && free > 0.0);
-        assert!((here.short(&there, plays, forms) - expected).abs() < 1e-16);
+        assert!((here.short(&there, [0.08, 0.06], forms) - expected).abs() < 1e-16);
         assert_eq!(there.short(&there, [0.0, 0.0], [0.0, 0.0]), 0.0);
     }
 
     /// No touch has more curvature than its bound, and the greatest effect of the eccentricities is near the bound. Source: differences of
-    /// the rotation of the touch of involutes, by Newton's method from the length of the line of action.
+    /// the rotation of touch.
     #[test]
     fn a_touch_bends_no_more_than_its_bound() {
         for (bases, off) in [
@@ -622,26 +644,14 @@ mod tests {
             ([15.0, 60.0], [0.05, 0.0]),
             ([30.0, 20.0], [0.03, 0.04]),
         ] {
-            let sum: f64 = bases[0] + bases[1];
-            let distance = sum / 20f64.to_radians().cos();
-            let touch = |x: f64, phases: [f64; 2]| {
-                let (mut mu, mut beta) = (0.0, 0.0);
-                for _ in 0..60 {
-                    let between = C::from(distance) - turn(x + phases[0]) * off[0]
-                        + turn(mu + phases[1]) * off[1];
-                    let length = (between.norm_sqr() - sum * sum).sqrt();
-                    beta = between.arg() + length.atan2(sum);
-                    mu -= (length - bases[0] * (beta - x) - bases[1] * (beta - mu)) / bases[1];
-                }
-                (mu, [beta - x, beta - mu])
-            };
             let mut share = 0.0f64;
             for k in 0..400 {
                 let phases = [f64::from(k % 20), f64::from(k / 20)].map(|k| 0.1 * PI * k);
                 const H: f64 = 2e-3;
-                let [before, here, after] = [-H, 0.0, H].map(|x| touch(x, phases));
+                let [before, here, after] = [-H, 0.0, H].map(|x| touch(bases, off, phases, x));
                 let bend = (after.0 - 2.0 * here.0 + before.0) / (H * H);
-                let bound = separation(bases, here.1).bend([0.0; 2], off).unwrap();
+                let rolls = [here.1, here.1 - here.0];
+                let bound = separation(bases, rolls).bend([0.0; 2], off).unwrap();
                 assert!(bend <= bound + 1e-8, "{bend} {bound}");
                 share = share.max(bend / bound);
             }

@@ -314,40 +314,28 @@ pub(super) fn nearest(value: f64) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Face, Gear, GearDesign};
+    use crate::gear::{Deviations, Face, GearDesign};
     use std::f64::consts::PI;
 
-    fn teeth(face: Face, side: Side) -> (AsBuilt, Teeth) {
-        let design = GearDesign::plain(17, 2.0);
-        let gear = AsBuilt::perfect(Gear::nominal(design).unwrap(), face);
-        let teeth = Teeth::new(&gear, side);
-        (gear, teeth)
-    }
-
-    /// Places agree with `AsBuilt::counter_clockwise`, mirrored on the left.
+    /// Places agree with `AsBuilt::counter_clockwise`, mirrored on the left. A tooth and side takes at most 128 bytes (issue 3); here 48.
     #[test]
     fn places_count_counter_clockwise() {
-        for face in [Face::Front, Face::Back] {
-            for side in Side::BOTH {
-                let (gear, teeth) = teeth(face, side);
-                for tooth in 1..=17 {
-                    for steps in -40..=40 {
-                        let expected = gear.counter_clockwise(tooth, steps * -side.sense() as i64);
-                        let place = teeth.place(tooth, steps);
-                        assert_eq!(teeth.number(place), expected);
-                        assert_eq!(teeth.beside(teeth.place(tooth, 0), steps), place);
-                    }
+        for (face, side) in [Face::Front, Face::Back]
+            .into_iter()
+            .flat_map(|face| Side::BOTH.map(|side| (face, side)))
+        {
+            let gear = GearDesign::plain(17, 2.0).built(face, &Deviations::default());
+            let teeth = Teeth::new(&gear, side);
+            assert_eq!(size_of_val(teeth.halves.as_slice()), 17 * 48);
+            for tooth in 1..=17 {
+                for steps in -40..=40 {
+                    let expected = gear.counter_clockwise(tooth, steps * -side.sense() as i64);
+                    let place = teeth.place(tooth, steps);
+                    assert_eq!(teeth.number(place), expected);
+                    assert_eq!(teeth.beside(teeth.place(tooth, 0), steps), place);
                 }
             }
         }
-    }
-
-    /// A tooth and side takes at most 128 bytes (issue 3); here 48.
-    #[test]
-    fn a_tooth_takes_48_bytes_a_side() {
-        let (_, teeth) = teeth(Face::Front, Side::Right);
-        let bytes = size_of_val(teeth.halves.as_slice());
-        assert_eq!(bytes, 17 * 48);
     }
 
     /// Source: sin and cos of the C library, which reduce exactly.

@@ -340,7 +340,7 @@ impl Arc {
 mod tests {
     use super::*;
     use crate::contact::gap::turn;
-    use crate::gear::{Gear, GearDesign, Profile, ProfilePart};
+    use crate::gear::{GearDesign, Profile, ProfilePart};
     use std::f64::consts::TAU;
 
     /// Source: points of the outline, 4000 per curve: none is further than the support, and one is nearly as far. Ordinary, undercut and
@@ -348,98 +348,39 @@ mod tests {
     #[test]
     fn a_top_reaches_as_far_as_its_farthest_point() {
         for (teeth, wider) in [(9, 0.0), (20, 0.01), (44, -0.01), (200, 0.0), (9, 0.7)] {
-            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
+            let gear = GearDesign::plain(teeth, 2.0).gear();
             let shape = HalfToothShape::new(&Profile::new(&gear));
             let far = shape.tip_corner().conj() * turn(wider);
-            for is_whole in [false, true] {
-                let top = if is_whole {
-                    Convex::tooth(&shape, far)
-                } else {
-                    Convex::top(&shape, far)
-                };
-                let along = |low: f64, high: f64, part| {
-                    let shape = &shape;
-                    (0..=4000)
-                        .map(move |k| shape.at(part, low + (high - low) * f64::from(k) / 4000.0))
-                };
-                let (form, tip) = shape.range(ProfilePart::Involute);
-                let (_, corner) = shape.range(ProfilePart::Tip);
-                let land = along(-far.arg(), corner, ProfilePart::Tip);
-                let mut points: Vec<C> = along(form, tip, ProfilePart::Involute)
-                    .chain(land)
-                    .map(|sample| sample.point)
-                    .collect();
-                if is_whole {
-                    let far: Vec<C> = points
-                        .iter()
-                        .map(|point| point.conj() * turn(wider))
-                        .collect();
-                    points.extend(far);
-                }
+            let along = |low: f64, high: f64, part| {
+                let places = (0..=4000).map(move |k| low + (high - low) * f64::from(k) / 4000.0);
+                places.map(|t| shape.at(part, t).point).collect::<Vec<C>>()
+            };
+            let (form, tip) = shape.range(ProfilePart::Involute);
+            let (_, corner) = shape.range(ProfilePart::Tip);
+            let mut half = along(form, tip, ProfilePart::Involute);
+            half.extend(along(-far.arg(), corner, ProfilePart::Tip));
+            let mut whole = half.clone();
+            whole.extend(half.iter().map(|point| point.conj() * turn(wider)));
+            for (top, points) in [
+                (Convex::top(&shape, far), &half),
+                (Convex::tooth(&shape, far), &whole),
+            ] {
                 for k in 0..720 {
-                    let omega = wrapped(0.003 + TAU * f64::from(k) / 720.0);
+                    let omega = 0.003 + TAU * f64::from(k) / 720.0;
+                    let support = |by: f64| top.support(wrapped(omega + by), turn(omega + by));
                     let n = turn(omega);
                     let farthest = points.iter().map(|p| dot(*p, n)).fold(f64::MIN, f64::max);
-                    let support = top.support(omega, n);
-                    let over = support.reach - farthest;
+                    let over = support(0.0).reach - farthest;
                     assert!((-1e-12..1e-6).contains(&over), "{teeth} {omega}: {over:e}");
-                    const STEP: f64 = 1e-5;
-                    let [before, behind] = [omega - STEP, omega + STEP]
-                        .map(|omega| top.support(wrapped(omega), turn(omega)));
-                    // Not at an end of one curve's normals.
-                    if before.radius > 0.0 && behind.radius > 0.0 || support.radius == 0.0 {
-                        let slope = (behind.reach - before.reach) / (2.0 * STEP);
-                        assert!(
-                            (slope - support.along).abs() < 1e-4,
-                            "{teeth} {omega}: {slope}"
-                        );
-                    }
-                    let most = top.greatest_radius(omega, 0.02);
                     // h' turns by h'' = ρ − h: an edge between corners within it is a jump.
-                    let [before, behind] = [omega - 0.02, omega + 0.02]
-                        .map(|omega| top.support(wrapped(omega), turn(omega)));
-                    let turned = (behind.along - before.along).abs();
+                    let most = top.greatest_radius(wrapped(omega), 0.02);
+                    let turned = (support(0.02).along - support(-0.02).along).abs();
                     let most_turned = 0.04 * (most + 1.1 * shape.tip_radius);
                     assert!(turned <= most_turned + 1e-9, "{teeth} {omega}: {turned}");
                     for off in [-0.02, 0.0, 0.02] {
-                        let there = top.support(wrapped(omega + off), turn(omega + off));
-                        assert!(there.radius <= most + 1e-12, "{teeth} {omega} {off}");
+                        assert!(support(off).radius <= most + 1e-12, "{teeth} {omega} {off}");
                     }
                 }
-                // From beside the gear's centre, and from beyond the tip.
-                let beyond = C::new(-1.6 * shape.tip_radius, 0.1);
-                for off in [
-                    C::ZERO,
-                    C::new(0.3, 0.2),
-                    C::new(-0.1, 0.4),
-                    beyond,
-                    beyond.conj(),
-                ] {
-                    let farthest = points.iter().map(|p| (off + p).norm()).fold(0.0, f64::max);
-                    let over = top.farthest(off) - farthest;
-                    assert!((-1e-12..1e-6).contains(&over), "{teeth} {off}: {over:e}");
-                }
-            }
-        }
-    }
-
-    /// Source: points of the arc, 4000 of each.
-    #[test]
-    fn an_arc_reaches_as_far_as_its_farthest_point() {
-        for (low, high) in [(0.1, 0.5), (-2.9, -2.2), (2.9, 3.4), (-0.7, 1.1)] {
-            let arc = Convex::arc(7.0, low, high);
-            let at = |k: u32| C::from_polar(7.0, low + (high - low) * f64::from(k) / 4000.0);
-            let points: Vec<C> = (0..=4000).map(at).collect();
-            for k in 0..180 {
-                let omega = wrapped(0.003 + TAU * f64::from(k) / 180.0);
-                let n = turn(omega);
-                let farthest = points.iter().map(|p| dot(*p, n)).fold(f64::MIN, f64::max);
-                let over = arc.support(omega, n).reach - farthest;
-                assert!((-1e-12..1e-6).contains(&over), "{low} {omega}: {over:e}");
-                let off = 5.0 * n;
-                let farthest = points.iter().map(|p| (off + p).norm()).fold(0.0, f64::max);
-                let over = arc.farthest(off) - farthest;
-                assert!((-1e-12..1e-6).contains(&over), "{low} {off}: {over:e}");
             }
         }
     }

@@ -124,37 +124,25 @@ mod tests {
     #[test]
     fn a_curve_that_is_equally_near_everywhere_is_not_within() {
         let points = [[-1.0, 2.0], [-0.5, 1.0], [0.5, 1.0], [1.0, 2.0]];
+        let cubic = Cubic::new(points.map(Point2::from));
+        let line = Line::new(Point2::new(3.0, -2.0), Point2::new(3.0, 5.0));
         let circle = |x: f64, radius| Circle::new(Point2::new(x, 0.0), radius, true);
-        let curves = [
+        for (curve, [low, high], least) in [
             (PartCurve::Circle(circle(0.0, 17.4)), [0.3, 0.9], 17.4),
             (PartCurve::Circle(circle(39.4, 22.0)), [2.5, 3.7], 17.4),
-            (
-                PartCurve::Line(Line::new(Point2::new(3.0, -2.0), Point2::new(3.0, 5.0))),
-                [0.0, 7.0],
-                3.0,
-            ),
-            (
-                PartCurve::Cubic(Cubic::new(points.map(Point2::from))),
-                [0.0, 1.0],
-                1.25,
-            ),
-        ];
-        for (curve, [low, high], least) in curves {
+            (PartCurve::Line(line), [0.0, 7.0], 3.0),
+            (PartCurve::Cubic(cubic), [0.0, 1.0], 1.25),
+        ] {
             let placed = PlacedCurve {
                 curve: &curve,
                 mirrored: false,
                 centre: C::ZERO,
                 direction: C::ONE,
             };
-            assert!(!nearest(&placed, low, high, least), "{curve:?}");
-            assert!(
-                nearest(&placed, low, high, least * (1.0 + 1e-8)),
-                "{curve:?}"
-            );
-            assert!(
-                !nearest(&placed, low, high, least * (1.0 - 1e-8)),
-                "{curve:?}"
-            );
+            for (off, expected) in [(-1e-8, false), (0.0, false), (1e-8, true)] {
+                let found = nearest(&placed, low, high, least * (1.0 + off));
+                assert_eq!(found, expected, "{curve:?} {off}");
+            }
         }
     }
 }

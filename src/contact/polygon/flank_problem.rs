@@ -350,19 +350,14 @@ fn frame(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{AsBuilt, Face, Gear, GearDesign};
     use crate::pair::Mating;
 
     /// A safe turn uses the whole room: `φ l + φ² m/2` with the greatest speed and acceleration of the chord's ends
     /// along the direction equals it. Source: differences of the turned ends.
     #[test]
     fn a_safe_turn_uses_up_the_room_across() {
-        let gear = |teeth, face| {
-            AsBuilt::perfect(Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap(), face)
-        };
-        let (wheel, pinion) = (gear(30, Face::Front), gear(18, Face::Back));
-        let cuts = [&wheel, &pinion].map(|gear| CutGear::new(gear, 1e-2));
-        let pair = GearPair::with_locked(wheel, pinion, 48.2, Member::Wheel).unwrap();
+        let pair = GearPair::plain([30, 18], [0.0; 2], 48.2, Member::Wheel);
+        let cuts = Member::BOTH.map(|member| CutGear::new(pair.gear(member), 1e-2));
         let reach = pair.gear(Member::Pinion).gear().tip_radius();
         let teeth = CutTeeth::new(&pair, &cuts[0], &cuts[1]);
         let pose = Pose::new(&pair, Mating::FIRST);

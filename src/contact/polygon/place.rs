@@ -160,53 +160,48 @@ fn is_edge(half: &Half, curve: ProfilePart, parameter: f64, radius: f64) -> bool
 mod tests {
     use super::super::chord::CutGear;
     use super::*;
-    use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Pitch, Side};
+    use crate::gear::{Deviations, Face, GearDesign, Side};
 
     /// Edges lie within `CORNER` of the ends of the tip land, of the tip circle on the flank and of the middle of the
     /// space. A fillet without a root land also has one within `CORNER` of the root circle. Spaces are alternately
     /// wider and narrower; the narrower ones have no root land.
     #[test]
     fn edges_are_the_corners_of_the_tip_and_the_middle_of_the_space() {
-        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
         let wave: Vec<f64> = (0..20).map(|k| 0.6 * f64::from(k % 2)).collect();
-        let deviations = Deviations {
-            pitch: Some(Pitch::from_cumulative(&wave, &wave)),
-            ..Deviations::default()
-        };
-        let gear = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
+        let deviations = Deviations::default().with_pitch(&wave, &wave);
+        let gear = GearDesign::plain(20, 2.0).built(Face::Front, &deviations);
         let cut = CutGear::new(&gear, 1e-2);
         let (tip, root) = (gear.gear().tip_radius(), gear.gear().root_radius());
         let mut lands = [0; 2];
-        for side in Side::BOTH {
-            for tooth in [1, 2] {
-                let half = Half::new(gear.profile(side, tooth), &cut, side, tooth);
-                let range = |part| half.profile().range(part);
-                let has_root = half.root_end() > range(ProfilePart::Root).0;
-                lands[usize::from(has_root)] += 1;
-                let near = |off: f64| [(0.5 * off, true), (2.0 * off, false)];
-                for (inside, expected) in near(CORNER) {
-                    let case = format!("{side:?} {tooth} {inside}");
-                    let tips = [
-                        range(ProfilePart::Tip).1 - inside / tip,
-                        half.land_start() + inside / tip,
-                    ];
-                    for at in tips {
-                        assert_eq!(
-                            is_edge(&half, ProfilePart::Tip, at, tip),
-                            expected,
-                            "{case}"
-                        );
-                    }
-                    let flank = is_edge(&half, ProfilePart::Involute, 0.5, tip - inside);
-                    assert_eq!(flank, expected, "{case}");
-                    let fillet = is_edge(&half, ProfilePart::Fillet, 0.5, root + inside);
-                    assert_eq!(fillet, expected && !has_root, "{case}");
-                    let middle = half.root_end() - inside / root;
-                    assert_eq!(
-                        is_edge(&half, ProfilePart::Root, middle, root),
-                        expected,
-                        "{case}"
-                    );
+        for (side, tooth) in Side::BOTH
+            .into_iter()
+            .flat_map(|side| [(side, 1), (side, 2)])
+        {
+            let half = Half::new(gear.profile(side, tooth), &cut, side, tooth);
+            let range = |part| half.profile().range(part);
+            let has_root = half.root_end() > range(ProfilePart::Root).0;
+            lands[usize::from(has_root)] += 1;
+            let land_end = range(ProfilePart::Tip).1;
+            for (off, is_near) in [(0.5 * CORNER, true), (2.0 * CORNER, false)] {
+                for (part, at, radius, expected) in [
+                    (ProfilePart::Tip, land_end - off / tip, tip, is_near),
+                    (
+                        ProfilePart::Tip,
+                        half.land_start() + off / tip,
+                        tip,
+                        is_near,
+                    ),
+                    (ProfilePart::Involute, 0.5, tip - off, is_near),
+                    (ProfilePart::Fillet, 0.5, root + off, is_near && !has_root),
+                    (
+                        ProfilePart::Root,
+                        half.root_end() - off / root,
+                        root,
+                        is_near,
+                    ),
+                ] {
+                    let case = format!("{side:?} {tooth} {part:?} {off}");
+                    assert_eq!(is_edge(&half, part, at, radius), expected, "{case}");
                 }
             }
         }

@@ -151,130 +151,19 @@ impl Cubic {
 mod tests {
     use super::*;
 
-    /// A flank, a root, a curve that turns by more than half a turn, and an S.
-    fn curves() -> [Cubic; 4] {
-        [
-            [[50.0, 3.0], [51.0, 2.6], [52.2, 2.3], [53.0, 1.6]],
-            [[46.0, 4.0], [45.1, 4.1], [44.8, 4.9], [44.9, 5.6]],
-            [[40.0, 0.0], [47.0, 3.0], [35.0, 3.5], [41.0, -1.0]],
-            [[40.0, 0.0], [41.0, 1.5], [42.0, -1.2], [43.0, 0.4]],
-        ]
-        .map(|points| Cubic::new(points.map(|[x, y]| Point2::new(x, y))))
-    }
-
-    const STRETCHES: [[f64; 2]; 6] = [
-        [0.0, 1.0],
-        [0.0, 0.25],
-        [0.3, 0.6],
-        [0.5, 0.52],
-        [0.7, 1.0],
-        [0.95, 0.96],
-    ];
-
-    /// `P'` and `P''` at a parameter, from neighbouring points.
-    fn differences(curve: &Cubic, t: f64) -> [Vector2<f64>; 2] {
-        let step = 1e-4;
-        let [before, here, behind] = [t - step, t, t + step].map(|t| curve.point(t));
-        [
-            (behind - before) / (2.0 * step),
-            ((behind - here) - (here - before)) / (step * step),
-        ]
-    }
-
-    fn places([low, high]: [f64; 2]) -> impl Iterator<Item = f64> {
-        (0..=200).map(move |k| low + (high - low) * f64::from(k) / 200.0)
-    }
-
-    /// Bounds hold at every place between; for a short stretch they are tight. Source: points and their differences.
-    #[test]
-    fn reach_and_turn_hold_and_are_near() {
-        for curve in curves() {
-            for stretch in STRETCHES {
-                let [low, high] = stretch;
-                let (reach, turn) = curve.spread(low, high);
-                let (middle, normal) = curve.at(0.5 * (low + high));
-                let far = places(stretch).map(|t| (curve.point(t) - middle).norm());
-                let far = far.fold(0.0, f64::max);
-                let turned = places(stretch).map(|t| {
-                    let there = curve.normal(t);
-                    normal.perp(&there).atan2(normal.dot(&there)).abs()
-                });
-                let turned = turned.fold(0.0, f64::max);
-                assert!(far <= reach * (1.0 + 1e-12), "{stretch:?}: {far} {reach}");
-                assert!(turned <= turn + 1e-12, "{stretch:?}: {turned} {turn}");
-                if high - low < 0.05 {
-                    assert!(reach < 1.02 * far, "{stretch:?}: {far} {reach}");
-                    assert!(turn < 1.1 * turned, "{stretch:?}: {turned} {turn}");
-                }
-            }
-        }
-        // Its steps' cone is wider than half a plane.
-        assert_eq!(curves()[2].spread(0.0, 1.0).1, PI);
-        assert!(curves()[3].spread(0.0, 1.0).1 < 0.5 * PI);
-    }
-
-    /// The greatest `P''` is at an end. Source: differences of points.
-    #[test]
-    fn a_bend_is_the_greatest_second_difference() {
-        for curve in curves() {
-            let found = curve.bend(0.5);
-            let most = places([0.0, 1.0]).map(|t| differences(&curve, t)[1].norm());
-            let most = most.fold(0.0, f64::max);
-            assert!((found.0 / most - 1.0).abs() < 1e-5, "{found:?} {most}");
-            assert_eq!(found.1, 0.0);
-        }
-    }
-
-    /// Bounds of the curvature hold at every place between; for a short stretch they are tight. Source: differences of points.
-    #[test]
-    fn curvature_stays_within_its_bounds() {
-        let mut known = 0;
-        for curve in curves() {
-            for stretch in STRETCHES {
-                let curvatures = places(stretch).map(|t| {
-                    let [rise, bend] = differences(&curve, t);
-                    rise.perp(&bend) / rise.norm().powi(3)
-                });
-                let (least, most) = curvatures
-                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), c| {
-                        (a.min(c), b.max(c))
-                    });
-                let size = least.abs().max(most.abs());
-                let Some(bounds) = curve.convexity(stretch[0], stretch[1]) else {
-                    continue;
-                };
-                known += 1;
-                assert!(
-                    bounds.0 <= least + 1e-4 * size,
-                    "{stretch:?}: {least} {bounds:?}"
-                );
-                assert!(
-                    bounds.1 >= most - 1e-4 * size,
-                    "{stretch:?}: {most} {bounds:?}"
-                );
-                if stretch[1] - stretch[0] < 0.05 {
-                    assert!(
-                        bounds.0 >= least - 0.2 * size,
-                        "{stretch:?}: {least} {bounds:?}"
-                    );
-                    assert!(
-                        bounds.1 <= most + 0.2 * size,
-                        "{stretch:?}: {most} {bounds:?}"
-                    );
-                }
-            }
-        }
-        assert!(known >= 18, "{known}");
-    }
-
     /// A curve with zero speed, or with steps as short as rounding, has no bounds.
     #[test]
     fn a_cusp_has_no_curvature() {
-        let points = [[40.0, 0.0], [40.0, 0.0], [41.0, 0.5], [42.0, 2.0]];
-        let cusp = Cubic::new(points.map(|[x, y]| Point2::new(x, y)));
-        assert_eq!(cusp.convexity(0.0, 0.5), None);
-        assert!(cusp.convexity(0.1, 0.5).is_some());
-        assert_eq!(curves()[0].convexity(0.5, 0.5 + 1e-10), None);
-        assert!(curves()[0].convexity(0.5, 0.5 + 1e-6).is_some());
+        let cubic = |points: [[f64; 2]; 4]| Cubic::new(points.map(Point2::from));
+        let cusp = cubic([[40.0, 0.0], [40.0, 0.0], [41.0, 0.5], [42.0, 2.0]]);
+        let flank = cubic([[50.0, 3.0], [51.0, 2.6], [52.2, 2.3], [53.0, 1.6]]);
+        for (curve, [low, high], is_known) in [
+            (&cusp, [0.0, 0.5], false),
+            (&cusp, [0.1, 0.5], true),
+            (&flank, [0.5, 0.5 + 1e-10], false),
+            (&flank, [0.5, 0.5 + 1e-6], true),
+        ] {
+            assert_eq!(curve.convexity(low, high).is_some(), is_known, "{low}");
+        }
     }
 }

@@ -249,10 +249,11 @@ mod tests {
         })
     }
 
-    /// Turn of the normal per length, from points 2e-5 rad apart.
-    fn turned(flank: &ModifiedFlank, xi: f64) -> f64 {
+    /// Turn of the normal per length, and length per roll, from points 2e-5 rad apart.
+    fn differences(flank: &ModifiedFlank, xi: f64) -> [f64; 2] {
         let [(from, before), (to, behind)] = [xi - 1e-5, xi + 1e-5].map(|xi| flank.at(xi));
-        before.perp(&behind).asin() / (to - from).norm()
+        let length = (to - from).norm();
+        [before.perp(&behind).asin() / length, length / 2e-5]
     }
 
     #[test]
@@ -263,46 +264,25 @@ mod tests {
                 let found = flank.osculating(xi);
                 assert!((found.point - point).norm() < 1e-13, "{xi}");
                 assert!((found.normal - normal).norm() < 1e-13, "{xi}");
-                assert!(
-                    (found.curvature / turned(&flank, xi) - 1.0).abs() < 1e-6,
-                    "{xi}"
-                );
-                let [before, behind] = [xi - 1e-5, xi + 1e-5].map(|xi| flank.at(xi).0);
-                let speed = (behind - before).norm() / 2e-5;
+                let [curvature, speed] = differences(&flank, xi);
+                assert!((found.curvature / curvature - 1.0).abs() < 1e-6, "{xi}");
                 assert!((found.speed / speed - 1.0).abs() < 1e-6, "{xi}");
             }
         }
     }
 
-    /// The radius is 0 across an edge and positive beside it.
+    /// The radius is 0 across an edge and positive beside it. Without one it holds at every place between and is tight for a short stretch.
     #[test]
-    fn an_edge_bends_with_no_radius() {
-        let curve =
-            DeviationCurve::polynomial([0.0, 1.0], [0.01, -0.12, 0.12, 0.02]).with_edge(0.4);
-        let flank = ModifiedFlank::new(40.0, 0.03, Arc::new(curve), [0.02, 0.9]).unwrap();
-        assert_eq!(flank.least_bend_radius(0.3, 0.5), 0.0);
-        assert!(flank.least_bend_radius(0.2, 0.3) > 0.0);
-        assert!(flank.least_bend_radius(0.5, 0.8) > 0.0);
-    }
-
-    /// Bounds hold at every place between and are tight for a short stretch.
-    #[test]
-    fn no_place_of_a_flank_is_more_curved_than_its_bounds() {
+    fn no_place_of_a_flank_bends_with_less_radius() {
         for flank in flanks() {
             for ([low, high], near) in [
                 ([0.1, 0.11], 0.97),
                 ([0.05, 0.2], 0.85),
                 ([0.3, 0.85], 0.85),
             ] {
-                let at = |k: u32| low + (high - low) * f64::from(k) / 100.0;
-                let places: Vec<f64> = (0..=100).map(|k| turned(&flank, at(k))).collect();
-                let (least, most) = flank.convexity(low, high).unwrap();
-                assert!(
-                    places
-                        .iter()
-                        .all(|there| *there > least - 1e-8 && *there < most + 1e-8)
-                );
-                let roundest = 1.0 / places.iter().copied().fold(0.0, f64::max);
+                let places = (0..=100).map(|k| low + (high - low) * f64::from(k) / 100.0);
+                let turned = places.map(|xi| differences(&flank, xi)[0]);
+                let roundest = 1.0 / turned.fold(0.0, f64::max);
                 let radius = flank.least_bend_radius(low, high);
                 assert!(
                     radius < roundest + 1e-6 && radius > near * roundest,
@@ -310,5 +290,11 @@ mod tests {
                 );
             }
         }
+        let curve = DeviationCurve::polynomial([0.0, 1.0], [0.01, -0.12, 0.12, 0.02]);
+        let curve = Arc::new(curve.with_edge(0.4));
+        let flank = ModifiedFlank::new(40.0, 0.03, curve, [0.02, 0.9]).unwrap();
+        assert_eq!(flank.least_bend_radius(0.3, 0.5), 0.0);
+        assert!(flank.least_bend_radius(0.2, 0.3) > 0.0);
+        assert!(flank.least_bend_radius(0.5, 0.8) > 0.0);
     }
 }

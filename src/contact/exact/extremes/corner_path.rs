@@ -252,7 +252,6 @@ pub(super) fn is_clear_over(
 mod tests {
     use super::super::super::shape::turn;
     use super::*;
-    use crate::gear::{Gear, GearDesign, Profile};
 
     /// Both paths agree with points turned about their axes to the third order. Source: the points turned.
     #[test]
@@ -272,21 +271,11 @@ mod tests {
             (p - turned * free_centre) * (turned * f).conj()
         };
         let turned = turn(gap);
+        let corner = turned * (free_centre + f * free_corner);
+        let arm = centre - distance + l * locked_corner;
         let paths = [
-            CornerPath::of_free(
-                turned * (free_centre + f * free_corner),
-                centre,
-                l,
-                distance,
-                rate,
-            ),
-            CornerPath::of_locked(
-                centre - distance + l * locked_corner,
-                turned * free_centre,
-                turned * f,
-                distance,
-                rate,
-            ),
+            CornerPath::of_free(corner, centre, l, distance, rate),
+            CornerPath::of_locked(arm, turned * free_centre, turned * f, distance, rate),
         ];
         for k in -10..=10 {
             let x = 0.02 * f64::from(k);
@@ -294,31 +283,6 @@ mod tests {
                 let near = path.point + path.speed * x + path.acceleration * (0.5 * x * x);
                 let most = path.jerk * x.abs().powi(3) / 6.0 + 1e-12;
                 assert!((there - near).norm() <= most, "{x}: {there} {near} {most}");
-            }
-        }
-    }
-
-    /// A corner at rest beside a fillet is clear in front of it and not behind. Source: the fillet's own points and normals.
-    #[test]
-    fn a_corner_is_clear_in_front_of_the_fillet_alone() {
-        for teeth in [12, 18, 40] {
-            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
-            let shape = HalfToothShape::new(&Profile::new(&gear));
-            for k in 1..20 {
-                let gamma = shape.fillet_end * f64::from(k) / 20.0;
-                let sample = shape.at(ProfilePart::Fillet, gamma);
-                for height in [-1e-4, -1e-6, 1e-6, 1e-4] {
-                    let path = CornerPath {
-                        point: sample.point + sample.normal * height,
-                        speed: C::ZERO,
-                        acceleration: C::ZERO,
-                        jerk: 0.0,
-                        by_gap: C::ZERO,
-                        swing: 0.0,
-                    };
-                    let clear = path.is_clear(&shape, 0.0, 0.0, (0.0, 0.0));
-                    assert_eq!(clear, height > 0.0, "{teeth} {gamma} {height}");
-                }
             }
         }
     }

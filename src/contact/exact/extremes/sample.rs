@@ -308,18 +308,12 @@ mod tests {
     use super::super::super::ExactKernel;
     use super::*;
     use crate::contact::Effort;
-    use crate::gear::{AsBuilt, Face, Gear, GearDesign};
-    use crate::pair::{GearPair, Pose};
+    use crate::pair::{GearPair, Member, Pose};
 
     /// The result is no worse than the least and the greatest of sixteen poses of every pitch of the cycle.
     #[test]
     fn every_pitch_is_sampled() {
-        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
-        let [wheel, pinion] = [(Face::Front, 0.05), (Face::Back, 0.04)].map(|(face, e)| {
-            let perfect = AsBuilt::perfect(gear.clone(), face);
-            perfect.with_runout(e, 8.0).unwrap()
-        });
-        let pair = GearPair::new(wheel, pinion, 40.4).unwrap();
+        let pair = GearPair::plain([20; 2], [0.05, 0.04], 40.4, Member::Wheel);
         let kernel = ExactKernel::new(&pair);
         let first = Mating::FIRST;
         let effort = Effort::endless();
@@ -335,10 +329,8 @@ mod tests {
             (least.min(angle), greatest.max(angle))
         });
         let [low, high] = [found.least, found.greatest].map(|seen| seen.unwrap().angle);
-        assert!(low <= least + 1e-9 && low > least - 1e-5, "{low} {least}");
-        assert!(
-            high >= greatest - 1e-9 && high < greatest + 1e-5,
-            "{high} {greatest}"
-        );
+        for beyond in [least - low, high - greatest] {
+            assert!((-1e-9..1e-5).contains(&beyond), "{beyond}");
+        }
     }
 }

@@ -310,16 +310,31 @@ mod tests {
     use crate::contact::exact::far_flanks::{far_contact, is_sideways};
     use crate::contact::exact::search::SideRequest;
     use crate::contact::exact::separation::Separation;
-    use crate::gear::{
-        AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, ProfilePart,
-    };
+    use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, ProfilePart};
     use crate::pair::{GearPair, Mating, Pose};
 
-    /// Gears whose centre distance exceeds the one without backlash by `more` mm.
-    fn farther(wheel: AsBuilt, pinion: AsBuilt, more: f64) -> Option<GearPair> {
+    /// A number from 0 to 1 of the random pair `k`.
+    fn part(k: u32, step: u32) -> f64 {
+        f64::from((k * step + 7 * (k % 97) * k) % 101) / 101.0
+    }
+
+    /// The random pair `k`, with at most this profile shift, range of the pitch deviations, eccentricity, and room beyond the pair without backlash.
+    fn random(k: u32, teeth: [u32; 2], most: [f64; 4]) -> Option<GearPair> {
+        let built = |kind: usize, face, step: u32| {
+            let design = GearDesign::plain(teeth[kind], 2.0).shifted(most[0] * part(k, step));
+            let list = |start: u32| -> Vec<f64> {
+                let off = |tooth: u32| f64::from((tooth * 37 + start) % 11) / 11.0 - 0.5;
+                let size = most[1] * part(k, step + 50);
+                (0..teeth[kind]).map(|tooth| size * off(tooth)).collect()
+            };
+            let deviations = Deviations::off_axis(most[2] * part(k, step + 20), 1.5)
+                .with_pitch(&list(step), &list(step + 5));
+            AsBuilt::new(Gear::nominal(design).ok()?, face, &deviations).ok()
+        };
+        let (wheel, pinion) = (built(0, Face::Front, 17)?, built(1, Face::Back, 29)?);
         let formula = crate::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
         let closed = formula.center_distance(0.0)?;
-        GearPair::new(wheel, pinion, closed + more).ok()
+        GearPair::new(wheel, pinion, closed + most[3] * part(k, 41)).ok()
     }
 
     /// 400/400 teeth with base pitches 0.001 % apart and profile shifts −6 and 6. They touch far from the pitch point, and their steps
@@ -327,19 +342,14 @@ mod tests {
     #[test]
     fn the_level_holds_steps_to_one_side() {
         let gear = |module: f64, shift: f64, face| {
-            let data = BasicGearData::new(400, module, 20f64.to_radians()).unwrap();
-            let design = GearDesign {
-                profile_shift: shift,
-                ..GearDesign::standard(data)
-            };
-            AsBuilt::perfect(Gear::nominal(design).unwrap(), face)
+            let design = GearDesign::plain(400, module).shifted(shift);
+            AsBuilt::perfect(design.gear(), face)
         };
         let wheel = gear(1.0, -6.0, Face::Front);
         let pair = GearPair::new(wheel, gear(1.00001, 6.0, Face::Back), 400.05).unwrap();
         let kernel = ExactKernel::new(&pair);
-        let first = Mating::FIRST;
         let effort = Effort::endless();
-        let course = Course::new(&kernel, &pair, (first, 1), &effort);
+        let course = Course::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
         let table = Table::new(&course);
         let posed = course.posed(0);
         let mut lopsided = 0;
@@ -363,39 +373,14 @@ mod tests {
     fn no_tip_touches_a_fillet_where_none_is_said_to() {
         let (mut kept, mut touched) = (0, 0);
         for k in 0..2000u32 {
-            let part = |step: u32| f64::from((k * step + 7 * (k % 97) * k) % 101) / 101.0;
-            let built = |teeth: u32, face| {
-                let design = GearDesign {
-                    profile_shift: 0.4 * part(17),
-                    ..GearDesign::plain(teeth, 2.0)
-                };
-                let curve = |start: u32| -> Vec<f64> {
-                    let numbers = (0..teeth).map(|i| (i * 7919 + start + k) % 1000);
-                    let size = 0.08 * part(29);
-                    numbers.map(|n| size * f64::from(n) / 1000.0).collect()
-                };
-                let deviations = Deviations {
-                    pitch: Some(Pitch::from_cumulative(&curve(17), &curve(443))),
-                    eccentricity: 0.02 * part(37),
-                    high_tooth: 1.5,
-                    ..Deviations::default()
-                };
-                AsBuilt::new(Gear::nominal(design).ok()?, face, &deviations).ok()
-            };
-            let (Some(wheel), Some(pinion)) = (
-                built(20 + 3 * (k % 31), Face::Front),
-                built(6 + k % 9, Face::Back),
-            ) else {
-                continue;
-            };
-            let Some(pair) = farther(wheel, pinion, 0.6 * part(41)) else {
+            let teeth = [20 + 3 * (k % 31), 6 + k % 9];
+            let Some(pair) = random(k, teeth, [0.4, 0.08, 0.02, 0.6]) else {
                 continue;
             };
             let kernel = ExactKernel::new(&pair);
             let keeps = kernel.keeps_to_involutes(&pair);
-            let first = Mating::FIRST;
             let on_fillet = (0..300).any(|at| {
-                let mating = first.onward(&pair, f64::from(at) * 0.237);
+                let mating = Mating::FIRST.onward(&pair, f64::from(at) * 0.237);
                 let found = kernel.lost_motion_at(&pair, mating).unwrap().unwrap();
                 let contacts = [found.right, found.left].into_iter().flatten();
                 contacts
@@ -415,34 +400,8 @@ mod tests {
     fn far_flanks_are_as_late_as_their_bound() {
         let (mut examined, mut near) = (0, 0);
         for k in 0..3000u32 {
-            let part = |step: u32| f64::from((k * step + 7 * (k % 97) * k) % 101) / 101.0;
-            let built = |teeth: u32, face, step: u32| {
-                let design = GearDesign {
-                    profile_shift: 0.8 * part(step),
-                    ..GearDesign::plain(teeth, 2.0)
-                };
-                let list = |start: u32| -> Vec<f64> {
-                    let off = |tooth: u32| f64::from((tooth * 37 + start) % 11) / 11.0 - 0.5;
-                    (0..teeth)
-                        .map(|tooth| 0.4 * part(step + 50) * off(tooth))
-                        .collect()
-                };
-                let deviations = Deviations {
-                    pitch: Some(Pitch::from_cumulative(&list(step), &list(step + 5))),
-                    eccentricity: 0.2 * part(step + 20),
-                    high_tooth: 1.5,
-                    ..Deviations::default()
-                };
-                AsBuilt::new(Gear::nominal(design).ok()?, face, &deviations).ok()
-            };
             let teeth = [3 + k % 17, 3 + k / 17 % 40];
-            let (Some(wheel), Some(pinion)) = (
-                built(teeth[0], Face::Front, 17),
-                built(teeth[1], Face::Back, 29),
-            ) else {
-                continue;
-            };
-            let Some(pair) = farther(wheel, pinion, part(41)) else {
+            let Some(pair) = random(k, teeth, [0.8, 0.4, 0.2, 1.0]) else {
                 continue;
             };
             let kernel = ExactKernel::new(&pair);
@@ -462,7 +421,7 @@ mod tests {
                 let pose = Pose::new(&pair, mating);
                 let posed = posed_sides(&course.sides, &kernel.section, &pose);
                 for (side, later) in posed.iter().zip(later) {
-                    let (flanks, later) = (&side.flanks, later.unwrap());
+                    let flanks = &side.flanks;
                     for step in flanks.steps_of_whole_teeth() {
                         if !is_sideways(flanks, step) {
                             continue;
@@ -476,7 +435,7 @@ mod tests {
                             let found = far_contact(flanks, step, floor, request);
                             found.unwrap().is_some()
                         };
-                        let floor = line.gap - later;
+                        let floor = line.gap - later.unwrap();
                         assert!(!is_before(floor + 1e-9), "{teeth:?}, pair {k}, step {step}");
                         examined += 1;
                         near += u32::from(is_before(floor - 0.05));

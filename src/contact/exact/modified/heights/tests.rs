@@ -2,22 +2,14 @@
 
 use super::*;
 use crate::contact::exact::section::Section;
-use crate::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Modification, Side,
-    Trace,
-};
+use crate::gear::{Deviations, Face, GearDesign, Modification, Side, Trace};
 use crate::pair::{GearPair, Mating, Member, Pose};
 
 /// Two gears with waves of `count` points on their flanks, the pinion off its axis, overlapping a little.
-fn section(count: u32) -> (Section, GearPair) {
+fn pair(count: u32) -> GearPair {
     let built = |teeth, face, phase: f64| {
-        let gear = Gear::nominal(GearDesign {
-            basic_data: BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
-            profile_shift: 0.2,
-            rack: BasicRack::ISO_53_A,
-            tip_diameter: None,
-        })
-        .unwrap();
+        let design = GearDesign::plain(teeth, 3.0).shifted(0.2);
+        let gear = design.gear();
         let (from, to) = (gear.form_roll(), gear.tip_roll());
         let point = |k: u32| {
             let share = f64::from(k) / f64::from(count - 1);
@@ -34,27 +26,23 @@ fn section(count: u32) -> (Section, GearPair) {
             ..Modification::default()
         };
         let deviations = Deviations {
-            eccentricity: 0.02,
-            high_tooth: 3.5,
             profiles: [profile.clone(), profile],
-            ..Deviations::default()
+            ..Deviations::off_axis(0.02, 3.5)
         };
-        AsBuilt::new(gear, face, &deviations).unwrap()
+        design.built(face, &deviations)
     };
     let (wheel, pinion) = (built(41, Face::Front, 0.3), built(27, Face::Back, 1.9));
-    let pair = GearPair::with_locked(wheel, pinion, 103.2, Member::Wheel).unwrap();
-    (Section::new(&pair), pair)
+    GearPair::with_locked(wheel, pinion, 103.2, Member::Wheel).unwrap()
 }
 
 /// At a few gaps round the contact of some poses.
 fn at_gaps(count: u32, mut ask: impl FnMut(&Heights)) {
-    let (section, pair) = section(count);
+    let pair = pair(count);
+    let section = Section::new(&pair);
     for k in 0..5 {
         let mating = Mating {
-            wheel_tooth: 3,
-            pinion_tooth: 5,
-            flank: Side::Right,
             fraction: 0.23 * f64::from(k),
+            ..Mating::at(3, 5, Side::Right)
         };
         let posed = section.posed(&section.right, &Pose::new(&pair, mating));
         let halves = (posed.locked(0), posed.free(0));
@@ -67,10 +55,9 @@ fn at_gaps(count: u32, mut ask: impl FnMut(&Heights)) {
     }
 }
 
-fn rolls(heights: &Heights, count: u32) -> Vec<f64> {
+fn rolls(heights: &Heights, count: u32) -> impl Iterator<Item = f64> {
     let (low, high) = heights.locked.range;
-    let at = |k| low + (high - low) * (f64::from(k) + 0.37) / f64::from(count);
-    (0..count).map(at).collect()
+    (0..count).map(move |k| low + (high - low) * (f64::from(k) + 0.37) / f64::from(count))
 }
 
 /// Source: differences over 2e-6 rad within one piece.
@@ -85,52 +72,19 @@ fn heights_have_the_stated_derivatives() {
                 continue;
             };
             let rate = |of: fn(&FlankPlace) -> f64| (of(&behind) - of(&before)) / (2.0 * step);
-            assert!(
-                (rate(|look| look.height) - look.slope).abs() < 1e-6 * (1.0 + look.slope.abs())
-            );
+            let off = (rate(|look| look.height) - look.slope).abs();
+            assert!(off < 1e-6 * (1.0 + look.slope.abs()));
             assert!((rate(|look| look.y) - look.follows).abs() < 1e-6);
             // A knot in between has another second derivative on either side.
             let bend = heights.bend(&look);
-            if [&before, &behind]
-                .map(|near| heights.bend(near))
-                .iter()
-                .all(|near| (near - bend).abs() < 1e-2 * (1.0 + bend.abs()))
-            {
-                assert!((rate(|look| look.slope) - bend).abs() < 1e-2 * (1.0 + bend.abs()));
+            let is_near = |found: f64| (found - bend).abs() < 1e-2 * (1.0 + bend.abs());
+            if is_near(heights.bend(&before)) && is_near(heights.bend(&behind)) {
+                assert!(is_near(rate(|look| look.slope)));
                 seen += 1;
             }
         }
     });
     assert!(seen > 300, "{seen}");
-}
-
-/// At the greatest gap found the flanks touch: no height is above zero, and at one place it is zero.
-#[test]
-fn flanks_touch_where_the_height_is_zero() {
-    let (section, pair) = section(300);
-    for k in 0..40 {
-        let mating = Mating {
-            wheel_tooth: 1 + k,
-            pinion_tooth: 5,
-            flank: Side::Right,
-            fraction: 0.1,
-        };
-        let posed = section.posed(&section.right, &Pose::new(&pair, mating));
-        let found = posed.flanks_by_heights(0, f64::NEG_INFINITY, 0.0);
-        let found = found.unwrap().unwrap();
-        let halves = (posed.locked(0), posed.free(0));
-        let flanks = [&halves.0, &halves.1].map(|half| Flank::new(half).unwrap());
-        let heights = posed.heights(&halves, flanks, found.gap);
-        let there = heights.look(found.locked.1).unwrap();
-        assert!(there.height.abs() < 1e-12, "{there:?}");
-        for x in rolls(&heights, 20_000) {
-            if let Some(look) = heights.look(x)
-                && heights.reaches(&look)
-            {
-                assert!(look.height < 1e-12, "{look:?} above {there:?}");
-            }
-        }
-    }
 }
 
 /// Bounds hold at every sampled place, over stretches of any length in either sense, and are tight over short ones.
@@ -139,14 +93,12 @@ fn no_place_is_higher_than_its_bounds() {
     let (mut seen, mut near) = (0, 0);
     at_gaps(200, |heights| {
         let (low, high) = heights.locked.range;
+        let reached = |x| heights.look(x).filter(|look| heights.reaches(look));
         for x in rolls(heights, 30) {
-            let Some(look) = heights.look(x) else {
+            // `a` rises to both sides of opposite normals.
+            let Some(look) = reached(x).filter(|look| look.cos > 0.1) else {
                 continue;
             };
-            // `a` rises to both sides of opposite normals.
-            if !(look.cos > 0.1 && heights.reaches(&look)) {
-                continue;
-            }
             for on in [-1.0, 1.0] {
                 let rest = if on > 0.0 { high - x } else { x - low };
                 for width in [1e-4, 1e-3, 0.01, 0.1, 1.0] {
@@ -155,15 +107,9 @@ fn no_place_is_higher_than_its_bounds() {
                         heights.most(&look, on, width),
                         heights.most_near(&look, on, width),
                     ];
-                    let mut greatest = f64::NEG_INFINITY;
-                    for k in 0..=200 {
-                        let there = heights.look(x + on * width * f64::from(k) / 200.0);
-                        if let Some(there) = there
-                            && heights.reaches(&there)
-                        {
-                            greatest = greatest.max(there.height);
-                        }
-                    }
+                    let places = (0..=200).map(|k| x + on * width * f64::from(k) / 200.0);
+                    let found = places.filter_map(|x| reached(x).map(|look| look.height));
+                    let greatest = found.fold(f64::NEG_INFINITY, f64::max);
                     assert!(
                         bounds.iter().all(|bound| greatest <= bound + 1e-13),
                         "{bounds:?} below {greatest}: {look:?} {on} {width}"
@@ -177,32 +123,4 @@ fn no_place_is_higher_than_its_bounds() {
         }
     });
     assert!(seen > 2000 && near > 200, "{seen} {near}");
-}
-
-/// Source: every thousandth of a trace.
-#[test]
-fn no_deviation_exceeds_the_bound_of_its_table() {
-    at_gaps(120, |heights| {
-        let Flank {
-            range: (low, high),
-            heights: table,
-            ..
-        } = heights.locked;
-        let at = |k: u32| low + (high - low) * f64::from(k) / 1000.0;
-        let out = |k: u32| heights.locked.jet(at(k))[0];
-        for (from, to) in [
-            (0, 1000),
-            (0, 3),
-            (997, 1000),
-            (13, 14),
-            (200, 480),
-            (500, 503),
-        ] {
-            let most = (from..=to).map(out).fold(f64::NEG_INFINITY, f64::max);
-            assert!(table.most(at(from), at(to)) >= most);
-        }
-        let all: Vec<f64> = (0..=1000).map(out).collect();
-        let [greatest, least] = table.whole();
-        assert!(all.iter().all(|out| *out <= greatest && *out >= least));
-    });
 }

@@ -1,18 +1,29 @@
 //! `gearlash chart`: curves and bars as SVG.
 
-mod drawn;
-
-use super::distances::{self, Distances};
-use super::gears::{GearName, MaterialName, teeth};
-use super::method::MethodArgs;
-use super::studies;
-use super::target::Target;
-use super::unit::UnitArgs;
+use crate::console::{print_error_line, print_verdict_lines};
+use crate::cycle::{self, Wanted};
+use crate::distances::{self, Distances};
 use crate::error::{Error, exit_code};
+use crate::input;
+use crate::maps::{self, DrawnMap};
+use crate::options::{GearName, MaterialName, MethodArgs, UnitArgs};
+use crate::options::{agreed, agreement_of, all_proven, material, teeth};
+use crate::output::Target;
+use crate::progress::{Progress, run_under_bar};
 use clap::ValueEnum;
-use drawn::DrawnChart;
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::curves::{self, Course, Field, Followed};
+use gearlash::analysis::outcome::by_distance;
+use gearlash::analysis::study::Study;
+use gearlash::analysis::{Analysis, Plan};
+use gearlash::contact::Method;
+use gearlash::error::{Error as Run, GearError};
+use gearlash::gear::Inspection;
+use gearlash::pair::BacklashUnit;
+use gearlash_files::numbers::stated_distance;
+use gearlash_render::chart::{self, Heading};
+use gearlash_results::verdict::{extremes_in_short, lines};
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
 ///
@@ -63,9 +74,9 @@ enum Kind {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
     check_options(args)?;
-    let file = studies::pair(&args.pair)?;
+    let file = input::pair(&args.pair)?;
     let (study, sources) = (&file.study, &file.sources);
     let given = Target::prepare_given(args.output.as_ref(), sources)?;
     let drawn = match args.kind {
@@ -75,10 +86,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Kind::Map => DrawnChart::map(args, study)?,
         Kind::Field => DrawnChart::field(args, study.clone())?,
     };
-    let target = match given {
-        Some(target) => target,
-        None => Target::prepare_own(&file.stem, drawn.file, sources)?,
-    };
+    let target = Target::given_or_own(given, &file.stem, &drawn.file, sources)?;
     target.write(&drawn.svg)?;
     Ok(exit_code(drawn.agrees))
 }
@@ -111,4 +119,264 @@ fn check_options(args: &Args) -> Result<(), Error> {
     belongs(args.material.is_some(), "--material", &of_poses)?;
     let with_unit = [Kind::Revolution, Kind::Distance];
     belongs(args.unit.given(), "--unit", &with_unit)
+}
+
+/// The file of a map.
+const MAP: &str = "chart_map.svg";
+
+/// A chart and the name of its file.
+struct DrawnChart {
+    pub svg: String,
+    pub file: String,
+    /// Whether every pose is proven, and both methods agree where both are requested.
+    pub agrees: bool,
+}
+
+impl DrawnChart {
+    /// A curve over the teeth at one centre distance.
+    fn over_teeth(args: &Args, study: Study) -> Result<DrawnChart, Error> {
+        let unit = args.unit.unit(&study)?;
+        let mut study = curves::with_sweep(study);
+        if let Some(end) = args.material {
+            let wanted = material(end, &study)?;
+            study.keep(wanted);
+        }
+        let distance = distance(args, &study.center_distances)?;
+        let refused = |reason| Error::Usage(format!("--center-distance: {reason}"));
+        let study = study.at(distance).map_err(refused)?;
+        let plan = Plan::new(&study, args.method.of(&study)?);
+        let plan = plan.with_revolution().with_extremes();
+        input::allow(&args.pair, plan.poses(), &input::HELD)?;
+        let analysis = run_under_bar(&plan)?;
+        let courses = curves::courses(&analysis.curves);
+        let none = || Error::usage("the pair file asks for no poses");
+        let course = courses.first().ok_or_else(none)?;
+        if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
+            print_error_line(&format!(
+                "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
+                courses.len()
+            ));
+        }
+        let course = &course.clone().with_cycle(&analysis.extremes.each);
+        let cycle = in_unit(print_verdict(&analysis), unit);
+        let heading = heading(&study.title, &cycle);
+        let (name, chart) = match args.kind {
+            Kind::Difference => {
+                let chart = chart::difference(&heading, course, study.tolerance_um);
+                ("difference", chart)
+            }
+            _ => ("revolution", chart::revolution(unit, &heading, course)),
+        };
+        Ok(DrawnChart {
+            svg: chart?.svg,
+            file: file(name, args, course, unit),
+            agrees: agreed(&analysis),
+        })
+    }
+
+    /// One mating over the centre distance.
+    fn over_distance(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
+        let unit = args.unit.unit(study)?;
+        let whole = match args.mating {
+            Some(_) => None,
+            None => Some(whole_analysis(args, study)?),
+        };
+        let all: Vec<&ComparedRun> = whole.iter().flat_map(Analysis::all).collect();
+        let followed = match args.mating {
+            Some((wheel, pinion)) => Followed::Teeth(wheel, pinion),
+            None => binding(study, &all),
+        };
+        let poses = curves::over_distance_pose_count(study);
+        input::allow(&args.pair, poses, &input::HELD)?;
+        let progress = Progress::of(poses, "poses");
+        let (method, tick) = (args.method.method(), || progress.tick());
+        let cycle = whole.as_ref().map_or(&[][..], |whole| &whole.extremes.each);
+        let curve = curves::over_distance(study, followed, cycle, method, &tick);
+        let curve = curve.map_err(|error| match (error, args.mating) {
+            (Run::Gear(reason @ GearError::NoSuchTooth { .. }), Some((wheel, pinion))) => {
+                Error::Usage(format!("--mating {wheel},{pinion}: {reason}"))
+            }
+            (error, _) => error.into(),
+        })?;
+        drop(progress);
+        let (wheel, pinion) = teeth_of(followed);
+        let unproven = curve.unproven + whole.as_ref().map_or(0, Analysis::unproven);
+        let cycle = whole.as_ref().map(print_verdict).unwrap_or_default();
+        let cycle = in_unit(cycle, unit);
+        let heading = heading(&study.title, &cycle);
+        Ok(DrawnChart {
+            svg: chart::distance(unit, &heading, &curve, &by_distance(&all, &[]))?.svg,
+            file: format!("chart_distance_{wheel}_{pinion}{}.svg", suffix(unit)),
+            agrees: agreement_of(curve.agreement) & all_proven(unproven),
+        })
+    }
+
+    /// One gear's deviations.
+    fn inspection(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
+        let gears = study.materials.first();
+        let none = || {
+            Error::usage(
+                "--kind inspection is for gears by their data: a drawing states no deviations",
+            )
+        };
+        let (_, wheel, pinion) = gears.ok_or_else(none)?;
+        let (name, gear) = match args.gear {
+            Some(GearName::Pinion) => ("pinion", pinion),
+            Some(GearName::Wheel) | None => ("wheel", wheel),
+        };
+        let inspection = Inspection::of(gear);
+        Ok(DrawnChart {
+            svg: chart::inspection(&heading(&study.title, ""), name, &inspection)?.svg,
+            file: format!("chart_inspection_{name}.svg"),
+            agrees: true,
+        })
+    }
+
+    /// Contacts over centre distance and mesh phase.
+    fn map(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
+        input::allow(&args.pair, study.pose_count(), &input::HELD)?;
+        let plan = Plan::new(study, args.method.of(study)?)
+            .with_extremes()
+            .with_checks();
+        let analysis = run_under_bar(&plan)?;
+        print_verdict_lines(&lines(&analysis.verdict()));
+        Ok(DrawnChart {
+            svg: first_map(maps::of(&analysis)?)?,
+            file: MAP.to_owned(),
+            agrees: agreed(&analysis),
+        })
+    }
+
+    /// The field of action at the pose that binds.
+    fn field(args: &Args, study: Study) -> Result<DrawnChart, Error> {
+        if !study.varies_along_face() {
+            return Err(Error::usage(
+                "--kind field is for helical gears, leads and leaning axes: along the face of this pair nothing changes",
+            ));
+        }
+        let distance = requested_distance(args)?;
+        let end = args.material.map(|end| material(end, &study)).transpose()?;
+        let title = study.title.clone();
+        let found = cycle::find(("--kind field", Wanted::Least), study, distance, end)?;
+        let pair = found.assembly.data();
+        let field = pair.and_then(|pair| Field::of(pair, &found.pose));
+        let Some(field) = field else {
+            return Err(Error::usage(
+                "--kind field: the worst pose is jammed or unproven; there are no contact lines",
+            ));
+        };
+        let a = found.assembly.center_distance();
+        let subtitle = format!(
+            "Field of action at the least backlash · a = {} mm · {}",
+            stated_distance(a),
+            found.material.words()
+        );
+        Ok(DrawnChart {
+            svg: chart::field(&heading(&title, &subtitle), &field)?.svg,
+            file: format!("chart_field_a{a}_{}.svg", found.material.name()),
+            agrees: all_proven(found.unproven),
+        })
+    }
+}
+
+/// The centre distance of a chart: the requested one, else the first of `stated`, if there is one.
+fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
+    if let Some(given) = requested_distance(args)? {
+        return Ok(vec![given]);
+    }
+    if stated.len() > 1 && args.kind != Kind::Map {
+        print_error_line(&format!(
+            "note: at the least of {} centre distances; choose with --center-distance",
+            stated.len()
+        ));
+    }
+    Ok(stated.iter().take(1).copied().collect())
+}
+
+/// The requested centre distance.
+fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
+    match args.center_distance.as_ref().map(|given| &given.0[..]) {
+        None => Ok(None),
+        Some([only]) => Ok(Some(*only)),
+        Some(_) => Err(Error::usage(
+            "--center-distance: a chart is drawn at one centre distance",
+        )),
+    }
+}
+
+/// The map of the most material.
+fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
+    if maps.len() > 1 {
+        print_error_line("note: with the most material; `gearlash check --map` draws both");
+    }
+    let first = maps.into_iter().next();
+    let none = || Error::usage("no pose with a backlash was found to map from");
+    first.map(|map| map.svg).ok_or_else(none)
+}
+
+fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
+    Heading {
+        prefix: "chart",
+        title,
+        subtitle,
+    }
+}
+
+/// Words on the cycle's extremes. They are in µm, so a picture of angles has none.
+fn in_unit(cycle: String, unit: BacklashUnit) -> String {
+    match unit {
+        BacklashUnit::Um => cycle,
+        BacklashUnit::Arcmin { .. } => String::new(),
+    }
+}
+
+/// Prints the verdict on standard error; returns it in short for the picture.
+fn print_verdict(analysis: &Analysis) -> String {
+    let verdict = analysis.verdict();
+    print_verdict_lines(&lines(&verdict));
+    extremes_in_short(&verdict)
+}
+
+fn file(name: &str, args: &Args, course: &Course, unit: BacklashUnit) -> String {
+    let end = match args.material {
+        Some(MaterialName::Most) => "_most",
+        Some(MaterialName::Least) => "_least",
+        None => "",
+    };
+    let unit = suffix(unit);
+    format!("chart_{name}_a{}{end}{unit}.svg", course.center_distance)
+}
+
+/// Suffix of the file name of a chart in `unit`; empty for µm.
+fn suffix(unit: BacklashUnit) -> String {
+    match unit {
+        BacklashUnit::Um => String::new(),
+        BacklashUnit::Arcmin { at, .. } => format!("_arcmin_{}", at.name()),
+    }
+}
+
+/// Whole revolutions, the poses of the pair file and the rest of the mesh cycle, as in a report.
+fn whole_analysis<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
+    // These poses only select and bound the curve; the drawn curve itself is certified.
+    let method = Method::Exact { certify: false };
+    let plan = Plan::new(study, method).with_revolution().with_extremes();
+    input::allow(&args.pair, plan.poses(), &input::HELD)?;
+    run_under_bar(&plan)
+}
+
+/// The binding pose of all runs.
+fn binding(study: &Study, runs: &[&ComparedRun]) -> Followed {
+    let binding = curves::binding(study, runs.iter().copied());
+    let (wheel, pinion) = teeth_of(binding);
+    print_error_line(&format!(
+        "note: wheel tooth {wheel} with pinion tooth {pinion}, which bind; choose with --mating"
+    ));
+    binding
+}
+
+fn teeth_of(followed: Followed) -> (u32, u32) {
+    match followed {
+        Followed::Teeth(wheel, pinion) => (wheel, pinion),
+        Followed::Pose(mating) => (mating.wheel_tooth, mating.pinion_tooth),
+    }
 }

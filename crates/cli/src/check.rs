@@ -1,22 +1,21 @@
 //! `gearlash check`: whether the pair interferes, where, why, and how much backlash it loses.
 
-use super::console::{ScreenArgs, print_note};
-use super::judged::{self, JudgedFormat, print_outcome};
-use super::maps::{self, DrawnMap};
-use super::method::{MethodArgs, agreed};
-use super::outlines::{DrawnArgs, is_drawing};
-use super::progress::run_under_bar;
-use super::{distances, poses, studies};
+use crate::console::print_note;
+use crate::distances;
 use crate::error::Error;
-use crate::output::OutputFolder;
+use crate::input;
+use crate::judged::{self, JudgedFormat, print_outcome};
+use crate::maps::{self, DrawnMap};
+use crate::options::{DrawnArgs, MethodArgs, ScreenArgs, agreed, is_drawing};
+use crate::output::{OutputFolder, own_folder};
+use crate::progress::run_under_bar;
 use gearlash::analysis::Plan;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
+use gearlash_files::PairFile;
 use gearlash_files::outlines::Drawings;
-use gearlash_files::{PairFile, Sources};
 use gearlash_results::judged::Judged;
 use gearlash_results::{RemedyRecords, checked};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 /// A distance at which no two gears touch, mm.
 const APART_MM: f64 = 1e6;
@@ -59,11 +58,11 @@ pub(super) struct Args {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
     if args.inputs {
         return match given(args)? {
-            Some(drawings) => studies::print_inputs([gearlash_files::read_drawings(&drawings)]),
-            None => studies::print_inputs(args.pairs.iter().map(|path| gearlash_files::read(path))),
+            Some(drawings) => input::print_inputs([gearlash_files::read_drawings(&drawings)]),
+            None => input::print_inputs(args.pairs.iter().map(|path| gearlash_files::read(path))),
         };
     }
     let drawn = drawings(args)?;
@@ -75,7 +74,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             let path = PathBuf::from(&pair.stem);
             vec![(path, Ok(pair))]
         }
-        None => judged::read(&args.pairs, studies::pair)?,
+        None => judged::read(&args.pairs, gearlash_files::read)?,
     };
     let mut map = None;
     let judge = |path: &Path, file: &PairFile| pair(args, path, file, &mut map);
@@ -96,8 +95,13 @@ fn pair(
 ) -> Result<Judged, Error> {
     let study = &file.study;
     let method = args.method.of(study)?;
-    poses::allow(path, study.pose_count(), &poses::HELD)?;
-    let folder = folder(args, &file.stem, &file.sources)?;
+    input::allow(path, study.pose_count(), &input::HELD)?;
+    let folder = args.map.then(|| {
+        let named = args.output.clone();
+        named.unwrap_or_else(|| own_folder(&file.stem))
+    });
+    let prepare = |path: PathBuf| OutputFolder::prepare(&path, &file.sources, maps::is_own);
+    let folder = folder.map(prepare).transpose()?;
     let plan = Plan::new(study, method).with_remedies().with_checks();
     let analysis = run_under_bar(&plan)?;
     if let Some(folder) = folder {
@@ -127,7 +131,7 @@ fn drawings(args: &Args) -> Result<Option<PairFile>, Error> {
         drawings.center_distance_mm = distance;
         warning = Some(taken);
     }
-    studies::drawings(&drawings, warning).map(Some)
+    input::drawings(&drawings, warning).map(Some)
 }
 
 /// Two drawings on the command line, apart if no distance is given; `None` for pair files.
@@ -172,15 +176,4 @@ fn without_play(args: &Args, drawings: Drawings) -> Result<(f64, String), Error>
             "no centre distance is given: at {distance:.3} mm, taken here, {mesh}; --center-distance states another"
         ),
     ))
-}
-
-/// The folder for maps, where they are requested.
-fn folder(args: &Args, stem: &str, sources: &Sources) -> Result<Option<OutputFolder>, Error> {
-    let folder = || match &args.output {
-        Some(folder) => folder.clone(),
-        None => PathBuf::from("out").join(stem),
-    };
-    args.map
-        .then(|| OutputFolder::prepare(&folder(), sources, maps::is_own))
-        .transpose()
 }

@@ -1,24 +1,24 @@
-//! `gearlash compare`: judges pairs in a CI run.
+//! `gearlash compare`: judges pairs in a CI run; the difference of two outlines of one gear.
 
-mod drawings;
-
-use super::console::{ScreenArgs, print_error_line};
-use super::judged::{self, JudgedFormat, print_outcome};
-use super::method::{MethodArgs, agreement};
-use super::outlines::{DrawnArgs, is_drawing};
-use super::progress::Progress;
-use super::studies;
-use super::verdict::failed_checks;
-use crate::error::Error;
+use crate::console::{check_not_input, print, print_error_line, warn};
+use crate::cycle::failed_checks;
+use crate::error::{Error, exit_code};
+use crate::judged::{self, JudgedFormat, print_outcome};
+use crate::options::{DrawnArgs, MethodArgs, ScreenArgs, agreement, is_drawing};
+use crate::output::Target;
+use crate::progress::Progress;
 use clap::ValueEnum;
+use clap::builder::PossibleValue;
 use gearlash::analysis::compare::tolerance_um;
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, simulate_by_blocks};
 use gearlash_files::PairFile;
-use gearlash_results::ComparedPair;
+use gearlash_files::outlines::TwoDrawings;
+use gearlash_render::outline_difference;
 use gearlash_results::judged::Judged;
+use gearlash_results::text::difference_text;
+use gearlash_results::{ComparedPair, comparison_json, difference_csv};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 /// Compare simulated with analytic backlash, or two outlines of one gear
 ///
@@ -38,7 +38,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance_um: Option<f64>,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Text)]
+    #[arg(long, value_enum, default_value_t = Format::Judged(JudgedFormat::Text))]
     format: Format,
     /// Gone: --format markdown
     #[arg(long, hide = true, value_name = "FILE")]
@@ -54,38 +54,40 @@ pub(super) struct Args {
     method: MethodArgs,
 }
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
+#[derive(Clone, Copy, PartialEq)]
 enum Format {
-    /// One file in full; of several a line for each that passes
-    Text,
-    /// One object with a list of files, of one file as of several
-    Json,
-    /// JUnit XML: one suite per file
-    Junit,
-    /// GitHub annotations; the Markdown goes to the step summary ($GITHUB_STEP_SUMMARY)
-    Github,
-    /// Markdown for reviewers
-    Markdown,
-    /// Only for two drawings: how far B lies from A, a row for each place along A
+    Judged(JudgedFormat),
+    /// Of drawings alone.
     Csv,
 }
 
-impl Format {
-    /// The format for pair files; `None` for a format of drawings alone.
-    fn of_pairs(self) -> Option<JudgedFormat> {
-        Some(match self {
-            Format::Text => JudgedFormat::Text,
-            Format::Json => JudgedFormat::Json,
-            Format::Junit => JudgedFormat::Junit,
-            Format::Github => JudgedFormat::Github,
-            Format::Markdown => JudgedFormat::Markdown,
-            Format::Csv => return None,
-        })
+impl ValueEnum for Format {
+    fn value_variants<'a>() -> &'a [Format] {
+        &[
+            Format::Judged(JudgedFormat::Text),
+            Format::Judged(JudgedFormat::Json),
+            Format::Judged(JudgedFormat::Junit),
+            Format::Judged(JudgedFormat::Github),
+            Format::Judged(JudgedFormat::Markdown),
+            Format::Csv,
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            Format::Judged(JudgedFormat::Junit) => ("junit", "JUnit XML: one suite per file"),
+            Format::Judged(format) => return format.to_possible_value(),
+            Format::Csv => (
+                "csv",
+                "Only for two drawings: how far B lies from A, a row for each place along A",
+            ),
+        };
+        Some(PossibleValue::new(name).help(help))
     }
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
     if let Some(tolerance) = args.tolerance_um
         && !(tolerance >= 0.0 && tolerance.is_finite())
     {
@@ -105,15 +107,18 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ));
     }
     if args.pairs.iter().any(|path| is_drawing(path)) {
-        return drawings::run(args);
+        return drawings(args);
     }
-    let Some(format) = args.format.of_pairs() else {
-        return Err(of_drawings());
+    let format = match args.format {
+        Format::Judged(format) if !args.drawn.given() && args.svg.is_none() => format,
+        _ => {
+            return Err(Error::Usage(format!(
+                "{}, --svg and --format csv belong to two drawings; leave them out",
+                DrawnArgs::NAMES
+            )));
+        }
     };
-    if args.drawn.given() || args.svg.is_some() {
-        return Err(of_drawings());
-    }
-    let files = judged::read(&args.pairs, studies::pair_by_data)?;
+    let files = judged::read(&args.pairs, gearlash_files::read_by_data)?;
     let mut steps = 0;
     for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
         steps += file.study.pose_count() + run_count(&file.study)?;
@@ -124,13 +129,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let (outcome, summary) = judged::outcome("compare", files, format, judge)?;
     drop(progress);
     print_outcome(&outcome, format, &args.screen, &summary)
-}
-
-fn of_drawings() -> Error {
-    Error::Usage(format!(
-        "{}, --svg and --format csv belong to two drawings; leave them out",
-        DrawnArgs::NAMES
-    ))
 }
 
 /// Compares one pair; keeps at most `unproven` of its unproven poses.
@@ -170,4 +168,45 @@ fn of_option(error: Error, option: &str) -> Error {
         )),
         other => other,
     }
+}
+
+/// Compares two drawings.
+fn drawings(args: &Args) -> Result<u8, Error> {
+    let [a, b] = match &args.pairs[..] {
+        [a, b] if is_drawing(a) && is_drawing(b) => [a, b],
+        _ => {
+            return Err(Error::usage(
+                "give two drawings of one gear, or pair files alone",
+            ));
+        }
+    };
+    let is_of_pairs = matches!(
+        args.format,
+        Format::Judged(JudgedFormat::Junit | JudgedFormat::Github | JudgedFormat::Markdown)
+    );
+    if args.method.given() || is_of_pairs {
+        return Err(Error::usage(
+            "--method, --no-certify and the formats junit, github and markdown are for pair files; leave them out",
+        ));
+    }
+    let compared = gearlash_files::compare_drawings(&TwoDrawings {
+        paths: [a, b],
+        options: args.drawn.options()?,
+    })?;
+    check_not_input(&compared.sources)?;
+    for (path, remarks) in args.pairs.iter().zip(&compared.remarks) {
+        warn(path, &[], remarks);
+    }
+    let picture = Target::prepare_given(args.svg.as_ref(), &compared.sources);
+    let picture = picture.map_err(|error| of_option(error, "--svg"))?;
+    print(&match args.format {
+        Format::Judged(JudgedFormat::Json) => comparison_json(&compared, args.tolerance_um),
+        Format::Csv => difference_csv(&compared).map_err(Error::unwritable("the outcome"))?,
+        _ => difference_text(&compared, args.tolerance_um, &args.screen.screen()),
+    })?;
+    if let Some(target) = picture {
+        let written = target.write_silently(&outline_difference(&compared));
+        written.map_err(|error| of_option(error, "--svg"))?;
+    }
+    Ok(exit_code(compared.passes(args.tolerance_um)))
 }

@@ -6,7 +6,6 @@
 use crate::error::Error;
 use gearlash_files::Sources;
 use gearlash_files::characters::plain;
-use gearlash_results::text::Screen;
 use gearlash_results::verdict::VerdictLines;
 use std::io::{BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
@@ -37,17 +36,11 @@ pub(super) fn is_quiet() -> bool {
 }
 
 /// Prints to standard output where files are, which is no result.
-///
-/// # Errors
-/// As [`print`].
 pub(super) fn print_note(text: &str) -> Result<(), Error> {
     if is_quiet() { Ok(()) } else { print(text) }
 }
 
 /// Prints to standard output, down to the last byte.
-///
-/// # Errors
-/// [`Error::Printing`] with the system's reason.
 pub(super) fn print(text: &str) -> Result<(), Error> {
     let mut output = std::io::stdout().lock();
     printed(
@@ -155,10 +148,7 @@ pub(super) fn check_not_input(sources: &Sources) -> Result<(), Error> {
     for (name, file) in streams() {
         let name = Path::new(name);
         if let Some(input) = file.and_then(|file| sources.named_open(name, &file)) {
-            return Err(Error::OverInput {
-                output: name.to_path_buf(),
-                input: input.to_path_buf(),
-            });
+            return Err(Error::over_input(name, input));
         }
     }
     Ok(())
@@ -183,28 +173,6 @@ fn streams() -> [(&'static str, Option<std::fs::File>); 2] {
 #[cfg(not(unix))]
 fn streams() -> [(&'static str, Option<std::fs::File>); 0] {
     []
-}
-
-/// Options of the commands that print tables.
-#[derive(clap::Args)]
-pub(super) struct ScreenArgs {
-    /// Print tables in full on a narrow terminal
-    #[arg(long)]
-    wide: bool,
-}
-
-impl ScreenArgs {
-    /// The screen of standard output.
-    pub(super) fn screen(&self) -> Screen {
-        // There is no size without a terminal, or on one that does not know its own.
-        let size = ::console::Term::stdout().size_checked();
-        Screen {
-            width: size
-                .map(|(_, columns)| columns.into())
-                .filter(|_| !self.wide),
-            colour: has_colours(&std::io::stdout()),
-        }
-    }
 }
 
 /// Whether `stream` shows colours and they are wanted (<https://no-color.org>).

@@ -5,8 +5,7 @@ use gearlash_files::InputError;
 use gearlash_files::characters;
 use gearlash_render::PictureError;
 use std::fmt::Display;
-use std::path::PathBuf;
-use std::process::ExitCode;
+use std::path::{Path, PathBuf};
 
 /// An error that ends a command.
 #[derive(Debug, thiserror::Error)]
@@ -57,18 +56,22 @@ impl From<GearError> for Error {
 }
 
 /// The exit code of a command that finished: 1 where a result did not hold.
-pub fn exit_code(holds: bool) -> ExitCode {
-    if holds {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::from(1)
-    }
+pub fn exit_code(holds: bool) -> u8 {
+    u8::from(!holds)
 }
 
 impl Error {
     /// [`Error::Usage`] with this message.
     pub fn usage(message: &str) -> Error {
         Error::Usage(message.to_owned())
+    }
+
+    /// The error of a result at `output`, which would overwrite a file that was read as `input`.
+    pub fn over_input(output: &Path, input: &Path) -> Error {
+        Error::OverInput {
+            output: output.to_path_buf(),
+            input: input.to_path_buf(),
+        }
     }
 
     /// The error of `what`, which the library cannot convert to text.

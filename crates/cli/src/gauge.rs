@@ -1,13 +1,12 @@
 //! `gearlash gauge`: measures a gear on the model as the shop does.
 
-use super::console::{ScreenArgs, print, warn};
-use super::gears::{self, GearName, MaterialName};
-use super::outlines::{DrawnArgs, is_drawing};
-use super::progress::Progress;
-use super::results::{Format, ResultsArgs};
-use super::studies;
+use crate::console::{print, warn};
 use crate::error::Error;
+use crate::input::reported;
+use crate::options::is_drawing;
+use crate::options::{self, DrawnArgs, Format, GearName, MaterialName, ResultsArgs, ScreenArgs};
 use crate::output::OutputFolder;
+use crate::progress::Progress;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::{Settings, gauge, gauge_outline, pin_sizes, pose_count};
 use gearlash::gear::AsBuilt;
@@ -18,7 +17,6 @@ use gearlash_results::gauge::{
     GaugedGear, GearSource, json, possible_files, stem, table_name, teeth_csv,
 };
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 /// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, profile, roll test
 ///
@@ -78,10 +76,10 @@ fn diameter(text: &str) -> Result<f64, String> {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = read(args)?;
     let materials = |gear| materials(gear);
-    let chosen = gears::choose(&args.file, args.gear, args.material, &file, materials)?;
+    let chosen = options::choose(&args.file, args.gear, args.material, &file, materials)?;
     let is_drawn = file.gears.iter().any(|gear| !gear.drawn.is_empty());
     if is_drawn {
         check_drawn(args)?;
@@ -140,14 +138,17 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 fn read(args: &Args) -> Result<GearsFile, Error> {
     if is_drawing(&args.file) {
         let [options] = args.drawn.options()?;
-        studies::drawing(&args.file, &options)
+        reported(
+            &args.file,
+            gearlash_files::read_drawing(&args.file, &options),
+        )
     } else if args.drawn.given() {
         Err(Error::Usage(format!(
             "{} belong to a drawing: files state them",
             DrawnArgs::NAMES
         )))
     } else {
-        studies::gears(&args.file)
+        reported(&args.file, gearlash_files::read_gears(&args.file))
     }
 }
 
@@ -186,7 +187,7 @@ fn finish(
     title: &str,
     gears: &[GaugedGear],
     folder: Option<OutputFolder>,
-) -> Result<ExitCode, Error> {
+) -> Result<u8, Error> {
     check_pin(args.pin_mm, gears)?;
     for gauged in gears {
         let short: Vec<String> = gauged.short_face().into_iter().collect();
@@ -194,7 +195,7 @@ fn finish(
     }
     print(&match args.results.format {
         Format::Text => text(title, gears, args.positions, &args.screen.screen()),
-        Format::Json => json(title, gears).map_err(unwritable)?,
+        Format::Json => json(title, gears),
         Format::Csv => teeth_csv(gears).map_err(unwritable)?,
     })?;
     if let Format::Csv = args.results.format {
@@ -208,7 +209,7 @@ fn finish(
         }
     }
     let Some(folder) = folder else {
-        return Ok(ExitCode::SUCCESS);
+        return Ok(0);
     };
     let mut files = Vec::new();
     for gauged in gears {
@@ -229,7 +230,7 @@ fn finish(
         }
     }
     args.results.write(folder, &files)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(0)
 }
 
 fn unwritable(error: impl std::error::Error) -> Error {

@@ -1,15 +1,17 @@
-//! `gearlash import`: the content of a file of measurements, as a table and as lines for a pair file.
+//! `gearlash import`: the content of a file of measurements, as a table and as lines for a pair file; of a gearbox model, and the
+//! pair file of a stage.
 
-use super::console::{ScreenArgs, check_not_input, print};
-use super::rexs::{self, RexsArgs};
+use crate::console::{check_not_input, print};
 use crate::error::Error;
+use crate::options::ScreenArgs;
+use crate::output::Target;
 use clap::ValueEnum;
 use gearlash_files::drawing::Unit;
 use gearlash_files::import::{self, Content, Imported, Kind, Options};
 use gearlash_files::outlines::{listed_outlines, lists_outlines};
-use gearlash_results::text::{self, imported};
+use gearlash_files::rexs::{self, RexsFile, RexsPair};
+use gearlash_results::text::{self, Screen};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 /// Show what is read of a table, protocol, drawing or gearbox model, and the lines of a pair file that name it
 ///
@@ -102,7 +104,7 @@ impl Args {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
     if lists_outlines(&args.file) {
         return outlines(args);
     }
@@ -128,12 +130,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "a gearbox model",
             "columns, sheets or --format json: -o FILE writes the pair file of a stage",
         ),
-        Content::GearboxModel => rexs::import(&args.file, &args.rexs, &args.screen.screen()),
+        Content::GearboxModel => model(&args.file, &args.rexs, &args.screen.screen()),
     }
 }
 
 /// The outlines of a drawing.
-fn outlines(args: &Args) -> Result<ExitCode, Error> {
+fn outlines(args: &Args) -> Result<u8, Error> {
     if args.of_tables() || args.rexs.is_given() {
         return Err(Error::usage(
             "a drawing has no columns, sheets, stages, --output or --format json; leave them out",
@@ -142,8 +144,8 @@ fn outlines(args: &Args) -> Result<ExitCode, Error> {
     let found = listed_outlines(&args.file, args.units.as_deref())?;
     let name = args.file.file_name().unwrap_or_default().to_string_lossy();
     let (gear, screen) = (args.gear.name(), args.screen.screen());
-    print(&text::outlines::text(&name, &found, gear, &screen))?;
-    Ok(ExitCode::SUCCESS)
+    print(&text::listed_outlines(&name, &found, gear, &screen))?;
+    Ok(0)
 }
 
 /// A table in cells, or of a protocol.
@@ -170,13 +172,13 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
     Ok(import::tables(&args.file, bytes, &options)?)
 }
 
-fn show(args: &Args, found: &Imported) -> Result<ExitCode, Error> {
+fn show(args: &Args, found: &Imported) -> Result<u8, Error> {
     check_not_input(&found.sources)?;
     print(&match args.format {
-        Format::Text => imported(found, &args.screen.screen()),
+        Format::Text => text::imported(found, &args.screen.screen()),
         Format::Json => found.to_json(),
     })?;
-    Ok(ExitCode::SUCCESS)
+    Ok(0)
 }
 
 impl GearTable {
@@ -187,4 +189,76 @@ impl GearTable {
             GearTable::Gear => "gear",
         }
     }
+}
+
+/// Options for a gearbox model.
+#[derive(clap::Args)]
+struct RexsArgs {
+    /// Stage of a gearbox model, by its id
+    #[arg(long, value_name = "ID", allow_negative_numbers = true)]
+    stage: Option<i32>,
+    /// Also write the pair file, - for standard output alone
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl RexsArgs {
+    /// Whether an option is given.
+    fn is_given(&self) -> bool {
+        self.stage.is_some() || self.output.is_some()
+    }
+}
+
+/// Prints the content of the model at `path`, and the pair file of a stage.
+fn model(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<u8, Error> {
+    let file = rexs::read(path)?;
+    check_not_input(&file.sources)?;
+    let name = gearlash_files::named(path).display().to_string();
+    let chosen = match args.stage {
+        Some(id) => Ok(pair_of(&name, &file, id)?),
+        None => only_readable_stage(&file),
+    };
+    if let (Err(why), Some(_)) = (&chosen, &args.output) {
+        return Err(Error::Usage(format!("{name}: {why}")));
+    }
+    let is_stdout = |output: &PathBuf| output.as_path() == Path::new("-");
+    if !args.output.as_ref().is_some_and(is_stdout) {
+        let mut text = text::gearbox(&name, &file, screen);
+        match &chosen {
+            Ok(pair) => text += &format!("\n{}", text::gearbox_pair(pair, screen)),
+            Err(why) => text += &format!("\n{why}\n"),
+        }
+        if let (Ok(pair), None) = (&chosen, &args.output) {
+            text += &format!("\n{}", pair.pair_file);
+        }
+        print(&text)?;
+    }
+    if let (Some(output), Ok(pair)) = (&args.output, chosen) {
+        Target::prepare_new(output, &file.sources, "import")?.write(&pair.pair_file)?;
+    }
+    Ok(0)
+}
+
+/// The only readable stage, or the remedy.
+fn only_readable_stage(file: &RexsFile) -> Result<&RexsPair, String> {
+    let stages = file.stages.iter();
+    let mut pairs = stages.filter_map(|stage| stage.pair.as_ref().ok());
+    match (pairs.next(), pairs.next()) {
+        (Some(pair), None) => Ok(pair),
+        (None, _) => Err("No stage can be read; each reason stands above.".to_owned()),
+        _ => Err("Several stages can be read: choose one with --stage ID.".to_owned()),
+    }
+}
+
+/// The pair of the stage with an id in the model called `name`.
+fn pair_of<'a>(name: &str, file: &'a RexsFile, id: i32) -> Result<&'a RexsPair, Error> {
+    let Some(stage) = file.stage(id) else {
+        let ids = file.stages.iter().map(|stage| stage.id.to_string());
+        let ids = ids.collect::<Vec<_>>().join(", ");
+        return Err(Error::Usage(format!(
+            "{name}: has no stage {id}, its stages are {ids}"
+        )));
+    };
+    let left_out = |why| Error::Usage(format!("{name}: stage {id} is left out: {why}"));
+    stage.pair.as_ref().map_err(left_out)
 }

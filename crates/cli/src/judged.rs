@@ -1,16 +1,17 @@
 //! The common part of `check` and `compare`: several files, some of which cannot be read; output formats; the step summary of a
 //! workflow.
 
-use super::console::{ScreenArgs, print, print_error_text};
-use super::studies;
+use crate::console::{print, print_error_text};
 use crate::error::{Error, exit_code};
 use crate::explain::explain;
+use crate::input::{check_stdin_once, reported};
+use crate::options::ScreenArgs;
+use crate::output::check_not_input;
 use clap::ValueEnum;
-use gearlash_files::{PairFile, Sources};
+use gearlash_files::{InputError, PairFile, Sources};
 use gearlash_results::judged::{Judged, JudgedFile, Outcome};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 /// The output formats for pair files.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -28,28 +29,23 @@ pub(super) enum JudgedFormat {
 }
 
 /// A file and its content, or the error of reading it.
-pub(super) type ReadFile<T> = (PathBuf, Result<T, Error>);
+pub(super) type ReadFile = (PathBuf, Result<PairFile, Error>);
 
 /// Reads each of `paths`; a file that cannot be read does not stop the others.
-///
-/// # Errors
-/// [`Error::Usage`] where standard input is named twice; [`Error::OverInput`].
-pub(super) fn read<T>(
+pub(super) fn read(
     paths: &[PathBuf],
-    read: impl Fn(&Path) -> Result<T, Error>,
-) -> Result<Vec<ReadFile<T>>, Error> {
-    studies::check_stdin_once(paths)?;
-    let files = paths.iter().map(|path| (path.clone(), read(path)));
+    read: impl Fn(&Path) -> Result<PairFile, InputError>,
+) -> Result<Vec<ReadFile>, Error> {
+    check_stdin_once(paths)?;
+    let files = paths.iter();
+    let files = files.map(|path| (path.clone(), reported(path, read(path))));
     Ok(files.collect())
 }
 
 /// The outcome of `command` for `files`, each judged by `judge`, and the step summary for it.
-///
-/// # Errors
-/// [`Error::OverInput`]; an error that ends the whole run, or any of a single file as text.
 pub(super) fn outcome(
     command: &'static str,
-    files: Vec<ReadFile<PairFile>>,
+    files: Vec<ReadFile>,
     format: JudgedFormat,
     mut judge: impl FnMut(&Path, &PairFile) -> Result<Judged, Error>,
 ) -> Result<(Outcome, StepSummary), Error> {
@@ -74,9 +70,6 @@ pub(super) fn outcome(
 }
 
 /// The outcome of a file: judged, or the problems that prevent it. Standard error lists these, too, unless `is_shown`.
-///
-/// # Errors
-/// An error that ends the whole run.
 fn judged_file(
     path: &Path,
     judged: Result<Judged, Error>,
@@ -106,21 +99,13 @@ pub(super) struct StepSummary(Option<PathBuf>);
 
 impl StepSummary {
     /// The step summary, if `format` writes one; never one of `sources`.
-    ///
-    /// # Errors
-    /// [`Error::OverInput`].
     fn prepare(format: JudgedFormat, sources: &Sources) -> Result<StepSummary, Error> {
         let named = std::env::var_os("GITHUB_STEP_SUMMARY").map(PathBuf::from);
         let Some(summary) = named.filter(|_| format == JudgedFormat::Github) else {
             return Ok(StepSummary(None));
         };
-        match sources.named(&summary) {
-            None => Ok(StepSummary(Some(summary))),
-            Some(input) => Err(Error::OverInput {
-                input: input.to_path_buf(),
-                output: summary,
-            }),
-        }
+        check_not_input(sources, &summary)?;
+        Ok(StepSummary(Some(summary)))
     }
 
     /// Adds `text`; text of earlier steps stays.
@@ -141,15 +126,12 @@ impl StepSummary {
 }
 
 /// Prints `outcome` in `format`; the exit code.
-///
-/// # Errors
-/// A failed write.
 pub(super) fn print_outcome(
     outcome: &Outcome,
     format: JudgedFormat,
     screen: &ScreenArgs,
     summary: &StepSummary,
-) -> Result<ExitCode, Error> {
+) -> Result<u8, Error> {
     print(&match format {
         JudgedFormat::Text => outcome.text(&screen.screen()),
         JudgedFormat::Json => outcome.json().map_err(Error::unwritable("the outcome"))?,
@@ -158,9 +140,8 @@ pub(super) fn print_outcome(
         JudgedFormat::Markdown => outcome.markdown(),
     })?;
     summary.append(&outcome.markdown())?;
-    Ok(if outcome.has_unreadable() {
-        ExitCode::from(2)
-    } else {
-        exit_code(outcome.passes())
+    Ok(match outcome.unreadable() {
+        0 => exit_code(outcome.passes()),
+        _ => 2,
     })
 }

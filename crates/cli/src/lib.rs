@@ -3,42 +3,29 @@
 mod chart;
 mod check;
 mod compare;
-mod completions;
 mod console;
+mod cycle;
 mod date;
 mod distances;
 mod error;
 mod explain;
 mod gauge;
-mod gears;
 mod import;
-mod init;
+mod input;
 mod judged;
-mod live_page;
-mod man;
 mod maps;
 mod matching;
-mod method;
+mod options;
 mod outline;
-mod outlines;
 mod output;
-mod pictures;
-mod poses;
 mod progress;
 mod removed;
 mod report;
-mod results;
-mod rexs;
-mod schema;
+mod setup;
 mod signals;
 mod simulate;
 mod snapshot;
-mod studies;
-mod target;
 mod tolerance;
-mod unit;
-mod verdict;
-mod worst;
 
 use crate::error::Error;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -92,10 +79,10 @@ enum Command {
     Chart(chart::Args),
     Report(report::Args),
     Import(import::Args),
-    Init(init::Args),
-    Schema(schema::Args),
-    Completions(completions::Args),
-    Man(man::Args),
+    Init(setup::InitArgs),
+    Schema(setup::SchemaArgs),
+    Completions(setup::CompletionsArgs),
+    Man(setup::ManArgs),
 }
 
 /// Runs the program with its command line `words`, its name first. It prints to this process's standard output and error.
@@ -117,13 +104,11 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
         Err(usage) => removed::error(&words).map_or_else(|| help(&usage), Err),
     };
-    match ended {
-        Ok(code) => code,
-        Err(error) => {
-            print_error_text(&explain::explain(&error));
-            ExitCode::from(error.exit_code())
-        }
-    }
+    let code = ended.unwrap_or_else(|error| {
+        print_error_text(&explain::explain(&error));
+        error.exit_code()
+    });
+    code.into()
 }
 
 /// The definition of the command line; commands have their full names and the common options.
@@ -133,7 +118,7 @@ pub fn command_line() -> clap::Command {
     program
 }
 
-fn command(command: Command) -> Result<ExitCode, Error> {
+fn command(command: Command) -> Result<u8, Error> {
     match command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Compare(args) => compare::run(&args),
@@ -142,10 +127,10 @@ fn command(command: Command) -> Result<ExitCode, Error> {
         Command::Gauge(args) => gauge::run(&args),
         Command::Outline(args) => outline::run(&args),
         Command::Import(args) => import::run(&args),
-        Command::Init(args) => init::run(&args),
-        Command::Schema(args) => schema::run(&args),
-        Command::Completions(args) => completions::run(&args),
-        Command::Man(args) => man::run(&args),
+        Command::Init(args) => setup::init(&args),
+        Command::Schema(args) => setup::schema(&args),
+        Command::Completions(args) => setup::completions(&args),
+        Command::Man(args) => setup::man(&args),
         Command::Tolerance(args) => tolerance::run(&args),
         Command::Match(args) => matching::run(&args),
         Command::Chart(args) => chart::run(&args),
@@ -184,11 +169,11 @@ fn parse(words: &[OsString]) -> Result<Cli, clap::Error> {
 }
 
 /// Prints the text for --help or --version, or the usage error.
-fn help(usage: &clap::Error) -> Result<ExitCode, Error> {
+fn help(usage: &clap::Error) -> Result<u8, Error> {
     let shown = usage.print();
     if usage.use_stderr() {
-        return Ok(ExitCode::from(2));
+        return Ok(2);
     }
     printed(shown.and_then(|()| std::io::stdout().flush()))?;
-    Ok(ExitCode::SUCCESS)
+    Ok(0)
 }

@@ -1,8 +1,8 @@
 //! Maps over centre distance and mesh phase, for `check --map` and `chart --kind map`.
 
-use super::console::print_error_line;
-use super::progress::Progress;
+use crate::console::print_error_line;
 use crate::error::Error;
+use crate::progress::Progress;
 use gearlash::analysis::Analysis;
 use gearlash::analysis::backlash_map::{BACKLASH_MAP_ROWS, BacklashMap};
 use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, ZeroDistance, map};

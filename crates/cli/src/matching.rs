@@ -1,14 +1,13 @@
 //! `gearlash match`: pairs measured wheels with pinions, and finds the teeth to mark.
 
-use super::console::{ScreenArgs, check_not_input, print, print_error_line, warn};
-use super::progress::Progress;
-use super::results::{Format, ResultsArgs};
+use crate::console::{check_not_input, print_error_line, warn};
 use crate::error::{Error, exit_code};
+use crate::options::{ResultsArgs, ScreenArgs};
+use crate::progress::Progress;
 use gearlash_files::matching::{MatchFile, MatchResult, read_match};
 use gearlash_render::match_map;
 use gearlash_results::matching;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 /// Files of a result.
 const FILES: [&str; 3] = ["match.json", "matrix.csv", "match.svg"];
@@ -47,7 +46,7 @@ fn target(text: &str) -> Result<f64, String> {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let name = gearlash_files::named(&args.pair);
     let stem = Path::new(name.file_stem().unwrap_or_default());
     check_folders(args, args.results.path(stem).as_deref())?;
@@ -70,22 +69,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let is_own = |name: &str| FILES.contains(&name);
     let prepared = args.results.folder(&file.pair.stem, sources, is_own)?;
     let result = matched(&file)?;
-    let json = matching::json(&result).map_err(Error::unwritable("the result"))?;
+    let json = matching::json(&result);
     let matrix = matching::csv(&result).map_err(Error::unwritable("the result"))?;
-    let [first, second, third] = FILES.map(str::to_owned);
-    let files = [
-        (first, json.clone()),
-        (second, matrix.clone()),
-        (third, match_map(&result)),
-    ];
-    match args.results.format {
-        Format::Text => print(&matching::text(&result, &args.screen.screen()))?,
-        Format::Json => print(&json)?,
-        Format::Csv => print(&matrix)?,
-    }
-    if let Some(folder) = prepared {
-        args.results.write(folder, &files)?;
-    }
+    let text = matching::text(&result, &args.screen.screen());
+    let contents = [json.clone(), matrix.clone(), match_map(&result)];
+    let files: Vec<_> = FILES.map(str::to_owned).into_iter().zip(contents).collect();
+    args.results
+        .finish([&text, &json, &matrix], prepared, &files)?;
     Ok(exit_code(result.is_complete()))
 }
 

@@ -1,16 +1,15 @@
 //! `gearlash outline`: the outline of a gear for other programs.
 
-use super::gears::{GearName, MaterialName, choose};
-use super::studies;
-use super::target::Target;
 use crate::error::Error;
+use crate::input::reported;
+use crate::options::{GearName, MaterialName, choose};
+use crate::output::Target;
 use clap::ValueEnum;
 use gearlash::analysis::study::Material;
 use gearlash::gear::{AsBuilt, HalfTooth, Side};
 use gearlash_files::spec::GearSpec;
 use gearlash_files::{GearEntry, OutlineFile, OutlineFormat};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 /// Write the outline of a gear as measured as DXF, SVG or CSV
 ///
@@ -104,8 +103,9 @@ fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let study = studies::gears_by_data(&args.file)?;
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
+    let study = gearlash_files::read_gears_by_data(&args.file);
+    let study = reported(&args.file, study)?;
     let chosen = choose(&args.file, args.gear, Some(args.material), &study, |gear| {
         let materials = gear.materials.iter();
         materials.map(|(of, built)| (*of, built)).collect()
@@ -132,7 +132,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 Material::AsMeasured => format!("outline_{}.{ending}", entry.name),
                 _ => format!("outline_{}_{}.{ending}", entry.name, material.name()),
             };
-            Target::prepare_own(&study.stem, name, &study.sources)?
+            Target::given_or_own(None, &study.stem, &name, &study.sources)?
         }
     };
     let outline = OutlineFile {
@@ -144,5 +144,5 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         tolerance_um: args.tolerance_um,
     };
     target.write(&outline.text(format))?;
-    Ok(ExitCode::SUCCESS)
+    Ok(0)
 }

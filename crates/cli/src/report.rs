@@ -1,16 +1,18 @@
 //! `gearlash report`: the whole result as one page.
 
-use super::date::today;
-use super::method::{MethodArgs, agreed};
-use super::progress::{Progress, run_under_bar};
-use super::target::Target;
-use super::{live_page, poses, studies};
+use crate::date::today;
 use crate::error::{Error, exit_code};
+use crate::input;
+use crate::options::{MethodArgs, agreed};
+use crate::output::{Target, own_folder};
+use crate::progress::{Progress, run_under_bar};
+use data_encoding::BASE64;
 use gearlash::analysis::Plan;
+use gearlash_files::{PairFile, import};
 use gearlash_render::{self, Report};
 use gearlash_results::grades::grades;
-use std::path::PathBuf;
-use std::process::ExitCode;
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
 
 /// Write one HTML page with verdict, input, checks, curves, formulas and the mesh
 ///
@@ -36,20 +38,20 @@ pub(super) struct Args {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let date = today()?;
-    let pair = &studies::pair(&args.pair)?;
+    let pair = &input::pair(&args.pair)?;
     let study = &pair.study;
-    let own = || PathBuf::from("out").join(format!("{}.html", pair.stem));
+    let own = || own_folder(format!("{}.html", pair.stem));
     let target = Target::prepare_beside(args.output.clone().unwrap_or_else(own), &pair.sources)?;
     if args.live {
-        let page = live_page::with_pair(args.page.as_deref(), &args.pair, pair)?;
+        let page = with_pair(args.page.as_deref(), &args.pair, pair)?;
         target.write(&page)?;
-        return Ok(ExitCode::SUCCESS);
+        return Ok(0);
     }
     let method = args.method.of(study)?;
     let plan = Plan::whole(study, method);
-    poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
+    input::allow(&args.pair, plan.poses(), &input::HELD)?;
     let analysis = run_under_bar(&plan)?;
     let progress = Progress::working();
     progress.now("accuracy grades");
@@ -66,4 +68,45 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let agree = agreed(&analysis);
     target.write(&page)?;
     Ok(exit_code(agree))
+}
+
+/// The place of the pair in the page.
+const EMPTY: &str = "<script type=\"application/json\" id=\"own\">null</script>";
+
+/// The name of the page, beside the program.
+const NAME: &str = "gearlash.html";
+
+/// The page at `page`, or beside the program, with the files of `pair`, the pair file at `path`, in it.
+fn with_pair(page: Option<&Path>, path: &Path, pair: &PairFile) -> Result<String, Error> {
+    if path == Path::new("-") {
+        return Err(Error::usage(
+            "--live holds the files of the pair: name the pair file",
+        ));
+    }
+    let program = std::env::current_exe().unwrap_or_default();
+    let page = page.map_or_else(|| program.with_file_name(NAME), Path::to_path_buf);
+    let missing = || {
+        let shown = page.display();
+        Error::Usage(format!(
+            "{shown}: the page of gearlash is not there; build it with crates/web/build, or name it with --page"
+        ))
+    };
+    let text = std::fs::read_to_string(&page).map_err(|_| missing())?;
+    if !text.contains(EMPTY) {
+        return Err(missing());
+    }
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let named = |path: &Path| {
+        let inside = path.strip_prefix(folder).unwrap_or(path);
+        inside.to_string_lossy().replace('\\', "/")
+    };
+    let mut files = Map::new();
+    for source in pair.sources.names() {
+        let bytes = import::bytes(source)?;
+        files.insert(named(source), BASE64.encode(&bytes).into());
+    }
+    let held: Value = json!({ "main": named(path), "files": files });
+    // No text of a file ends the element.
+    let held = held.to_string().replace('<', "\\u003c");
+    Ok(text.replacen(EMPTY, &EMPTY.replace("null", &held), 1))
 }

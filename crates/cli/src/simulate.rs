@@ -1,15 +1,13 @@
 //! `gearlash simulate`: the lost motion at every pose of a pair file.
 
-use super::console::{Printer, ScreenArgs, print};
-use super::distances::{self, Distances};
-use super::method::{MethodArgs, agreement};
-use super::progress::Progress;
-use super::results::{Format, ResultsArgs};
-use super::unit::UnitArgs;
-use super::verdict::failed_checks;
-use super::{poses, studies};
+use crate::console::{Printer, print};
+use crate::cycle::failed_checks;
+use crate::distances::{self, Distances};
 use crate::error::{Error, exit_code};
+use crate::input;
+use crate::options::{Format, MethodArgs, ResultsArgs, ScreenArgs, UnitArgs, agreement};
 use crate::output::{NewFile, OutputFolder};
+use crate::progress::Progress;
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::measured::MeasuredTally;
 use gearlash::analysis::study::Study;
@@ -21,7 +19,6 @@ use gearlash_render::pose_picture;
 use gearlash_results::{ResultWriter, drawn_notes};
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 /// Find the lost motion at every pose a pair file asks for
 ///
@@ -49,8 +46,8 @@ pub(super) struct Args {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let mut pair = studies::pair(&args.pair)?;
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
+    let mut pair = input::pair(&args.pair)?;
     if let Some(Distances(distances)) = &args.center_distance {
         let moved = pair.at(distances.clone());
         pair = moved.map_err(|reason| {
@@ -64,7 +61,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let unit = args
         .unit
         .of_table(study, args.results.format == Format::Text)?;
-    poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
+    input::allow(&args.pair, study.pose_count(), &input::STREAMED)?;
     // Tried before the simulation, not after it.
     let mut folder = args.results.folder(&file.stem, &file.sources, is_own)?;
     let (bytes, streamed) = match args.results.format {
@@ -73,7 +70,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Format::Json => (POSE_BYTES_JSON, true),
         Format::Text => (0, false),
     };
-    poses::report_size(study.pose_count(), bytes);
+    input::report_size(study.pose_count(), bytes);
 
     // A streamed result appears on the terminal itself.
     let progress = if streamed && std::io::stdout().is_terminal() {

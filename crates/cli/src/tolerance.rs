@@ -1,21 +1,24 @@
 //! `gearlash tolerance`: the share of a population that meets its requirement, and what it depends on.
 
-mod results;
 mod rows;
 
-use super::console::{ScreenArgs, check_not_input, print_note, warn};
-use super::progress::Progress;
-use super::results::ResultsArgs;
-use crate::error::Error;
-use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Row, Tally};
+use crate::console::{check_not_input, print_note, warn};
+use crate::date::today;
+use crate::error::{Error, exit_code};
+use crate::options::{ResultsArgs, ScreenArgs};
+use crate::output::OutputFolder;
+use crate::progress::Progress;
+use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Row, Tally, WORST};
 use gearlash_files::tolerance::{
-    BLOCK, MAX_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
+    BLOCK, MAX_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceResult, ToleranceRun, is_worst_file,
+    read_tolerance, worst_file, worst_name,
 };
-use results::{check_worst_files, is_own, print_result};
+use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
+use gearlash_results::population;
 use rows::RowsFile;
+use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 /// Draw assemblies as [tolerance] says, and find the share that misses [require]
 ///
@@ -50,7 +53,7 @@ pub(super) struct Args {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = read_tolerance(&args.pair)?;
     let mut sources = file.pair.sources.clone();
     let rows_files = rows::expanded(&args.from_rows)?;
@@ -89,17 +92,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ContributionsError::Error(error) => Error::Run(error),
         ContributionsError::Overflow(error) => Error::Usage(error.to_string()),
     })?;
-    print_result(
-        (&args.pair, &file),
-        &result,
-        prepared,
-        &args.results,
-        &args.screen.screen(),
-    )
+    finish(args, &file, &result, prepared)
 }
 
 /// The rows of `args.assemblies` from number `first` on; by default up to the last of the pair file.
-fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<ExitCode, Error> {
+fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<u8, Error> {
     let all = u64::from(file.tolerance.assemblies);
     let rest = (all + 1).checked_sub(first).filter(|rest| *rest > 0);
     let count = args.assemblies.or(rest).ok_or_else(|| {
@@ -121,7 +118,7 @@ fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<ExitCode, Erro
     draw(&run, first..end, Some(rows))?;
     let path = gearlash_files::characters::plain(&path.display().to_string());
     print_note(&format!("{path}: assemblies {first} to {}\n", end - 1))?;
-    Ok(ExitCode::SUCCESS)
+    Ok(0)
 }
 
 /// Draws the assemblies `numbers`: their sums, and their `rows` in a file.
@@ -152,4 +149,81 @@ fn draw(
     drop(bar);
     rows.map_or(Ok(()), RowsFile::finish)?;
     Ok(tally.into_tally())
+}
+
+const HISTOGRAM: &str = "histogram.svg";
+const CONVERGENCE: &str = "convergence.svg";
+const CONTRIBUTIONS: &str = "contributions.svg";
+const FILES: [&str; 7] = [
+    "result.json",
+    "result.csv",
+    "histogram.csv",
+    HISTOGRAM,
+    CONVERGENCE,
+    CONTRIBUTIONS,
+    "index.html",
+];
+
+/// Whether a run may write a file called `name`.
+fn is_own(name: &str) -> bool {
+    FILES.contains(&name) || (0..WORST).any(|index| worst_name(index) == name)
+}
+
+/// An error where the results in `folder` would replace a pair file that no run wrote.
+fn check_worst_files(folder: &Path) -> Result<(), Error> {
+    for path in (0..WORST).map(|index| folder.join(worst_name(index))) {
+        let is_own = match std::fs::read_to_string(&path) {
+            Ok(text) => is_worst_file(&text),
+            Err(error) => error.kind() == ErrorKind::NotFound,
+        };
+        if !is_own {
+            return Err(Error::Usage(format!(
+                "{}: would be replaced, and is not as gearlash tolerance wrote it; rename it, or name another folder with -o",
+                path.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Prints `result` and writes it to `folder`, if there is one.
+fn finish(
+    args: &Args,
+    file: &ToleranceFile,
+    result: &ToleranceResult,
+    folder: Option<OutputFolder>,
+) -> Result<u8, Error> {
+    let date = today()?;
+    let pictures = tolerance_pictures(result)?;
+    let json = population::json(result);
+    let csv = population::csv(result).map_err(Error::unwritable("the result"))?;
+    let page = tolerance_report(&ToleranceReport {
+        file,
+        result,
+        pictures: &pictures,
+        date: &date,
+    });
+    let mut files = vec![
+        ("result.json".to_owned(), json.clone()),
+        ("result.csv".to_owned(), csv.clone()),
+        (
+            "histogram.csv".to_owned(),
+            population::histogram_csv(result),
+        ),
+        ("index.html".to_owned(), page),
+        (CONVERGENCE.to_owned(), pictures.convergence.svg),
+    ];
+    for (name, picture) in [
+        (HISTOGRAM, pictures.histogram),
+        (CONTRIBUTIONS, pictures.contributions),
+    ] {
+        files.extend(picture.map(|picture| (name.to_owned(), picture.svg)));
+    }
+    for (index, worst) in result.worst.iter().enumerate() {
+        let (name, text) = worst_file(index, worst, &args.pair);
+        files.push((name, text.map_err(Error::unwritable("the result"))?));
+    }
+    let text = population::text(result, &args.screen.screen());
+    args.results.finish([&text, &json, &csv], folder, &files)?;
+    Ok(exit_code(result.is_met() != Some(false)))
 }

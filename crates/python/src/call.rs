@@ -1,6 +1,6 @@
 //! Work without the interpreter's lock, which Ctrl-C ends.
 
-use crate::error::error;
+use crate::error::Outcome;
 use gearlash::analysis::{Analysis, Plan, Progress};
 use gearlash::error::{Error, Tick};
 use pyo3::prelude::*;
@@ -19,14 +19,11 @@ const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
 const TOO_MANY_THREADS: usize = 1025;
 
 /// The analysis of `plan`, as [`work`].
-///
-/// # Errors
-/// As [`work`].
 pub fn analysed<'a>(
     py: Python<'_>,
     threads: Option<usize>,
     plan: &Plan<'a>,
-) -> PyResult<Analysis<'a>> {
+) -> Outcome<Analysis<'a>> {
     work(py, threads, |tick| {
         let mut progress = Progress {
             stage: &mut |_| (),
@@ -39,14 +36,11 @@ pub fn analysed<'a>(
 /// Does `work` with the lock released, on `threads` threads of its own; without a number, on those shared by all calls.
 ///
 /// If a signal handler raises meanwhile, as Python's own does for Ctrl-C, the work is stopped and that exception is raised.
-///
-/// # Errors
-/// The errors of the work, as `GearlashError`.
 pub fn work<T: Send>(
     py: Python<'_>,
     threads: Option<usize>,
     work: impl FnOnce(&Tick) -> Result<T, Error> + Send,
-) -> PyResult<T> {
+) -> Outcome<T> {
     let stop = AtomicBool::new(false);
     let tick = || {
         if stop.load(Ordering::Relaxed) {
@@ -60,11 +54,11 @@ pub fn work<T: Send>(
         Some(threads @ (0 | TOO_MANY_THREADS..)) => {
             let most = TOO_MANY_THREADS - 1;
             let reason = format!("threads = {threads}: allowed is 1 … {most}, or None");
-            return Err(error(py, reason));
+            return Err(reason.into());
         }
         Some(threads) => {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-            Some(pool.map_err(|reason| error(py, format!("threads = {threads}: {reason}")))?)
+            Some(pool.map_err(|reason| format!("threads = {threads}: {reason}"))?)
         }
     };
     let (done, raised) = py.detach(|| {
@@ -94,7 +88,7 @@ pub fn work<T: Send>(
         })
     });
     match raised {
-        Some(raised) => Err(raised),
-        None => done.map_err(|reason| error(py, reason)),
+        Some(raised) => Err(raised.into()),
+        None => Ok(done?),
     }
 }

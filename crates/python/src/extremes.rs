@@ -1,7 +1,7 @@
 //! Least and greatest backlash of the whole mesh cycle, and every check of a pair.
 
 use crate::call::{analysed, work};
-use crate::error::error;
+use crate::error;
 use crate::pair::Pair;
 use gearlash::analysis::Plan;
 use gearlash::analysis::extremes as cycle;
@@ -17,17 +17,17 @@ const METHOD: Method = Method::Exact { certify: true };
 /// The extremes of each centre distance, material and assembly phase as the JSON of results.
 #[pyfunction]
 #[pyo3(signature = (pair, threads=None))]
-pub fn extremes(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<String> {
+pub fn extremes(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> error::Outcome<String> {
     let study = pair.study();
     let found = work(py, threads, |tick| cycle::extremes(study, METHOD, tick))?;
     let verdict = Verdict::of_study(study, &found.each, Vec::new());
-    extremes_json(&verdict).map_err(|reason| error(py, reason))
+    Ok(extremes_json(&verdict))
 }
 
 /// Verdict, extremes and every check as the JSON of `gearlash check`.
 #[pyfunction]
 #[pyo3(signature = (pair, threads=None))]
-pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<String> {
+pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> error::Outcome<String> {
     let plan = Plan::new(pair.study(), METHOD)
         .with_remedies()
         .with_checks();
@@ -50,5 +50,5 @@ pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<St
         command: "check",
         files,
     };
-    outcome.json().map_err(|reason| error(py, reason))
+    Ok(outcome.json()?)
 }

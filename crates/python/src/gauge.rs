@@ -1,7 +1,7 @@
 //! A gear measured on its outline.
 
 use crate::call::work;
-use crate::error::error;
+use crate::error::Outcome;
 use crate::gear::Gear;
 use gearlash::gauge::{Settings, gauge as measure};
 use gearlash_results::gauge::{GaugedGear, GearSource, json};
@@ -19,24 +19,23 @@ pub fn gauge(
     sizes: Sizes,
     material: Option<&str>,
     threads: Option<usize>,
-) -> PyResult<String> {
+) -> Outcome<String> {
     let Sizes(span_teeth, pin_mm, ball_mm, master_teeth, steps_per_pitch) = sizes;
-    let (material, as_built) = gear.as_built(py, material)?;
+    let (material, as_built) = gear.as_built(material)?;
     let teeth = as_built.gear().basic_data().teeth();
-    let whole = |name: &str, value: Option<u32>, least: u32, most: u32| match value {
-        Some(value) if !(least..=most).contains(&value) => {
-            let reason = format!("{name} = {value}: allowed is {least} … {most}");
-            Err(error(py, reason))
+    for (name, value, least, most) in [
+        ("span_teeth", span_teeth, 1, teeth),
+        ("master_teeth", master_teeth, 3, 10_000),
+        ("steps_per_pitch", Some(steps_per_pitch), 1, 1000),
+    ] {
+        if let Some(value) = value.filter(|value| !(least..=most).contains(value)) {
+            return Err(format!("{name} = {value}: allowed is {least} … {most}").into());
         }
-        _ => Ok(()),
-    };
-    whole("span_teeth", span_teeth, 1, teeth)?;
-    whole("master_teeth", master_teeth, 3, 10_000)?;
-    whole("steps_per_pitch", Some(steps_per_pitch), 1, 1000)?;
+    }
     for (name, diameter) in [("pin_mm", pin_mm), ("ball_mm", ball_mm)] {
         if let Some(mm) = diameter.filter(|mm| !(*mm > 0.0 && *mm <= 1e6)) {
             let reason = format!("{name} = {mm}: a number of mm above 0 and up to 1e6 is needed");
-            return Err(error(py, reason));
+            return Err(reason.into());
         }
     }
     let spec = &gear.spec;
@@ -60,5 +59,5 @@ pub fn gauge(
         gear: GearSource::Data(as_built, spec),
         gauged,
     };
-    json(&gear.title, &[gauged]).map_err(|reason| error(py, reason))
+    Ok(json(&gear.title, &[gauged]))
 }

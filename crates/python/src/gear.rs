@@ -1,10 +1,10 @@
 //! One gear.
 
-use crate::error::{error, input};
+use crate::error::Outcome;
 use gearlash::analysis::study::Material;
 use gearlash::gear::AsBuilt;
 use gearlash_files::spec::GearSpec;
-use gearlash_files::{GearEntry, GearsFile, InputError};
+use gearlash_files::{GearEntry, GearsFile};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -21,12 +21,7 @@ pub struct Gear {
 }
 
 impl Gear {
-    fn of(
-        py: Python<'_>,
-        read: Result<GearsFile, InputError>,
-        name: Option<&str>,
-    ) -> PyResult<Gear> {
-        let file = read.map_err(|error| input(py, &error))?;
+    fn of(file: GearsFile, name: Option<&str>) -> Outcome<Gear> {
         let mut gears = file.gears;
         let place = match name {
             None if gears.len() == 1 => Some(0),
@@ -36,24 +31,24 @@ impl Gear {
         let Some(place) = place else {
             let names: Vec<&str> = gears.iter().map(|gear| gear.name).collect();
             let which = names.join(", ");
-            return Err(error(py, format!("which gear? the file has: {which}")));
+            return Err(format!("which gear? the file has: {which}").into());
         };
         let entry = gears.swap_remove(place);
         let spec = entry.spec.data().cloned();
         Ok(Gear {
             title: file.title,
             entry,
-            spec: spec.ok_or_else(|| error(py, "the gear is given by an outline"))?,
+            spec: spec.ok_or("the gear is given by an outline")?,
             warnings: file.warnings,
             remarks: file.remarks,
         })
     }
 
     /// The gear in a material; without a name the one with the most, where there are two.
-    pub fn as_built(&self, py: Python<'_>, name: Option<&str>) -> PyResult<(Material, &AsBuilt)> {
+    pub fn as_built(&self, name: Option<&str>) -> Outcome<(Material, &AsBuilt)> {
         let materials = self.entry.materials.iter();
         let materials = materials.map(|(material, gear)| (*material, gear));
-        chosen(py, materials, name)
+        chosen(materials, name)
     }
 
     fn any(&self) -> &AsBuilt {
@@ -63,18 +58,16 @@ impl Gear {
 
 /// The one of `materials` called `name`, or the first.
 pub fn chosen<T>(
-    py: Python<'_>,
     materials: impl Iterator<Item = (Material, T)>,
     name: Option<&str>,
-) -> PyResult<(Material, T)> {
+) -> Outcome<(Material, T)> {
     let named = |material: &Material| name.is_none_or(|name| name == material.name());
     let mut names = Vec::new();
     let mut materials = materials.inspect(|(material, _)| names.push(material.name()));
     let found = materials.find(|(material, _)| named(material));
     found.ok_or_else(|| {
         let (name, has) = (name.unwrap_or_default(), names.join(", "));
-        let reason = format!("material = {name}: not stated here, which has: {has}");
-        error(py, reason)
+        format!("material = {name}: not stated here, which has: {has}").into()
     })
 }
 
@@ -82,22 +75,22 @@ pub fn chosen<T>(
 impl Gear {
     /// The gear of `text` with the keys of a gear file.
     #[staticmethod]
-    fn from_text(py: Python<'_>, name: &str, text: &str) -> PyResult<Gear> {
+    fn from_text(py: Python<'_>, name: &str, text: &str) -> Outcome<Gear> {
         let read = py.detach(|| gearlash_files::read_gears_text(Path::new(name), text));
-        Gear::of(py, read, None)
+        Gear::of(read?, None)
     }
 
     /// The gear of the gear file or pair file at `path`; `name` selects a gear of a pair.
     #[staticmethod]
     #[pyo3(signature = (path, name=None))]
-    fn read(py: Python<'_>, path: PathBuf, name: Option<&str>) -> PyResult<Gear> {
+    fn read(py: Python<'_>, path: PathBuf, name: Option<&str>) -> Outcome<Gear> {
         let read = py.detach(|| gearlash_files::read_gears_by_data(&path));
-        Gear::of(py, read, name)
+        Gear::of(read?, name)
     }
 
     /// Its table as JSON: keys of a gear file, defaults filled in.
-    fn spec(&self, py: Python<'_>) -> PyResult<String> {
-        serde_json::to_string(&self.spec).map_err(|reason| error(py, reason))
+    fn spec(&self) -> Outcome<String> {
+        Ok(serde_json::to_string(&self.spec)?)
     }
 
     #[getter]
@@ -135,15 +128,15 @@ impl Gear {
 
     /// Base tooth thickness, mm.
     #[pyo3(signature = (material=None))]
-    fn base_thickness_mm(&self, py: Python<'_>, material: Option<&str>) -> PyResult<f64> {
-        let (_, gear) = self.as_built(py, material)?;
+    fn base_thickness_mm(&self, material: Option<&str>) -> Outcome<f64> {
+        let (_, gear) = self.as_built(material)?;
         Ok(gear.gear().base_thickness())
     }
 
     /// Diameters of tip, root form and root circle, mm.
     #[pyo3(signature = (material=None))]
-    fn diameters_mm(&self, py: Python<'_>, material: Option<&str>) -> PyResult<[f64; 3]> {
-        let (_, gear) = self.as_built(py, material)?;
+    fn diameters_mm(&self, material: Option<&str>) -> Outcome<[f64; 3]> {
+        let (_, gear) = self.as_built(material)?;
         let gear = gear.gear();
         Ok([gear.tip_radius(), gear.form_radius(), gear.root_radius()].map(|radius| 2.0 * radius))
     }

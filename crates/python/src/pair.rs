@@ -1,12 +1,12 @@
 //! Two gears and their assembly.
 
-use crate::error::{error, input};
+use crate::error::Outcome;
 use crate::gear::chosen;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Mating, Member};
-use gearlash_files::{InputError, PairFile, distance_refused};
+use gearlash_files::{PairFile, distance_refused};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -17,11 +17,6 @@ pub struct Pair {
 }
 
 impl Pair {
-    fn of(py: Python<'_>, read: Result<PairFile, InputError>) -> PyResult<Pair> {
-        let file = read.map_err(|error| input(py, &error))?;
-        Ok(Pair { file })
-    }
-
     pub fn study(&self) -> &Study {
         &self.file.study
     }
@@ -30,40 +25,37 @@ impl Pair {
     /// of the pair).
     pub fn assembly(
         &self,
-        py: Python<'_>,
         distance: Option<f64>,
         material: Option<&str>,
-    ) -> PyResult<(Material, AssembledPair)> {
+    ) -> Outcome<(Material, AssembledPair)> {
         let study = self.study();
-        let Some(distance) = distance.or(study.center_distances.first().copied()) else {
-            let reason = "the pair has no centre distance; give center_distance_mm";
-            return Err(error(py, reason));
-        };
-        let refused = |reason| error(py, format!("center_distance_mm = {distance}: {reason}"));
+        let distance = distance.or(study.center_distances.first().copied());
+        let none = "the pair has no centre distance; give center_distance_mm";
+        let distance = distance.ok_or(none)?;
+        let refused = |reason| format!("center_distance_mm = {distance}: {reason}");
         let pairs = study.pairs(distance).map_err(refused)?;
-        chosen(py, pairs.into_iter(), material)
+        chosen(pairs.into_iter(), material)
     }
 }
 
 /// The mating of these `teeth` in `assembly`. A tooth that does not exist, or a fraction of too many pitches, is an error.
 pub fn mating(
-    py: Python<'_>,
     assembly: &AssembledPair,
     [wheel, pinion]: [i64; 2],
     left: bool,
     fraction: f64,
-) -> PyResult<Mating> {
+) -> Outcome<Mating> {
     for (member, tooth) in Member::BOTH.into_iter().zip([wheel, pinion]) {
         let teeth = assembly.teeth(member);
         if !(1..=i64::from(teeth)).contains(&tooth) {
             let name = member.name();
             let has = format!("the {name} has teeth 1 … {teeth}, not {tooth}");
-            return Err(error(py, format!("mating {wheel},{pinion}: {has}")));
+            return Err(format!("mating {wheel},{pinion}: {has}").into());
         }
     }
     if !(fraction.abs() <= 1000.0) {
         let reason = format!("fraction = {fraction}: a number of pitches between -1000 and 1000");
-        return Err(error(py, reason));
+        return Err(reason.into());
     }
     Ok(Mating {
         wheel_tooth: wheel as u32,
@@ -77,35 +69,31 @@ pub fn mating(
 impl Pair {
     /// The pair of `text` with the keys of a pair file.
     #[staticmethod]
-    fn from_text(py: Python<'_>, name: &str, text: &str) -> PyResult<Pair> {
-        let read = py.detach(|| gearlash_files::read_text(Path::new(name), text));
-        Pair::of(py, read)
+    fn from_text(py: Python<'_>, name: &str, text: &str) -> Outcome<Pair> {
+        let file = py.detach(|| gearlash_files::read_text(Path::new(name), text))?;
+        Ok(Pair { file })
     }
 
     /// The pair of the pair file at `path`.
     #[staticmethod]
-    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Pair> {
-        let read = py.detach(|| gearlash_files::read(&path));
-        Pair::of(py, read)
+    fn read(py: Python<'_>, path: PathBuf) -> Outcome<Pair> {
+        let file = py.detach(|| gearlash_files::read(&path))?;
+        Ok(Pair { file })
     }
 
     /// The pair at other centre distances, mm.
-    fn at(&self, py: Python<'_>, distances: Vec<f64>) -> PyResult<Pair> {
+    fn at(&self, distances: Vec<f64>) -> Outcome<Pair> {
         if let Some(wrong) = distances.iter().find(|distance| !distance.is_finite()) {
-            let reason = format!("center_distance_mm = {wrong}: a number of mm");
-            return Err(error(py, reason));
+            return Err(format!("center_distance_mm = {wrong}: a number of mm").into());
         }
-        let moved = self.file.clone().at(distances);
-        let file = moved.map_err(|reason| {
-            let reason = distance_refused(&reason);
-            error(py, format!("center_distance_mm: {reason}"))
-        })?;
+        let refused = |reason| format!("center_distance_mm: {}", distance_refused(&reason));
+        let file = self.file.clone().at(distances).map_err(refused)?;
         Ok(Pair { file })
     }
 
     /// The input as JSON: keys of a pair file, defaults filled in.
-    fn spec(&self, py: Python<'_>) -> PyResult<String> {
-        serde_json::to_string(&self.file.spec).map_err(|reason| error(py, reason))
+    fn spec(&self) -> Outcome<String> {
+        Ok(serde_json::to_string(&self.file.spec)?)
     }
 
     #[getter]

@@ -1,7 +1,7 @@
 //! Pictures as SVG.
 
 use crate::call::{analysed, work};
-use crate::error::error;
+use crate::error::Outcome;
 use crate::gear::Gear;
 use crate::pair::{Pair, mating};
 use gearlash::analysis::curves::{self, Followed};
@@ -35,14 +35,14 @@ pub fn snapshot(
     fraction: f64,
     distance: Option<f64>,
     material: Option<&str>,
-) -> PyResult<String> {
-    let (material, assembly) = pair.assembly(py, distance, material)?;
-    let mating = mating(py, &assembly, teeth, left, fraction)?;
+) -> Outcome<String> {
+    let (material, assembly) = pair.assembly(distance, material)?;
+    let mating = mating(&assembly, teeth, left, fraction)?;
     let drawn = py.detach(|| {
         let found = assembly.lost_motion(mating)?;
         pose_picture(&pair.study().title, &assembly, material, &found)
     });
-    drawn.map_err(|reason| error(py, reason))
+    Ok(drawn?)
 }
 
 /// Backlash, or its difference from the formula, over the wheel's teeth at one centre distance.
@@ -53,18 +53,18 @@ pub fn over_teeth(
     difference: bool,
     distance: Option<f64>,
     material: Option<&str>,
-) -> PyResult<String> {
-    let (named, assembly) = pair.assembly(py, distance, material)?;
+) -> Outcome<String> {
+    let (named, assembly) = pair.assembly(distance, material)?;
     let mut study = curves::with_sweep(pair.study().clone());
     if material.is_some() {
         study.keep(named);
     }
     let study = study.at(vec![assembly.center_distance()]);
-    let study = study.map_err(|reason| error(py, format!("center_distance_mm: {reason}")))?;
+    let study = study.map_err(|reason| format!("center_distance_mm: {reason}"))?;
     let plan = Plan::new(&study, METHOD).with_revolution().with_extremes();
     let analysis = analysed(py, None, &plan)?;
     let course = curves::courses(&analysis.curves).into_iter().next();
-    let course = course.ok_or_else(|| error(py, "the pair asks for no poses"))?;
+    let course = course.ok_or("the pair asks for no poses")?;
     let course = course.with_cycle(&analysis.extremes.each);
     let cycle = extremes_in_short(&analysis.verdict());
     let heading = heading(&study.title, &cycle);
@@ -73,14 +73,12 @@ pub fn over_teeth(
     } else {
         chart::revolution(BacklashUnit::Um, &heading, &course)
     };
-    drawn
-        .map(|chart| chart.svg)
-        .map_err(|reason| error(py, reason))
+    Ok(drawn?.svg)
 }
 
 /// One mating's backlash over the centre distance; without teeth, of the binding mating.
 #[pyfunction]
-pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> PyResult<String> {
+pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Outcome<String> {
     let study = pair.study();
     let searched = match teeth {
         Some(_) => None,
@@ -95,8 +93,8 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
     let followed = match teeth {
         None => curves::binding(study, all.iter().copied()),
         Some(teeth) => {
-            let (_, assembly) = pair.assembly(py, None, None)?;
-            let mating = mating(py, &assembly, teeth, false, 0.0)?;
+            let (_, assembly) = pair.assembly(None, None)?;
+            let mating = mating(&assembly, teeth, false, 0.0)?;
             Followed::Teeth(mating.wheel_tooth, mating.pinion_tooth)
         }
     };
@@ -104,27 +102,18 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
     let curve = work(py, None, |tick| {
         curves::over_distance(study, followed, cycle, METHOD, tick)
     })?;
-    let cycle = searched
-        .as_ref()
-        .map(|analysis| extremes_in_short(&analysis.verdict()));
-    let cycle = cycle.unwrap_or_default();
+    let told = |analysis: &Analysis| extremes_in_short(&analysis.verdict());
+    let cycle = searched.as_ref().map(told).unwrap_or_default();
     let outcomes = by_distance(&all, &[]);
-    chart::distance(
-        BacklashUnit::Um,
-        &heading(&study.title, &cycle),
-        &curve,
-        &outcomes,
-    )
-    .map(|chart| chart.svg)
-    .map_err(|reason| error(py, reason))
+    let heading = heading(&study.title, &cycle);
+    Ok(chart::distance(BacklashUnit::Um, &heading, &curve, &outcomes)?.svg)
 }
 
 /// A gear's deviations, tooth by tooth.
 #[pyfunction]
-pub fn inspection(py: Python<'_>, gear: &Gear, material: Option<&str>) -> PyResult<String> {
-    let (_, as_built) = gear.as_built(py, material)?;
+pub fn inspection(gear: &Gear, material: Option<&str>) -> Outcome<String> {
+    let (_, as_built) = gear.as_built(material)?;
     let inspection = Inspection::of(as_built);
-    chart::inspection(&heading(&gear.title, ""), gear.entry.name, &inspection)
-        .map(|chart| chart.svg)
-        .map_err(|reason| error(py, reason))
+    let heading = heading(&gear.title, "");
+    Ok(chart::inspection(&heading, gear.entry.name, &inspection)?.svg)
 }

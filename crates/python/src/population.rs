@@ -1,7 +1,7 @@
 //! Populations and matchings: rows of any range, the statistics of rows, and the assignment of gears.
 
 use crate::call::work;
-use crate::error::{error, input};
+use crate::error::Outcome as Done;
 use gearlash::error::Error;
 use gearlash::matching::{Fit, PairFit};
 use gearlash::population::{ContributionsError, Outcome, OutcomeKind, Row};
@@ -20,9 +20,8 @@ use std::path::{Path, PathBuf};
 /// The greatest distance of a target backlash from 0, µm, as for the command.
 const MOST_TARGET_UM: f64 = 1e5;
 
-fn read(py: Python<'_>, path: &Path) -> PyResult<ToleranceFile> {
-    let file = py.detach(|| read_tolerance(path));
-    file.map_err(|reason| input(py, &reason))
+fn read(py: Python<'_>, path: &Path) -> Done<ToleranceFile> {
+    Ok(py.detach(|| read_tolerance(path))?)
 }
 
 fn run<'a>(
@@ -31,13 +30,12 @@ fn run<'a>(
     path: &'a Path,
     assemblies: Option<u64>,
     seed: Option<u64>,
-) -> PyResult<ToleranceRun<'a>> {
+) -> Done<ToleranceRun<'a>> {
     if let Some(count) = assemblies.filter(|count| !(1..=MAX_ASSEMBLIES).contains(count)) {
-        let allowed = format!("{count} assemblies: allowed are 1 … {MAX_ASSEMBLIES}");
-        return Err(error(py, allowed));
+        return Err(format!("{count} assemblies: allowed are 1 … {MAX_ASSEMBLIES}").into());
     }
     let run = py.detach(|| ToleranceRun::new(file, path, assemblies, seed));
-    run.map_err(|reason| error(py, reason))
+    Ok(run?)
 }
 
 fn warnings(file: &ToleranceFile) -> Vec<String> {
@@ -46,7 +44,7 @@ fn warnings(file: &ToleranceFile) -> Vec<String> {
 
 /// Number of assemblies in the pair file at `path`.
 #[pyfunction]
-pub fn tolerance_assemblies(py: Python<'_>, path: PathBuf) -> PyResult<u64> {
+pub fn tolerance_assemblies(py: Python<'_>, path: PathBuf) -> Done<u64> {
     Ok(read(py, &path)?.tolerance.assemblies.into())
 }
 
@@ -61,7 +59,7 @@ pub fn tolerance_rows(
     count: Option<u64>,
     seed: Option<u64>,
     threads: Option<usize>,
-) -> PyResult<(String, Vec<String>)> {
+) -> Done<(String, Vec<String>)> {
     let file = read(py, &path)?;
     let all = u64::from(file.tolerance.assemblies);
     let count = count.unwrap_or((all + 1).saturating_sub(first));
@@ -71,15 +69,15 @@ pub fn tolerance_rows(
         let reason = format!(
             "{count} assemblies from {first} on: allowed are one at least, from 1 up to {MAX_ASSEMBLIES}"
         );
-        return Err(error(py, reason));
+        return Err(reason.into());
     };
     let run = run(py, &file, &path, Some(all.max(end - 1)), seed)?;
     let rows = work(py, threads, |tick| run.rows(first..end, tick))?;
     let mut tally = RowsTally::new(&run);
     let counted = rows.iter().try_for_each(|row| tally.add(row));
-    counted.map_err(|reason| error(py, reason))?;
+    counted?;
     if let Some(reason) = run.too_many_impossible(tally.tally()) {
-        return Err(error(py, reason));
+        return Err(reason.into());
     }
     let mut text = RowsHead::of(&run, first, count).lines();
     text.extend(rows.iter().map(row_line));
@@ -88,11 +86,9 @@ pub fn tolerance_rows(
 
 /// Seed, first assembly and columns of the text of a file of rows. A missing length is NaN.
 #[pyfunction]
-pub fn rows_columns<'py>(py: Python<'py>, text: &str) -> PyResult<(u64, u64, Bound<'py, PyDict>)> {
-    let (head, rows) =
-        RowsReader::begin("rows", text.as_bytes()).map_err(|reason| input(py, &reason))?;
-    let rows: Result<Vec<Row>, InputError> = rows.collect();
-    let rows = rows.map_err(|reason| input(py, &reason))?;
+pub fn rows_columns<'py>(py: Python<'py>, text: &str) -> Done<(u64, u64, Bound<'py, PyDict>)> {
+    let (head, rows) = RowsReader::begin("rows", text.as_bytes())?;
+    let rows = rows.collect::<Result<Vec<Row>, InputError>>()?;
     let um = |length: fn(&Row) -> Option<i64>| {
         let each = rows.iter().map(length);
         let each = each.map(|tenths| tenths.map_or(f64::NAN, tenths_to_um));
@@ -127,16 +123,15 @@ pub fn tolerance_result(
     seed: Option<u64>,
     rows: Option<Vec<String>>,
     threads: Option<usize>,
-) -> PyResult<(String, Vec<String>)> {
+) -> Done<(String, Vec<String>)> {
     let file = read(py, &path)?;
     let run = run(py, &file, &path, assemblies, seed)?;
     let mut tally = RowsTally::new(&run);
     let tally = if let Some(rows) = rows {
         for (index, text) in rows.iter().enumerate() {
-            let added = tally.add_text(&format!("rows[{index}]"), text.as_bytes());
-            added.map_err(|reason| input(py, &reason))?;
+            tally.add_text(&format!("rows[{index}]"), text.as_bytes())?;
         }
-        tally.finish().map_err(|reason| input(py, &reason))?
+        tally.finish()?
     } else {
         let all = run.assemblies();
         let drawn = work(py, threads, |tick| {
@@ -152,19 +147,17 @@ pub fn tolerance_result(
             }
             Ok(Ok(tally.into_tally()))
         })?;
-        drawn.map_err(|reason| error(py, reason))?
+        drawn?
     };
     if let Some(reason) = run.too_many_impossible(&tally) {
-        return Err(error(py, reason));
+        return Err(reason.into());
     }
     let result = work(py, threads, |tick| match run.result(tally, tick) {
         Ok(result) => Ok(Ok(result)),
         Err(ContributionsError::Error(reason)) => Err(reason),
         Err(ContributionsError::Overflow(reason)) => Ok(Err(reason.to_string())),
     })?;
-    let result = result.map_err(|reason| error(py, reason))?;
-    let json = population::json(&result).map_err(|reason| error(py, reason))?;
-    Ok((json, warnings(&file)))
+    Ok((population::json(&result?), warnings(&file)))
 }
 
 /// A wheel with a pinion: pinion tooth of the best phase, outcome, least and greatest backlash, mm, whether both are proven,
@@ -203,21 +196,21 @@ fn pair_fit(cell: &Cell, file: &MatchFile) -> Option<PairFit> {
 pub struct MatchInput(PathBuf, PathBuf, PathBuf, Option<f64>);
 
 impl MatchInput {
-    fn read(&self, py: Python<'_>) -> PyResult<MatchFile> {
+    fn read(&self, py: Python<'_>) -> Done<MatchFile> {
         let MatchInput(path, wheels, pinions, target_um) = self;
         if let Some(um) = target_um.filter(|um| !(um.abs() <= MOST_TARGET_UM)) {
             let reason = format!(
                 "target_um is {um}: a number of µm between -{MOST_TARGET_UM} and {MOST_TARGET_UM} is needed"
             );
-            return Err(error(py, reason));
+            return Err(reason.into());
         }
         let wanted = target_um.map(|um| 1e-3 * um);
         let file = py.detach(|| read_match(path, [wheels, pinions], wanted));
-        file.map_err(|reasons| match &reasons[..] {
-            [only] => input(py, only),
+        file.map_err(|mut reasons| match reasons.len() {
+            1 => reasons.remove(0).into(),
             _ => {
                 let lines = reasons.iter().flat_map(InputError::lines);
-                error(py, lines.collect::<Vec<String>>().join("\n"))
+                lines.collect::<Vec<String>>().join("\n").into()
             }
         })
     }
@@ -232,7 +225,7 @@ pub fn match_cells(
     files: MatchInput,
     block: (usize, usize),
     threads: Option<usize>,
-) -> PyResult<(String, Vec<Cell>, Vec<String>)> {
+) -> Done<(String, Vec<Cell>, Vec<String>)> {
     let file = files.read(py)?;
     let (k, n) = block;
     let wheels = file.wheels.len();
@@ -252,17 +245,15 @@ pub fn match_result(
     py: Python<'_>,
     files: MatchInput,
     blocks: Vec<(String, Vec<Cell>)>,
-) -> PyResult<String> {
+) -> Done<String> {
     let file = files.read(py)?;
     let own = file.input_sha256();
     if let Some(index) = blocks.iter().position(|(input, _)| *input != own) {
-        let reason = format!("blocks[{index}] is of another pair file or of other gears");
-        return Err(error(py, reason));
+        return Err(format!("blocks[{index}] is of another pair file or of other gears").into());
     }
     let cells = blocks.iter().flat_map(|(_, cells)| cells);
     let cells: Option<Vec<PairFit>> = cells.map(|cell| pair_fit(cell, &file)).collect();
-    let cells = cells.ok_or_else(|| error(py, "a cell has an outcome that no pair has"))?;
-    let result = MatchResult::new(&file, cells);
-    let result = result.map_err(|reason| error(py, reason))?;
-    matching::json(&result).map_err(|reason| error(py, reason))
+    let cells = cells.ok_or("a cell has an outcome that no pair has")?;
+    let result = MatchResult::new(&file, cells)?;
+    Ok(matching::json(&result))
 }

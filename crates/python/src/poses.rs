@@ -1,7 +1,7 @@
 //! Lost motion: at one pose, at many, over whole revolutions.
 
 use crate::call::work;
-use crate::error::error;
+use crate::error::Outcome;
 use crate::pair::{Pair, mating};
 use gearlash::analysis::compare::compare;
 use gearlash::analysis::simulate::Run;
@@ -26,9 +26,9 @@ pub fn lost_motion(
     fraction: f64,
     distance: Option<f64>,
     material: Option<&str>,
-) -> PyResult<String> {
-    let (material, assembly) = pair.assembly(py, distance, material)?;
-    let mating = mating(py, &assembly, teeth, left, fraction)?;
+) -> Outcome<String> {
+    let (material, assembly) = pair.assembly(distance, material)?;
+    let mating = mating(&assembly, teeth, left, fraction)?;
     let found = py.detach(|| {
         let pose = assembly.lost_motion(mating)?;
         let run = Run {
@@ -38,13 +38,11 @@ pub fn lost_motion(
             poses: vec![pose],
         };
         let compared = compare(vec![run], pair.study().tolerance_um);
-        let json = compared[0].poses.first();
+        let pose = compared[0].poses.first();
         let assembly = &compared[0].run.assembly;
-        Ok::<_, Error>(json.map(|pose| pose_json(assembly, pose)))
+        Ok::<_, Error>(pose.map(|pose| pose_json(assembly, pose)))
     });
-    let json = found.map_err(|reason| error(py, reason))?;
-    let json = json.ok_or_else(|| error(py, "no pose was found"))?;
-    json.map_err(|reason| error(py, reason))
+    Ok(found?.ok_or("no pose was found")?)
 }
 
 /// Centre distance, material, whether poses are proven, and threads: a tuple in Python.
@@ -52,9 +50,9 @@ pub fn lost_motion(
 pub struct PoseOptions(Option<f64>, Option<String>, bool, Option<usize>);
 
 impl PoseOptions {
-    fn assembly(&self, py: Python<'_>, pair: &Pair) -> PyResult<AssembledPair> {
+    fn assembly(&self, pair: &Pair) -> Outcome<AssembledPair> {
         let PoseOptions(distance, material, ..) = self;
-        let (_, assembly) = pair.assembly(py, *distance, material.as_deref())?;
+        let (_, assembly) = pair.assembly(*distance, material.as_deref())?;
         Ok(assembly)
     }
 }
@@ -68,14 +66,14 @@ pub fn lost_motions<'py>(
     left: PyReadonlyArray1<'py, bool>,
     fraction: PyReadonlyArray1<'py, f64>,
     how: PoseOptions,
-) -> PyResult<Bound<'py, PyDict>> {
-    let assembly = how.assembly(py, pair)?;
+) -> Outcome<Bound<'py, PyDict>> {
+    let assembly = how.assembly(pair)?;
     let [wheels, pinions] = teeth.each_ref().map(|teeth| teeth.as_array());
     let (lefts, fractions) = (left.as_array(), fraction.as_array());
     let mut matings = Vec::with_capacity(wheels.len());
     for (((wheel, pinion), left), fraction) in wheels.iter().zip(pinions).zip(lefts).zip(fractions)
     {
-        matings.push(mating(py, &assembly, [*wheel, *pinion], *left, *fraction)?);
+        matings.push(mating(&assembly, [*wheel, *pinion], *left, *fraction)?);
     }
     pose_columns(py, assembly, matings, &how)
 }
@@ -90,9 +88,9 @@ pub fn revolution<'py>(
     hunting: bool,
     left: bool,
     how: PoseOptions,
-) -> PyResult<Bound<'py, PyDict>> {
-    let assembly = how.assembly(py, pair)?;
-    let first = mating(py, &assembly, start, false, 0.0)?;
+) -> Outcome<Bound<'py, PyDict>> {
+    let assembly = how.assembly(pair)?;
+    let first = mating(&assembly, start, false, 0.0)?;
     let first = (first.wheel_tooth, first.pinion_tooth);
     let plan = if hunting {
         SweepPlan::hunting_cycle(&assembly, steps_per_pitch, first)
@@ -101,9 +99,8 @@ pub fn revolution<'py>(
     };
     let poses = plan.poses();
     if !(1..=MOST_POSES).contains(&poses) {
-        let reason = format!("{poses} poses, allowed are 1 … {MOST_POSES}");
-        let reason = format!("steps_per_pitch = {steps_per_pitch}: {reason}");
-        return Err(error(py, reason));
+        let allowed = format!("{poses} poses, allowed are 1 … {MOST_POSES}");
+        return Err(format!("steps_per_pitch = {steps_per_pitch}: {allowed}").into());
     }
     let mut matings = plan.matings(&assembly);
     if left {
@@ -126,7 +123,7 @@ fn pose_columns<'py>(
     pair: AssembledPair,
     matings: Vec<Mating>,
     PoseOptions(_, _, certify, threads): &PoseOptions,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> Outcome<Bound<'py, PyDict>> {
     let distance = pair.center_distance();
     let found = work(py, *threads, |tick| arrays(&pair, &matings, *certify, tick))?;
     let columns = PyDict::new(py);

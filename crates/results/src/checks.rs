@@ -1,22 +1,93 @@
-//! The checks of a pair as a judged file, and the contact map as CSV.
+//! The checks of a pair: their rows, their outcome as a judged file, and their text.
 
-use crate::check::{CheckRow, unit};
-use crate::column::Row;
+use crate::column::{Row, Shown, Value, row_type, shown as heading_of};
 use crate::extreme::{extremes, verdict_record};
-use crate::fitted;
 use crate::judged::{Case, Judged, VERDICT};
-use crate::layout::Screen;
+use crate::layout::{Screen, Tone};
+use crate::notes::{self, drawn_notes};
 use crate::remedies::RemedyRecords;
 use crate::run::contact_count;
-use crate::text::check::{governing, text};
-use crate::verdict::lines;
-use gearlash::analysis::backlash_map::BacklashMap;
-use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Map as ContactMap};
+use crate::verdict::{distinct, heading, lines, short_title};
+use gearlash::analysis::backlash_map::{BacklashCell, BacklashMap};
+use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap, MapCell};
 use gearlash::analysis::verdict::Verdict;
+use gearlash::pair::{BacklashUnit, Member};
 use gearlash_files::PairFile;
-use gearlash_files::characters::csv_text;
-use gearlash_files::numbers::fixed;
+use gearlash_files::numbers::{ascii, fixed, stated_distance, um_ascii};
 use serde_json::json;
+use std::fmt::Write;
+
+/// A check at one centre distance and material.
+#[derive(Debug)]
+pub(crate) struct CheckRow {
+    center_distance: f64,
+    material: &'static str,
+    /// Whether the pair has several centre distances or materials, so that tables for people must show this one.
+    is_of_several: bool,
+    check: Check,
+}
+
+impl CheckRow {
+    /// The row of a `check` of `group`; `is_of_several`: the pair has several groups.
+    pub fn new(group: &Group, check: &Check, is_of_several: bool) -> CheckRow {
+        CheckRow {
+            center_distance: group.assembly.center_distance(),
+            material: group.material.name(),
+            is_of_several,
+            check: check.clone(),
+        }
+    }
+
+    /// `value`, shown to people where there are several groups.
+    fn of_several(&self, value: impl Into<Value>) -> Value {
+        Value::optional(self.is_of_several.then_some(value))
+    }
+
+    fn details(&self) -> Value {
+        let details = self.check.details.iter();
+        let details = details.map(|(name, value)| ((*name).to_owned(), (*value).into()));
+        Value::Json(serde_json::Value::Object(details.collect()))
+    }
+
+    /// The value on the outlines, as shown to people.
+    fn outlines_heading_of(&self) -> Value {
+        match (&self.check.unproven, self.check.outlines) {
+            (Some(_), None) => "unproven".into(),
+            (_, value) => value.into(),
+        }
+    }
+}
+
+row_type!(row: CheckRow {
+    "" Grave [people(heading_of("verdict"))] => row.check.verdict.name();
+    "id" Plain => row.check.id;
+    "title" Plain [heading(heading_of("check").left().broken())] => row.check.title;
+    "gear" Plain => row.check.gear.map(Member::name);
+    "" Plain [people(heading_of("gear").left())] => row.check.gear.map_or("", Member::name);
+    "" Distance [people(heading_of("a mm").spare(2))] => row.of_several(row.center_distance);
+    "" Plain [people(heading_of("material").spare(2))] => row.of_several(row.material);
+    "formula" Measure [heading(heading_of("formula").spare(1))] => row.check.formula;
+    "outlines" Plain => row.check.outlines;
+    "" Measure [people(heading_of("outlines"))] => row.outlines_heading_of();
+    "limit" Measure [heading(heading_of("limit"))] => row.check.limit;
+    "margin" Measure [heading(heading_of("margin"))] => row.check.margin;
+    "unit" Plain => row.check.unit;
+    "" Plain [people(heading_of("").left())] => unit(row.check.unit);
+    "verdict" Plain => row.check.verdict.name();
+    "center_distance_mm" Plain => row.center_distance;
+    "material" Plain => row.material;
+    "details" Plain => row.details();
+    "note" Plain [heading(heading_of("").left().below())] => row.check.note.clone();
+    "unproven" Plain => Value::optional(row.check.unproven.clone());
+});
+
+/// The unit of a check, as shown to people.
+fn unit(unit: &'static str) -> &'static str {
+    match unit {
+        "1" => "",
+        unit => unit,
+    }
+}
 
 /// The outcome of `check` for the pair of `file`, called `name`; `is_proven`: all its poses are proven. Its text is for `screen`.
 pub fn checked(
@@ -50,7 +121,7 @@ pub fn checked(
     let groups = || diagnosis.groups.iter();
     let checks = groups().flat_map(|group| {
         let checks = group.checks.iter();
-        checks.map(|check| json!(CheckRow::columns().object(&CheckRow::new(group, check, true))))
+        checks.map(|check| CheckRow::new(group, check, true).json())
     });
     let runs = groups().map(|group| {
         json!({
@@ -60,14 +131,8 @@ pub fn checked(
         })
     });
     let mut json = json!({ "file": name, "passed": passes, "pair": file.spec });
-    let fitted = fitted::records(file);
-    if !fitted.is_empty() {
-        json["fitted_involutes"] = json!(fitted);
-    }
-    for (key, words) in [("warnings", &file.warnings), ("remarks", &file.remarks)] {
-        if !words.is_empty() {
-            json[key] = json!(words);
-        }
+    for (key, notes) in notes::entries(file) {
+        json[key] = notes;
     }
     json["verdict"] = verdict_record(verdict);
     json["extremes"] = extremes(verdict).into();
@@ -121,78 +186,210 @@ fn message(check: &Check, verdict: diagnosis::Verdict) -> String {
         (Some(_), None) => "unproven".to_owned(),
         (_, outlines) => value(outlines),
     };
-    let gear = check
-        .gear
-        .map_or(String::new(), |gear| format!("{}: ", gear.name()));
-    let outcome = if check.verdict == verdict {
-        String::new()
-    } else {
-        format!("{}: ", check.verdict.name())
-    };
-    let note = if check.note.is_empty() {
-        String::new()
-    } else {
-        format!("; {}", check.note)
-    };
-    let numbers = format!(
-        "{gear}{outcome}formula {}, outlines {outlines}, limit {} {}",
+    let mut text = String::new();
+    if let Some(gear) = check.gear {
+        text += &format!("{}: ", gear.name());
+    }
+    if check.verdict != verdict {
+        text += &format!("{}: ", check.verdict.name());
+    }
+    text += &format!(
+        "formula {}, outlines {outlines}, limit {} {}",
         value(check.formula),
         value(check.limit),
         unit(check.unit)
     );
-    format!("{}{note}", numbers.trim_end())
+    text.truncate(text.trim_end().len());
+    if !check.note.is_empty() {
+        text += &format!("; {}", check.note);
+    }
+    text
 }
+
+/// The checks as text on `screen`: each once, at its worst centre distance and material.
+pub fn text(
+    file: &PairFile,
+    verdict: &Verdict,
+    diagnosis: &Diagnosis,
+    remedies: &RemedyRecords,
+    screen: &Screen,
+) -> String {
+    let lines = lines(verdict);
+    let remedies = remedies.text(!file.study.requirements.is_empty());
+    let mut text = heading(&file.study.title, &lines, screen);
+    if diagnosis.groups.is_empty() {
+        for sentence in &lines.left_out {
+            let _ = writeln!(text, "{sentence}.\n");
+        }
+        return screen.fold(&(text + &drawn_notes(file) + &remedies));
+    }
+    text += &CheckRow::columns().text(&rows(diagnosis), screen);
+    if diagnosis.groups.len() > 1 {
+        text += "\nEach check is shown at its worst centre distance and material; --format json has all.\n";
+    }
+    for reason in doubts(diagnosis) {
+        let word = screen.toned(Tone::Doubtful, "UNPROVEN");
+        let _ = writeln!(text, "\n{word}: {reason}.");
+    }
+    for sentence in &lines.left_out {
+        let _ = writeln!(text, "\n{sentence}.");
+    }
+    text += &contact(diagnosis);
+    text += &remedies;
+    screen.fold(&text)
+}
+
+/// One row per check, for its worst centre distance and material.
+fn rows(diagnosis: &Diagnosis) -> Vec<CheckRow> {
+    let several = diagnosis.groups.len() > 1;
+    let rows = governing(diagnosis).into_iter();
+    rows.map(|(group, check)| CheckRow::new(group, check, several))
+        .collect()
+}
+
+/// The table of checks for a page.
+pub fn shown(diagnosis: &Diagnosis) -> Vec<Shown> {
+    CheckRow::columns().shown(&rows(diagnosis), |_| f64::NAN, BacklashUnit::Um)
+}
+
+/// The worst occurrence of each check: worst verdict, then least margin, then the first.
+fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
+    let mut governing: Vec<(&Group, &Check)> = Vec::new();
+    for group in &diagnosis.groups {
+        for check in &group.checks {
+            let same = |known: &&mut (&Group, &Check)| {
+                known.1.id == check.id && known.1.gear == check.gear
+            };
+            match governing.iter_mut().find(same) {
+                None => governing.push((group, check)),
+                Some(known) => {
+                    let graver = check.verdict > known.1.verdict;
+                    let closer = check.verdict == known.1.verdict && check.margin < known.1.margin;
+                    if graver || closer {
+                        *known = (group, check);
+                    }
+                }
+            }
+        }
+    }
+    governing
+}
+
+fn contact(diagnosis: &Diagnosis) -> String {
+    let count = &diagnosis.contact;
+    let classes = count.classes.iter();
+    let classes = classes.map(|(class, poses)| format!("{} {poses}", class.name()));
+    let classes: Vec<String> = classes.collect();
+    let mut text = format!("\n{} poses: {}.\n", count.poses(), classes.join(", "));
+    if let Some(loss) = &count.loss {
+        let worst = &loss.worst;
+        let mating = worst.pose.mating();
+        let _ = writeln!(
+            text,
+            "Backlash j_wt by formula minus that on the outlines: least {}, mean {}, greatest {} µm.",
+            um_ascii(loss.least, 3),
+            um_ascii(loss.mean, 3),
+            um_ascii(worst.loss, 3),
+        );
+        // A loss that prints as 0.000 µm does not count.
+        if worst.loss >= 5e-7 {
+            let _ = writeln!(
+                text,
+                "Largest loss at mating {},{} {} +{}, a {} mm, {}: formula {} µm, outlines {} µm; wheel tooth {} {} (radius {} mm) on pinion tooth {} {} (radius {} mm), {} flanks.",
+                mating.wheel_tooth,
+                mating.pinion_tooth,
+                mating.flank.name(),
+                ascii(mating.fraction, 4),
+                stated_distance(worst.assembly.center_distance()),
+                worst.material.name(),
+                um_ascii(worst.backlash + worst.loss, 3),
+                um_ascii(worst.backlash, 3),
+                worst.contact.wheel.tooth,
+                worst.contact.wheel.curve.name(),
+                ascii(worst.contact.wheel.radius, 3),
+                worst.contact.pinion.tooth,
+                worst.contact.pinion.curve.name(),
+                ascii(worst.contact.pinion.radius, 3),
+                worst.side.name(),
+            );
+        }
+    }
+    text + &format!("{}\n", outcome(diagnosis))
+}
+
+/// The distinct short titles of the checks with this verdict.
+pub fn titles(diagnosis: &Diagnosis, verdict: diagnosis::Verdict) -> Vec<&'static str> {
+    let checks = governing(diagnosis).into_iter().map(|(_, check)| check);
+    let checks = checks.filter(|check| check.verdict == verdict);
+    distinct(checks.map(|check| short_title(check.title)))
+}
+
+/// The number of failing or unproven checks, and their titles.
+fn outcome(diagnosis: &Diagnosis) -> String {
+    let all = distinct(governing(diagnosis).iter().map(|(_, check)| check.title)).len();
+    let named = |count: &str, titles: &[&str]| {
+        format!(
+            "{} of {all} checks {count}: {}.",
+            titles.len(),
+            titles.join(", ")
+        )
+    };
+    let [failed, unproven] = [diagnosis::Verdict::Fail, diagnosis::Verdict::Unproven]
+        .map(|verdict| titles(diagnosis, verdict));
+    match (&failed[..], &unproven[..]) {
+        ([], []) => "No check fails.".to_owned(),
+        ([], unproven) => named("are unproven", unproven),
+        ([_], _) => named("fails", &failed),
+        (_, _) => named("fail", &failed),
+    }
+}
+
+/// The distinct reasons why checks are not proven.
+pub fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
+    let checks = diagnosis.groups.iter().flat_map(|group| &group.checks);
+    distinct(checks.filter_map(|check| check.unproven.as_deref()))
+}
+
+// A cell of a map of backlash, with its centre distance, mm.
+row_type!(row: (f64, BacklashCell) {
+    "center_distance_mm" Plain => row.0;
+    "pitches" Plain => row.1.pitches;
+    "wheel_tooth" Plain => row.1.mating.wheel_tooth;
+    "pinion_tooth" Plain => row.1.mating.pinion_tooth;
+    "fraction" Plain => row.1.mating.fraction;
+    "status" Plain => row.1.status.name();
+    "j_wt_um" Plain => Value::um(row.1.backlash);
+});
 
 /// `map` of a drawn pair as CSV, one row per cell with its pose.
 ///
 /// # Errors
 /// None: the text is in memory.
-pub fn backlash_map_csv(map: &BacklashMap) -> Result<String, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
-        "center_distance_mm",
-        "pitches",
-        "wheel_tooth",
-        "pinion_tooth",
-        "fraction",
-        "status",
-        "j_wt_um",
-    ])?;
-    let rows = map.distances.iter();
-    for (a, cells) in rows.zip(map.cells.chunks(map.columns.max(1))) {
-        for cell in cells {
-            let j_wt = cell.backlash.map(|mm| (mm * 1e3).to_string());
-            writer.write_record([
-                &a.to_string(),
-                &cell.pitches.to_string(),
-                &cell.mating.wheel_tooth.to_string(),
-                &cell.mating.pinion_tooth.to_string(),
-                &cell.mating.fraction.to_string(),
-                cell.status.name(),
-                &j_wt.unwrap_or_default(),
-            ])?;
-        }
-    }
-    csv_text(writer)
+pub fn backlash_map_csv(map: &BacklashMap) -> csv::Result<String> {
+    let rows = map
+        .distances
+        .iter()
+        .zip(map.cells.chunks(map.columns.max(1)));
+    let rows = rows.flat_map(|(a, cells)| cells.iter().map(|cell| (*a, *cell)));
+    Row::columns().csv(&rows.collect::<Vec<_>>())
 }
+
+// A cell of a map of contacts, with its centre distance, mm, and its fraction of a pitch.
+row_type!(row: (f64, f64, MapCell) {
+    "center_distance_mm" Plain => row.0;
+    "fraction" Plain => row.1;
+    "class" Plain => row.2.class.name();
+    "j_wt_um" Plain => Value::um(row.2.backlash);
+});
 
 /// `map` as CSV, one row per pose.
 ///
 /// # Errors
 /// None: the text is in memory.
-pub fn map_csv(map: &ContactMap) -> Result<String, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["center_distance_mm", "fraction", "class", "j_wt_um"])?;
-    let distances = map.distances.iter();
-    let places = distances.flat_map(|a| map.fractions.iter().map(move |fraction| (a, fraction)));
-    for ((a, fraction), cell) in places.zip(&map.cells) {
-        let j_wt = cell.backlash.map(|mm| (mm * 1e3).to_string());
-        writer.write_record([
-            &a.to_string(),
-            &fraction.to_string(),
-            cell.class.name(),
-            &j_wt.unwrap_or_default(),
-        ])?;
-    }
-    csv_text(writer)
+pub fn map_csv(map: &ContactMap) -> csv::Result<String> {
+    let places = map.distances.iter();
+    let places = places.flat_map(|a| map.fractions.iter().map(move |fraction| (*a, *fraction)));
+    let rows = places.zip(&map.cells);
+    let rows = rows.map(|((a, fraction), cell)| (a, fraction, *cell));
+    Row::columns().csv(&rows.collect::<Vec<_>>())
 }

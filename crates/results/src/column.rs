@@ -13,16 +13,30 @@
 //! so a new column gets a rank that places it last.
 
 use crate::layout::{self, Screen, Table, Tone};
-use crate::unit;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::characters::{cell, csv_text, plain};
-use gearlash_files::numbers::{NONE, backlash, fixed, power, stated_distance};
+use gearlash_files::characters::{self, cell, csv_text, plain};
+use gearlash_files::numbers::{NONE, backlash, backlash_ascii, fixed, power, stated_distance};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
 /// A row type.
 pub trait Row: Sized + 'static {
     /// Its columns.
     fn columns() -> &'static Columns<Self>;
+
+    /// The row as JSON.
+    fn json(&self) -> serde_json::Value {
+        serde_json::json!(Self::columns().object(self))
+    }
+}
+
+/// Rows as a list of JSON.
+pub(crate) fn list<'r, R: Row>(rows: impl IntoIterator<Item = &'r R>) -> serde_json::Value {
+    rows.into_iter().map(R::json).collect()
+}
+
+/// `value` as JSON with a line end.
+pub(crate) fn json_text(value: &serde_json::Value) -> String {
+    characters::json(format!("{value:#}")) + "\n"
 }
 
 /// The value of a column in one row.
@@ -112,6 +126,8 @@ impl Serialize for Value {
 pub enum Unit {
     /// A word, or a number as it is.
     Plain,
+    /// Words of a file, unchanged.
+    Name,
     /// A centre distance, mm, as stated.
     Distance,
     /// A backlash in µm, or in the requested unit; the heading names the unit.
@@ -124,6 +140,10 @@ pub enum Unit {
     Measure,
     /// A length in µm with two decimals.
     Hundredths,
+    /// A length in µm with three decimals.
+    Thousandths,
+    /// A length in mm with six decimals.
+    Millionths,
     /// A status or a verdict, coloured by its severity.
     Grave,
     /// An angle, rad; degrees in a page.
@@ -152,7 +172,11 @@ pub struct Column<R> {
 
 impl<R: 'static> Column<R> {
     /// A column of JSON and CSV.
-    pub fn new(key: &str, unit: Unit, value: fn(&R) -> Value) -> Column<R> {
+    pub fn new(
+        key: &str,
+        unit: Unit,
+        value: impl Fn(&R) -> Value + Send + Sync + 'static,
+    ) -> Column<R> {
         Column {
             key: Some(key.to_owned()),
             csv: Some(key.replace('.', "_")),
@@ -383,10 +407,15 @@ impl<R: Row> Columns<R> {
     /// # Errors
     /// None: the text is in memory.
     pub fn csv(&self, rows: &[R]) -> csv::Result<String> {
+        self.csv_with(rows, false)
+    }
+
+    /// As [`Columns::csv`], with or without the columns along the face.
+    pub(crate) fn csv_with(&self, rows: &[R], along_face: bool) -> csv::Result<String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record(self.csv_names(false))?;
+        writer.write_record(self.csv_names(along_face))?;
         for row in rows {
-            let cells = self.csv_values(row, false).into_iter();
+            let cells = self.csv_values(row, along_face).into_iter();
             writer.write_record(cells.map(|value| match value {
                 Value::Absent | Value::Null => String::new(),
                 Value::Text(text) => cell(&text),
@@ -418,7 +447,7 @@ impl<R: Row> Columns<R> {
                 cells.map(|(value, row)| display_text(value, column.unit, unit, distance(row)));
             (!is_empty).then(|| Shown {
                 heading: match column.unit {
-                    Unit::Backlash => heading.renamed(|name| unit::column(unit, name)),
+                    Unit::Backlash => heading.renamed(|name| column_heading(unit, name)),
                     _ => heading.clone(),
                 },
                 unit: column.unit,
@@ -443,6 +472,7 @@ impl<R: Row> Columns<R> {
                 let cell = &column.cells[number];
                 match (column.unit, Tone::of(cell)) {
                     (Unit::Grave, Some(tone)) => screen.toned(tone, cell),
+                    (Unit::Name, _) => cell.clone(),
                     _ => cell.replace('−', "-"),
                 }
             });
@@ -551,6 +581,8 @@ fn display_text(value: &Value, kind: Unit, unit: BacklashUnit, a: f64) -> String
         (Value::Number(mm), Unit::Distance) => stated_distance(*mm),
         (Value::Number(value), Unit::Measure) => fixed(*value, 4),
         (Value::Number(um), Unit::Hundredths) => fixed(*um, 2),
+        (Value::Number(um), Unit::Thousandths) => fixed(*um, 3),
+        (Value::Number(mm), Unit::Millionths) => fixed(*mm, 6),
         (Value::Number(value), _) => value.to_string(),
         (Value::Word(word), _) => (*word).to_owned(),
         (Value::Text(text), _) => plain(text),
@@ -561,6 +593,33 @@ fn display_text(value: &Value, kind: Unit, unit: BacklashUnit, a: f64) -> String
             format!("{least} … {greatest}")
         }
         (Value::Json(value), _) => value.to_string(),
+    }
+}
+
+/// `j_wt`, given in mm, at centre distance `a`, mm, in ASCII; with `decimals` decimals if in µm.
+pub(crate) fn backlash_cell(
+    unit: BacklashUnit,
+    j_wt: Option<f64>,
+    a: f64,
+    decimals: usize,
+) -> String {
+    backlash_ascii(unit, j_wt.map(|mm| mm * 1e3), a, decimals)
+}
+
+/// The heading of a column: its name with the unit; lost motion with its gear.
+fn column_heading(unit: BacklashUnit, name: &str) -> String {
+    match unit {
+        BacklashUnit::Um => name.to_owned(),
+        BacklashUnit::Arcmin { at, .. } if name == "j_wt" => format!("{} arcmin", at.name()),
+        BacklashUnit::Arcmin { at, .. } => format!("{name}, {}", at.name()),
+    }
+}
+
+/// The quantity at the head of a legend.
+pub(crate) fn quantity_words(unit: BacklashUnit) -> String {
+    match unit {
+        BacklashUnit::Um => "Backlash j_wt in µm".to_owned(),
+        BacklashUnit::Arcmin { at, .. } => format!("Lost motion at the {} in arcmin", at.name()),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The outcome of `compare` for a pair: whether the simulation agrees with the formulas.
 
-use crate::column::{Row, Value, row_type, shown};
+use crate::column::{Row, Value, list, row_type, shown};
 use crate::extreme::{extremes, verdict_record};
 use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
 use crate::layout::{Screen, Tone, pose_label};
@@ -11,7 +11,6 @@ use gearlash::analysis::diagnosis::{self, CheckName};
 use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::tally::RunTally;
 use gearlash::analysis::verdict::{Requirement, Verdict as CycleVerdict};
-use gearlash::contact::Unproven;
 use gearlash::pair::Mating;
 use gearlash_files::PairFile;
 use gearlash_files::characters::plain;
@@ -243,15 +242,34 @@ impl ComparedPair<'_> {
         if self.allows_off_line() {
             text += " Contact off the line of action is allowed.";
         }
-        let rows: Vec<ComparedRow> = self.rows().collect();
-        let _ = write!(text, "\n\n{}", ComparedRow::columns().markdown(&rows));
+        text += &format!("\n\n{}", ComparedRow::columns().markdown(&self.rows()));
         text + "\nBacklash `j_wt` at the operating pitch circle; negative: interference. Off model 2 and 3: largest difference to the \
                 involute and to the line-of-action formula; model 3 decides.\n\n"
     }
 
-    fn rows(&self) -> impl Iterator<Item = ComparedRow> {
-        let runs = self.runs.iter();
-        runs.map(|run| ComparedRow::new(run, run.passes(self.allows_off_line())))
+    fn rows(&self) -> Vec<ComparedRow> {
+        let row = |run: &RunTally| ComparedRow {
+            run: run.clone(),
+            passed: run.passes(self.allows_off_line()),
+            summary: run.summary(),
+        };
+        self.runs.iter().map(row).collect()
+    }
+
+    fn record(&self, verdict: &CycleVerdict, passed: bool) -> serde_json::Value {
+        json!({
+            "file": self.name,
+            "passed": passed,
+            "pair": self.file.spec,
+            "verdict": verdict_record(verdict),
+            "extremes": extremes(verdict),
+            "compare": {
+                "text": self.first_line(),
+                "tolerance_um": self.tolerance_um,
+                "allow_off_line_contact": self.allows_off_line(),
+            },
+            "runs": list(&self.rows()),
+        })
     }
 }
 
@@ -263,14 +281,6 @@ pub(crate) struct ComparedRow {
 }
 
 impl ComparedRow {
-    fn new(run: &RunTally, passed: bool) -> ComparedRow {
-        ComparedRow {
-            run: run.clone(),
-            passed,
-            summary: run.summary(),
-        }
-    }
-
     /// The places of the least and the greatest backlash.
     fn ends(&self) -> [String; 2] {
         let (least, greatest) = self.run.extremes().unzip();
@@ -374,31 +384,11 @@ fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-impl ComparedPair<'_> {
-    fn record(&self, verdict: &CycleVerdict, passed: bool) -> serde_json::Value {
-        let rows = self.rows();
-        let runs = rows.map(|row| json!(ComparedRow::columns().object(&row)));
-        json!({
-            "file": self.name,
-            "passed": passed,
-            "pair": self.file.spec,
-            "verdict": verdict_record(verdict),
-            "extremes": extremes(verdict),
-            "compare": {
-                "text": self.first_line(),
-                "tolerance_um": self.tolerance_um,
-                "allow_off_line_contact": self.allows_off_line(),
-            },
-            "runs": runs.collect::<Vec<_>>(),
-        })
-    }
-}
-
 /// An unproven pose. Where only an end of its bearing clearance is unproven, it has no `unproven`.
 fn unproven_pose(pose: &ComparedPose) -> serde_json::Value {
     let mut value = json!({ "mating": PoseRow::mating_json(pose.simulated.pose.mating()) });
     if let Err(unproven) = &pose.simulated.found {
-        value["unproven"] = json!(Unproven::columns().object(unproven));
+        value["unproven"] = unproven.json();
     }
     value["reason"] = json!(doubts(pose));
     value

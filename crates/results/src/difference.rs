@@ -1,10 +1,11 @@
-//! The difference of two drawings of one gear: in words, as JSON and as CSV.
+//! The difference of two drawings of one gear: in words, as a table, as JSON and as CSV.
 
-use gearlash::outline::Deviation;
-use gearlash_files::characters::{csv_text, json_of};
-use gearlash_files::numbers::{fixed, signed_um, um};
+use crate::column::{Row, json_text, row_type, shown};
+use crate::layout::{Screen, Tone};
+use gearlash::outline::{Deviation, OutlineGear};
+use gearlash_files::characters::{csv_text, plain};
+use gearlash_files::numbers::{ascii, bound_um, fixed, signed_um, um, um_ascii};
 use gearlash_files::outlines::ComparedOutlines;
-use serde::Serialize;
 use serde_json::json;
 
 /// The deviations of B from A.
@@ -37,79 +38,134 @@ pub fn turn_words(compared: &ComparedOutlines) -> String {
     )
 }
 
-#[derive(Serialize)]
-struct Row {
-    a_tooth: u32,
-    x_mm: f64,
-    y_mm: f64,
-    radius_mm: f64,
-    normal_x: f64,
-    normal_y: f64,
-    deviation_um: f64,
+/// The deviation of B at a place along A.
+struct PlaceRow {
+    name: &'static str,
+    at: Deviation,
+    /// In A's drawing, mm.
+    point: [f64; 2],
+}
+
+row_type!(row: PlaceRow {
+    "" Plain [people(shown("").left())] => row.name;
+    "" Plain [people(shown("µm"))] => signed_um(row.at.beyond, 2);
+    "deviation_um" Plain [rank(2)] => 1e3 * row.at.beyond;
+    "a_tooth" Plain [heading(shown("tooth of A"))] => row.at.tooth;
+    "point_mm.0" Measure [csv("x_mm"), heading(shown("x mm"))] => row.point[0];
+    "point_mm.1" Measure [csv("y_mm"), heading(shown("y mm"))] => row.point[1];
+    "radius_mm" Measure [heading(shown("radius mm"))] => row.at.point.coords.norm();
+    "normal_x" Plain [no_json] => row.at.normal.x;
+    "normal_y" Plain [no_json] => row.at.normal.y;
+});
+
+impl PlaceRow {
+    fn new(compared: &ComparedOutlines, name: &'static str, at: &Deviation) -> PlaceRow {
+        PlaceRow {
+            name,
+            at: *at,
+            point: compared.in_drawing(at).into(),
+        }
+    }
+
+    /// The greatest and the least deviation.
+    fn ends(compared: &ComparedOutlines) -> [PlaceRow; 2] {
+        let found = &compared.difference;
+        [("greatest", &found.greatest), ("least", &found.least)]
+            .map(|(name, at)| PlaceRow::new(compared, name, at))
+    }
+}
+
+/// One of the drawings.
+struct DrawingRow {
+    name: &'static str,
+    file: String,
+    gear: OutlineGear,
+    center: [f64; 2],
+}
+
+row_type!(row: DrawingRow {
+    "" Plain [people(shown("").left())] => row.name;
+    "file" Plain => row.file.clone();
+    "teeth" Plain [heading(shown("teeth"))] => row.gear.teeth();
+    "center_mm.0" Plain => row.center[0];
+    "center_mm.1" Plain => row.center[1];
+    "" Measure [people(shown("root diameter mm"))] => 2.0 * row.gear.root_radius();
+    "tip_diameter_mm" Measure [heading(shown("tip diameter mm"))] => 2.0 * row.gear.tip_radius();
+    "root_diameter_mm" Plain => 2.0 * row.gear.root_radius();
+    "" Plain [people(shown("centre mm").left())] => row.center.map(|mm| ascii(mm, 4)).join(", ");
+    "error_bound_um" Plain => 1e3 * row.gear.bound();
+    "" Plain [people(shown("within µm"))] => um_ascii(row.gear.bound(), 4);
+});
+
+fn drawings(compared: &ComparedOutlines) -> [DrawingRow; 2] {
+    [0, 1].map(|k| DrawingRow {
+        name: ["A", "B"][k],
+        file: compared.files[k].clone(),
+        gear: compared.gears[k].clone(),
+        center: compared.centres[k].into(),
+    })
 }
 
 /// The deviation of B at each place along A, in A's drawing, as CSV.
 ///
 /// # Errors
-/// An error of the csv crate.
+/// None: the text is in memory.
 pub fn difference_csv(compared: &ComparedOutlines) -> Result<String, csv::Error> {
+    let columns = PlaceRow::columns();
     let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(columns.csv_names(false))?;
     for at in &compared.difference.along {
-        let point = compared.in_drawing(at);
-        writer.serialize(Row {
-            a_tooth: at.tooth,
-            x_mm: point.x,
-            y_mm: point.y,
-            radius_mm: at.point.coords.norm(),
-            normal_x: at.normal.x,
-            normal_y: at.normal.y,
-            deviation_um: 1e3 * at.beyond,
-        })?;
+        let row = PlaceRow::new(compared, "", at);
+        writer.serialize(columns.csv_values(&row, false))?;
     }
     csv_text(writer)
 }
 
 /// The outcome as JSON.
-///
-/// # Errors
-/// An error of serde_json.
-pub fn comparison_json(
-    compared: &ComparedOutlines,
-    tolerance_um: Option<f64>,
-) -> serde_json::Result<String> {
-    let drawing = |k: usize| {
-        let gear = &compared.gears[k];
-        json!({
-            "file": compared.files[k],
-            "teeth": gear.teeth(),
-            "center_mm": <[f64; 2]>::from(compared.centres[k]),
-            "tip_diameter_mm": 2.0 * gear.tip_radius(),
-            "root_diameter_mm": 2.0 * gear.root_radius(),
-            "error_bound_um": 1e3 * gear.bound(),
-        })
-    };
-    let place = |at: &Deviation| {
-        json!({
-            "deviation_um": 1e3 * at.beyond,
-            "a_tooth": at.tooth,
-            "point_mm": <[f64; 2]>::from(compared.in_drawing(at)),
-            "radius_mm": at.point.coords.norm(),
-        })
-    };
+pub fn comparison_json(compared: &ComparedOutlines, tolerance_um: Option<f64>) -> String {
     let found = &compared.difference;
-    json_of(&json!({
+    let [a, b] = drawings(compared).map(|row| row.json());
+    let [greatest, least] = PlaceRow::ends(compared).map(|row| row.json());
+    json_text(&json!({
         "gearlash": env!("CARGO_PKG_VERSION"),
         "passed": compared.passes(tolerance_um),
         "tolerance_um": tolerance_um,
-        "a": drawing(0),
-        "b": drawing(1),
+        "a": a,
+        "b": b,
         "rotation_deg": found.rotation.to_degrees(),
         "b_tooth_on_a_tooth_1": found.tooth,
         "turns_alike": found.alike,
         "mean_um": 1e3 * found.mean,
         "root_mean_square_um": 1e3 * found.root_mean_square,
-        "greatest": place(&found.greatest),
-        "least": place(&found.least),
+        "greatest": greatest,
+        "least": least,
         "error_bound_um": 1e3 * found.bound,
     }))
+}
+
+/// The difference as text on `screen`, judged by `tolerance_um` if there is one.
+pub fn difference_text(
+    compared: &ComparedOutlines,
+    tolerance_um: Option<f64>,
+    screen: &Screen,
+) -> String {
+    let [a, b] = &compared.files;
+    let verdict = tolerance_um.map_or(String::new(), |tolerance| {
+        let (tone, words) = if compared.passes(tolerance_um) {
+            (Tone::Good, "Agree within")
+        } else {
+            (Tone::Bad, "DIFFER by more than")
+        };
+        let words = format!("{words} {tolerance} µm + error bound");
+        format!("{}: ", screen.toned(tone, &words))
+    });
+    screen.fold(&format!(
+        "{}\n\n{verdict}{}\n\n{}\n{}\n{}\nPlus: B has more material. Places are in A's drawing; each deviation is within {} µm.\n",
+        plain(&format!("A {a} and B {b}")),
+        difference_sentence(compared),
+        PlaceRow::columns().text(&PlaceRow::ends(compared), screen),
+        DrawingRow::columns().text(&drawings(compared), screen),
+        turn_words(compared),
+        bound_um(compared.difference.bound)
+    ))
 }

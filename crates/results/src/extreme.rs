@@ -100,8 +100,7 @@ pub(crate) fn extremes(verdict: &Verdict) -> Vec<serde_json::Value> {
 
 fn of_run(verdict: &Verdict, run: &RunExtremes) -> serde_json::Value {
     let one = |extreme: &Option<RunExtreme>| {
-        let row = ExtremeRow::new(verdict, run, extreme.as_ref()?);
-        Some(json!(ExtremeRow::columns().object(&row)))
+        Some(ExtremeRow::new(verdict, run, extreme.as_ref()?).json())
     };
     let mut value = json!({
         "center_distance_mm": run.assembly.center_distance(),
@@ -146,23 +145,13 @@ fn of_run(verdict: &Verdict, run: &RunExtremes) -> serde_json::Value {
 }
 
 /// The extremes behind `verdict` as JSON: the list under `extremes` in results.
-///
-/// # Errors
-/// None for a verdict; otherwise a number that JSON cannot hold.
-pub fn extremes_json(verdict: &Verdict) -> Result<String, serde_json::Error> {
-    serde_json::to_string(&extremes(verdict)).map(characters::json)
+pub fn extremes_json(verdict: &Verdict) -> String {
+    characters::json(json!(extremes(verdict)).to_string())
 }
 
 /// A pose of `assembly` as JSON, as in results.
-///
-/// # Errors
-/// None for a pose; otherwise a number that JSON cannot hold.
-pub fn pose_json(
-    assembly: &AssembledPair,
-    pose: &ComparedPose,
-) -> Result<String, serde_json::Error> {
-    serde_json::to_string(&PoseRow::columns().object(&PoseRow::new(assembly, pose)))
-        .map(characters::json)
+pub fn pose_json(assembly: &AssembledPair, pose: &ComparedPose) -> String {
+    characters::json(PoseRow::new(assembly, pose).json().to_string())
 }
 
 /// `verdict` as JSON. Its assembly phases are `"all"`, or the wheel and pinion tooth of each.

@@ -3,11 +3,12 @@
 //! Both commands judge a file by named cases. Failures come first in text and Markdown. Names of cases contain no numbers, so
 //! that a CI system recognises them in every run.
 
-use crate::junit::{self, Suite, TestCase};
 use crate::layout::{Screen, Tone};
 use crate::verdict::VerdictLines;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash_files::characters::{self, plain};
+use quick_xml::events::{BytesDecl, BytesText, Event};
+use quick_xml::{ElementWriter, Writer};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::io;
@@ -40,6 +41,13 @@ pub struct Judged {
 }
 
 impl Judged {
+    /// Warnings and notes on the file, each with its kind.
+    fn notes(&self) -> Vec<(&'static str, &String)> {
+        let warnings = self.warnings.iter().map(|words| ("warning", words));
+        let remarks = self.remarks.iter().map(|words| ("note", words));
+        warnings.chain(remarks).collect()
+    }
+
     /// The cases without the verdict, whose lines are shown separately.
     fn cases_without_verdict(&self) -> impl Iterator<Item = &Case> {
         self.cases.iter().filter(|case| case.name != VERDICT)
@@ -116,13 +124,8 @@ impl Outcome {
         self.files.iter().all(JudgedFile::passes)
     }
 
-    /// Whether some file cannot be read.
-    pub fn has_unreadable(&self) -> bool {
-        self.unreadable() > 0
-    }
-
     /// The number of files that cannot be read.
-    fn unreadable(&self) -> usize {
+    pub fn unreadable(&self) -> usize {
         let is_unreadable = |file: &&JudgedFile| matches!(file, JudgedFile::Unreadable { .. });
         self.files.iter().filter(is_unreadable).count()
     }
@@ -287,18 +290,19 @@ impl Outcome {
                         judged.verdict
                     );
                     text += &judged.markdown;
+                    let mut note = |kind: &str, words: &str| {
+                        let _ = writeln!(text, "- **{kind}** {}", escape_markdown(words));
+                    };
                     let cases = judged.cases_without_verdict();
-                    let told = cases.filter(|case| case.verdict != Verdict::Pass);
-                    let told = told.map(|case| {
+                    for case in cases.filter(|case| case.verdict != Verdict::Pass) {
                         let words = format!("{}: {}", case.name, case.message);
-                        (case.verdict.name(), words)
-                    });
-                    let warnings = judged.warnings.iter();
-                    let warnings = warnings.map(|words| ("warning", words.clone()));
-                    let notes = judged.remarks.iter().chain(&judged.way_out);
-                    let notes = notes.map(|words| ("note", words.clone()));
-                    for (kind, words) in told.chain(warnings).chain(notes) {
-                        let _ = writeln!(text, "- **{kind}** {}", escape_markdown(&words));
+                        note(case.verdict.name(), &words);
+                    }
+                    for (kind, words) in judged.notes() {
+                        note(kind, words);
+                    }
+                    if let Some(words) = &judged.way_out {
+                        note("note", words);
                     }
                 }
             }
@@ -311,33 +315,100 @@ impl Outcome {
     /// # Errors
     /// None: the text is in memory.
     pub fn junit(&self) -> io::Result<String> {
-        let suite = |file: &JudgedFile| match file {
-            JudgedFile::Unreadable { file, problems } => Suite {
-                file: file.clone(),
-                cases: vec![TestCase {
-                    name: "read".to_owned(),
-                    reason: Some(("error", problems.join("\n"))),
-                }],
-                output: Vec::new(),
-            },
+        let mut xml = Writer::new_with_indent(Vec::new(), b' ', 4);
+        xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+        let cases: Vec<TestCase> = self.files.iter().flat_map(JudgedFile::test_cases).collect();
+        let name = format!("gearlash {}", self.command);
+        counted(&mut xml, "testsuites", &name, &cases).write_inner_content(|xml| {
+            let mut files = self.files.iter();
+            files.try_for_each(|file| file.write_suite(xml))
+        })?;
+        Ok(String::from_utf8_lossy(&xml.into_inner()).into_owned() + "\n")
+    }
+}
+
+type Xml = Writer<Vec<u8>>;
+
+/// The name of a judged property, and why it fails (`failure`) or cannot be judged (`error`).
+type TestCase<'a> = (&'a str, Option<(&'static str, String)>);
+
+impl JudgedFile {
+    fn test_cases(&self) -> Vec<TestCase<'_>> {
+        match self {
+            JudgedFile::Unreadable { problems, .. } => {
+                vec![("read", Some(("error", problems.join("\n"))))]
+            }
             JudgedFile::Judged(judged) => {
-                let cases = judged.cases.iter().map(|case| TestCase {
-                    name: case.name.clone(),
-                    reason: case.fails().then(|| ("failure", case.message.clone())),
+                let cases = judged.cases.iter().map(|case| {
+                    let failure = || ("failure", case.message.clone());
+                    (&case.name[..], case.fails().then(failure))
                 });
-                let warnings = judged.warnings.iter();
-                let warnings = warnings.map(|words| format!("warning: {words}"));
-                let notes = judged.remarks.iter().map(|words| format!("note: {words}"));
-                Suite {
-                    file: judged.file.clone(),
-                    cases: cases.collect(),
-                    output: warnings.chain(notes).collect(),
-                }
+                cases.collect()
+            }
+        }
+    }
+
+    /// Writes the suite of a file, with warnings and notes on it as its output.
+    fn write_suite(&self, xml: &mut Xml) -> io::Result<()> {
+        let file = plain(self.name());
+        let cases = self.test_cases();
+        let output = match self {
+            JudgedFile::Unreadable { .. } => Vec::new(),
+            JudgedFile::Judged(judged) => {
+                let notes = judged.notes().into_iter();
+                notes
+                    .map(|(kind, words)| format!("{kind}: {words}"))
+                    .collect()
             }
         };
-        let suites: Vec<Suite> = self.files.iter().map(suite).collect();
-        junit::junit(&format!("gearlash {}", self.command), &suites)
+        counted(xml, "testsuite", &file, &cases).write_inner_content(|xml| {
+            for (name, reason) in cases {
+                let tag = xml.create_element("testcase");
+                let tag = tag.with_attributes([("name", &plain(name)[..]), ("classname", &file)]);
+                let Some((kind, reason)) = reason else {
+                    tag.write_empty()?;
+                    continue;
+                };
+                let lines: Vec<String> = reason.lines().map(plain).collect();
+                tag.write_inner_content(|xml| {
+                    let first = lines.first().map_or("", String::as_str);
+                    let tag = xml.create_element(kind).with_attribute(("message", first));
+                    tag.write_text_content(BytesText::new(&lines.join("\n")))?;
+                    Ok(())
+                })?;
+            }
+            if !output.is_empty() {
+                let text = plain(&output.join("\n"));
+                let tag = xml.create_element("system-out");
+                tag.write_text_content(BytesText::new(&text))?;
+            }
+            Ok(())
+        })?;
+        Ok(())
     }
+}
+
+/// A tag with its name and the numbers of `cases`, of failures and of errors. No case is skipped.
+fn counted<'x>(
+    xml: &'x mut Xml,
+    tag: &'static str,
+    name: &str,
+    cases: &[TestCase],
+) -> ElementWriter<'x, Vec<u8>> {
+    let count = |kind: &str| {
+        let reasons = cases.iter().filter_map(|(_, reason)| reason.as_ref());
+        reasons.filter(|(of, _)| *of == kind).count()
+    };
+    let tag = xml.create_element(tag).with_attribute(("name", name));
+    let counts = [
+        ("tests", cases.len()),
+        ("skipped", 0),
+        ("failures", count("failure")),
+        ("errors", count("error")),
+    ];
+    counts.into_iter().fold(tag, |tag, (name, count)| {
+        tag.with_attribute((name, &count.to_string()[..]))
+    })
 }
 
 /// The name of the verdict's case.

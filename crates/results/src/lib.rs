@@ -15,18 +15,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod check;
 mod checks;
 mod column;
 mod comparison;
 mod difference;
 mod extreme;
-mod fitted;
 pub mod gauge;
 pub mod grades;
-mod json;
 pub mod judged;
-mod junit;
 mod layout;
 pub mod matching;
 mod notes;
@@ -35,7 +31,6 @@ mod pose;
 mod remedies;
 mod run;
 pub mod text;
-mod unit;
 pub mod verdict;
 mod written;
 
@@ -50,7 +45,7 @@ pub fn keys() -> impl Iterator<Item = &'static str> {
     of::<pose::PoseRow>()
         .chain(of::<run::RunRow>())
         .chain(of::<extreme::ExtremeRow>())
-        .chain(of::<check::CheckRow>())
+        .chain(of::<checks::CheckRow>())
         .chain(of::<comparison::ComparedRow>())
         .chain(of::<matching::AssignmentRow>())
 }
@@ -60,7 +55,7 @@ pub use column::{Array, Shown, Unit, Value, Values};
 pub use comparison::ComparedPair;
 pub use difference::{comparison_json, difference_csv, difference_sentence, turn_words};
 pub use extreme::{extremes_json, pose_json};
-pub use fitted::{drawn_notes, fitted_sentences};
+pub use notes::{drawn_notes, fitted_sentences};
 pub use pose::{ContactRow, doubts, pose_arrays, pose_page};
 pub use remedies::RemedyRecords;
 pub use written::ResultWriter;

@@ -1,9 +1,9 @@
 //! The result of a matching: the pairs, and every wheel with every pinion.
 
-use crate::column::{Row, Value, row_type, shown};
+use crate::column::{Row, Value, json_text, list, row_type, shown};
 use crate::layout::Screen;
 use gearlash::matching::{Expected, PairFit};
-use gearlash_files::characters::{json_of, plain};
+use gearlash_files::characters::plain;
 use gearlash_files::matching::MatchResult;
 use gearlash_files::numbers::fixed;
 use serde_json::json;
@@ -66,15 +66,10 @@ fn pairs(result: &MatchResult) -> Vec<AssignmentRow> {
 }
 
 /// The result as JSON with a line end; lengths in µm.
-///
-/// # Errors
-/// None for a result; otherwise a number that JSON cannot hold.
-pub fn json(result: &MatchResult) -> serde_json::Result<String> {
+pub fn json(result: &MatchResult) -> String {
     let um = |mm: Option<f64>| mm.map(|mm| 1e3 * mm);
     let expected = |expected: Expected| json!({ "any_phase": expected.any_phase, "best_phase": expected.best_phase });
-    let pairs = pairs(result).into_iter();
-    let pairs = pairs.map(|row| json!(AssignmentRow::columns().object(&row)));
-    json_of(&json!({
+    json_text(&json!({
         "gearlash": env!("CARGO_PKG_VERSION"),
         "title": result.title,
         "text": result.sentence(),
@@ -82,7 +77,7 @@ pub fn json(result: &MatchResult) -> serde_json::Result<String> {
         "require_others": result.others,
         "wanted_um": 1e3 * result.wanted,
         "phases": result.matrix.phases(),
-        "pairs": pairs.collect::<Vec<_>>(),
+        "pairs": list(&pairs(result)),
         "best": result.is_best,
         "left_over": { "wheels": result.left_over[0], "pinions": result.left_over[1] },
         "expected_pairs": {

@@ -1,13 +1,13 @@
 //! The result of a population: its shares, spread, contributions and worst assemblies, each a row type with one list of columns.
 
-use crate::column::{Row, Shown, Value, row_type, shown};
+use crate::column::{Row, Shown, Value, json_text, list, row_type, shown};
 use crate::layout::Screen;
 use gearlash::pair::BacklashUnit;
 use gearlash::population::{
-    CONFIDENCE, Contributions, Estimate, LIMIT_SHARE, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES,
-    Share, SpreadStatistics,
+    CONFIDENCE, Contribution, Contributions, Estimate, LIMIT_SHARE, LIMIT_SIGMAS,
+    PITCH_LIMIT_SIGMAS, QUANTILES, Share, SpreadStatistics,
 };
-use gearlash_files::characters::{json_of, plain};
+use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, within};
 use gearlash_files::tolerance::{
     ToleranceResult, Worst, phases_of_limits, sentence, without_backlash, without_worst_case,
@@ -166,17 +166,17 @@ row_type!(row: NumberRow {
 });
 
 fn shares(result: &ToleranceResult) -> [ShareRow; 3] {
-    let statistics = &result.statistics;
-    let row = |name, share: &Share| ShareRow {
+    let found = &result.statistics;
+    let each = [
+        ("below", found.below),
+        ("above", found.above),
+        ("outside", found.outside),
+    ];
+    each.map(|(name, share)| ShareRow {
         name,
         assemblies: None,
-        share: *share,
-    };
-    [
-        row("below", &statistics.below),
-        row("above", &statistics.above),
-        row("outside", &statistics.outside),
-    ]
+        share,
+    })
 }
 
 /// The numbers as CSV, one row per number, with its interval or standard error where it has one.
@@ -239,29 +239,29 @@ pub fn histogram_csv(result: &ToleranceResult) -> String {
     text
 }
 
+row_type!(row: Contribution {
+    "quantity" Plain => row.factor.name();
+    "first_order" Plain => rounded(row.first.value, 5);
+    "first_order_error" Plain => rounded(row.first.error, 5);
+    "total" Plain => rounded(row.total.value, 5);
+    "total_error" Plain => rounded(row.total.error, 5);
+});
+
 /// The result as JSON with a line end.
-///
-/// # Errors
-/// None for a result; otherwise a number that JSON cannot hold.
-pub fn json(result: &ToleranceResult) -> serde_json::Result<String> {
+pub fn json(result: &ToleranceResult) -> String {
     let (about, tally) = (&result.about, &result.tally);
     let (counts, statistics) = (&tally.counts, &result.statistics);
-    let share = |row: &ShareRow| json!(ShareRow::columns().object(row));
-    let [below, above, outside] = shares(result).map(|row| share(&row));
+    let [below, above, outside] = shares(result).map(|row| row.json());
     let both = |index: usize| {
         let [least, greatest] = about.limit_cases?[index].map(um);
         Some(json!({ "least_um": least, "greatest_um": greatest }))
     };
-    let course = result.convergence().into_iter().map(|point| {
-        share(&ShareRow {
-            name: "outside",
-            assemblies: Some(point.assemblies),
-            share: point.share,
-        })
+    let course = result.convergence().into_iter().map(|point| ShareRow {
+        name: "outside",
+        assemblies: Some(point.assemblies),
+        share: point.share,
     });
-    let worst = worst_rows(result).into_iter();
-    let worst = worst.map(|row| json!(WorstRow::columns().object(&row)));
-    json_of(&json!({
+    json_text(&json!({
         "gearlash": result.version,
         "title": about.title,
         "input_sha256": result.input_sha256,
@@ -309,8 +309,8 @@ pub fn json(result: &ToleranceResult) -> serde_json::Result<String> {
             "least": contributions_json(&result.contributions[0]),
             "greatest": contributions_json(&result.contributions[1]),
         },
-        "worst": worst.collect::<Vec<_>>(),
-        "convergence": course.collect::<Vec<_>>(),
+        "worst": list(&worst_rows(result)),
+        "convergence": list(&course.collect::<Vec<_>>()),
     }))
 }
 
@@ -333,20 +333,7 @@ fn spread_json(spread: &SpreadStatistics) -> serde_json::Value {
 }
 
 fn contributions_json(found: &Contributions) -> serde_json::Value {
-    let each = found.each.iter().map(|one| {
-        json!({
-            "quantity": one.factor.name(),
-            "first_order": rounded(one.first.value, 5),
-            "first_order_error": rounded(one.first.error, 5),
-            "total": rounded(one.total.value, 5),
-            "total_error": rounded(one.total.error, 5),
-        })
-    });
-    json!({
-        "rows": found.rows,
-        "rows_left_out": found.left_out,
-        "each": each.collect::<Vec<_>>(),
-    })
+    json!({ "rows": found.rows, "rows_left_out": found.left_out, "each": list(&found.each) })
 }
 
 fn for_people<R: Row>(rows: &[R]) -> Vec<Shown> {

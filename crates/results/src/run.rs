@@ -131,6 +131,6 @@ fn worst(worst: &Worst) -> serde_json::Value {
         "j_wt_um": worst.backlash * 1e3,
         "formula_um": (worst.backlash + worst.loss) * 1e3,
         "side": worst.side.name(),
-        "contact": ContactRow::columns().object(&ContactRow::new(Some(&worst.assembly), worst.side, &worst.pose, &worst.contact)),
+        "contact": ContactRow::new(Some(&worst.assembly), worst.side, &worst.pose, &worst.contact).json(),
     })
 }

@@ -247,7 +247,7 @@ fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<Stri
 
 /// The state of a pair at one centre distance, material and phase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum State {
+enum State {
     Jammed,
     Interferes,
     OutOfMesh,
@@ -258,37 +258,32 @@ pub(crate) enum State {
 
 /// A centre distance, material and phase, and the pair's state there.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Place {
-    pub distance: f64,
-    pub material: Material,
-    pub phase: Option<(u32, u32)>,
-    pub state: State,
+struct Place {
+    distance: f64,
+    material: Material,
+    phase: Option<(u32, u32)>,
+    state: State,
 }
 
 /// Whether and where the pair assembles: in full, then shorter.
-pub(crate) fn status(all: &[Place]) -> [String; 2] {
+fn status(all: &[Place]) -> [String; 2] {
     let of = |states: &[State]| -> Vec<Place> {
         let here = all.iter().filter(|place| states.contains(&place.state));
         here.copied().collect()
     };
-    let (words, here) = if all.iter().all(|place| place.state == State::Jammed) {
-        ("Jammed", all.to_vec())
-    } else {
-        let each: [(&str, &[State]); 3] = [
-            (FAILS, &[State::Jammed, State::Interferes]),
-            ("Out of mesh", &[State::OutOfMesh]),
-            (UNPROVEN, &[State::NotProven]),
-        ];
-        let found = each.iter().map(|(words, states)| (*words, of(states)));
-        let found = found.into_iter().find(|(_, here)| !here.is_empty());
-        let is_without = |place: &Place| place.state == State::WithoutBacklash;
-        let words = if all.iter().any(is_without) {
-            "Assembles without backlash"
-        } else {
-            "Assembles"
-        };
-        found.unwrap_or((words, all.to_vec()))
+    let is_jammed = all.iter().all(|place| place.state == State::Jammed);
+    let fits = match of(&[State::WithoutBacklash])[..] {
+        [] => "Assembles",
+        _ => "Assembles without backlash",
     };
+    let each = [
+        ("Jammed", of(if is_jammed { &[State::Jammed] } else { &[] })),
+        (FAILS, of(&[State::Jammed, State::Interferes])),
+        ("Out of mesh", of(&[State::OutOfMesh])),
+        (UNPROVEN, of(&[State::NotProven])),
+    ];
+    let found = each.into_iter().find(|(_, here)| !here.is_empty());
+    let (words, here) = found.unwrap_or((fits, all.to_vec()));
     let count = |places: &[Place]| distinct(places.iter().map(|place| place.distance)).len();
     let is_at_all = count(all) > 1 && count(&here) == count(all);
     // "not … at all 3 distances" could be read as "at some of them".
@@ -570,7 +565,7 @@ fn touched(extreme: &RunExtreme) -> Option<String> {
 }
 
 /// A backlash in µm, with its uncertainty or error bound to two digits.
-pub(crate) fn value(j_wt: f64, off: Option<f64>) -> String {
+fn value(j_wt: f64, off: Option<f64>) -> String {
     match off.filter(|off| *off > 0.0) {
         Some(off) => format!("{} µm", um_within(j_wt, off)),
         None => format!("{} µm", um(j_wt, DECIMALS)),
@@ -578,7 +573,7 @@ pub(crate) fn value(j_wt: f64, off: Option<f64>) -> String {
 }
 
 /// A lost motion, rad, in minutes of arc.
-pub(crate) fn lost_motion(angle: f64) -> String {
+fn lost_motion(angle: f64) -> String {
     fixed(arcmin(angle), 3)
 }
 
@@ -628,7 +623,7 @@ fn jam(verdict: &Verdict) -> Option<String> {
 }
 
 /// A violated limit, and the value that violates it.
-pub(crate) fn limit(unmet: &Unmet) -> String {
+fn limit(unmet: &Unmet) -> String {
     let (name, unit, per, decimals) = unit_of(unmet.quantity);
     let sign = if unmet.is_max { '≤' } else { '≥' };
     let limit = fixed(unmet.limit * per, decimals);
@@ -699,15 +694,11 @@ pub fn short_title(title: &str) -> &str {
 fn doubts(verdict: &Verdict) -> Vec<String> {
     let mut about: Vec<(String, String)> = Vec::new();
     for (name, is_least) in [("least", true), ("greatest", false)] {
-        let of = |run: &RunExtremes| {
-            if is_least {
-                run.least.clone()
-            } else {
-                run.greatest.clone()
-            }
-        };
-        let extremes: Vec<RunExtreme> = verdict.runs.iter().filter_map(of).collect();
-        let reasons = distinct(extremes.iter().filter_map(doubt)).join(", ");
+        let ends = verdict.runs.iter().map(|run| [&run.greatest, &run.least]);
+        let extremes: Vec<&RunExtreme> = ends
+            .filter_map(|ends| ends[usize::from(is_least)].as_ref())
+            .collect();
+        let reasons = distinct(extremes.iter().filter_map(|extreme| doubt(extreme))).join(", ");
         if reasons.is_empty() {
             continue;
         }
@@ -725,13 +716,13 @@ fn doubts(verdict: &Verdict) -> Vec<String> {
 }
 
 /// The bracket of an extreme, where it is wide.
-fn bracket(name: &str, is_least: bool, extremes: &[RunExtreme]) -> Option<String> {
+fn bracket(name: &str, is_least: bool, extremes: &[&RunExtreme]) -> Option<String> {
     let of_all = |end: fn(&RunExtreme) -> f64| {
-        let ends = extremes.iter().map(end);
+        let ends = extremes.iter().map(|extreme| end(extreme));
         ends.reduce(if is_least { f64::min } else { f64::max })
     };
     let [low, high] = [of_all(|of| of.low)?, of_all(|of| of.high)?];
-    let holds = extremes.iter().all(RunExtreme::holds);
+    let holds = extremes.iter().all(|extreme| extreme.holds());
     let [low_um, high_um] = [low, high].map(|end| um(end, DECIMALS));
     (holds && high - low > WIDTH).then(|| format!("{name} {low_um} … {high_um} µm"))
 }
@@ -740,10 +731,8 @@ fn bracket(name: &str, is_least: bool, extremes: &[RunExtreme]) -> Option<String
 pub fn doubt(extreme: &RunExtreme) -> Option<String> {
     match &extreme.pose.simulated.found {
         Err(unproven) => Some(plain(&unproven.reason)),
-        Ok(_) => {
-            let doubt = extreme.doubt.filter(|_| !extreme.is_proven());
-            doubt.map(|doubt| in_words(doubt).to_owned())
-        }
+        Ok(_) if extreme.is_proven() => None,
+        Ok(_) => extreme.doubt.map(|doubt| in_words(doubt).to_owned()),
     }
 }
 

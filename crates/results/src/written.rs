@@ -1,9 +1,9 @@
 //! Writes a result: JSON and CSV grow pose by pose, and nothing is kept in memory.
+//!
+//! The JSON is byte for byte the output of `serde_json::to_string_pretty` for the whole.
 
 use crate::column::{Row, Value};
 use crate::extreme::{extremes, verdict_record};
-use crate::fitted;
-use crate::json::Json;
 use crate::notes;
 use crate::pose::PoseRow;
 use crate::run::RunRow;
@@ -11,8 +11,12 @@ use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::{Piece, RunTally};
 use gearlash::analysis::verdict::Verdict;
 use gearlash_files::PairFile;
+use gearlash_files::characters;
 #[cfg(feature = "rayon")]
 use rayon::prelude::*;
+use serde::Serialize;
+use serde_json::Serializer;
+use serde_json::ser::{Formatter, PrettyFormatter};
 use std::io::{Error, Result, Write};
 
 /// The target of a result; it is flushed at the end.
@@ -41,23 +45,17 @@ impl<'w> ResultWriter<'w> {
     ) -> Result<ResultWriter<'w>> {
         let mut json = json.map(Json::new);
         if let Some(json) = &mut json {
-            json.open_object()?;
+            json.open('{')?;
             json.entry("gearlash", &env!("CARGO_PKG_VERSION"))?;
             json.entry("pair", &file.spec)?;
             if let Some(notes) = notes::notes(&file.study) {
                 json.entry("notes", &notes)?;
             }
-            let fitted = fitted::records(file);
-            if !fitted.is_empty() {
-                json.entry("fitted_involutes", &fitted)?;
+            for (key, notes) in notes::entries(file) {
+                json.entry(key, &notes)?;
             }
-            for (key, messages) in [("warnings", &file.warnings), ("remarks", &file.remarks)] {
-                if !messages.is_empty() {
-                    json.entry(key, &messages)?;
-                }
-            }
-            json.key("runs")?;
-            json.open_list()?;
+            json.begin(Some("runs"))?;
+            json.open('[')?;
         }
         let along_face = file.study.binds_anywhere();
         let mut csv = csv.map(csv::Writer::from_writer);
@@ -79,20 +77,20 @@ impl<'w> ResultWriter<'w> {
     pub fn take(&mut self, piece: Piece) -> Result<()> {
         match (piece, &mut self.json) {
             (Piece::Begin(run), Some(json)) => {
-                json.element()?;
-                json.open_object()?;
+                json.begin(None)?;
+                json.open('{')?;
                 let head = RunRow::columns().object(&RunRow::new(run, 0.0));
                 for (key, value) in head.entries().filter(|(key, _)| *key != SUMMARY) {
                     json.entry(key, &value)?;
                 }
-                json.key("poses")?;
-                json.open_list()
+                json.begin(Some("poses"))?;
+                json.open('[')
             }
             (Piece::End(run), Some(json)) => {
-                json.close_list()?;
+                json.close(']')?;
                 let run = RunRow::columns().object(&RunRow::new(run, 0.0));
                 json.entry(SUMMARY, &run.get(SUMMARY))?;
-                json.close_object()
+                json.close('}')
             }
             (Piece::Begin(_) | Piece::End(_), None) => Ok(()),
             (Piece::Poses(run, poses), _) => self.poses(run, poses),
@@ -100,7 +98,7 @@ impl<'w> ResultWriter<'w> {
     }
 
     fn poses(&mut self, run: &RunTally, poses: &[ComparedPose]) -> Result<()> {
-        let layout = self.json.as_ref().map(Json::layout);
+        let depth = self.json.as_ref().map(|json| json.empty.len());
         let with_csv = self.csv.is_some();
         let columns = PoseRow::columns();
         #[cfg(feature = "rayon")]
@@ -110,9 +108,7 @@ impl<'w> ResultWriter<'w> {
         let written: Result<Vec<(Option<String>, Vec<Value>)>> = each
             .map(|pose| {
                 let row = PoseRow::of_run(run, pose);
-                let json = layout
-                    .as_ref()
-                    .map(|layout| layout.text(&columns.object(&row)));
+                let json = depth.map(|depth| json_at(depth, &columns.object(&row)));
                 let csv = if with_csv {
                     columns.csv_values(&row, self.along_face)
                 } else {
@@ -138,11 +134,12 @@ impl<'w> ResultWriter<'w> {
     /// A writer failed.
     pub fn finish(self, verdict: &Verdict) -> Result<()> {
         if let Some(mut json) = self.json {
-            json.close_list()?;
+            json.close(']')?;
             json.entry("verdict", &verdict_record(verdict))?;
             json.entry("extremes", &extremes(verdict))?;
-            json.close_object()?;
-            json.finish()?.flush()?;
+            json.close('}')?;
+            json.out.write_all(b"\n")?;
+            json.out.flush()?;
         }
         match self.csv {
             Some(mut csv) => csv.flush(),
@@ -160,4 +157,66 @@ fn of_csv(error: csv::Error) -> Error {
         csv::ErrorKind::Io(error) => error,
         other => Error::other(format!("{other:?}")),
     }
+}
+
+/// JSON as it grows. The caller closes every object and list that it opens.
+struct Json<W: Write> {
+    out: W,
+    /// For every open object and list: whether it is still empty.
+    empty: Vec<bool>,
+}
+
+impl<W: Write> Json<W> {
+    fn new(out: W) -> Json<W> {
+        let empty = Vec::new();
+        Json { out, empty }
+    }
+
+    /// Begins an element of a list, or the value of a key.
+    fn begin(&mut self, key: Option<&str>) -> Result<()> {
+        let depth = self.empty.len();
+        let is_first = self.empty.last_mut().map(std::mem::take);
+        let comma = if is_first == Some(true) { "" } else { "," };
+        write!(self.out, "{comma}\n{:1$}", "", 2 * depth)?;
+        key.map_or(Ok(()), |key| write!(self.out, "\"{key}\": "))
+    }
+
+    /// Opens an object or a list with its `bracket`.
+    fn open(&mut self, bracket: char) -> Result<()> {
+        self.empty.push(true);
+        write!(self.out, "{bracket}")
+    }
+
+    /// Closes it.
+    fn close(&mut self, bracket: char) -> Result<()> {
+        if self.empty.pop() == Some(false) {
+            write!(self.out, "\n{:1$}", "", 2 * self.empty.len())?;
+        }
+        write!(self.out, "{bracket}")
+    }
+
+    /// Writes `key` and its complete value.
+    fn entry(&mut self, key: &str, value: &impl Serialize) -> Result<()> {
+        self.begin(Some(key))?;
+        let text = json_at(self.empty.len(), value)?;
+        self.out.write_all(text.as_bytes())
+    }
+
+    /// Writes an element whose text [`json_at`] produced.
+    fn text_element(&mut self, text: &str) -> Result<()> {
+        self.begin(None)?;
+        self.out.write_all(text.as_bytes())
+    }
+}
+
+/// `value` as JSON inside `depth` objects and lists. A character that acts occurs only inside strings, so no piece ends within one.
+fn json_at(depth: usize, value: &impl Serialize) -> Result<String> {
+    let mut format = PrettyFormatter::new();
+    for _ in 0..depth {
+        format.begin_array(&mut std::io::sink())?;
+    }
+    let mut bytes = Vec::new();
+    value.serialize(&mut Serializer::with_formatter(&mut bytes, format))?;
+    let text = String::from_utf8(bytes).map_err(Error::other)?;
+    Ok(characters::json(text))
 }

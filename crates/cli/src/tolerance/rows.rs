@@ -1,6 +1,6 @@
 //! Files of rows: the one that a run writes, and those for statistics.
 
-use super::results::is_own;
+use super::is_own;
 use crate::error::Error;
 use crate::signals;
 use gearlash::population::{Row, Tally};
@@ -31,9 +31,6 @@ fn wrong(path: &Path, reason: impl std::fmt::Display) -> Error {
 
 impl<'a> RowsFile<'a> {
     /// Begins the file at `path` with the header of the assemblies `numbers`.
-    ///
-    /// # Errors
-    /// [`Error::Usage`]: the file exists, or it cannot be written.
     pub fn begin(
         path: &Path,
         run: &'a ToleranceRun<'a>,
@@ -81,9 +78,6 @@ impl<'a> RowsFile<'a> {
     }
 
     /// Appends `rows`, the next assemblies.
-    ///
-    /// # Errors
-    /// [`Error::Usage`]; the file then ends with the whole rows written before.
     pub fn write(&mut self, rows: &[Row]) -> Result<(), Error> {
         let text: String = rows.iter().map(row_line).collect();
         self.append(&text, rows.len() as u64)
@@ -101,9 +95,6 @@ impl<'a> RowsFile<'a> {
     }
 
     /// Writes the file to the disk.
-    ///
-    /// # Errors
-    /// As [`RowsFile::write`].
     pub fn finish(self) -> Result<(), Error> {
         let done = if self.is_file {
             self.file.sync_all()
@@ -182,9 +173,6 @@ pub(super) fn check_not_result(path: &Path, folder: &Path) -> Result<(), Error> 
 }
 
 /// The files that `names` stand for.
-///
-/// # Errors
-/// [`Error::Usage`] for a name without a file.
 pub(super) fn expanded(names: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
     let mut files = Vec::new();
     for name in names {
@@ -209,9 +197,6 @@ pub(super) fn expanded(names: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
 }
 
 /// The sums over the rows in `files`, which must have every assembly of `run` once.
-///
-/// # Errors
-/// [`Error::Input`] for each file that cannot be used, or for the rows as a whole.
 pub(super) fn read(run: &ToleranceRun, files: &[PathBuf]) -> Result<Tally, Error> {
     let mut rows = RowsTally::new(run);
     let added = files.iter().map(|path| rows.add_file(path));

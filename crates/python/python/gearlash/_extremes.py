@@ -1,6 +1,7 @@
 """Least and greatest backlash of the whole mesh cycle, and the checks of a pair."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -91,38 +92,32 @@ class Extremes(Table):
     @property
     def least(self) -> Extreme | None:
         """The least of all runs; ``None`` where one is jammed."""
-        found = [run.least for run in self.runs]
-        if any(extreme is None for extreme in found):
-            return None
-        return min((extreme for extreme in found if extreme), key=lambda e: e.j_wt_um[0], default=None)
+        return _first([run.least for run in self.runs], lambda extreme: extreme.j_wt_um[0])
 
     @property
     def greatest(self) -> Extreme | None:
         """The greatest of all runs; ``None`` where one is out of mesh."""
-        found = [run.greatest for run in self.runs]
-        if any(extreme is None for extreme in found):
-            return None
-        return max((extreme for extreme in found if extreme), key=lambda e: e.j_wt_um[1], default=None)
+        return _first([run.greatest for run in self.runs], lambda extreme: -extreme.j_wt_um[1])
 
     def columns(self) -> dict[str, "np.ndarray[Any, Any] | Codes"]:
         """One row per run: brackets of least and greatest ``j_wt``, µm."""
-
-        nothing = (None, None)
-
         def row(run: RunExtremes) -> dict[str, Any]:
-            least = run.least.j_wt_um if run.least else nothing
-            greatest = run.greatest.j_wt_um if run.greatest else nothing
-            return {
+            row: dict[str, Any] = {
                 "center_distance_mm": float(run.center_distance_mm),
                 "material": run.material,
                 "status": run.status,
-                "least_low_um": least[0],
-                "least_high_um": least[1],
-                "greatest_low_um": greatest[0],
-                "greatest_high_um": greatest[1],
             }
+            for name, extreme in ("least", run.least), ("greatest", run.greatest):
+                low, high = extreme.j_wt_um if extreme else (None, None)
+                row |= {f"{name}_low_um": low, f"{name}_high_um": high}
+            return row
 
         return columns_of(map(row, self.runs))
+
+
+def _first(found: list[Extreme | None], order: Callable[[Extreme], float]) -> Extreme | None:
+    known = [extreme for extreme in found if extreme]
+    return min(known, key=order, default=None) if len(known) == len(found) else None
 
 
 @dataclass(frozen=True)

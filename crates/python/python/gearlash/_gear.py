@@ -2,19 +2,17 @@
 
 import json
 import os
-import warnings
 from collections.abc import Mapping
 from typing import Any
 
 from gearlash import _core
-from gearlash._errors import GearlashWarning
 from gearlash._gauged import Gauged
 from gearlash._keys import Pitch, Rack, Runout, Thickness
 from gearlash._picture import Picture
-from gearlash._text import text
+from gearlash._stated import Stated
 
 
-class Gear:
+class Gear(Stated[_core.Gear]):
     """A spur or helical gear by its drawing and its measurements.
 
     The arguments are the keys of ``[wheel]`` in a pair file, checked and refused as those of a file; deviations may be numpy arrays of
@@ -57,12 +55,7 @@ class Gear:
     ) -> None:
         table = {name: value for name, value in locals().items() if name not in ("self", "title")}
         values = {"title": title, "gear": table}
-        self._set(_core.Gear.from_text("Gear", text(values, "Gear")))
-
-    def _set(self, core: _core.Gear) -> None:
-        self._core = core
-        for warning in core.warnings:
-            warnings.warn(warning, GearlashWarning, stacklevel=3)
+        self._set(self._stated(values))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str], name: str | None = None) -> "Gear":
@@ -80,13 +73,8 @@ class Gear:
         wound = f", helix_angle_deg={self.helix_angle_deg:g}" if self.helix_angle_deg else ""
         return f"Gear(teeth={self.teeth}, module_mm={self.module_mm:g}, pressure_angle_deg={angle:g}{wound})"
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (_restored, (self.title, self.to_dict()))
-
-    @property
-    def title(self) -> str:
-        """The title in pictures."""
-        return self._core.title
+    def _values(self) -> dict[str, Any]:
+        return {"title": self.title, "gear": self.to_dict()}
 
     @property
     def teeth(self) -> int:
@@ -107,25 +95,6 @@ class Gear:
     def helix_angle_deg(self) -> float:
         """β at the reference circle, degrees; 0 for a spur gear."""
         return self._core.helix_angle_deg
-
-    @property
-    def materials(self) -> list[str]:
-        """``as-measured`` alone, or ``most`` and ``least`` for a thickness with tolerance."""
-        return self._core.materials
-
-    @property
-    def warnings(self) -> list[str]:
-        """Likely slips."""
-        return self._core.warnings
-
-    @property
-    def remarks(self) -> list[str]:
-        """Notes."""
-        return self._core.remarks
-
-    def to_dict(self) -> dict[str, Any]:
-        """The gear as understood: keys of ``[gear]`` in a gear file, defaults filled in."""
-        return dict(json.loads(self._core.spec()))
 
     def base_thickness_mm(self, material: str | None = None) -> float:
         """Mean base tooth thickness s_b, mm; by default for the most material, where there are two."""
@@ -158,9 +127,3 @@ class Gear:
     def chart(self, material: str | None = None) -> Picture:
         """Pitch, thickness and runout, tooth by tooth."""
         return Picture(_core.inspection(self._core, material))
-
-
-def _restored(title: str, table: dict[str, Any]) -> Gear:
-    gear = Gear.__new__(Gear)
-    gear._core = _core.Gear.from_text("Gear", text({"title": title, "gear": table}, "Gear"))
-    return gear

@@ -2,7 +2,6 @@
 
 import json
 import os
-import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,15 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import _core
-from gearlash._errors import GearlashError, GearlashWarning
+from gearlash._errors import GearlashError
 from gearlash._extremes import Checked, Extremes, RunExtremes
 from gearlash._gear import Gear
 from gearlash._picture import Picture
 from gearlash._poses import Flank, Pose, Poses, is_left
-from gearlash._text import text
+from gearlash._stated import Stated
 
 
-class Pair:
+class Pair(Stated[_core.Pair]):
     """Two gears at one or several centre distances.
 
     ``center_distance_mm`` is what a pair file may have there: a number, several, a band
@@ -65,24 +64,11 @@ class Pair:
             "require": require,
             "uncertainty": uncertainty,
         }
-        self._set(_core.Pair.from_text("Pair", text(values, "Pair")))
-
-    def _set(self, core: _core.Pair) -> None:
-        self._core = core
-        for warning in core.warnings:
-            warnings.warn(warning, GearlashWarning, stacklevel=3)
+        self._set(self._stated(values))
 
     def __repr__(self) -> str:
         wheel, pinion = self._core.teeth
         return f"Pair({self.title!r}, {wheel}/{pinion}, center_distances_mm={self.center_distances_mm})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (_restored, (self.to_dict(),))
-
-    @property
-    def title(self) -> str:
-        """The title in pictures."""
-        return self._core.title
 
     @property
     def center_distances_mm(self) -> list[float]:
@@ -95,31 +81,10 @@ class Pair:
         face = self._core.face_mm
         return None if face is None else (face[0], face[1])
 
-    @property
-    def materials(self) -> list[str]:
-        """``as-measured`` alone, or ``most`` and ``least``."""
-        return self._core.materials
-
-    @property
-    def warnings(self) -> list[str]:
-        """Likely slips."""
-        return self._core.warnings
-
-    @property
-    def remarks(self) -> list[str]:
-        """Notes."""
-        return self._core.remarks
-
-    def to_dict(self) -> dict[str, Any]:
-        """The pair as understood: keys of a pair file, defaults filled in."""
-        return dict(json.loads(self._core.spec()))
-
     def at(self, center_distance_mm: float | Sequence[float]) -> "Pair":
         """The same gears at other centre distances, mm."""
         distances = np.atleast_1d(np.asarray(center_distance_mm, dtype=np.float64))
-        pair = Pair.__new__(Pair)
-        pair._core = self._core.at(distances.tolist())
-        return pair
+        return Pair._made(self._core.at(distances.tolist()))
 
     def lost_motion(
         self,
@@ -259,12 +224,6 @@ def read(path: str | os.PathLike[str]) -> Pair:
     """
     pair = Pair.__new__(Pair)
     pair._set(_core.Pair.read(os.fspath(path)))
-    return pair
-
-
-def _restored(values: dict[str, Any]) -> Pair:
-    pair = Pair.__new__(Pair)
-    pair._core = _core.Pair.from_text("Pair", text(values, "Pair"))
     return pair
 
 

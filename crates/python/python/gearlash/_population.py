@@ -27,10 +27,6 @@ class Share:
     low_ppm: float
     high_ppm: float
 
-    @classmethod
-    def _of(cls, record: dict[str, Any]) -> "Share":
-        return taken(cls, record)
-
 
 class Result(Table):
     """A whole result, as the command writes it."""
@@ -117,12 +113,12 @@ class Tolerance(Result):
     @property
     def below(self) -> Share:
         """Assemblies with the least backlash below the requirement."""
-        return Share._of(self.record["below"])
+        return taken(Share, self.record["below"])
 
     @property
     def above(self) -> Share:
         """Assemblies with the greatest backlash above it."""
-        return Share._of(self.record["above"])
+        return taken(Share, self.record["above"])
 
     @property
     def is_met(self) -> bool | None:

@@ -1,6 +1,7 @@
 //! The readings as JSON.
 
 use super::{GaugedGear, GearSource};
+use crate::column::{json_text, list, row_type};
 use gearlash::contact::Touch;
 use gearlash::gauge::{
     BallReading, FaceReadings, FlankTraces, Gauged, GradedReading, LeadReadings, OverPins,
@@ -8,19 +9,14 @@ use gearlash::gauge::{
     Unmeasured,
 };
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, Hand};
-use gearlash_files::characters;
 use gearlash_files::spec::GearSpec;
 use serde_json::{Value, json};
 
 /// All gears as JSON: lengths in mm where the name says so, deviations in µm. A reading that was not taken is
 /// `{ "not_measured": reason }`.
-///
-/// # Errors
-/// None caused by readings; an error of serde_json otherwise.
-pub fn json(title: &str, gears: &[GaugedGear]) -> Result<String, serde_json::Error> {
+pub fn json(title: &str, gears: &[GaugedGear]) -> String {
     let gears: Vec<Value> = gears.iter().map(gear).collect();
-    let all = json!({ "gearlash": env!("CARGO_PKG_VERSION"), "title": title, "gears": gears });
-    characters::json_of(&all)
+    json_text(&json!({ "gearlash": env!("CARGO_PKG_VERSION"), "title": title, "gears": gears }))
 }
 
 fn gear(gauged: &GaugedGear) -> Value {
@@ -33,20 +29,20 @@ fn gear(gauged: &GaugedGear) -> Value {
         "spans": reading_or_reason(&read.spans, |spans| json!({
             "teeth": spans.teeth,
             "formula_mm": formula.span,
-            "readings": spans.readings.iter().map(span).collect::<Value>(),
+            "readings": list(&spans.readings),
         })),
         "pins": reading_or_reason(&read.pins, |pins| json!({
             "pin_mm": pins.diameter,
             "formula_two_mm": formula.over_two,
-            "two": over(&pins.two),
+            "two": list(&pins.two),
             "formula_three_mm": formula.over_three,
-            "three": over(&pins.three),
+            "three": list(&pins.three),
         })),
         "runout": reading_or_reason(&read.runout, |runout| json!({
             "ball_mm": runout.diameter,
             "total_um": runout.total() * 1e3,
             "error_bound_um": runout.error() * 1e3,
-            "readings": runout.readings.iter().map(ball).collect::<Value>(),
+            "readings": list(&runout.readings),
         })),
         "eccentricity": reading_or_reason(&read.eccentricity, |found| json!({
             "um": found.amount * 1e3,
@@ -73,7 +69,7 @@ fn gear(gauged: &GaugedGear) -> Value {
         })),
         "grades": reading_or_reason(&read.grades, |graded| json!({
             "source": GRADE_SOURCE,
-            "values": graded.iter().map(grade).collect::<Vec<_>>(),
+            "values": list(graded),
         })),
         "roll": reading_or_reason(&read.roll, |found| json!({
             "master_teeth": found.master.basic_data().teeth(),
@@ -84,8 +80,8 @@ fn gear(gauged: &GaugedGear) -> Value {
             "tooth_to_tooth_um": found.tooth_to_tooth().found * 1e3,
             "tooth_to_tooth_missed_um": found.tooth_to_tooth().missed * 1e3,
             "error_bound_um": 2.0 * found.reading_error() * 1e3,
-            "poses": poses(&found.poses),
-            "between": poses(&found.between),
+            "poses": list(&found.poses),
+            "between": list(&found.between),
         })),
     });
     if let Some(found) = &read.along_face {
@@ -114,7 +110,7 @@ fn of_helix(read: &Gauged, spec: &GearSpec, hand: Hand, shown: &mut Value) {
     if let Ok(pins) = &read.pins {
         shown["pins"]["two_and_three_are"] = json!("balls");
         shown["pins"]["formula_lying_mm"] = json!(read.formula.over_lying);
-        shown["pins"]["lying"] = over(&pins.lying);
+        shown["pins"]["lying"] = list(&pins.lying);
     }
     if let Ok(thickness) = &read.thickness {
         let normal = |arc: &f64| arc * thickness.normal;
@@ -134,57 +130,41 @@ fn reading_or_reason<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Valu
     }
 }
 
-fn span(one: &Span) -> Value {
-    json!({
-        "tooth": one.first_tooth,
-        "mm": one.length,
-        "error_bound_um": one.error * 1e3,
-        "touched": touched(&one.touched),
-    })
-}
+row_type!(row: Span {
+    "tooth" Plain => row.first_tooth;
+    "mm" Plain => row.length;
+    "error_bound_um" Plain => row.error * 1e3;
+    "touched" Plain => list(&row.touched);
+});
 
-fn ball(one: &BallReading) -> Value {
-    json!({
-        "tooth": one.seat.tooth,
-        "radius_mm": one.radius,
-        "error_bound_um": one.seat.error * 1e3,
-        "touched": touched(&one.seat.touched),
-    })
-}
+row_type!(row: BallReading {
+    "tooth" Plain => row.seat.tooth;
+    "radius_mm" Plain => row.radius;
+    "error_bound_um" Plain => row.seat.error * 1e3;
+    "touched" Plain => list(&row.seat.touched);
+});
 
-/// Dimensions over pins.
-fn over(list: &[OverPins]) -> Value {
-    let row = |one: &OverPins| {
-        json!({
-            "tooth": one.tooth,
-            "opposite": one.opposite,
-            "mm": one.length,
-            "error_bound_um": one.error * 1e3,
-        })
-    };
-    list.iter().map(row).collect()
-}
+row_type!(row: OverPins {
+    "tooth" Plain => row.tooth;
+    "opposite" Plain => row.opposite;
+    "mm" Plain => row.length;
+    "error_bound_um" Plain => row.error * 1e3;
+});
 
-/// The teeth and curves touched by a gauge.
-fn touched(touches: &[Touch]) -> Value {
-    let one = |touch: &Touch| json!({ "tooth": touch.tooth, "curve": touch.curve.name(), "radius_mm": touch.radius });
-    touches.iter().map(one).collect()
-}
+row_type!(row: Touch {
+    "tooth" Plain => row.tooth;
+    "curve" Plain => row.curve.name();
+    "radius_mm" Plain => row.radius;
+});
 
-/// Poses of a roll test.
-fn poses(list: &[RollPose]) -> Value {
-    let row = |pose: &RollPose| {
-        json!({
-            "tooth": pose.mating.wheel_tooth,
-            "fraction": pose.mating.fraction,
-            "rotation_rad": pose.rotation,
-            "mm": pose.distance,
-            "error_bound_um": pose.error * 1e3,
-            "class": pose.class.name(),
-        })
-    };
-    list.iter().map(row).collect()
-}
+row_type!(row: RollPose {
+    "tooth" Plain => row.mating.wheel_tooth;
+    "fraction" Plain => row.mating.fraction;
+    "rotation_rad" Plain => row.rotation;
+    "mm" Plain => row.distance;
+    "error_bound_um" Plain => row.error * 1e3;
+    "class" Plain => row.class.name();
+});
 
 fn pitch(found: &PitchReadings) -> Value {
     let um = |lengths: &[f64]| lengths.iter().map(|mm| mm * 1e3).collect::<Vec<f64>>();
@@ -232,20 +212,10 @@ fn leads(found: &LeadReadings) -> Value {
 
 /// The readings of the gauges along the face.
 fn along_face(found: &FaceReadings) -> Value {
-    let section = |read: &SectionReadings| {
-        json!({
-            "from_reference_face_mm": read.height,
-            "spans_mm": read.spans.as_ref().ok().map(Spans::ends),
-            "mean_span_mm": read.spans.as_ref().ok().map(Spans::mean),
-            "runout_um": read.runout.as_ref().ok().map(|runout| runout.total() * 1e3),
-            "eccentricity_um": read.eccentricity.amount * 1e3,
-            "high_tooth": read.eccentricity.high_tooth,
-        })
-    };
     json!({
         "lead_own": reading_or_reason(&found.own, leads),
         "lead_datum": reading_or_reason(&found.datum, leads),
-        "sections": found.sections.iter().map(section).collect::<Vec<_>>(),
+        "sections": list(&found.sections),
         "face_runout": {
             "um": found.face_runout.amount * 1e3,
             "diameter_mm": found.face_runout.diameter,
@@ -279,19 +249,29 @@ fn traces(flank: &FlankTraces, place: &str, mut shown: Value) -> Value {
     shown
 }
 
-/// A grade; null beyond the last one, with the tolerance of the last one.
-fn grade(one: &GradedReading) -> Value {
-    let (grade, tolerance) = match one.grade {
+row_type!(row: SectionReadings {
+    "from_reference_face_mm" Plain => row.height;
+    "spans_mm" Plain => row.spans.as_ref().map_or(Value::Null, |spans| json!(spans.ends()));
+    "mean_span_mm" Plain => row.spans.as_ref().ok().map(Spans::mean);
+    "runout_um" Plain => row.runout.as_ref().ok().map(|runout| runout.total() * 1e3);
+    "eccentricity_um" Plain => row.eccentricity.amount * 1e3;
+    "high_tooth" Plain => row.eccentricity.high_tooth;
+});
+
+row_type!(row: GradedReading {
+    "symbol" Plain => row.quantity.symbol();
+    "axis" Plain => row.pitch.map(|(axis, _)| axis.name());
+    "flank" Plain => row.pitch.map(|(_, side)| side.name());
+    "measured_um" Plain => row.measured * 1e3;
+    "error_bound_um" Plain => row.error * 1e3;
+    "grade" Plain => grade(row).0;
+    "tolerance_um" Plain => grade(row).1 * 1e3;
+});
+
+/// The grade and its tolerance, mm; none beyond the last one, with the tolerance of the last one.
+fn grade(one: &GradedReading) -> (Option<u32>, f64) {
+    match one.grade {
         Grade::Within { grade, tolerance } => (Some(grade), tolerance),
         Grade::Beyond { tolerance, .. } => (None, tolerance),
-    };
-    json!({
-        "symbol": one.quantity.symbol(),
-        "axis": one.pitch.map(|(axis, _)| axis.name()),
-        "flank": one.pitch.map(|(_, side)| side.name()),
-        "measured_um": one.measured * 1e3,
-        "error_bound_um": one.error * 1e3,
-        "grade": grade,
-        "tolerance_um": tolerance * 1e3,
-    })
+    }
 }

@@ -76,14 +76,17 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     let read = &gauged.gauged;
     let formula = &read.formula;
     let (wound, is_drawn) = (gauged.is_helical(), gauged.basic_data().is_none());
-    let whole = |name: String, ends, mean, error, formula| Length {
-        name,
-        ends,
-        mean,
-        error,
-        formula,
-        by_tooth: None,
-        is_drawn,
+    let mut rows = Vec::new();
+    let mut add = |name: String, ends, mean, error, formula, by_tooth| {
+        rows.push(Length {
+            name,
+            ends,
+            mean,
+            error,
+            formula,
+            by_tooth,
+            is_drawn,
+        });
     };
     let by_tooth = |chart, values, symbol: &str, tooth| {
         Some(ByTooth {
@@ -93,29 +96,18 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             tooth,
         })
     };
-    let mut rows = Vec::new();
     if let Ok(spans) = &read.spans {
         let symbol = format!("W_{}", spans.teeth);
         let name = format!("span {symbol}{}", if wound { ", normal" } else { "" });
         let values = spans.readings.iter().map(|one| one.length).collect();
-        rows.push(Length {
-            by_tooth: by_tooth(Chart::SPANS, values, &symbol, "first tooth spanned"),
-            ..whole(
-                name,
-                spans.ends(),
-                spans.mean(),
-                spans.error(),
-                formula.span,
-            )
-        });
+        let each = by_tooth(Chart::SPANS, values, &symbol, "first tooth spanned");
+        let (ends, mean) = (spans.ends(), spans.mean());
+        add(name, ends, mean, spans.error(), formula.span, each);
     }
     if let Ok(pins) = &read.pins {
-        let [two, three] = if wound {
-            ["two balls", "three balls"]
-        } else {
-            ["two pins", "three pins"]
-        };
-        let lying = "two lying pins";
+        let gauges = if wound { "balls" } else { "pins" };
+        let [two, three] = ["two", "three"].map(|count| format!("{count} {gauges}"));
+        let lying = "two lying pins".to_owned();
         #[rustfmt::skip]
         let each = [
             (&pins.two, formula.over_two, Chart::PINS, two, "M_dK", "tooth before the first pin"),
@@ -123,19 +115,14 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             (&pins.lying, formula.over_lying, Chart::LYING_PINS, lying, "M_dR", "tooth before the first pin"),
         ];
         for (list, formula, chart, what, symbol, tooth) in each {
-            if !list.is_empty() {
-                let name = format!("{symbol}, {what} {} mm", pins.diameter);
-                let (ends, mean, error) = (
-                    OverPins::ends(list),
-                    OverPins::mean(list),
-                    OverPins::error(list),
-                );
-                let values = list.iter().map(|one| one.length).collect();
-                rows.push(Length {
-                    by_tooth: by_tooth(chart, values, symbol, tooth),
-                    ..whole(name, ends, mean, error, formula)
-                });
+            if list.is_empty() {
+                continue;
             }
+            let name = format!("{symbol}, {what} {} mm", pins.diameter);
+            let values = list.iter().map(|one| one.length).collect();
+            let each = by_tooth(chart, values, symbol, tooth);
+            let (ends, mean) = (OverPins::ends(list), OverPins::mean(list));
+            add(name, ends, mean, OverPins::error(list), formula, each);
         }
     }
     if let Ok(thickness) = &read.thickness {
@@ -146,37 +133,36 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
         };
         let name = format!("thickness {symbol}{section}");
         let (ends, mean, error) = (thickness.ends(), thickness.mean(), thickness.error);
-        rows.push(Length {
-            by_tooth: by_tooth(Chart::THICKNESS, thickness.arcs.clone(), symbol, "tooth"),
-            ..whole(name, ends, mean, error, formula.thickness)
-        });
+        let each = by_tooth(Chart::THICKNESS, thickness.arcs.clone(), symbol, "tooth");
+        add(name, ends, mean, error, formula.thickness, each);
         if wound {
             let name = "thickness s_n, normal".to_owned();
             let normal = |arc: f64| arc * thickness.normal;
             let by_formula = formula.thickness.map(normal);
-            rows.push(whole(
+            add(
                 name,
                 ends.map(normal),
                 normal(mean),
                 error,
                 by_formula,
-            ));
+                None,
+            );
         }
     }
     if let Ok(runout) = &read.runout {
         let name = format!("ball {} mm", runout.diameter);
         let (ends, mean, error) = (runout.ends(), runout.mean(), runout.reading_error());
-        rows.push(whole(name, ends, mean, error, formula.ball_centre));
+        add(name, ends, mean, error, formula.ball_centre, None);
     }
     if let Ok(root) = &read.root {
         let (name, d) = ("root diameter".to_owned(), 2.0 * root.radius);
         let by_formula = formula.root.map(|root| 2.0 * root);
-        rows.push(whole(name, [d; 2], d, 2.0 * root.error, by_formula));
+        add(name, [d; 2], d, 2.0 * root.error, by_formula, None);
     }
     if let Ok(roll) = &read.roll {
         let name = format!("a'', master z {}", roll.master.basic_data().teeth());
         let (ends, mean, error) = (roll.ends(), roll.mean(), roll.reading_error());
-        rows.push(whole(name, ends, mean, error, formula.distance));
+        add(name, ends, mean, error, formula.distance, None);
     }
     rows
 }

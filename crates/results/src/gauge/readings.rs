@@ -1,59 +1,40 @@
-//! The readings of a gear tooth by tooth: one list of columns for CSV and for people.
+//! The readings of a gear tooth by tooth, for CSV and for people, and their charts.
 
 use super::GaugedGear;
-use crate::layout::{self, Screen, Table};
+use crate::column::{Column, Row, Unit, Value, columns, row_type, shown};
+use crate::layout::Screen;
 use gearlash::gauge::{Gauged, OverPins, Pins, PitchReadings, TraceReading};
 use gearlash::gear::{Flank, PitchAxis};
-use gearlash_files::characters::csv_text;
-use gearlash_files::numbers::ascii;
 
-/// A column: its name in CSV, its heading for people, and its values, one per tooth.
-struct Column {
-    name: &'static str,
-    heading: &'static str,
-    values: fn(&Gauged) -> Option<Vec<f64>>,
-}
-
-impl Column {
-    const fn new(
-        name: &'static str,
-        heading: &'static str,
-        values: fn(&Gauged) -> Option<Vec<f64>>,
-    ) -> Column {
-        Column {
-            name,
-            heading,
-            values,
-        }
-    }
-}
+/// The values of a reading, one per tooth; `None` where it was not taken.
+type Get = fn(&Gauged) -> Option<Vec<f64>>;
 
 /// The column for helical gears only.
 const LYING: &str = "over_lying_pins_mm";
 
-/// Every reading per tooth.
+/// Every reading per tooth: its name in CSV, its heading for people, and its values.
 #[rustfmt::skip]
-const COLUMNS: [Column; 20] = [
-    Column::new("span_mm", "W_k mm", spans),
-    Column::new("over_two_pins_mm", "two pins mm", |read| pins(read, |pins| &pins.two)),
-    Column::new("over_three_pins_mm", "three pins mm", |read| pins(read, |pins| &pins.three)),
-    Column::new(LYING, "lying pins mm", |read| pins(read, |pins| &pins.lying)),
-    Column::new("runout_um", "ball", |read| in_um(&read.runout.as_ref().ok()?.deviations())),
-    Column::new("single_pitch_own_left_um", "f own left", |read| single(read, PitchAxis::Own, Flank::Left)),
-    Column::new("single_pitch_own_right_um", "f own right", |read| single(read, PitchAxis::Own, Flank::Right)),
-    Column::new("pitch_own_left_um", "F own left", |read| cumulative(read, PitchAxis::Own, Flank::Left)),
-    Column::new("pitch_own_right_um", "F own right", |read| cumulative(read, PitchAxis::Own, Flank::Right)),
-    Column::new("single_pitch_datum_left_um", "f datum left", |read| single(read, PitchAxis::Datum, Flank::Left)),
-    Column::new("single_pitch_datum_right_um", "f datum right", |read| single(read, PitchAxis::Datum, Flank::Right)),
-    Column::new("pitch_datum_left_um", "F datum left", |read| cumulative(read, PitchAxis::Datum, Flank::Left)),
-    Column::new("pitch_datum_right_um", "F datum right", |read| cumulative(read, PitchAxis::Datum, Flank::Right)),
-    Column::new("thickness_um", "s − mean", |read| in_um(&read.thickness.as_ref().ok()?.deviations())),
-    Column::new("profile_slope_left_um", "f_Hα left", |read| profile(read, Flank::Left, |one| one.slope)),
-    Column::new("profile_slope_right_um", "f_Hα right", |read| profile(read, Flank::Right, |one| one.slope)),
-    Column::new("profile_form_left_um", "f_fα left", |read| profile(read, Flank::Left, |one| one.form)),
-    Column::new("profile_form_right_um", "f_fα right", |read| profile(read, Flank::Right, |one| one.form)),
-    Column::new("profile_total_left_um", "F_α left", |read| profile(read, Flank::Left, |one| one.total)),
-    Column::new("profile_total_right_um", "F_α right", |read| profile(read, Flank::Right, |one| one.total)),
+const READINGS: [(&str, &str, Get); 20] = [
+    ("span_mm", "W_k mm", spans),
+    ("over_two_pins_mm", "two pins mm", |read| pins(read, |pins| &pins.two)),
+    ("over_three_pins_mm", "three pins mm", |read| pins(read, |pins| &pins.three)),
+    (LYING, "lying pins mm", |read| pins(read, |pins| &pins.lying)),
+    ("runout_um", "ball", |read| in_um(&read.runout.as_ref().ok()?.deviations())),
+    ("single_pitch_own_left_um", "f own left", |read| single(read, PitchAxis::Own, Flank::Left)),
+    ("single_pitch_own_right_um", "f own right", |read| single(read, PitchAxis::Own, Flank::Right)),
+    ("pitch_own_left_um", "F own left", |read| cumulative(read, PitchAxis::Own, Flank::Left)),
+    ("pitch_own_right_um", "F own right", |read| cumulative(read, PitchAxis::Own, Flank::Right)),
+    ("single_pitch_datum_left_um", "f datum left", |read| single(read, PitchAxis::Datum, Flank::Left)),
+    ("single_pitch_datum_right_um", "f datum right", |read| single(read, PitchAxis::Datum, Flank::Right)),
+    ("pitch_datum_left_um", "F datum left", |read| cumulative(read, PitchAxis::Datum, Flank::Left)),
+    ("pitch_datum_right_um", "F datum right", |read| cumulative(read, PitchAxis::Datum, Flank::Right)),
+    ("thickness_um", "s − mean", |read| in_um(&read.thickness.as_ref().ok()?.deviations())),
+    ("profile_slope_left_um", "f_Hα left", |read| profile(read, Flank::Left, |one| one.slope)),
+    ("profile_slope_right_um", "f_Hα right", |read| profile(read, Flank::Right, |one| one.slope)),
+    ("profile_form_left_um", "f_fα left", |read| profile(read, Flank::Left, |one| one.form)),
+    ("profile_form_right_um", "f_fα right", |read| profile(read, Flank::Right, |one| one.form)),
+    ("profile_total_left_um", "F_α left", |read| profile(read, Flank::Left, |one| one.total)),
+    ("profile_total_right_um", "F_α right", |read| profile(read, Flank::Right, |one| one.total)),
 ];
 
 fn spans(read: &Gauged) -> Option<Vec<f64>> {
@@ -93,61 +74,68 @@ fn in_um(lengths: &[f64]) -> Option<Vec<f64>> {
     Some(lengths.iter().map(|mm| mm * 1e3).collect())
 }
 
-/// The columns with their values.
-fn columns(gauged: &Gauged) -> impl Iterator<Item = (&'static Column, Option<Vec<f64>>)> {
-    let columns = COLUMNS.iter();
-    columns.map(move |column| (column, (column.values)(gauged)))
+/// The readings of a tooth.
+struct ToothRow {
+    gear: &'static str,
+    material: &'static str,
+    tooth: usize,
+    /// In the order of [`READINGS`].
+    values: Vec<Option<f64>>,
+}
+
+row_type!(ToothRow = tooth_columns());
+
+fn tooth_columns() -> Vec<Column<ToothRow>> {
+    let mut columns = columns!(row: ToothRow {
+        "gear" Plain => row.gear;
+        "material" Plain => row.material;
+        "tooth" Plain [heading(shown("tooth"))] => row.tooth;
+    });
+    for (index, (name, heading, _)) in READINGS.into_iter().enumerate() {
+        let unit = if name.ends_with("_mm") {
+            Unit::Millionths
+        } else {
+            Unit::Thousandths
+        };
+        let value = move |row: &ToothRow| Value::optional(row.values[index]);
+        let column = Column::new(name, unit, value).heading(shown(heading));
+        columns.push(if name == LYING {
+            column.along_face().rank(1)
+        } else {
+            column
+        });
+    }
+    columns
+}
+
+fn tooth_rows(gear: &GaugedGear) -> Vec<ToothRow> {
+    let readings = READINGS.map(|(_, _, values)| values(&gear.gauged));
+    let row = |tooth: usize| ToothRow {
+        gear: gear.name,
+        material: gear.material.name(),
+        tooth,
+        values: readings
+            .each_ref()
+            .map(|values| values.as_ref()?.get(tooth - 1).copied())
+            .to_vec(),
+    };
+    (1..=gear.teeth() as usize).map(row).collect()
 }
 
 /// A table for people, one row per tooth; a column without values is left out.
 pub fn position_table(gear: &GaugedGear) -> String {
-    let shown: Vec<(&Column, Vec<f64>)> = columns(&gear.gauged)
-        .filter_map(|(column, values)| Some((column, values?)))
-        .collect();
-    let headings = shown.iter().map(|(column, _)| column.heading);
-    let headings = std::iter::once("tooth").chain(headings);
-    let mut table = Table::new(headings.map(layout::Column::new));
-    for tooth in 1..=gear.teeth() {
-        let cells = shown.iter().map(|(column, values)| {
-            let value = values.get(tooth as usize - 1).copied();
-            let is_length = column.name.ends_with("_mm");
-            ascii(value, if is_length { 6 } else { 3 })
-        });
-        table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
-    }
-    table.text(&Screen::default())
+    ToothRow::columns().text(&tooth_rows(gear), &Screen::default())
 }
 
 /// The readings of several gears as CSV, one row per tooth; a reading that was not taken is empty.
 ///
 /// # Errors
 /// None: the text is in memory.
-pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
-    let each = gears.iter().map(|gear| columns(&gear.gauged).collect());
-    let each: Vec<Vec<_>> = each.collect();
-    let is_shown = |index: &usize| {
-        COLUMNS[*index].name != LYING || each.iter().any(|columns| columns[*index].1.is_some())
-    };
-    let shown: Vec<usize> = (0..COLUMNS.len()).filter(is_shown).collect();
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let names = shown.iter().map(|index| COLUMNS[*index].name);
-    writer.write_record(["gear", "material", "tooth"].into_iter().chain(names))?;
-    for (gear, columns) in gears.iter().zip(&each) {
-        for tooth in 1..=gear.teeth() {
-            let cell = |index: &usize| {
-                let value = columns[*index].1.as_ref()?.get(tooth as usize - 1)?;
-                Some(value.to_string())
-            };
-            let cells = shown.iter().map(|index| cell(index).unwrap_or_default());
-            let head = [
-                gear.name.to_owned(),
-                gear.material.name().to_owned(),
-                tooth.to_string(),
-            ];
-            writer.write_record(head.into_iter().chain(cells))?;
-        }
-    }
-    csv_text(writer)
+pub fn teeth_csv(gears: &[GaugedGear]) -> csv::Result<String> {
+    let rows: Vec<ToothRow> = gears.iter().flat_map(tooth_rows).collect();
+    let lying = READINGS.iter().position(|(name, ..)| *name == LYING);
+    let has_lying = |row: &ToothRow| lying.is_some_and(|index| row.values[index].is_some());
+    ToothRow::columns().csv_with(&rows, rows.iter().any(has_lying))
 }
 
 /// A reading with a chart. The name of the chart's file begins with the stem of the gear (`gauge_wheel`, `gauge_wheel_most`).

@@ -1,8 +1,7 @@
 //! Measurements of a rig, compared with their bands.
 
-use crate::column::{Row, Shown, Value, row_type, shown};
+use crate::column::{Row, Shown, Value, quantity_words, row_type, shown};
 use crate::layout::Screen;
-use crate::unit;
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash::analysis::study::Study;
 use gearlash::pair::BacklashUnit;
@@ -58,27 +57,32 @@ row_type!(row: MeasuredRow {
     "" Beside [people(shown("left"))] => row.marked(row.mating.row.left_um);
 });
 
+/// The `measured` matings, each compared with the band `beside` it.
+fn rows(
+    measured: &[MeasuredMating],
+    beside: fn(&MeasuredMating) -> Option<Band>,
+    unit: BacklashUnit,
+    with_clearance: bool,
+) -> Vec<MeasuredRow> {
+    let row = |mating: &MeasuredMating| MeasuredRow {
+        beside: beside(mating),
+        mating: mating.clone(),
+        unit,
+        with_clearance,
+    };
+    measured.iter().map(row).collect()
+}
+
 /// The measured matings for a page, compared with the simulated bands.
 pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<Shown> {
-    let row = |mating: &MeasuredMating| MeasuredRow {
-        beside: mating.simulated,
-        mating: mating.clone(),
-        unit: BacklashUnit::Um,
-        with_clearance: study.bearing_clearance > 0.0,
-    };
-    let rows: Vec<MeasuredRow> = measured.iter().map(row).collect();
-    MeasuredRow::columns().shown(&rows, MeasuredRow::center_distance, BacklashUnit::Um)
+    let (unit, played) = (BacklashUnit::Um, study.bearing_clearance > 0.0);
+    let rows = rows(measured, |mating| mating.simulated, unit, played);
+    MeasuredRow::columns().shown(&rows, MeasuredRow::center_distance, unit)
 }
 
 /// The measured matings for a terminal, compared with the printed bands.
 pub fn measured_table(measured: &[MeasuredMating], unit: BacklashUnit, screen: &Screen) -> String {
-    let row = |mating: &MeasuredMating| MeasuredRow {
-        beside: Some(mating.printed),
-        mating: mating.clone(),
-        unit,
-        with_clearance: false,
-    };
-    let rows: Vec<MeasuredRow> = measured.iter().map(row).collect();
+    let rows = rows(measured, |mating| Some(mating.printed), unit, false);
     MeasuredRow::columns().table(&rows, MeasuredRow::center_distance, unit, screen)
 }
 
@@ -101,7 +105,7 @@ pub fn measured_count(
             stated_distance(study.bearing_clearance)
         );
     }
-    text + &screen.paragraphs(&format!("{}{LEGEND}", unit::measure(unit)))
+    text + &screen.paragraphs(&format!("{}{LEGEND}", quantity_words(unit)))
 }
 
 const LEGEND: &str = "\

@@ -1,16 +1,16 @@
 //! Results as text for a terminal.
 
-pub mod check;
-mod difference;
-mod import;
 mod measured;
-pub mod outlines;
-mod phases;
-pub mod rexs;
+mod read;
 mod simulation;
 
+/// The checks of a pair as text.
+pub mod check {
+    pub use crate::checks::{doubts, shown, text, titles};
+}
+
+pub use crate::difference::difference_text;
 pub use crate::layout::{Column, Screen, Table, Tone};
-pub use difference::text as outline_difference;
-pub use import::imported;
 pub use measured::measured_shown;
+pub use read::{gearbox, gearbox_pair, imported, listed_outlines};
 pub use simulation::simulation;

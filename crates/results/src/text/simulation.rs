@@ -1,16 +1,14 @@
 //! The result as text for a terminal. Lengths in µm unless the heading says mm.
 
 use super::measured::{measured_count, measured_table};
-use super::phases::phase_table;
-use crate::column::Row;
+use crate::column::{Row, Value, backlash_cell, quantity_words, row_type, shown};
 use crate::doubts;
 use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::PoseRow;
 use crate::run::RunRow;
-use crate::unit;
 use crate::verdict::{heading, lines};
 use gearlash::analysis::measured::MeasuredMating;
-use gearlash::analysis::phases::phase_groups;
+use gearlash::analysis::phases::{PhaseGroup, phase_groups};
 use gearlash::analysis::study::Study;
 use gearlash::analysis::tally::{MOST_LISTED, RunTally};
 use gearlash::analysis::verdict::Verdict;
@@ -48,7 +46,7 @@ pub fn simulation(
         text += &run_table(study, runs, unit, screen);
         let has_formulas = runs.iter().any(|run| run.evidence.is_some());
         let models = if has_formulas { MODELS } else { "" };
-        let of = unit::measure(unit);
+        let of = quantity_words(unit);
         text += &screen.paragraphs(&format!(
             "{of}{AT}{models} Negative backlash: interference."
         ));
@@ -163,4 +161,76 @@ fn unproven_note(runs: &[RunTally], screen: &Screen) -> String {
         text += &format!("  … and {more} more: --format json has all\n");
     }
     text
+}
+
+/// A run of one assembly phase.
+struct PhaseRow {
+    run: RunTally,
+    /// Whether a phase of the table is unproven.
+    with_unproven: bool,
+}
+
+impl PhaseRow {
+    /// The name of a pose, of the least (0) or the greatest (1) backlash.
+    fn at(&self, end: usize) -> Value {
+        let ends = self
+            .run
+            .extremes()
+            .map(|(least, greatest)| [least, greatest]);
+        ends.map(|ends| pose_label(ends[end])).into()
+    }
+}
+
+row_type!(row: PhaseRow {
+    "" Plain [people(shown("phase"))] => phase_name(&row.run);
+    "" Backlash [people(shown("least"))] => Value::um(row.run.summary().min);
+    "" Plain [people(shown("at").broken())] => row.at(0);
+    "" Backlash [people(shown("mean").spare(1))] => Value::um(row.run.summary().mean);
+    "" Backlash [people(shown("greatest"))] => Value::um(row.run.summary().max);
+    "" Plain [people(shown("at").broken())] => row.at(1);
+    "" Backlash [people(shown("variation"))] => Value::um(row.run.variation());
+    "" Plain [people(shown("unproven"))] => Value::optional(row.with_unproven.then_some(row.run.unproven));
+});
+
+fn phase_name(run: &RunTally) -> String {
+    let (wheel, pinion) = run.phase.unwrap_or((1, 1));
+    format!("{wheel},{pinion}")
+}
+
+/// Assembly phases, and the teeth to mark.
+fn phase_table(group: &PhaseGroup, unit: BacklashUnit, screen: &Screen) -> String {
+    let Some(first) = group.runs.first() else {
+        return String::new();
+    };
+    let rows = group.runs.iter().map(|run| PhaseRow {
+        run: (*run).clone(),
+        with_unproven: group.runs.iter().any(|run| run.unproven > 0),
+    });
+    let (a, rows) = (first.assembly.center_distance(), rows.collect::<Vec<_>>());
+    let mut text = format!(
+        "centre distance {} mm, material {}\n\n{}",
+        stated_distance(a),
+        first.material.name(),
+        PhaseRow::columns().table(&rows, |_| a, unit, screen)
+    );
+    let variation = |run: &RunTally| {
+        let variation = backlash_cell(unit, run.variation(), a, 3);
+        format!("{variation} {}", unit.name())
+    };
+    text += &match (group.best, group.worst) {
+        _ if group.runs.len() == 1 => {
+            "There is only one assembly phase: the tooth numbers have no common divisor, every tooth meets every tooth.\n".to_owned()
+        }
+        (Some(best), Some(worst)) => format!(
+            "Best phase {}: mark wheel tooth {} and pinion tooth {} together (least variation, {}); worst {} ({}).\n",
+            phase_name(best),
+            best.phase.map_or(1, |phase| phase.0),
+            best.phase.map_or(1, |phase| phase.1),
+            variation(best),
+            phase_name(worst),
+            variation(worst),
+        ),
+        _ => "No phase has backlash at every pose.\n".to_owned(),
+    };
+    text + "\n"
 }

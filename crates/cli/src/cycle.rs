@@ -1,14 +1,15 @@
-//! The pose of the whole mesh cycle that `snapshot --worst`, `snapshot --greatest` and `chart --kind field` draw.
+//! Extremes of the mesh cycle and failing checks where a command keeps no poses, and the pose that `snapshot --worst`,
+//! `snapshot --greatest` and `chart --kind field` draw.
 
-use super::console::print_verdict_lines;
-use super::progress::Progress;
-use super::verdict;
+use crate::console::print_verdict_lines;
 use crate::error::Error;
+use crate::progress::Progress;
 use clap::ValueEnum;
 use gearlash::analysis::compare::ComparedPose;
-use gearlash::analysis::extremes::CycleExtremes;
+use gearlash::analysis::diagnosis::{self, CheckName, PoseEvidence};
+use gearlash::analysis::extremes::{CycleExtremes, extremes, run_count};
 use gearlash::analysis::study::{Material, Study};
-use gearlash::analysis::tally::{Piece, simulate_by_blocks};
+use gearlash::analysis::tally::{Piece, RunTally, simulate_by_blocks};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::{ContactClass, ContactKind, Method, PoseResult};
 use gearlash::gear::Side;
@@ -16,6 +17,31 @@ use gearlash::outline::AssembledPair;
 use gearlash::pair::Mating;
 use gearlash_files::distance_refused;
 use gearlash_results::verdict::lines;
+use std::ops::ControlFlow;
+
+/// The certified extremes of `study`, and the checks that fail at its poses, under a progress bar.
+fn extremes_and_failed_checks(study: &Study) -> Result<(CycleExtremes, Vec<CheckName>), Error> {
+    let progress = Progress::of(run_count(study)? + study.pose_count(), "steps");
+    let method = Method::Exact { certify: true };
+    let cycle = progress.searching(|| extremes(study, method, &|| progress.tick()))?;
+    let exact = Method::Exact { certify: false };
+    let tick = || progress.tick();
+    let none = &mut |_: Piece| Ok::<(), Error>(());
+    let runs = simulate_by_blocks(study, exact, study.tolerance_um, 0, &tick, none)?;
+    let failed = failed_checks(study, &runs, &cycle)?;
+    Ok((cycle, failed))
+}
+
+/// The checks that fail at the poses of `runs`.
+pub(super) fn failed_checks(
+    study: &Study,
+    runs: &[RunTally],
+    cycle: &CycleExtremes,
+) -> Result<Vec<CheckName>, Error> {
+    let evidence: Vec<PoseEvidence> = runs.iter().filter_map(|run| run.evidence.clone()).collect();
+    let on = || ControlFlow::Continue(());
+    Ok(diagnosis::failed_checks(study, &evidence, cycle, &on)?)
+}
 
 /// A pose of the mesh cycle.
 #[derive(Clone, Copy)]
@@ -83,7 +109,7 @@ pub(super) fn find(
     material: Option<Material>,
 ) -> Result<Found, Error> {
     let study = narrowed(option, study, distance, material)?;
-    let (found, failed) = verdict::extremes_and_failed_checks(&study)?;
+    let (found, failed) = extremes_and_failed_checks(&study)?;
     let verdict = Verdict::of_study(&study, &found.each, failed);
     print_verdict_lines(&lines(&verdict));
     let chosen = match wanted {

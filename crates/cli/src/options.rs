@@ -1,0 +1,455 @@
+//! Options that several commands have.
+
+use crate::console::{has_colours, print, print_error_line, print_note};
+use crate::error::Error;
+use crate::output::{OutputFolder, own_folder};
+use clap::ValueEnum;
+use gearlash::analysis::Analysis;
+use gearlash::analysis::study::{Material, Study};
+use gearlash::analysis::tally::RunTally;
+use gearlash::contact::{METHODS_AGREE_WITHIN, Method, MethodAgreement};
+use gearlash::pair::{BacklashUnit, Member};
+use gearlash_files::drawing::{self, Unit};
+use gearlash_files::numbers::{order_um, power};
+use gearlash_files::outlines::OutlineOptions;
+use gearlash_files::{GearEntry, GearsFile, Sources};
+use gearlash_results::text::Screen;
+use std::path::{Path, PathBuf};
+
+/// `--gear`, `--at`.
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum GearName {
+    /// Gear 1
+    Wheel,
+    /// Gear 2
+    Pinion,
+}
+
+/// `--material`.
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum MaterialName {
+    /// Teeth at their thickest
+    Most,
+    /// Teeth at their thinnest
+    Least,
+}
+
+impl GearName {
+    /// The gear of a pair.
+    pub(super) fn member(self) -> Member {
+        match self {
+            GearName::Wheel => Member::Wheel,
+            GearName::Pinion => Member::Pinion,
+        }
+    }
+}
+
+impl MaterialName {
+    /// The material.
+    pub(super) fn material(self) -> Material {
+        match self {
+            MaterialName::Most => Material::Most,
+            MaterialName::Least => Material::Least,
+        }
+    }
+}
+
+/// A gear of a file, one of its materials, and the gear in that material.
+pub(super) type Chosen<'a, T> = (&'a GearEntry, Material, T);
+
+/// The requested gears and materials, in the order of the file; `materials` are those of a gear.
+pub(super) fn choose<'a, T>(
+    path: &Path,
+    gear: Option<GearName>,
+    material: Option<MaterialName>,
+    file: &'a GearsFile,
+    materials: impl Fn(&'a GearEntry) -> Vec<(Material, T)>,
+) -> Result<Vec<Chosen<'a, T>>, Error> {
+    let name = gear.map(|gear| gear.member().name());
+    let material = material.map(MaterialName::material);
+    let mut chosen = Vec::new();
+    for gear in &file.gears {
+        if name.is_some_and(|name| name != gear.name) {
+            continue;
+        }
+        for (of, found) in materials(gear) {
+            // A single thickness is both ends of its tolerance.
+            if material.is_none_or(|material| of == material || of == Material::AsMeasured) {
+                chosen.push((gear, of, found));
+            }
+        }
+    }
+    match (chosen.is_empty(), name) {
+        (true, Some(name)) => Err(Error::Usage(format!(
+            "--gear {name}: {} has one gear only; leave --gear out",
+            path.display()
+        ))),
+        _ => Ok(chosen),
+    }
+}
+
+/// Wheel and pinion tooth, such as `11,11`.
+pub(super) fn teeth(text: &str) -> Result<(u32, u32), String> {
+    let parsed = text.split_once(',').and_then(|(wheel, pinion)| {
+        Some((wheel.trim().parse().ok()?, pinion.trim().parse().ok()?))
+    });
+    parsed.ok_or_else(|| "two tooth numbers are needed, wheel,pinion, such as 11,11".to_owned())
+}
+
+/// The material of `study` that `--material` names.
+pub(super) fn material(name: MaterialName, study: &Study) -> Result<Material, Error> {
+    match study.material_count() {
+        2 => Ok(name.material()),
+        _ => Err(Error::usage(
+            "--material: this pair file states one thickness a gear; leave the option out",
+        )),
+    }
+}
+
+/// The unit of backlash in tables and charts.
+#[derive(clap::Args)]
+pub(super) struct UnitArgs {
+    /// Unit of backlash [default: um]
+    #[arg(long, value_enum)]
+    unit: Option<UnitName>,
+    /// Gear whose lost motion is shown, for --unit arcmin [default: the gear that turns]
+    #[arg(long, value_enum)]
+    at: Option<GearName>,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum UnitName {
+    /// j_wt in µm
+    Um,
+    /// Lost motion at one gear in arcmin
+    Arcmin,
+}
+
+impl UnitArgs {
+    /// Whether a unit or its gear is given.
+    pub(super) fn given(&self) -> bool {
+        self.unit.is_some() || self.at.is_some()
+    }
+
+    /// The unit for the gears of `study`.
+    pub(super) fn unit(&self, study: &Study) -> Result<BacklashUnit, Error> {
+        match (self.unit, self.at) {
+            (Some(UnitName::Arcmin), at) => {
+                Ok(study.arcmin(at.map_or(study.locked.mate(), GearName::member)))
+            }
+            (Some(UnitName::Um) | None, Some(_)) => Err(Error::usage(
+                "--at belongs to --unit arcmin: j_wt is the same at both gears; leave it out",
+            )),
+            _ => Ok(BacklashUnit::Um),
+        }
+    }
+
+    /// The unit of a table for the gears of `study`.
+    pub(super) fn of_table(&self, study: &Study, is_text: bool) -> Result<BacklashUnit, Error> {
+        let unit = self.unit(study)?;
+        if self.given() && !is_text {
+            return Err(Error::usage(
+                "--unit belongs to --format text: JSON and CSV have every unit; leave it out",
+            ));
+        }
+        Ok(unit)
+    }
+}
+
+#[derive(clap::Args)]
+pub(super) struct ResultsArgs {
+    /// Output format; json and csv write files only with -o
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+    /// Folder for results and pictures [default: out/<file stem>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Write no files
+    #[arg(long, conflicts_with = "output")]
+    no_files: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum Format {
+    /// A readable table
+    Text,
+    /// The whole result
+    Json,
+    /// One table, one row per pose or tooth
+    Csv,
+}
+
+impl ResultsArgs {
+    /// Whether a folder was named.
+    pub(super) fn names_folder(&self) -> bool {
+        self.output.is_some()
+    }
+
+    /// The folder of the files, tried before the work begins; `None`: nothing is written. `own` are the names of the command's
+    /// files, which replace those of an earlier run; never one of `sources`.
+    pub(super) fn folder(
+        &self,
+        stem: &str,
+        sources: &Sources,
+        own: impl Fn(&str) -> bool + 'static,
+    ) -> Result<Option<OutputFolder>, Error> {
+        let path = self.path(stem);
+        path.map(|path| OutputFolder::prepare(&path, sources, own))
+            .transpose()
+    }
+
+    /// The path of the folder; `None`: nothing is written.
+    pub(super) fn path(&self, stem: impl AsRef<Path>) -> Option<PathBuf> {
+        let writes = self.format == Format::Text && !self.no_files;
+        let own = || writes.then(|| own_folder(stem));
+        self.output.clone().or_else(own)
+    }
+
+    /// Prints the result in its format, and writes `files` to the folder, if there is one.
+    pub(super) fn finish(
+        &self,
+        [text, json, csv]: [&str; 3],
+        folder: Option<OutputFolder>,
+        files: &[(String, String)],
+    ) -> Result<(), Error> {
+        print(match self.format {
+            Format::Text => text,
+            Format::Json => json,
+            Format::Csv => csv,
+        })?;
+        folder.map_or(Ok(()), |folder| self.write(folder, files))
+    }
+
+    /// Writes `files`, in addition to those already begun. After a table it also prints where they are.
+    pub(super) fn write(
+        &self,
+        folder: OutputFolder,
+        files: &[(String, String)],
+    ) -> Result<(), Error> {
+        let written = folder.write(files)?;
+        match self.format {
+            Format::Text => print_note(&format!("\n{written}\n")),
+            Format::Json | Format::Csv => Ok(()),
+        }
+    }
+}
+
+/// Options of the commands that print tables.
+#[derive(clap::Args)]
+pub(super) struct ScreenArgs {
+    /// Print tables in full on a narrow terminal
+    #[arg(long)]
+    wide: bool,
+}
+
+impl ScreenArgs {
+    /// The screen of standard output.
+    pub(super) fn screen(&self) -> Screen {
+        // There is no size without a terminal, or on one that does not know its own.
+        let size = ::console::Term::stdout().size_checked();
+        Screen {
+            width: size
+                .map(|(_, columns)| columns.into())
+                .filter(|_| !self.wide),
+            colour: has_colours(&std::io::stdout()),
+        }
+    }
+}
+
+/// Options for reading drawings.
+#[derive(clap::Args)]
+pub(super) struct DrawnArgs {
+    /// Unit of drawings that state none
+    #[arg(long, value_name = "UNIT", value_parser = Unit::NAMED.map(|(name, _)| name))]
+    units: Option<String>,
+    /// Axes of drawings: of the circle through the tips, or of the one circle inside [default: 0,0]
+    #[arg(long, value_name = "HOW", value_parser = ["fit", "bore"])]
+    center: Option<String>,
+    /// DXF layer to read; of two drawings A,B
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    layer: Vec<String>,
+    /// SVG element to read; of two drawings A,B
+    #[arg(long, value_name = "ID", value_delimiter = ',')]
+    id: Vec<String>,
+    /// Outline to read, from 1 in the order of the file; of two drawings A,B
+    #[arg(long, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    number: Vec<u32>,
+    /// A point inside the outline to read, mm; of two drawings twice
+    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
+    at_mm: Vec<[f64; 2]>,
+}
+
+impl DrawnArgs {
+    /// The options that belong to drawings.
+    pub(super) const NAMES: &'static str = "--units, --center, --layer, --id, --number and --at-mm";
+
+    /// Whether any of them is given.
+    pub(super) fn given(&self) -> bool {
+        self.units.is_some()
+            || self.center.is_some()
+            || !self.layer.is_empty()
+            || !self.id.is_empty()
+            || !self.number.is_empty()
+            || !self.at_mm.is_empty()
+    }
+
+    /// The options of `N` drawings. One value applies to all of them.
+    pub(super) fn options<const N: usize>(&self) -> Result<[OutlineOptions<'_>; N], Error> {
+        let counts = [
+            ("--layer", self.layer.len()),
+            ("--id", self.id.len()),
+            ("--number", self.number.len()),
+            ("--at-mm", self.at_mm.len()),
+        ];
+        if let Some((name, count)) = counts.into_iter().find(|(_, count)| *count > N) {
+            return Err(Error::Usage(format!(
+                "{name} has {count} values for {N} {}; give one for each",
+                if N == 1 { "drawing" } else { "drawings" }
+            )));
+        }
+        let options = std::array::from_fn(|k| OutlineOptions {
+            units: self.units.as_deref(),
+            center: self.center.as_deref(),
+            layer: value_of(&self.layer, k).map(String::as_str),
+            id: value_of(&self.id, k).map(String::as_str),
+            number: value_of(&self.number, k).copied(),
+            at_mm: value_of(&self.at_mm, k).copied(),
+        });
+        Ok(options)
+    }
+}
+
+/// The value for the drawing `k`: its own, or the only one.
+fn value_of<T>(values: &[T], k: usize) -> Option<&T> {
+    match values {
+        [one] => Some(one),
+        several => several.get(k),
+    }
+}
+
+/// A point from `x,y`.
+fn point(text: &str) -> Result<[f64; 2], String> {
+    let numbers = text.split_once(',').and_then(|(x, y)| {
+        let [x, y] = [x, y].map(|number| number.trim().parse::<f64>().ok());
+        Some([x?, y?])
+    });
+    let finite = numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()));
+    finite.ok_or_else(|| "expected x,y in mm, such as 12.5,-3".to_owned())
+}
+
+/// Whether a file is a drawing, by its extension.
+pub(super) fn is_drawing(path: &Path) -> bool {
+    drawing::Format::of(path).is_some()
+}
+
+/// `--method` and `--no-certify`.
+#[derive(clap::Args, Default)]
+pub(super) struct MethodArgs {
+    /// How lost motion is found [default: exact]
+    #[arg(long, value_enum)]
+    method: Option<MethodName>,
+    /// Skip the proof of each exact result
+    #[arg(long)]
+    no_certify: bool,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum MethodName {
+    /// On the exact tooth curves, each result proven; polygons check every 64th
+    Exact,
+    /// On polygons refined around each contact: an independent method, slower
+    Polygon,
+    /// Both: prints the largest difference; exit 1 where a pose has one above 1e-6 µm and both error bounds
+    Both,
+}
+
+impl MethodArgs {
+    /// Whether one of the options is given.
+    pub fn given(&self) -> bool {
+        self.method.is_some() || self.no_certify
+    }
+
+    /// The requested method, for the pair of `study`.
+    pub fn of(&self, study: &Study) -> Result<Method, Error> {
+        if study.is_drawn() && self.method.is_some() {
+            Err(Error::usage(
+                "--method is for gears by their data: drawn curves are searched as drawn, and polygons check every pose; leave it out",
+            ))
+        } else {
+            Ok(self.method())
+        }
+    }
+
+    /// The requested method.
+    pub fn method(&self) -> Method {
+        match self.method.unwrap_or(MethodName::Exact) {
+            MethodName::Exact => Method::Exact {
+                certify: !self.no_certify,
+            },
+            MethodName::Polygon => Method::Polygon,
+            MethodName::Both => Method::Both,
+        }
+    }
+}
+
+/// Prints on standard error the difference of both methods, where both were requested, and the number of unproven poses. Returns
+/// whether both pass.
+pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a RunTally> + Clone) -> bool {
+    let each = runs.clone().into_iter().map(|run| run.agreement);
+    let agree = agreement_of(each.fold(MethodAgreement::default(), MethodAgreement::and));
+    agree & all_proven(runs.into_iter().map(|run| run.unproven).sum())
+}
+
+/// [`agreement`] over everything that was analysed.
+pub(super) fn agreed(analysis: &Analysis) -> bool {
+    agreement_of(analysis.agreement()) & all_proven(analysis.unproven())
+}
+
+/// Prints on standard error the number of unproven poses, if any. Returns whether all are proven.
+pub(super) fn all_proven(unproven: usize) -> bool {
+    match unproven {
+        0 => return true,
+        1 => print_error_line("warning: 1 pose is UNPROVEN; the result tells which and why"),
+        poses => print_error_line(&format!(
+            "warning: {poses} poses are UNPROVEN; the result tells which and why"
+        )),
+    }
+    false
+}
+
+/// Prints on standard error the difference of both methods. Returns whether it passes. Prints nothing for a single method.
+pub(super) fn agreement_of(found: MethodAgreement) -> bool {
+    if !found.is_empty() {
+        print_error_line(&in_words(found));
+    }
+    found.agrees()
+}
+
+fn in_words(found: MethodAgreement) -> String {
+    let verdict = if found.agrees() { "agree" } else { "DISAGREE" };
+    let poses = |count: usize| match count {
+        1 => "1 pose".to_owned(),
+        _ => format!("{count} poses"),
+    };
+    let mut parts = Vec::new();
+    if found.one_alone > 0 {
+        parts.push(format!(
+            "at {} only one method has a contact",
+            poses(found.one_alone)
+        ));
+    }
+    if found.beyond > 0 {
+        parts.push(format!(
+            "at {} they differ by more than is allowed",
+            poses(found.beyond)
+        ));
+    }
+    if found.compared > 0 {
+        parts.push(format!(
+            "largest difference {} µm of j_wt (allowed at a pose: {} or the sum of both error bounds)",
+            power(found.largest * 1e3, 2),
+            order_um(METHODS_AGREE_WITHIN)
+        ));
+    }
+    format!("exact and polygon method {verdict}: {}", parts.join("; "))
+}

@@ -1,0 +1,539 @@
+//! Writing results: each file whole or not at all, and never over a file that was read.
+//!
+//! A place is tried before the work begins, so that a typing mistake does not cost hours. Each file is written under a temporary
+//! name beside its target and then renamed; `result.json` is renamed last. An error and a signal remove the temporary files. A
+//! killed process leaves them; a later run in the same folder removes them, because their lock is free.
+
+use crate::console::{print, print_note};
+use crate::error::Error;
+use gearlash_files::Sources;
+use gearlash_files::characters::plain;
+use std::fs::File;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished {
+    temporary: Vec::new(),
+    made: Vec::new(),
+    written: false,
+});
+
+/// Temporary files and new folders of the process. A thread that creates or renames one holds the lock.
+struct Unfinished {
+    temporary: Vec<PathBuf>,
+    /// Folders created for results, innermost last.
+    made: Vec<PathBuf>,
+    /// Whether a file has been renamed to its target.
+    written: bool,
+}
+
+fn unfinished() -> MutexGuard<'static, Unfinished> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A lock: while it is held, nothing is unfinished and nothing new begins.
+pub struct EndLock {
+    held: MutexGuard<'static, Unfinished>,
+}
+
+impl EndLock {
+    /// Whether a file had been renamed to its target.
+    pub fn written(&self) -> bool {
+        self.held.written
+    }
+}
+
+/// Removes everything unfinished, for the thread that ends the process. Other threads that write wait until then.
+pub fn remove_unfinished() -> EndLock {
+    let mut held = unfinished();
+    for path in std::mem::take(&mut held.temporary) {
+        let _ = std::fs::remove_file(path);
+    }
+    for path in std::mem::take(&mut held.made).iter().rev() {
+        // Fails for a folder with files, which must stay.
+        let _ = std::fs::remove_dir(path);
+    }
+    EndLock { held }
+}
+
+fn failed(path: &Path) -> impl Fn(std::io::Error) -> Error {
+    move |source| Error::Output {
+        path: path.to_path_buf(),
+        source,
+    }
+}
+
+/// An error where the file at `path` is one of `sources`.
+pub(super) fn check_not_input(sources: &Sources, path: &Path) -> Result<(), Error> {
+    match sources.named(path) {
+        None => Ok(()),
+        Some(input) => Err(Error::over_input(path, input)),
+    }
+}
+
+/// Folders created for results, removed when dropped.
+#[derive(Default)]
+struct CreatedFolders {
+    /// Innermost last.
+    folders: Vec<PathBuf>,
+}
+
+impl CreatedFolders {
+    /// Creates the folder at `path` and the missing ones above it.
+    pub fn folder(path: &Path) -> Result<CreatedFolders, Error> {
+        let missing = path
+            .ancestors()
+            .take_while(|p| !p.as_os_str().is_empty() && !p.exists());
+        let mut folders: Vec<PathBuf> = missing.map(Path::to_path_buf).collect();
+        folders.reverse();
+        let mut list = unfinished();
+        list.made.extend(folders.iter().cloned());
+        let made = CreatedFolders { folders };
+        let result = std::fs::create_dir_all(path).map_err(failed(path));
+        drop(list);
+        result.map(|()| made)
+    }
+
+    /// Keeps them.
+    pub fn keep(&mut self) {
+        let mut list = unfinished();
+        list.made.retain(|other| !self.folders.contains(other));
+        self.folders.clear();
+    }
+}
+
+impl Drop for CreatedFolders {
+    fn drop(&mut self) {
+        let mut list = unfinished();
+        for folder in self.folders.iter().rev() {
+            // Fails for a folder with files, which must stay.
+            let _ = std::fs::remove_dir(folder);
+        }
+        list.made.retain(|other| !self.folders.contains(other));
+    }
+}
+
+const PREFIX: &str = ".gearlash-";
+const SUFFIX: &str = ".tmp";
+/// Bytes written to the disk at a time. A signal waits for one piece (tuned: 20 ms on a slow disk).
+const PIECE: usize = 2 << 20;
+/// A younger temporary file may still lack its lock.
+const ORPHAN_AFTER: Duration = Duration::from_secs(60);
+
+/// A temporary file in the folder of its target, removed when dropped.
+#[derive(Debug)]
+struct Temporary {
+    path: PathBuf,
+    /// Locked while the run is alive.
+    file: File,
+}
+
+impl Temporary {
+    /// Creates one in `folder`.
+    pub fn new_in(folder: &Path) -> std::io::Result<Temporary> {
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(PREFIX).suffix(SUFFIX);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            // The umask of the process applies.
+            builder.permissions(std::fs::Permissions::from_mode(0o666));
+        }
+        let mut list = unfinished();
+        let (file, path) = builder.tempfile_in(folder)?.keep()?;
+        list.temporary.push(path.clone());
+        // On file systems without locks, files of killed runs stay.
+        let _ = file.try_lock();
+        Ok(Temporary { path, file })
+    }
+
+    /// Its path.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// A writer to it.
+    pub fn writer(&self) -> std::io::Result<NewFile> {
+        Ok(NewFile {
+            file: self.file.try_clone()?,
+            piece: Vec::new(),
+        })
+    }
+
+    /// Writes `content` in one piece.
+    fn write(&self, content: &str) -> std::io::Result<()> {
+        let mut file = self.writer()?;
+        file.write_all(content.as_bytes())?;
+        file.flush()
+    }
+
+    /// Renames it to its target.
+    pub fn rename(&self, target: &Path) -> std::io::Result<()> {
+        let mut list = unfinished();
+        std::fs::rename(&self.path, target)?;
+        list.temporary.retain(|other| *other != self.path);
+        list.written = true;
+        Ok(())
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        let mut list = unfinished();
+        if list.temporary.contains(&self.path) {
+            let _ = std::fs::remove_file(&self.path);
+            list.temporary.retain(|other| *other != self.path);
+        }
+    }
+}
+
+/// Removes the temporary files that killed runs left in `folder`.
+fn remove_orphans(folder: &Path) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        if !is_file || !name.starts_with(PREFIX) || !name.ends_with(SUFFIX) {
+            continue;
+        }
+        let changed = entry.metadata().and_then(|metadata| metadata.modified());
+        let age = changed.ok().and_then(|time| time.elapsed().ok());
+        let is_old = age.is_some_and(|age| age > ORPHAN_AFTER);
+        if is_old && File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok()) {
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// A file that grows; [`Write::flush`] writes it to the disk.
+#[derive(Debug)]
+pub struct NewFile {
+    file: File,
+    /// Content that is not written yet.
+    piece: Vec<u8>,
+}
+
+impl Write for NewFile {
+    fn write(&mut self, content: &[u8]) -> std::io::Result<usize> {
+        let taken = content.len().min(PIECE - self.piece.len());
+        self.piece.extend_from_slice(&content[..taken]);
+        if self.piece.len() == PIECE {
+            self.flush()?;
+        }
+        Ok(taken)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        if !self.piece.is_empty() {
+            self.file.write_all(&self.piece)?;
+            self.file.sync_data()?;
+            self.piece.clear();
+        }
+        Ok(())
+    }
+}
+
+/// The place of one file, tried before the work begins.
+pub(super) struct Target {
+    /// As the user named it.
+    path: PathBuf,
+    place: Place,
+}
+
+enum Place {
+    StandardOutput,
+    /// A pipe or a device, which is written to.
+    Special,
+    /// The temporary file and the target of an ordinary file, and the folders created for it.
+    File(Temporary, PathBuf, CreatedFolders),
+}
+
+impl Place {
+    /// An error for a path that names no file or a folder, and for a link that leads nowhere.
+    fn of(named: &Path, sources: &Sources) -> Result<Place, Error> {
+        let wrong = |reason| Error::Usage(format!("{}: {reason}", named.display()));
+        let failed = failed(named);
+        if named.file_name().is_none() {
+            return Err(wrong("this names no file"));
+        }
+        check_not_input(sources, named)?;
+        let (target, made) = match std::fs::metadata(named) {
+            Ok(found) if found.is_dir() => {
+                return Err(wrong("this is a folder, name a file in it"));
+            }
+            Ok(found) if found.is_file() => {
+                let target = named.canonicalize().map_err(&failed)?;
+                (target, CreatedFolders::default())
+            }
+            Ok(_) => return Ok(Place::Special),
+            Err(_) if named.is_symlink() => {
+                return Err(wrong(
+                    "this is a link to a file that is not there; name that file",
+                ));
+            }
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                let made = CreatedFolders::folder(folder_of(named))?;
+                (named.to_path_buf(), made)
+            }
+            Err(error) => return Err(failed(error)),
+        };
+        remove_orphans(folder_of(&target));
+        let temporary = Temporary::new_in(folder_of(&target)).map_err(&failed)?;
+        Ok(Place::File(temporary, target, made))
+    }
+}
+
+/// Extensions of input files: pair files, tables, protocols and gearbox models.
+const READ: [&str; 12] = [
+    "toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls", "mka", "mew", "rexs", "rexsj", "rexsz",
+];
+
+impl Target {
+    /// As [`Target::prepare`], for a page, a picture or Markdown. It never overwrites a pair file or table, read or not.
+    pub(super) fn prepare_beside(path: PathBuf, sources: &Sources) -> Result<Target, Error> {
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        if ending.is_some_and(|ending| READ.iter().any(|read| ending == *read)) {
+            return Err(Error::Usage(format!(
+                "{}: this is the place of a pair file or a table, which would be lost; name another file",
+                path.display()
+            )));
+        }
+        Target::prepare(path, sources)
+    }
+
+    /// As [`Target::prepare_beside`], for an optional `path`.
+    pub(super) fn prepare_given(
+        path: Option<&PathBuf>,
+        sources: &Sources,
+    ) -> Result<Option<Target>, Error> {
+        path.map(|path| Target::prepare_beside(path.clone(), sources))
+            .transpose()
+    }
+
+    /// The place that was `given`, else that of the file `name` in the folder of results of an input with this `stem`.
+    pub(super) fn given_or_own(
+        given: Option<Target>,
+        stem: &str,
+        name: &str,
+        sources: &Sources,
+    ) -> Result<Target, Error> {
+        given.map_or_else(|| Target::prepare(own_folder(stem).join(name), sources), Ok)
+    }
+
+    /// As [`Target::prepare`], but never over an existing file. `command` is named in the error.
+    pub(super) fn prepare_new(
+        path: &Path,
+        sources: &Sources,
+        command: &str,
+    ) -> Result<Target, Error> {
+        let exists = path.exists();
+        let target = Target::prepare(path.to_path_buf(), sources)?;
+        if exists {
+            return Err(Error::Usage(format!(
+                "{}: already exists, and {command} never overwrites; name another, or remove it",
+                path.display()
+            )));
+        }
+        Ok(target)
+    }
+
+    /// Creates the folder of `path` where it is missing and tries to write in it. It never overwrites one of `sources`. A link is
+    /// followed.
+    pub(super) fn prepare(path: PathBuf, sources: &Sources) -> Result<Target, Error> {
+        let place = if path == Path::new("-") {
+            Place::StandardOutput
+        } else {
+            Place::of(&path, sources)?
+        };
+        Ok(Target { path, place })
+    }
+
+    /// Writes `content` in one piece and prints its path. Where that fails, an older file is kept.
+    pub(super) fn write(self, content: &str) -> Result<(), Error> {
+        let shown = match self.place {
+            Place::StandardOutput => String::new(),
+            _ => format!("{}\n", plain(&self.path.display().to_string())),
+        };
+        self.write_silently(content)?;
+        print_note(&shown)
+    }
+
+    /// Writes `content` without printing its path, for a command whose standard output is its result.
+    pub(super) fn write_silently(mut self, content: &str) -> Result<(), Error> {
+        let written = match &mut self.place {
+            Place::StandardOutput => return print(content),
+            Place::Special => {
+                let file = open_special(&self.path);
+                file.and_then(|mut file| file.write_all(content.as_bytes()))
+            }
+            Place::File(temporary, target, made) => {
+                let written = temporary.write(content);
+                let written = written.and_then(|()| temporary.rename(target));
+                written.map(|()| made.keep())
+            }
+        };
+        written.map_err(failed(&self.path))
+    }
+}
+
+/// Opens a pipe or a device. A pipe without a reader is an error, not a wait.
+fn open_special(path: &Path) -> std::io::Result<File> {
+    let mut options = std::fs::OpenOptions::new();
+    options.write(true);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags(rustix::fs::OFlags::NONBLOCK.bits() as i32);
+        let file = options.open(path)?;
+        rustix::io::ioctl_fionbio(&file, false)?;
+        Ok(file)
+    }
+    #[cfg(not(unix))]
+    options.open(path)
+}
+
+/// The folder of the file at `path`.
+pub(super) fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// The folder of results of an input with this `stem`.
+pub(super) fn own_folder(stem: impl AsRef<Path>) -> PathBuf {
+    Path::new("out").join(stem)
+}
+
+/// The file that is renamed last.
+const LAST: &str = "result.json";
+/// Most files that are listed by name (tuned: a line of a terminal).
+const MAX_NAMED: usize = 3;
+
+/// A folder that can be written to.
+pub struct OutputFolder {
+    /// The files begun so far, by name.
+    new: Vec<(String, Temporary)>,
+    /// The path as the user named it.
+    path: PathBuf,
+    made: CreatedFolders,
+    own: Box<dyn Fn(&str) -> bool>,
+    sources: Sources,
+}
+
+impl OutputFolder {
+    /// Creates the folder where it is missing and tries to write in it.
+    ///
+    /// `own` are the names of files that this run may write. Own files of an earlier run are replaced or removed. None of them may be one
+    /// of `sources`.
+    pub fn prepare(
+        path: &Path,
+        sources: &Sources,
+        own: impl Fn(&str) -> bool + 'static,
+    ) -> Result<OutputFolder, Error> {
+        let folder = OutputFolder {
+            new: Vec::new(),
+            made: CreatedFolders::folder(path)?,
+            path: path.to_path_buf(),
+            own: Box::new(own),
+            sources: sources.clone(),
+        };
+        remove_orphans(path);
+        for name in folder.present().map_err(failed(path))? {
+            check_not_input(sources, &path.join(&name))?;
+        }
+        Temporary::new_in(path).map_err(failed(path))?;
+        Ok(folder)
+    }
+
+    /// Begins a file. [`OutputFolder::write`] gives it its name.
+    pub fn create(&mut self, name: &str) -> Result<NewFile, Error> {
+        let target = self.path.join(name);
+        check_not_input(&self.sources, &target)?;
+        let failed = failed(&target);
+        if target.symlink_metadata().is_ok_and(|found| found.is_dir()) {
+            return Err(failed(ErrorKind::IsADirectory.into()));
+        }
+        let temporary = Temporary::new_in(&self.path).map_err(&failed)?;
+        let file = temporary.writer().map_err(&failed)?;
+        self.new.push((name.to_owned(), temporary));
+        Ok(file)
+    }
+
+    /// Adds a file with this `content`.
+    pub fn add(&mut self, name: &str, content: &str) -> Result<(), Error> {
+        let mut file = self.create(name)?;
+        let written = file.write_all(content.as_bytes());
+        written
+            .and_then(|()| file.flush())
+            .map_err(self.failed(name))
+    }
+
+    /// Opens a file from its beginning; [`OutputFolder::create`] began it.
+    pub fn open(&self, name: &str) -> Result<File, Error> {
+        let mut new = self.new.iter();
+        let opened = match new.find(|(other, _)| other == name) {
+            Some((_, temporary)) => File::open(temporary.path()),
+            None => Err(ErrorKind::NotFound.into()),
+        };
+        opened.map_err(self.failed(name))
+    }
+
+    /// The error of the file called `name`.
+    pub fn failed(&self, name: &str) -> impl Fn(std::io::Error) -> Error + use<> {
+        let path = self.path.join(name);
+        move |source| failed(&path)(source)
+    }
+
+    /// Adds `files` (name and content) and renames all begun files, `result.json` last. Removes the own files of an earlier run
+    /// that this run does not write. Returns a line that names the files and the folder.
+    pub fn write(mut self, files: &[(String, String)]) -> Result<String, Error> {
+        for (name, content) in files {
+            self.add(name, content)?;
+        }
+        for (name, _) in &self.new {
+            check_not_input(&self.sources, &self.path.join(name))?;
+        }
+        let is_new = |name: &String| self.new.iter().any(|(other, _)| other == name);
+        for name in self.present().map_err(failed(&self.path))? {
+            let path = self.path.join(&name);
+            let is_file = path.symlink_metadata().is_ok_and(|found| found.is_file());
+            if !is_new(&name) && is_file {
+                std::fs::remove_file(&path).map_err(failed(&path))?;
+            }
+        }
+        let (last, first): (Vec<_>, Vec<_>) = self.new.iter().partition(|(name, _)| name == LAST);
+        for (name, temporary) in first.into_iter().chain(last) {
+            let renamed = temporary.rename(&self.path.join(name));
+            renamed.map_err(self.failed(name))?;
+        }
+        self.made.keep();
+        Ok(self.described())
+    }
+
+    /// The own files in the folder, by name.
+    fn present(&self) -> std::io::Result<Vec<String>> {
+        let mut names = Vec::new();
+        for entry in std::fs::read_dir(&self.path)? {
+            let name = entry?.file_name().into_string().ok();
+            names.extend(name.filter(|name| (self.own)(name)));
+        }
+        names.sort();
+        Ok(names)
+    }
+
+    /// The written files, on one line.
+    fn described(&self) -> String {
+        let shown = self.new.iter().take(MAX_NAMED).map(|(name, _)| &name[..]);
+        let mut list = shown.collect::<Vec<_>>().join(", ");
+        if self.new.is_empty() {
+            list += "nothing";
+        }
+        if self.new.len() > MAX_NAMED {
+            list += &format!(" and {} more", self.new.len() - MAX_NAMED);
+        }
+        plain(&format!("Written to {}: {list}", self.path.display()))
+    }
+}

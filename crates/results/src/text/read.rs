@@ -1,0 +1,160 @@
+//! The understood content of a file of measurements, a drawing or a gearbox model, as text.
+
+use crate::column::{Row, row_type, shown};
+use crate::layout::{Column, Screen, Table};
+use gearlash_files::characters::{line, plain};
+use gearlash_files::import::{Imported, ImportedTable, Value};
+use gearlash_files::numbers::rounded;
+use gearlash_files::outlines::{ListedOutline, ListedOutlines};
+use gearlash_files::rexs::{RexsFile, RexsPair, RexsStage};
+use std::fmt::Write;
+
+/// The tables of a file, and the lines of a pair file that name them.
+pub fn imported(imported: &Imported, screen: &Screen) -> String {
+    let mut text = String::new();
+    for table in &imported.tables {
+        text += &screen.fold(&origin(table));
+        text += &values(table).text(screen);
+        text.push('\n');
+    }
+    for reason in &imported.not_read {
+        text += &screen.fold(&format!("Not read: {}\n\n", line(reason)));
+    }
+    let _ = writeln!(text, "For a pair file beside {}:", line(&imported.file));
+    // Not folded, because users copy it.
+    text + "\n" + &imported.toml
+}
+
+/// The name and place of a table, and the parts that were left out.
+fn origin(table: &ImportedTable) -> String {
+    let sheet = table.sheet.as_ref();
+    let sheet = sheet.map(|name| format!(", sheet {:?}", line(name)));
+    let row = table.header_row.map(|row| match row {
+        0 => ", no header".to_owned(),
+        row => format!(", header in line {row}"),
+    });
+    let mut text = format!(
+        "{}: {} rows{}{}\n",
+        table.title,
+        table.rows(),
+        sheet.unwrap_or_default(),
+        row.unwrap_or_default()
+    );
+    let named = table.columns.iter().filter_map(|column| {
+        let (heading, letter) = column.heading.as_ref()?;
+        Some(match &heading[..] {
+            "" => format!("{} = {letter}", column.name),
+            heading => format!("{} = {:?} ({letter})", column.name, line(heading)),
+        })
+    });
+    let named: Vec<String> = named.collect();
+    if !named.is_empty() {
+        let _ = writeln!(text, "  read: {}", named.join(", "));
+    }
+    if let Some(words) = &table.left_out {
+        let _ = writeln!(text, "  left out: {}", line(words));
+    }
+    if let Some(words) = &table.in_other_table {
+        let _ = writeln!(text, "  in another table: {}", line(words));
+    }
+    text
+}
+
+fn values(table: &ImportedTable) -> Table {
+    let headings = table.columns.iter().map(|column| Column::new(column.name));
+    let mut shown = Table::new(headings);
+    for row in 0..table.rows() {
+        let cell = |value: Option<&Value>| match value {
+            Some(Value::Whole(tooth)) => tooth.to_string(),
+            // Rounded to a thousandth of a nanometre, without the sign of zero.
+            Some(Value::Number(number)) => rounded(*number, 6).to_string(),
+            Some(Value::Word(word)) => (*word).to_owned(),
+            Some(Value::None) | None => String::new(),
+        };
+        let cells = table.columns.iter();
+        shown.add(cells.map(|column| cell(column.values.get(row))).collect());
+    }
+    shown
+}
+
+row_type!(row: (usize, ListedOutline) {
+    "" Plain [people(shown("number"))] => row.0;
+    "" Name [people(shown("layer or id").left())] => row.1.name.clone();
+    "" Name [people(shown("from, mm").left())] => row.1.start.clone();
+    "" Plain [people(shown("size, mm").left())] => format!("{:.3} x {:.3}", row.1.size_mm.x, row.1.size_mm.y);
+    "" Plain [people(shown("parts"))] => row.1.parts;
+    "" Plain [people(shown("inside"))] => row.1.inside;
+    "" Name [people(shown("at").left().spare(1))] => row.1.place.clone();
+});
+
+/// The outlines of the drawing called `name`, and the table of the gear `gear` that names one of them.
+pub fn listed_outlines(
+    name: &str,
+    drawing: &ListedOutlines,
+    gear: &str,
+    screen: &Screen,
+) -> String {
+    let rows: Vec<(usize, ListedOutline)> = (1..).zip(drawing.outlines.clone()).collect();
+    let mut text = format!(
+        "{}: {} {}, 1 unit is {} mm\n\n{}",
+        plain(name),
+        rows.len(),
+        if rows.len() == 1 {
+            "outline"
+        } else {
+            "outlines"
+        },
+        drawing.unit_mm,
+        Row::columns().text(&rows, screen)
+    );
+    for remark in &drawing.remarks {
+        text += &format!("\n{}\n", plain(remark));
+    }
+    text += &format!("\n[{gear}.outline]\nfile = {name:?}\n");
+    if rows.len() > 1 {
+        text += &format!("number = 1  # of {}\n", rows.len());
+    }
+    text
+}
+
+row_type!(row: RexsStage {
+    "" Plain [people(shown("stage"))] => row.id.to_string();
+    "" Name [people(shown("kind").left().spare(1))] => row.kind.clone();
+    "" Name [people(shown("name").left().spare(2))] => row.name.clone();
+    "" Plain [people(shown("").left())] => if row.pair.is_ok() { "pair file" } else { "left out" };
+    "" Name [people(shown("became").left().below())] => row.pair.as_ref().map_or_else(String::clone, |pair| pair.summary.clone());
+});
+
+/// The stages of the gearbox model called `name` with their results, and the parts that were left out.
+pub fn gearbox(name: &str, file: &RexsFile, screen: &Screen) -> String {
+    let pairs = file.stages.iter().filter(|stage| stage.pair.is_ok());
+    let mut text = format!(
+        "{}: REXS {} of {}, {} of {} stages can be read\n\n",
+        plain(name),
+        plain(&file.version),
+        plain(&file.application),
+        pairs.count(),
+        file.stages.len()
+    );
+    if !file.stages.is_empty() {
+        text += &RexsStage::columns().text(&file.stages, screen);
+    }
+    if !file.left_out.is_empty() {
+        let each = file.left_out.iter();
+        let each = each.map(|(kind, count)| format!("{count} {}", plain(kind)));
+        text += &format!("\nLeft out: {}\n", each.collect::<Vec<_>>().join(", "));
+    }
+    screen.fold(&text)
+}
+
+/// The used and unused data of a stage.
+pub fn gearbox_pair(pair: &RexsPair, screen: &Screen) -> String {
+    let mut text = String::new();
+    for (component, ids) in &pair.unused {
+        text += &format!("Not used of {component}: {}\n", ids.join(", "));
+    }
+    for remark in &pair.remarks {
+        text += &format!("Note: {remark}\n");
+    }
+    screen.fold(&text)
+}

@@ -591,44 +591,172 @@ impl At {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{GearDesign, ProfilePart};
+    use crate::gear::{Gear, GearDesign, ProfilePart};
 
-    /// Discs and corners that are 1e-12 mm off a fillet of 30 teeth are proven off it, those that overlap it by as much are not, at any place.
-    /// Source: the curve's own points and normals, and its radius of curvature by differences. (The checker judges what is proven off.)
+    /// A fillet of 30 teeth whose gear is locked, at the angle 0, with a mate whose own centre is at `centre`. The free axis is where the
+    /// mate has a long lever about it.
+    fn facing(normal: C, centre: C) -> At {
+        let shift = -normal * C::i() * 50.0;
+        At {
+            centres: [shift, shift + centre],
+            angles: [0.0, 0.0],
+            directions: [C::ONE; 2],
+            play: f64::INFINITY,
+            radius: 100.0,
+        }
+    }
+
+    /// Whether the mate is off; `looks` counts the directions.
+    fn is_off(at: &At, hollow: &Hollow, mate: &Convex, looks: &mut u32) -> bool {
+        let before = *looks;
+        at.is_off_hollow(
+            (0, hollow),
+            (mate, C::ONE),
+            1e-14,
+            (looks, before + 4000),
+            &mut |_, _| (),
+        )
+    }
+
+    /// Fillets of ordinary and of shifted teeth, whose tools' tip radii have their centres inside and outside the pitch line.
+    fn fillets() -> impl Iterator<Item = Hollow> {
+        [(9, 0.0), (30, 0.0), (30, 1.1), (60, 1.3), (100, 1.0)]
+            .into_iter()
+            .map(|(teeth, shift)| {
+                let design = GearDesign {
+                    profile_shift: shift,
+                    ..GearDesign::plain(teeth, 2.0)
+                };
+                let gear = Gear::nominal(design).unwrap();
+                let radius = gear.basic_data().reference_radius();
+                Hollow::new(gear.part(ProfilePart::Fillet), radius, false)
+            })
+    }
+
+    /// Source: points of the stretch, 400 of each.
+    #[test]
+    fn a_stretch_reaches_no_further_than_its_bound() {
+        for hollow in fillets() {
+            for stretch in &hollow.stretches {
+                let [low, high] = stretch.ends;
+                let at = |k: u32| hollow.curve.at(low + (high - low) * f64::from(k) / 400.0);
+                let points: Vec<C> = (0..=400).map(|k| at(k).0).collect();
+                for k in 0..90 {
+                    let n = turn(0.003 + PI * f64::from(k) / 45.0);
+                    let farthest = points.iter().map(|p| dot(*p, n)).fold(f64::MIN, f64::max);
+                    let least = points.iter().map(|p| along(*p, n)).fold(f64::MAX, f64::min);
+                    let (reach, lever) = stretch.bound(n);
+                    assert!(reach >= farthest - 1e-12 && lever <= least + 1e-12, "{k}");
+                    // Both ends reach as far as any point of a hollow stretch towards the mate.
+                    let is_towards = stretch.normals.iter().all(|normal| dot(n, *normal) > 0.0);
+                    let is_exact = reach - farthest < 1e-12;
+                    assert!(!is_towards || stretch.radii.is_none() || is_exact, "{k}");
+                }
+            }
+        }
+    }
+
+    /// Source: differences of points and normals. A curve that bulges somewhere has no radii.
+    #[test]
+    fn radii_are_those_of_differences() {
+        let mut known = 0;
+        for hollow in fillets() {
+            for stretch in &hollow.stretches {
+                let [low, high] = stretch.ends;
+                let radius = |k: u32| {
+                    let t = low + (high - low) * (0.5 + f64::from(k)) / 50.0;
+                    let step = 1e-3 * (high - low);
+                    let [(p, n), (q, m)] = [t - step, t + step].map(|t| hollow.curve.at(t));
+                    (q - p).norm() / along(n, m)
+                };
+                let all: Vec<f64> = (0..50).map(radius).collect();
+                let is_hollow = all.iter().all(|radius| *radius < 0.0)
+                    || all.iter().all(|radius| *radius > 0.0);
+                let Some([least, most]) = stretch.radii else {
+                    continue;
+                };
+                known += 1;
+                assert!(is_hollow);
+                let all = all.iter().map(|radius| radius.abs());
+                let found = [
+                    all.clone().fold(f64::MAX, f64::min),
+                    all.fold(0.0, f64::max),
+                ];
+                let is_within = least <= found[0] * (1.0 + 1e-5) && most >= found[1] * (1.0 - 1e-5);
+                assert!(
+                    is_within && least > 0.3 * found[0] && most < 3.0 * found[1],
+                    "{found:?}, {least} {most}"
+                );
+            }
+        }
+        assert!(known > 15, "{known}");
+    }
+
+    /// Where the tangents of a stretch hold together, each holds. Source: single tangents, 100 of each stretch; free axes in all directions.
+    #[test]
+    fn tangents_of_a_stretch_hold_each() {
+        let mut held = 0;
+        for hollow in fillets() {
+            for stretch in &hollow.stretches {
+                let (point, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
+                for k in 0..60 {
+                    let shift = turn(0.003 + PI * f64::from(k) / 30.0) * f64::from(1 + k % 7);
+                    for (disc, gap) in [(0.0, 1e-6), (0.0, 0.01), (0.1, 1e-6), (0.1, 0.01)] {
+                        let mate = if disc > 0.0 {
+                            Convex::arc(disc, -PI, PI)
+                        } else {
+                            Convex::Chord([C::ZERO; 2])
+                        };
+                        let centre = point + normal * (disc + gap);
+                        for owner in 0..2 {
+                            let mut centres = [shift; 2];
+                            centres[1 - owner] += centre;
+                            let at = At {
+                                centres,
+                                ..facing(normal, centre)
+                            };
+                            if !at.is_off_tangents((owner, &hollow), stretch, &mate, 1e-14) {
+                                continue;
+                            }
+                            held += 1;
+                            let [low, high] = stretch.ends;
+                            for k in 0..=100 {
+                                let t = low + (high - low) * f64::from(k) / 100.0;
+                                let off = at.off_tangent(owner, hollow.curve.at(t), &mate);
+                                assert!(at.stays(off.room, off.arm, 1e-14), "{k}: {off:?}");
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(held > 300, "{held}");
+    }
+
+    /// Discs and corners that are 1e-12 mm off a fillet are proven off it, those that overlap it by as much are not, at any place. Source:
+    /// the curve's own points and normals, and its radius of curvature by differences.
     #[test]
     fn a_fillet_and_a_touching_mate_are_distinguished() {
-        let gear = GearDesign::plain(30, 2.0).gear();
+        let gear = Gear::nominal(GearDesign::plain(30, 2.0)).unwrap();
         let part = gear.part(ProfilePart::Fillet);
         let hollow = Hollow::new(part, gear.basic_data().reference_radius(), false);
         let (low, high) = part.range();
-        let place = |share: f64| hollow.curve.at(low + (high - low) * share);
         // The free axis is where the mate has a lever in all directions of the fillet.
-        let (_, middle) = place(0.5);
-        let is_off = |centre: C, disc: f64, play: f64| {
-            let shift = -middle * C::i() * 50.0;
-            let at = At {
-                centres: [shift, shift + centre],
-                angles: [0.0, 0.0],
-                directions: [C::ONE; 2],
-                play,
-                radius: 100.0,
-            };
-            let mate = if disc > 0.0 {
-                Convex::arc(disc, -PI, PI)
-            } else {
-                Convex::Chord([C::ZERO; 2])
-            };
-            let mates = ((0, &hollow), (&mate, C::ONE));
-            at.is_off_hollow(mates.0, mates.1, 1e-14, (&mut 0, 4000), &mut |_, _| ())
-        };
-        let mut tried = 0;
+        let (_, middle) = hollow.curve.at(0.5 * (low + high));
+        let (mut tried, mut looks_of_all) = (0, 0);
         for k in 1..40 {
             let t = low + (high - low) * f64::from(k) / 40.0;
             let (point, normal) = hollow.curve.at(t);
             let [(p, n), (q, m)] = [t - 1e-6, t + 1e-6].map(|t| hollow.curve.at(t));
             let radius = (q - p).norm() / along(n, m).abs();
-            for disc in [0.0, 0.3, 0.9].map(|share| share * radius) {
-                let points = (0..=2000).map(|k| place(f64::from(k) / 2000.0).0);
+            for share in [0.0, 0.3, 0.9] {
+                let disc = share * radius;
+                let points = (0..=2000).map(|k| {
+                    hollow
+                        .curve
+                        .at(low + (high - low) * f64::from(k) / 2000.0)
+                        .0
+                });
                 let distances = points.map(|p| (p - point - normal * disc).norm());
                 if distances.fold(f64::MAX, f64::min) < disc - 1e-9 {
                     // Nearer to the root the fillet is too narrow for this disc.
@@ -636,21 +764,149 @@ mod tests {
                 }
                 tried += 1;
                 for (gap, expected) in [(1e-12, true), (-1e-12, false)] {
-                    let found = is_off(point + normal * (disc + gap), disc, f64::INFINITY);
-                    assert_eq!(found, expected, "{k} {disc} {gap}");
+                    let centre = point + normal * (disc + gap);
+                    let there = facing(middle, centre);
+                    let mate = if share > 0.0 {
+                        Convex::arc(disc, -PI, PI)
+                    } else {
+                        Convex::Chord([C::ZERO; 2])
+                    };
+                    let mut looks = 0;
+                    let found = is_off(&there, &hollow, &mate, &mut looks);
+                    assert_eq!(found, expected, "{k} {share} {gap}");
+                    looks_of_all += if expected { looks } else { 0 };
                 }
             }
             // A disc behind the fillet that reaches through it is not off it, whatever its direction.
-            assert!(!is_off(point - normal * 0.299, 0.3, 1e-12), "{k}");
+            let behind = At {
+                play: 1e-12,
+                ..facing(middle, point - normal * 0.299)
+            };
+            assert!(
+                !is_off(&behind, &hollow, &Convex::arc(0.3, -PI, PI), &mut 0),
+                "{k}"
+            );
             // A disc rounder than the fillet overlaps it on both sides of its touch.
-            let disc = 1.2 * radius;
+            let centre = point + normal * (1.2 * radius);
+            let mate = Convex::arc(1.2 * radius, -PI, PI);
             let inside = k > 4 && k < 36;
             assert!(
-                !inside || !is_off(point + normal * disc, disc, f64::INFINITY),
+                !inside || !is_off(&facing(middle, centre), &hollow, &mate, &mut 0),
                 "{k}"
             );
         }
         assert!(tried > 60, "{tried}");
+        println!("{} looks", looks_of_all / tried);
+    }
+
+    /// Points of the curve in a stretch, and their normals, at the position of gear `k`.
+    fn sampled(at: &At, k: usize, hollow: &Hollow, [low, high]: [f64; 2]) -> Vec<(C, C)> {
+        let place = |i: u32| {
+            let (point, normal) = hollow.curve.at(low + (high - low) * f64::from(i) / 40.0);
+            (
+                at.centres[k] + at.directions[k] * point,
+                at.directions[k] * normal,
+            )
+        };
+        (0..=40).map(place).collect()
+    }
+
+    /// Whether `proof` of a stretch of gear `owner` holds for points of both pieces, the owner's with normals.
+    fn holds_for(owner: usize, own: &[(C, C)], mate: &[C], proof: OffStretch) -> bool {
+        let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
+        let own_points: Vec<C> = own.iter().map(|(point, _)| *point).collect();
+        let (locked, free) = match owner {
+            0 => (&own_points[..], mate),
+            _ => (mate, &own_points[..]),
+        };
+        let room = match proof {
+            OffStretch::Apart(Apart::Direction(n)) => {
+                least(&mut free.iter().map(|p| dot(*p, n)))
+                    + least(&mut locked.iter().map(|p| -dot(*p, n)))
+            }
+            OffStretch::Apart(Apart::OutOfReach(n)) => {
+                least(&mut locked.iter().map(|p| -dot(*p, n)))
+                    + least(&mut free.iter().map(|p| -p.norm()))
+            }
+            OffStretch::Tangents(_) => least(
+                &mut own
+                    .iter()
+                    .flat_map(|(p, n)| mate.iter().map(move |q| dot(*q - *p, *n))),
+            ),
+        };
+        room > -1e-12
+    }
+
+    /// Proofs of stretches hold for the curves themselves, with both gears turned. The mate is a chord or another fillet. Source: 41 points and
+    /// normals of each stretch.
+    #[test]
+    fn proofs_of_stretches_hold_for_their_curves() {
+        let fillets: Vec<Hollow> = fillets().collect();
+        let mut compared = [[0; 2]; 2];
+        for k in 0..4000u32 {
+            let part = |step: u32| f64::from((k * step + 11 * (k % 89) * k) % 97) / 97.0;
+            let [a, b] = [17, 31].map(|step| &fillets[(part(step) * 4.99) as usize]);
+            let place = |hollow: &Hollow, at: f64| {
+                let [low, high] = hollow.whole.ends;
+                hollow.curve.at(low + (high - low) * at)
+            };
+            let ((p, n), (q, m)) = (place(a, part(41)), place(b, part(53)));
+            let first = turn(6.0 * part(61));
+            let out = first * n;
+            let second = -out * m.conj() * turn(1.5 * part(71) - 0.75);
+            // The free axis is where the mate has a long lever about it.
+            let shift = -out * C::i() * 50.0;
+            let gap = [1e-6, 0.01, 0.2, 1.0][(k % 4) as usize];
+            for owner in 0..2 {
+                let mut centres = [shift; 2];
+                let mut directions = [first; 2];
+                centres[1 - owner] += first * p + out * gap - second * q;
+                directions[1 - owner] = second;
+                let at = At {
+                    centres,
+                    angles: directions.map(C::arg),
+                    directions,
+                    play: 1e-3,
+                    radius: 100.0,
+                };
+                let facing = at.out_of_locked(owner, n);
+                let chord = [q, q + m * turn(1.3 * part(83) - 2.0) * 0.3];
+                let ends = chord.map(|end| centres[1 - owner] + second * end);
+                let mut check = |both: bool, own: &[(C, C)], mate: &[C], by: usize, proof| {
+                    assert!(
+                        holds_for(by, own, mate, proof),
+                        "{k} {owner} {both}: {proof:?}"
+                    );
+                    let is_tangents = matches!(proof, OffStretch::Tangents(_));
+                    compared[usize::from(both)][usize::from(is_tangents)] += 1;
+                };
+                at.is_off_hollow(
+                    (owner, a),
+                    (&Convex::Chord(chord), facing),
+                    1e-14,
+                    (&mut 0, 4000),
+                    &mut |ends_of, proof| {
+                        check(false, &sampled(&at, owner, a, ends_of), &ends, owner, proof);
+                    },
+                );
+                let hollows = if owner == 0 { [a, b] } else { [b, a] };
+                at.is_off_both(
+                    (hollows, facing.arg()),
+                    1e-14,
+                    (&mut 0, 400),
+                    &mut |ends_of, by, proof| {
+                        let points = [0, 1].map(|k| sampled(&at, k, hollows[k], ends_of[k]));
+                        let mate: Vec<C> = points[1 - by].iter().map(|(point, _)| *point).collect();
+                        check(true, &points[by], &mate, by, proof);
+                    },
+                );
+            }
+        }
+
+        assert!(
+            compared.iter().flatten().all(|count| *count > 100),
+            "{compared:?}"
+        );
     }
 
     /// The bound of a room over a stretch of directions, compared with samples of a function with the same second derivative.
@@ -667,8 +923,11 @@ mod tests {
             let sampled = (-1000..=1000)
                 .map(|k| at(w * f64::from(k) / 1000.0))
                 .fold(f64::MAX, f64::min);
-            let over = sampled - least_room(room, slope, m, w);
-            assert!((-1e-15..1e-6 * (1.0 + m.abs())).contains(&over), "{over}");
+            let least = least_room(room, slope, m, w);
+            assert!(
+                least <= sampled + 1e-15 && sampled - least < 1e-6 * (1.0 + m.abs()),
+                "{room} {slope} {m}: {least}, {sampled}"
+            );
         }
     }
 }

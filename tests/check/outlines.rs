@@ -150,8 +150,8 @@ impl Inputs {
 
     fn redrawn(&self, of: &Uncertainty, random: &mut Random) -> Inputs {
         let mut all = self.clone();
-        for k in 0..2 {
-            all.gears[k].thinner -= of.base_thickness[k] * normal(random);
+        for (gear, by) in all.gears.iter_mut().zip(of.base_thickness) {
+            gear.thinner -= by * normal(random);
         }
         for gear in &mut all.gears {
             gear.deviations.eccentricity += 0.5 * of.runout * normal(random);

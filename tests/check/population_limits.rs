@@ -76,47 +76,6 @@ fn every_requirement_is_judged_as_the_verdict_of_the_pair_judges_it() {
     }
 }
 
-/// `j_bn = j_wt cos α_wt` and the like: at one centre distance a limit of each backlash is one of `j_wt`, and the same assemblies miss it.
-#[test]
-fn a_limit_in_another_unit_is_missed_by_the_same_assemblies() {
-    let pair = perfect([30, 20], 75.2);
-    let scatters = of_thickness(normal(0.01), normal(0.02));
-    let population = Population::new(pair.clone(), scatters).unwrap();
-    let tally = |quantity, limit, is_max| {
-        let requirement = Requirement::of(&limited(quantity, limit, is_max));
-        sums(&sample(&population, requirement, 8), 300)
-    };
-    for (limit, is_max) in [(0.12, false), (0.16, true)] {
-        let wanted = tally(Quantity::OperatingBacklash, limit, is_max);
-        assert!((10..290).contains(&wanted.outside), "{}", wanted.outside);
-        for quantity in QUANTITIES.into_iter().take(6) {
-            let value = quantity.value(&pair, limit, is_max);
-            let found = tally(quantity, value, is_max);
-            let counted = [&wanted, &found].map(|all| (all.below, all.above, all.outside));
-            assert_eq!(counted[0], counted[1], "{quantity:?}");
-        }
-    }
-    // Thinner teeth have deeper roots: a − r_a − r_f of each gear's tip in its mate's root, the least of both.
-    let limit = Quantity::RadialClearance.value(&pair, 0.0, false);
-    let is_below = |number: &u64| {
-        let assembly = population.assembly(drawn(8, *number)).unwrap();
-        let [wheel, pinion] =
-            Member::BOTH.map(|member| assembly.pair().data().unwrap().gear(member).gear());
-        let within = assembly.pair().center_distance() - limit;
-        let reach = [
-            wheel.tip_radius() + pinion.root_radius(),
-            pinion.tip_radius() + wheel.root_radius(),
-        ];
-        reach[0].max(reach[1]) > within
-    };
-    let below = (1..=300).filter(is_below).count() as u64;
-    assert!((10..290).contains(&below), "{below}");
-    for (is_max, missed) in [(false, below), (true, 300 - below)] {
-        let found = tally(Quantity::RadialClearance, limit, is_max);
-        assert_eq!(found.outside, missed);
-    }
-}
-
 /// Perfect gears with bands: every length at its end.
 #[test]
 fn the_worst_case_of_perfect_gears_is_the_closed_form() {

@@ -6,8 +6,6 @@ mod common;
 mod deviating;
 mod examples;
 mod helical;
-#[path = "../common/helical_dimensions.rs"]
-mod helical_dimensions;
 #[path = "../check/kit.rs"]
 mod kit;
 mod properties;
@@ -21,8 +19,8 @@ use gearlash::analytic::{
 use gearlash::contact::{ExactKernel, LostMotion, Method};
 use gearlash::error::GearError;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Hand, MeasuringBody, Modification,
-    Profile, ProfilePart, Relief, Side, involute, thickness,
+    AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Hand, Modification, Profile,
+    ProfilePart, Relief, Side, involute, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use kit::{Make, ends, inv, near, on, pair, spur};

@@ -67,7 +67,7 @@ pub fn revolution(
         if let (Some(most), Some(least)) = (most, least) {
             let mut sample = Swatch::Line;
             if fill {
-                let band = Mark::band(points(most), points(least), look, FILL);
+                let band = Mark::Band([most, least].map(points), look, FILL);
                 panel.marks.push(band);
                 sample = Swatch::LineInBand(FILL);
             }
@@ -81,7 +81,7 @@ pub fn revolution(
             legend.push(entry(&name, look, Swatch::Line));
         }
         let lines = course.lines.iter().filter(|line| line.flank == flank);
-        let lines = lines.map(|line| Mark::line(points(line), look, 1.6));
+        let lines = lines.map(|line| Mark::Line(points(line), look, 1.6));
         panel.marks.extend(lines);
     }
     let busy = course.least.as_ref().map_or(0.0, |least| least.x);
@@ -163,7 +163,7 @@ pub(super) fn label(
     };
     let teeth = |(wheel, pinion): (u32, u32)| format!("{wheel}·{pinion}");
     [
-        Mark::dots(vec![(extreme.x, Some(y))], Look::Plain),
+        Mark::Dots(vec![(extreme.x, Some(y))], Look::Plain),
         Mark::text(
             [extreme.x, y],
             [across, shift],

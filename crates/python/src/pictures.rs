@@ -109,14 +109,10 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
         .map(|analysis| extremes_in_short(&analysis.verdict()));
     let cycle = cycle.unwrap_or_default();
     let outcomes = by_distance(&all, &[]);
-    chart::distance(
-        BacklashUnit::Um,
-        &heading(&study.title, &cycle),
-        &curve,
-        &outcomes,
-    )
-    .map(|chart| chart.svg)
-    .map_err(|reason| error(py, reason))
+    let heading = heading(&study.title, &cycle);
+    chart::distance(BacklashUnit::Um, &heading, &curve, &outcomes)
+        .map(|chart| chart.svg)
+        .map_err(|reason| error(py, reason))
 }
 
 /// A gear's deviations, tooth by tooth.

@@ -73,11 +73,8 @@ pub fn difference(
             course.center_distance
         )));
     }
-    let details = format!(
-        "{}simulated − formula, right flanks · {}",
-        unproven_note(unproven_of(lines())),
-        course_caption(course)
-    );
+    let (unproven, of) = (unproven_note(unproven_of(lines())), course_caption(course));
+    let details = format!("{unproven}simulated − formula, right flanks · {of}");
     sheet::draw(heading, &details, &legend, &panels)
 }
 
@@ -116,10 +113,8 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     };
     let corner = [course.span[0], y[1]];
     marks.push(Mark::text(corner, [8.0, 10.0], words, Anchor::Start));
-    let title = format!(
-        "minus model 3, separate scale{}",
-        thin_line_material(course)
-    );
+    let thin = thin_line_material(course);
+    let title = format!("minus model 3, separate scale{thin}");
     let panel = Panel::new(course_axis(course), Axis::new(name, y), 230.0, marks);
     Some(panel.titled(title))
 }

@@ -88,10 +88,8 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
         let name = "fillet, root or undercut edge touched first";
         entries.push(entry(name, Look::Third, Swatch::Band(SHADE)));
     }
-    let details = format!(
-        "{} · by each line: teeth, transverse gap",
-        pose_name(field.pose.mating())
-    );
+    let pose = pose_name(field.pose.mating());
+    let details = format!("{pose} · by each line: teeth, transverse gap");
     sheet::draw(heading, &details, &entries, &panels)
 }
 
@@ -181,12 +179,12 @@ fn leads(side: &FieldSide, x: [f64; 2]) -> Option<Panel> {
     marks.push(Mark::Line(curve(pinion), Look::Third, 1.4));
     marks.push(Mark::Line(curve(&sum), side_look(side.side), 2.0));
     let binding = &side.binding;
-    let title = format!(
-        "Leads of the {} flanks of wheel {} and pinion {}, and their sum",
-        side.side.name(),
-        binding.wheel_tooth,
-        binding.pinion_tooth
+    let (wheel, pinion) = (binding.wheel_tooth, binding.pinion_tooth);
+    let flanks = format!(
+        "{} flanks of wheel {wheel} and pinion {pinion}",
+        side.side.name()
     );
+    let title = format!("Leads of the {flanks}, and their sum");
     let y = Axis::new("more material, µm", y);
     Some(Panel::new(Axis::new(ALONG, x), y, LEADS_HEIGHT, marks).titled(title))
 }

@@ -125,12 +125,8 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
     let name = "share so far, and its interval of 95 % (Clopper and Pearson)";
     let entries = [entry(name, Look::Right, Swatch::LineInBand(0.2))];
     let x = Axis::new("assemblies drawn", [0.0, last.assemblies as f64]);
-    let panel = Panel::new(
-        x,
-        Axis::new("outside the requirement, ppm", y),
-        320.0,
-        marks,
-    );
+    let y = Axis::new("outside the requirement, ppm", y);
+    let panel = Panel::new(x, y, 320.0, marks);
     sheet::draw(heading, "", &entries, &[panel])
 }
 

@@ -162,16 +162,13 @@ pub(super) fn label(
         _ => (Anchor::Middle, 0.0),
     };
     let teeth = |(wheel, pinion): (u32, u32)| format!("{wheel}·{pinion}");
+    let [right_teeth, left_teeth] = [extreme.right, extreme.left].map(teeth);
     [
         Mark::Dots(vec![(extreme.x, Some(y))], Look::Plain),
         Mark::text(
             [extreme.x, y],
             [across, shift],
-            format!(
-                "{words}: right flanks {}, left flanks {} touch",
-                teeth(extreme.right),
-                teeth(extreme.left)
-            ),
+            format!("{words}: right flanks {right_teeth}, left flanks {left_teeth} touch"),
             anchor,
         ),
     ]

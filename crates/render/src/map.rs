@@ -113,10 +113,8 @@ fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
             (steps.floor() + 3.0).clamp(1.0, 6.0) as usize
         }
     });
-    let phase = format!(
-        "pitches from mating {}·{} on",
-        map.start.wheel_tooth, map.start.pinion_tooth
-    );
+    let start = [map.start.wheel_tooth, map.start.pinion_tooth];
+    let phase = format!("pitches from mating {}·{} on", start[0], start[1]);
     let grid = Grid {
         distances: &map.distances,
         columns: map.columns,

@@ -162,10 +162,8 @@ fn legend(result: &MatchResult, step: f64) -> Group {
     let mut y = FIELD.top + 12.0;
     let mut group = Group::new().add(SMALL.bold().text("from the target, best phase", [left, y]));
     let um = |value: f64| shortest(rounded(value, 6));
-    group.append(SMALL.grey().text(
-        &format!("target {} µm", um(1e3 * result.wanted)),
-        [left, y + 20.0],
-    ));
+    let target = format!("target {} µm", um(1e3 * result.wanted));
+    group.append(SMALL.grey().text(&target, [left, y + 20.0]));
     y += 24.0;
     for (number, colour) in SHADES.iter().enumerate() {
         y += 24.0;

@@ -137,16 +137,13 @@ fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) 
         let left = 0.6 + place as f64 * width;
         if teeth > MOST_BARS {
             let points = (1..).map(f64::from).zip(bars.values.iter().copied());
-            marks.push(Mark::line(points.collect(), bars.look, 1.0))
+            marks.push(Mark::Line(points.collect(), bars.look, 1.0))
         } else {
             let values = (0u32..).map(f64::from).zip(&bars.values);
             marks.extend(values.filter_map(|(shift, value)| {
                 let value = (*value)?;
-                Some(Mark::Bar {
-                    x: [left + shift, left + width + shift],
-                    y: [value.min(0.0), value.max(0.0)],
-                    look: bars.look,
-                })
+                let x = [left + shift, left + width + shift];
+                Some(Mark::Bar(x, [value.min(0.0), value.max(0.0)], bars.look))
             }))
         }
     }
@@ -203,7 +200,7 @@ pub fn curve(
         return Err(PictureError("there are no values to draw".to_owned()));
     };
     let x = Axis::of_teeth(axes.x, x, Some(axes.teeth));
-    let marks = vec![Mark::line(points, Look::Plain, 1.6)];
+    let marks = vec![Mark::Line(points, Look::Plain, 1.6)];
     let panel = Panel::new(x, Axis::new(axes.y, y), 340.0, marks);
     sheet::draw(heading, "", &[], &[panel.titled(axes.title)])
 }

@@ -23,7 +23,7 @@ pub fn difference(
     let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
     let of = |model: fn(&CoursePoint) -> Option<f64>, look: Look| {
         let lines = lines()
-            .map(move |line| Mark::line(points(line, model, 1.0), look, width(line.material)));
+            .map(move |line| Mark::Line(points(line, model, 1.0), look, width(line.material)));
         lines.collect::<Vec<Mark>>()
     };
     let models: [fn(&CoursePoint) -> Option<f64>; 2] =
@@ -73,11 +73,8 @@ pub fn difference(
             course.center_distance
         )));
     }
-    let details = format!(
-        "{}simulated − formula, right flanks · {}",
-        unproven_note(unproven_of(lines())),
-        course_caption(course)
-    );
+    let (unproven, of) = (unproven_note(unproven_of(lines())), course_caption(course));
+    let details = format!("{unproven}simulated − formula, right flanks · {of}");
     sheet::draw(heading, &details, &legend, &panels)
 }
 
@@ -91,12 +88,12 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     let sizes = known().chain(all().filter_map(bound)).map(f64::abs);
     let (unit, name) = unit(sizes.reduce(f64::max)?);
     let bands = lines().map(|line| {
-        let [low, high] = [-1.0, 1.0].map(|sign| points(line, bound, sign / unit));
-        Mark::band(low, high, Look::Limit, BOUND)
+        let edges = [-1.0, 1.0].map(|sign| points(line, bound, sign / unit));
+        Mark::Band(edges, Look::Limit, BOUND)
     });
     let curves = lines().map(|line| {
         let points = points(line, off, 1.0 / unit);
-        Mark::line(points, Look::Right, width(line.material))
+        Mark::Line(points, Look::Right, width(line.material))
     });
     let mut marks: Vec<Mark> = bands.chain(curves).collect();
     let values = all().filter_map(off);
@@ -116,10 +113,8 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     };
     let corner = [course.span[0], y[1]];
     marks.push(Mark::text(corner, [8.0, 10.0], words, Anchor::Start));
-    let title = format!(
-        "minus model 3, separate scale{}",
-        thin_line_material(course)
-    );
+    let thin = thin_line_material(course);
+    let title = format!("minus model 3, separate scale{thin}");
     let panel = Panel::new(course_axis(course), Axis::new(name, y), 230.0, marks);
     Some(panel.titled(title))
 }

@@ -14,8 +14,8 @@ use gearlash_files::numbers::{fixed, trimmed};
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];
 
-/// Backlash of one pose, or the mean of two, over the centre distance, in `unit`: simulated and analytic band, the band with bearing clearance,
-/// and the measured values.
+/// Backlash of one pose, or the mean of two, over the centre distance, in `unit`. There are the simulated and the analytic band, the band
+/// with bearing clearance, and the measured values.
 ///
 /// # Errors
 /// [`PictureError`] when all poses are proven and there is neither a value nor a measurement.
@@ -71,8 +71,8 @@ pub fn distance(
     }
     let ranges: Vec<[Point; 2]> = distances.iter().map(|at| range_of(at, place)).collect();
     for points in ranges.iter().map(|ends| ends.to_vec()) {
-        marks.push(Mark::dots(points.clone(), Look::Plain));
-        marks.push(Mark::line(points, Look::Plain, 1.0));
+        marks.push(Mark::Dots(points.clone(), Look::Plain));
+        marks.push(Mark::Line(points, Look::Plain, 1.0));
     }
     if !ranges.is_empty() {
         let name = "least and greatest of all poses, every tooth";
@@ -84,7 +84,7 @@ pub fn distance(
     ] {
         if !points.is_empty() {
             legend.push(entry(name, look, Swatch::Dot));
-            marks.push(Mark::dots(points.clone(), look));
+            marks.push(Mark::Dots(points.clone(), look));
         }
     }
     let bands = [&simulated, &analytic, &with_clearance]
@@ -165,12 +165,11 @@ fn gaps(curve: &OverDistance, [x, y]: [[f64; 2]; 2]) -> impl Iterator<Item = Mar
     })
 }
 
-fn band([low, high]: &[Vec<Point>; 2], look: Look, opacity: f64) -> [Mark; 3] {
-    let fill = Mark::band(low.clone(), high.clone(), look, opacity);
-    let [low, high] = outline(&[low.clone(), high.clone()], look);
-    [fill, low, high]
+fn band(ends: &[Vec<Point>; 2], look: Look, opacity: f64) -> [Mark; 3] {
+    let [low, high] = outline(ends, look);
+    [Mark::Band(ends.clone(), look, opacity), low, high]
 }
 
 fn outline(ends: &[Vec<Point>; 2], look: Look) -> [Mark; 2] {
-    ends.clone().map(|points| Mark::line(points, look, 1.4))
+    ends.clone().map(|points| Mark::Line(points, look, 1.4))
 }

@@ -88,10 +88,8 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
         let name = "fillet, root or undercut edge touched first";
         entries.push(entry(name, Look::Third, Swatch::Band(SHADE)));
     }
-    let details = format!(
-        "{} · by each line: teeth, transverse gap",
-        pose_name(field.pose.mating())
-    );
+    let pose = pose_name(field.pose.mating());
+    let details = format!("{pose} · by each line: teeth, transverse gap");
     sheet::draw(heading, &details, &entries, &panels)
 }
 
@@ -119,7 +117,7 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
         if line.points.is_empty() {
             let points: Vec<Point> = line.ends.map(|[z, place]| (z, Some(place))).to_vec();
             let width = WIDTHS[usize::from(line.binds)];
-            marks.push(Mark::line(points, side_look(side.side), width));
+            marks.push(Mark::Line(points, side_look(side.side), width));
         } else {
             marks.extend(shaded(line, side.side, most, HALF_POINT * (y[1] - y[0])));
         }
@@ -156,8 +154,8 @@ fn shaded(line: &ContactLine, side: Side, most: f64, half: f64) -> Vec<Mark> {
             let edge = |off: f64| points.iter().map(|p| (p[0], Some(p[1] + off))).collect();
             let part = shade(&line.points[from]) / SHADES as f64;
             let opacity = 1.0 - (1.0 - PALEST) * part;
-            let (low, high) = (edge(-half), edge(half));
-            marks.push(Mark::band(low, high, side_look(side), opacity));
+            let edges = [edge(-half), edge(half)];
+            marks.push(Mark::Band(edges, side_look(side), opacity));
             from = to;
         }
     }
@@ -177,16 +175,16 @@ fn leads(side: &FieldSide, x: [f64; 2]) -> Option<Panel> {
     let values = all.into_iter().flatten().map(|point| 1e3 * point.1);
     let y = range(values, [0.1; 2], LEAST_UM)?;
     let mut marks = vec![Mark::level(x, 0.0, Look::Limit, 0.8)];
-    marks.push(Mark::line(curve(wheel), Look::Plain, 1.0));
-    marks.push(Mark::line(curve(pinion), Look::Third, 1.4));
-    marks.push(Mark::line(curve(&sum), side_look(side.side), 2.0));
+    marks.push(Mark::Line(curve(wheel), Look::Plain, 1.0));
+    marks.push(Mark::Line(curve(pinion), Look::Third, 1.4));
+    marks.push(Mark::Line(curve(&sum), side_look(side.side), 2.0));
     let binding = &side.binding;
-    let title = format!(
-        "Leads of the {} flanks of wheel {} and pinion {}, and their sum",
-        side.side.name(),
-        binding.wheel_tooth,
-        binding.pinion_tooth
+    let (wheel, pinion) = (binding.wheel_tooth, binding.pinion_tooth);
+    let flanks = format!(
+        "{} flanks of wheel {wheel} and pinion {pinion}",
+        side.side.name()
     );
+    let title = format!("Leads of the {flanks}, and their sum");
     let y = Axis::new("more material, µm", y);
     Some(Panel::new(Axis::new(ALONG, x), y, LEADS_HEIGHT, marks).titled(title))
 }
@@ -204,7 +202,7 @@ fn binding_line(side: &FieldSide) -> Option<[f64; 2]> {
 fn binding_point(side: &FieldSide, place: f64) -> Option<Mark> {
     binding_line(side)
         .is_none()
-        .then(|| Mark::dots(vec![(side.binding.section, Some(place))], Look::Plain))
+        .then(|| Mark::Dots(vec![(side.binding.section, Some(place))], Look::Plain))
 }
 
 fn binding_words(side: &FieldSide) -> String {
@@ -296,7 +294,7 @@ fn gaps(sides: &[&FieldSide], x: [f64; 2]) -> Panel {
     let mut marks: Vec<Mark> = sides.iter().flat_map(|side| shades(side)).collect();
     for side in sides {
         let points = side.sections.iter().map(|s| (s.at, value(s)));
-        marks.push(Mark::line(points.collect(), side_look(side.side), 1.6));
+        marks.push(Mark::Line(points.collect(), side_look(side.side), 1.6));
         marks.extend(binding_point(side, 0.0));
     }
     let fillets: String = sides.iter().map(|side| fillets(side)).collect();
@@ -323,7 +321,7 @@ fn fillets(side: &FieldSide) -> String {
 
 /// The stretches where a fillet touches first.
 fn shades(side: &FieldSide) -> Vec<Mark> {
-    let shade = |x: [f64; 2]| Mark::shade(x, Look::Third, SHADE);
+    let shade = |x: [f64; 2]| Mark::Shade(x, Look::Third, SHADE);
     side.fillets.iter().copied().map(shade).collect()
 }
 

@@ -182,17 +182,17 @@ fn panel(
 ) -> Panel {
     let worst = flank.worst_tooth();
     let trace = flank.tooth(worst);
-    let mut marks = vec![Mark::shade(flank.evaluated, Look::Limit, SHADE)];
+    let mut marks = vec![Mark::Shade(flank.evaluated, Look::Limit, SHADE)];
     let curve = |trace: &TraceReading| -> Vec<Point> {
         let points = trace.points.iter();
         points.map(|&(at, mm)| (at, Some(1e3 * mm))).collect()
     };
     let others = flank.shapes.iter().filter(|other| *other != trace);
     let others = others.take(MOST_OTHERS);
-    marks.extend(others.map(|other| Mark::line(curve(other), Look::Limit, 0.8)));
-    marks.push(Mark::line(curve(trace), look, 1.6));
+    marks.extend(others.map(|other| Mark::Line(curve(other), Look::Limit, 0.8)));
+    marks.push(Mark::Line(curve(trace), look, 1.6));
     let mean = trace.mean_line.map(|(at, mm)| (at, Some(1e3 * mm)));
-    marks.push(Mark::line(mean.to_vec(), Look::Plain, 0.8));
+    marks.push(Mark::Line(mean.to_vec(), Look::Plain, 0.8));
     let tooth = match flank.shapes.len() {
         1 => "all teeth".to_owned(),
         _ => format!("worst tooth {worst}"),

@@ -138,20 +138,20 @@ fn obstacles(panel: &Panel, plot: &Plot) -> Occupied {
     let mut taken = Occupied::default();
     for mark in &panel.marks {
         match mark {
-            Mark::Line { points, .. } => {
+            Mark::Line(points, ..) => {
                 for run in thin::runs(points, 1.0 / plot.scale()[0]) {
                     let spots: Vec<Spot> = run.iter().map(|point| plot.spot(*point)).collect();
                     taken.line(&spots);
                 }
             }
-            Mark::Dots { points, .. } => {
+            Mark::Dots(points, _) => {
                 let known = points.iter().filter_map(|&(x, y)| Some((x, y?)));
                 known.for_each(|point| taken.frame(around(plot.spot(point), 4.0)));
             }
-            Mark::Bar { x, y, .. } => {
+            Mark::Bar(x, y, _) => {
                 taken.frame(plot.between(*x, *y));
             }
-            Mark::Ground { .. } | Mark::Shade { .. } | Mark::Band { .. } | Mark::Text { .. } => {}
+            Mark::Ground(_) | Mark::Shade(..) | Mark::Band(..) | Mark::Text { .. } => {}
         }
     }
     taken

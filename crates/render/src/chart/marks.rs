@@ -42,8 +42,8 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
     let spots = |run: &[(f64, f64)]| run.iter().map(|point| plot.spot(*point)).collect();
     match mark {
         // Areas are below the grid, texts above everything.
-        Mark::Ground { .. } | Mark::Text { .. } => {}
-        Mark::Shade { x, look, opacity } => {
+        Mark::Ground(_) | Mark::Text { .. } => {}
+        Mark::Shade(x, look, opacity) => {
             let [left, right] = x.map(|x| plot.spot((x, plot.y[0]))[0]);
             let frame = Frame {
                 left,
@@ -53,27 +53,18 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
             let shade = frame.rectangle().set("fill", look.colour());
             group.append(shade.set("fill-opacity", number(*opacity)));
         }
-        Mark::Band {
-            low,
-            high,
-            look,
-            opacity,
-        } => {
+        Mark::Band([low, high], look, opacity) => {
             for [low, high] in thin::bands(low, high, column) {
                 group.append(area(spots(&low), spots(&high), *look, *opacity));
             }
         }
-        Mark::Line {
-            points,
-            look,
-            width,
-        } => draw_line(points, *look, *width, plot, group),
-        Mark::Dots { points, look } => {
+        Mark::Line(points, look, width) => draw_line(points, *look, *width, plot, group),
+        Mark::Dots(points, look) => {
             for (x, y) in points.iter().filter_map(|&(x, y)| Some((x, y?))) {
                 group.append(look.mark(plot.spot((x, y))));
             }
         }
-        Mark::Bar { x, y, look } => {
+        Mark::Bar(x, y, look) => {
             group.append(bar(&plot.between(*x, *y), *look));
         }
     }
@@ -88,7 +79,7 @@ pub(super) fn bar(frame: &Frame, look: Look) -> svg::node::element::Rectangle {
 /// Whether one of a panel's lines is drawn as an envelope in `plot`.
 pub(super) fn has_envelope(marks: &[Mark], plot: &Plot) -> bool {
     marks.iter().any(|mark| {
-        let Mark::Line { points, .. } = mark else {
+        let Mark::Line(points, ..) = mark else {
             return false;
         };
         let mut runs = thin::runs(points, 1.0 / plot.scale()[0]).into_iter();

@@ -70,38 +70,17 @@ pub(super) type Point = (f64, Option<f64>);
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
     /// A hatched area over the whole width, up to a value of y.
-    Ground {
-        below: f64,
-    },
-    /// A shade over the whole height between two places.
-    Shade {
-        x: [f64; 2],
-        look: Look,
-        opacity: f64,
-    },
-    /// The area between two lines.
-    Band {
-        low: Vec<Point>,
-        high: Vec<Point>,
-        look: Look,
-        opacity: f64,
-    },
-    /// A line; its dash can differ from its style's.
-    Line {
-        points: Vec<Point>,
-        look: Look,
-        width: f64,
-    },
-    Dots {
-        points: Vec<Point>,
-        look: Look,
-    },
-    /// A bar between two corners, filled or as its outline.
-    Bar {
-        x: [f64; 2],
-        y: [f64; 2],
-        look: Look,
-    },
+    Ground(f64),
+    /// A shade over the whole height between two places, with its opacity.
+    Shade([f64; 2], Look, f64),
+    /// The area between two lines, with its opacity.
+    Band([Vec<Point>; 2], Look, f64),
+    /// A line, with its width.
+    Line(Vec<Point>, Look, f64),
+    /// Single values.
+    Dots(Vec<Point>, Look),
+    /// A bar between two places and two values.
+    Bar([f64; 2], [f64; 2], Look),
     /// A text, moved right and down by `shift` units.
     Text {
         at: [f64; 2],
@@ -112,37 +91,12 @@ pub(super) enum Mark {
 }
 
 impl Mark {
-    pub fn line(points: Vec<Point>, look: Look, width: f64) -> Mark {
-        Mark::Line {
-            points,
-            look,
-            width,
-        }
-    }
-
     pub fn level(x: [f64; 2], y: f64, look: Look, width: f64) -> Mark {
-        Mark::line(x.map(|x| (x, Some(y))).to_vec(), look, width)
+        Mark::Line(x.map(|x| (x, Some(y))).to_vec(), look, width)
     }
 
     pub fn upright(x: f64, y: [f64; 2], look: Look, width: f64) -> Mark {
-        Mark::line(y.map(|y| (x, Some(y))).to_vec(), look, width)
-    }
-
-    pub fn band(low: Vec<Point>, high: Vec<Point>, look: Look, opacity: f64) -> Mark {
-        Mark::Band {
-            low,
-            high,
-            look,
-            opacity,
-        }
-    }
-
-    pub fn dots(points: Vec<Point>, look: Look) -> Mark {
-        Mark::Dots { points, look }
-    }
-
-    pub fn shade(x: [f64; 2], look: Look, opacity: f64) -> Mark {
-        Mark::Shade { x, look, opacity }
+        Mark::Line(y.map(|y| (x, Some(y))).to_vec(), look, width)
     }
 
     pub fn text(at: [f64; 2], shift: [f64; 2], text: impl Into<String>, anchor: Anchor) -> Mark {

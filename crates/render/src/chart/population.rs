@@ -53,11 +53,8 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
     for (_, spread, look) in spreads {
         for (bar, count) in bars(spread) {
             most = most.max(count);
-            marks.push(Mark::Bar {
-                x: [um(bar), um(bar + 1)],
-                y: [0.0, count as f64],
-                look,
-            });
+            let x = [um(bar), um(bar + 1)];
+            marks.push(Mark::Bar(x, [0.0, count as f64], look));
         }
     }
     let top = HEADROOM * most as f64;
@@ -119,21 +116,17 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
         each.map(|(x, value)| (x, value.map(|value| value.min(y[1]))))
             .collect()
     };
-    let [low, high] = [
+    let edges = [
         clipped(|point| point.share.low),
         clipped(|point| point.share.high),
     ];
-    let band = Mark::band(low, high, Look::Right, 0.2);
-    let marks = vec![band, Mark::line(shares, Look::Right, 1.8)];
+    let band = Mark::Band(edges, Look::Right, 0.2);
+    let marks = vec![band, Mark::Line(shares, Look::Right, 1.8)];
     let name = "share so far, and its interval of 95 % (Clopper and Pearson)";
     let entries = [entry(name, Look::Right, Swatch::LineInBand(0.2))];
     let x = Axis::new("assemblies drawn", [0.0, last.assemblies as f64]);
-    let panel = Panel::new(
-        x,
-        Axis::new("outside the requirement, ppm", y),
-        320.0,
-        marks,
-    );
+    let y = Axis::new("outside the requirement, ppm", y);
+    let panel = Panel::new(x, y, 320.0, marks);
     sheet::draw(heading, "", &entries, &[panel])
 }
 
@@ -162,11 +155,8 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
             (one.first, Look::Left, middle - 0.24),
         ] {
             let percent = 100.0 * index.value;
-            marks.push(Mark::Bar {
-                x: [percent.min(0.0), percent.max(0.0)],
-                y: [at - 0.12, at + 0.12],
-                look,
-            });
+            let x = [percent.min(0.0), percent.max(0.0)];
+            marks.push(Mark::Bar(x, [at - 0.12, at + 0.12], look));
             let error = 200.0 * index.error;
             let ends = [percent - error, percent + error];
             marks.push(Mark::level(ends, at, Look::Plain, 1.2));

@@ -67,7 +67,7 @@ pub fn revolution(
         if let (Some(most), Some(least)) = (most, least) {
             let mut sample = Swatch::Line;
             if fill {
-                let band = Mark::band(points(most), points(least), look, FILL);
+                let band = Mark::Band([most, least].map(points), look, FILL);
                 panel.marks.push(band);
                 sample = Swatch::LineInBand(FILL);
             }
@@ -81,7 +81,7 @@ pub fn revolution(
             legend.push(entry(&name, look, Swatch::Line));
         }
         let lines = course.lines.iter().filter(|line| line.flank == flank);
-        let lines = lines.map(|line| Mark::line(points(line), look, 1.6));
+        let lines = lines.map(|line| Mark::Line(points(line), look, 1.6));
         panel.marks.extend(lines);
     }
     let busy = course.least.as_ref().map_or(0.0, |least| least.x);
@@ -162,16 +162,13 @@ pub(super) fn label(
         _ => (Anchor::Middle, 0.0),
     };
     let teeth = |(wheel, pinion): (u32, u32)| format!("{wheel}·{pinion}");
+    let [right_teeth, left_teeth] = [extreme.right, extreme.left].map(teeth);
     [
-        Mark::dots(vec![(extreme.x, Some(y))], Look::Plain),
+        Mark::Dots(vec![(extreme.x, Some(y))], Look::Plain),
         Mark::text(
             [extreme.x, y],
             [across, shift],
-            format!(
-                "{words}: right flanks {}, left flanks {} touch",
-                teeth(extreme.right),
-                teeth(extreme.left)
-            ),
+            format!("{words}: right flanks {right_teeth}, left flanks {left_teeth} touch"),
             anchor,
         ),
     ]

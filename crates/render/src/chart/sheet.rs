@@ -206,7 +206,7 @@ impl Layout {
         let both = [&panel.x, &panel.y];
         let most = [self.most, (panel.height / NUMBER_HEIGHT) as usize];
         for mark in &panel.marks {
-            if let Mark::Ground { below } = mark {
+            if let Mark::Ground(below) = mark {
                 drawn.append(marks::ground(&plot, *below));
             }
         }

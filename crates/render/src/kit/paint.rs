@@ -24,8 +24,8 @@ pub const ACTION: &str = "#0072b2";
 /// Band of the path of contact.
 pub const PATH: &str = "#9ccbe8";
 
-/// The `<style>` element that shows the pictures in `text` on a dark screen: each colour, drawn for paper, becomes another. A picture on
-/// its own has no style sheet, and prints as drawn.
+/// The `<style>` element that shows the pictures in `text` on a dark screen: each colour becomes another. A picture on its own has no
+/// style sheet, and prints as drawn.
 pub fn dark_style(text: &str) -> String {
     let mut found = BTreeSet::new();
     for property in ["fill", "stroke"] {

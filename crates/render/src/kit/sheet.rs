@@ -21,18 +21,14 @@ pub const FONTS: &str = "sans-serif, DejaVu Sans, Liberation Sans, Noto Sans";
 
 /// An empty white sheet with a size in units, true to size in print.
 pub fn blank_sheet(width: f64, height: f64) -> SVG {
+    let ground = Rectangle::new().set("width", "100%").set("height", "100%");
     SVG::new()
         .set("xmlns:xlink", XLINK)
         .set("viewBox", format!("0 0 {width} {height}"))
         .set("width", format!("{}mm", width / UNITS_PER_MM))
         .set("height", format!("{}mm", height / UNITS_PER_MM))
         .set("font-family", FONTS)
-        .add(
-            Rectangle::new()
-                .set("width", "100%")
-                .set("height", "100%")
-                .set("fill", "white"),
-        )
+        .add(ground.set("fill", "white"))
 }
 
 /// Ids of a picture: a page can hold several.
@@ -113,11 +109,9 @@ pub fn define_area(
     points: &[Spot],
 ) -> Definitions {
     let path = Path::new().set("d", path_data(points, true));
-    definitions.add(path.clone().set("id", ids.of(name))).add(
-        ClipPath::new()
-            .set("id", ids.of(&format!("{name}-clip")))
-            .add(path),
-    )
+    let limit = ClipPath::new().set("id", ids.of(&format!("{name}-clip")));
+    let area = path.clone().set("id", ids.of(name));
+    definitions.add(area).add(limit.add(path))
 }
 
 /// The area `name`, to be filled or stroked.

@@ -64,33 +64,27 @@ fn rows(pair: &PairFile) -> Vec<(&'static str, [String; 2])> {
         })
     };
     let runouts = specs.map(EitherGearSpec::runout);
+    let followed = drawn(&|_, read| match read.bound_mm {
+        0.0 => "as drawn".to_owned(),
+        bound => bound_um(bound),
+    });
+    let inside = drawn(&|_, read| read.inside.to_string());
+    let faces = specs.map(|spec| spec.reference_face().name().to_owned());
     let mut rows = vec![
         ("drawing", of(&|spec, _| plain(&spec.file), &by_its_data)),
         ("chosen path", drawn(&|spec, _| selection(spec))),
         ("unit", drawn(&unit)),
         ("centre in the drawing, mm", drawn(&centre)),
         ("parts of the outline", drawn(&parts)),
-        (
-            "followed within, µm",
-            drawn(&|_, read| match read.bound_mm {
-                0.0 => "as drawn".to_owned(),
-                bound => bound_um(bound),
-            }),
-        ),
-        (
-            "closed paths inside",
-            drawn(&|_, read| read.inside.to_string()),
-        ),
+        ("followed within, µm", followed),
+        ("closed paths inside", inside),
         ("moved out by, mm", specs.map(offset)),
         ("teeth", gears(|gear| f64::from(gear.teeth()))),
         ("tip diameter, mm", gears(|gear| 2.0 * gear.tip_radius())),
         ("root diameter, mm", gears(|gear| 2.0 * gear.root_radius())),
         ("runout as stated, µm", runouts.map(runout)),
         ("high tooth", runouts.map(high_tooth)),
-        (
-            "reference face towards",
-            specs.map(|spec| spec.reference_face().name().to_owned()),
-        ),
+        ("reference face towards", faces),
     ];
     rows.retain(|(_, cells)| cells.iter().any(|cell| cell != "–"));
     rows

@@ -119,32 +119,27 @@ const NAMES: [(&str, &str); 3] = [
 
 pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
     let of = &page.agreement;
+    let off_line = "lie below model 3, the teeth touching off the line of action";
+    let alone = "have no value of model 3, no two involutes reaching each other";
     let counts = [
         (of.agree, "agree with model 3"),
-        (
-            of.off_line,
-            "lie below model 3, the teeth touching off the line of action",
-        ),
+        (of.off_line, off_line),
         (of.below, "lie below model 3 where involutes touch"),
         (of.above, "lie above model 3"),
-        (
-            of.simulated_alone,
-            "have no value of model 3, no two involutes reaching each other",
-        ),
+        (of.simulated_alone, alone),
         (of.jammed, "are jammed where model 3 has a value"),
         (of.apart, "are out of mesh where model 3 has a value"),
         (of.neither, "are jammed or out of mesh: neither has a value"),
         (of.unproven, "are unproven: not compared"),
     ];
     let counts = counts.iter().filter(|(poses, _)| *poses > 0);
-    let counts: Vec<String> = counts
-        .map(|(poses, words)| format!("{poses} {words}"))
-        .collect();
+    let counts = counts.map(|(poses, words)| format!("{poses} {words}"));
+    let counts: Vec<String> = counts.collect();
     let columns = columns("model:w | what it includes | poses:n | mean:n | largest:n");
     let rows = NAMES.into_iter().zip(MODELS).map(|((name, knows), model)| {
         let found = deviation(&page.all, model);
-        let [mean, largest] =
-            [found.map(|of| of.mean), found.map(|of| of.largest)].map(difference_um);
+        let ends = [found.map(|of| of.mean), found.map(|of| of.largest)];
+        let [mean, largest] = ends.map(difference_um);
         cells![name, knows, found.map_or(0, |of| of.poses), mean, largest]
     });
     Ok(html! {

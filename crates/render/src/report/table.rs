@@ -1,5 +1,5 @@
-//! Tables of a page, each in a frame that scrolls on a narrow screen; and marks for pass, warning, unproven and fail, distinguished by shape,
-//! colour and word.
+//! Tables of a page, each in a frame that scrolls on a narrow screen. Marks for pass, warning, unproven and fail, distinguished by
+//! shape, colour and word.
 
 use super::phrases::with_symbols;
 use gearlash::analysis::diagnosis::Verdict;

@@ -113,24 +113,18 @@ fn input(report: &ToleranceReport) -> Markup {
 
 fn gears_by_data(gears: [&GearSpec; 2]) -> Markup {
     let of = |value: &dyn Fn(&GearSpec) -> String| gears.map(value);
+    let pressure = of(&|gear| shortest(gear.pressure_angle_deg));
+    let helix = of(&|gear| gear.helix_angle_deg.map_or("0".to_owned(), shortest));
+    let pitch = of(&|gear| stated::pitch(gear.pitch.as_ref(), false));
     let mut rows = vec![
         ("teeth", of(&|gear| gear.teeth.to_string())),
         ("module, mm", of(&|gear| shortest(gear.module_mm))),
-        (
-            "pressure angle, °",
-            of(&|gear| shortest(gear.pressure_angle_deg)),
-        ),
-        (
-            "helix angle, °",
-            of(&|gear| gear.helix_angle_deg.map_or("0".to_owned(), shortest)),
-        ),
+        ("pressure angle, °", pressure),
+        ("helix angle, °", helix),
         ("profile shift", of(&|gear| shortest(gear.profile_shift))),
         ("thickness", of(&|gear| stated::thickness(&gear.thickness))),
         ("runout, µm", of(&|gear| stated::runout(&gear.runout))),
-        (
-            "pitch",
-            of(&|gear| stated::pitch(gear.pitch.as_ref(), false)),
-        ),
+        ("pitch", pitch),
     ];
     if gears.iter().all(|gear| gear.helix_angle_deg.is_none()) {
         rows.retain(|(name, _)| *name != "helix angle, °");

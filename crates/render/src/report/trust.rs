@@ -116,14 +116,12 @@ fn formula(page: &Page) -> Markup {
 /// The reason why the other poses cannot be compared.
 fn why_not_compared(page: &Page) -> String {
     let of = &page.agreement;
+    let alone = "in contact where no two involutes reach each other";
     let parts = [
         (page.whole.jammed, "jammed"),
         (page.whole.apart, "out of mesh"),
         (page.whole.unproven, "unproven"),
-        (
-            of.simulated_alone,
-            "in contact where no two involutes reach each other",
-        ),
+        (of.simulated_alone, alone),
     ];
     let parts = parts.into_iter().filter(|(poses, _)| *poses > 0);
     let parts: Vec<(usize, &str)> = parts.collect();

@@ -68,10 +68,8 @@ pub fn draw_turning(
         _ => "over the pitch from there on: no backlash".to_owned(),
     };
     if without > 0 {
-        words += &format!(
-            " · {without} of {} frames jammed, out of mesh or unproven",
-            steps.len()
-        );
+        let all = steps.len();
+        words += &format!(" · {without} of {all} frames jammed, out of mesh or unproven");
     }
     with_result(
         view,
@@ -121,14 +119,14 @@ fn over_face(view: &Snapshot) -> String {
 fn drawn_contact(scene: &Scene) -> String {
     let free = scene.assembly().free().name();
     match scene.free_placement() {
-        FreePlacement::AtContact(side) => format!(
-            "drawn with the {free} turned {} to {}-flank contact",
-            match side {
+        FreePlacement::AtContact(side) => {
+            let way = match side {
                 Side::Right => "clockwise",
                 Side::Left => "counter-clockwise",
-            },
-            side.name()
-        ),
+            };
+            let side = side.name();
+            format!("drawn with the {free} turned {way} to {side}-flank contact")
+        }
         FreePlacement::Nominal => format!("drawn with the {free} at its nominal rotation"),
     }
 }

@@ -144,6 +144,7 @@ fn whole_gear(pose: &Pose, gears: &Exaggeration, member: Member, frame: Frame) -
     } else {
         ["no eccentricity".to_owned(), String::new()]
     };
+    let [right_um, left_um] = flanks.map(|mm| um(mm, 2));
     let rows = [
         size,
         towards,
@@ -153,11 +154,7 @@ fn whole_gear(pose: &Pose, gears: &Exaggeration, member: Member, frame: Frame) -
             [least, most] if least == most => format!("all teeth {least}"),
             [least, most] => format!("all teeth {least} … {most}"),
         },
-        format!(
-            "tooth {tooth}: right {}, left {}",
-            um(flanks[0], 2),
-            um(flanks[1], 2)
-        ),
+        format!("tooth {tooth}: right {right_um}, left {left_um}"),
     ];
     let profile = found.profile.map(|ends| {
         let [least, most] = ends.map(|mm| um(mm, 2));

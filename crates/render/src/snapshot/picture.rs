@@ -74,14 +74,11 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
     let links = links.iter().fold(Group::new(), |group, link| {
         group.add(link.draw(&taken, layout.is_sheet))
     });
-    let shown = legend_content(&scene, &main);
+    let mut shown = legend_content(&scene, &main);
     // The result for the whole face can come from another section.
     let in_section = view.section.is_some() && scene.contacts().iter().any(|m| m.gap < 0.0);
-    let shown = Shown {
-        on_paper: ids.is_sheet(),
-        overlap: shown.overlap || in_section,
-        ..shown
-    };
+    shown.on_paper = ids.is_sheet();
+    shown.overlap |= in_section;
     let (legend, last) = legend::draw(layout.legend, layout.room(), &shown, ids);
     let mut sheet = blank_sheet(layout.width, HEIGHT).add(hatch(ids));
     if layout.is_sheet {

@@ -130,11 +130,8 @@ pub fn names(scene: &Scene, main: &Frame) -> Group {
         } else {
             "free"
         };
-        format!(
-            "{} ({role}), z = {}",
-            member.name(),
-            scene.assembly().teeth(member)
-        )
+        let teeth = scene.assembly().teeth(member);
+        format!("{} ({role}), z = {teeth}", member.name())
     };
     let (style, y) = (TextStyle::new(14.0), main.top - 8.0);
     let wheel = style.text(&name(Member::Wheel), [main.left, y]);

@@ -1,9 +1,5 @@
 //! Findings about the measurements of a gear, in words.
 
-mod outlier;
-mod runout;
-mod thickness;
-
 use super::lead;
 use super::numbers::{ascii, rounded, shortest};
 use super::profile;
@@ -11,10 +7,10 @@ use super::statements::Statements;
 use super::thickness::CROSS_CHECK;
 use gearlash::gear::{DIN_3967_SOURCE, Flank, Probe};
 use gearlash::metrology::{
-    Eccentricity, EccentricityNote, Finding, LeadKey, ProfileKey, Quantity, RunoutSource, SameKind,
+    Eccentricity, EccentricityNote, Finding, FittedReadings, FlankKnowledge, LeadKey, MeanOnly,
+    Outlier, ProfileKey, Quantity, RunoutSource, SameKind, StatementRole, ThicknessBesidePitch,
+    ThicknessStatements, TooFar,
 };
-
-pub use outlier::suspected;
 
 /// The line that the user reads, with the key it is about.
 pub fn describe(of: &Statements, finding: &Finding) -> String {
@@ -57,7 +53,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             );
             ("lead.axis", words)
         }
-        Finding::RunoutReadings(readings) => ("runout.file", runout::readings(readings)),
+        Finding::RunoutReadings(readings) => ("runout.file", runout_readings(readings)),
         Finding::RunoutContradictsFlanks(found) => (
             "runout.file",
             format!(
@@ -137,7 +133,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             why,
             pitch_in_mean,
         } => {
-            let words = thickness::mean_by_spans(*spanned, *teeth, *readings, *why, *pitch_in_mean);
+            let words = mean_by_spans(*spanned, *teeth, *readings, *why, *pitch_in_mean);
             ("thickness.span", words)
         }
         Finding::LeftFlankReversed { eccentricity_um } => (
@@ -155,7 +151,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             ),
         ),
         Finding::ThicknessBesidePitch(beside) => {
-            (PER_TOOTH, thickness::beside_pitch(beside, of.other_sense()))
+            (PER_TOOTH, beside_pitch(beside, of.other_sense()))
         }
         Finding::SpansRefuseThickness { shown, spans_count } => (
             PER_TOOTH,
@@ -295,9 +291,9 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
                 shown(*stated),
             ),
         ),
-        Finding::Outlier(outlier) => outlier::describe(of, outlier),
+        Finding::Outlier(found) => outlier(of, found),
         Finding::ThicknessStatedTwice(compared) => {
-            (CROSS_CHECK, thickness::stated_twice(of, compared))
+            (CROSS_CHECK, stated_twice(of, compared))
         }
     };
     format!("{}: {words}", of.table.path_of(key))
@@ -327,4 +323,228 @@ fn in_pitch(note: &EccentricityNote) -> String {
             ))
         ),
     }
+}
+
+/// The key of an outlier and a warning.
+fn outlier(of: &Statements, outlier: &Outlier) -> (&'static str, String) {
+    let (key, why) = match outlier {
+        Outlier::Reading(reading) => (
+            if reading.over_pins {
+                "thickness.over_pins"
+            } else {
+                "thickness.span"
+            },
+            match reading.why {
+                TooFar::CoarseGear(um) => format!(
+                    "more than the {} µm by which even a coarse gear varies",
+                    ascii(um, 0)
+                ),
+                TooFar::HalfWithin(um) => format!("half of them within {} µm", ascii(um, 1)),
+            },
+        ),
+        Outlier::Pitch(pitch) => (
+            of.pitch_key(pitch.flank),
+            format!(
+                "more than the {} µm of even a coarse gear, half of the others within {} µm",
+                ascii(pitch.coarse_um, 0),
+                ascii(pitch.half_within_um, 1)
+            ),
+        ),
+    };
+    let (name, deviation) = (outlier_name(outlier), deviation(outlier));
+    let words = format!("{name} is {deviation}, {why}: check it; it is used as given");
+    (key, words)
+}
+
+/// The outlier as the end of a help text for impossible measurements.
+pub fn suspected(outlier: &Outlier) -> String {
+    format!(
+        ", above all {}: it is {}",
+        outlier_name(outlier),
+        deviation(outlier)
+    )
+}
+
+fn outlier_name(outlier: &Outlier) -> String {
+    match outlier {
+        Outlier::Reading(reading) => {
+            let place = if reading.over_pins { "space" } else { "tooth" };
+            format!(
+                "the reading at {place} {}, {} mm,",
+                reading.place, reading.mm
+            )
+        }
+        Outlier::Pitch(pitch) => format!(
+            "tooth {} of the {} flanks, {} µm,",
+            pitch.tooth,
+            pitch.flank.name(),
+            pitch.um
+        ),
+    }
+}
+
+/// Its deviation and the reference it deviates from.
+fn deviation(outlier: &Outlier) -> String {
+    match outlier {
+        Outlier::Reading(reading) => format!(
+            "{} µm from the median of all {}, {}",
+            ascii(reading.off_um, 1),
+            reading.readings,
+            if reading.flanks_taken_out {
+                format!(
+                    "{} mm, after removing the effect of the stated flanks",
+                    ascii(reading.median_mm, 4)
+                )
+            } else {
+                format!("{} mm", reading.median_mm)
+            }
+        ),
+        Outlier::Pitch(pitch) => format!(
+            "{} µm from {}",
+            ascii(pitch.off_um, 1),
+            if pitch.from_neighbours {
+                "its neighbours' mean"
+            } else {
+                "the median"
+            }
+        ),
+    }
+}
+
+/// The eccentricity of runout readings.
+fn runout_readings(readings: &FittedReadings) -> String {
+    let [range, left] = [readings.range_um, readings.left_um].map(|um| ascii(um, 3));
+    let fitted = shown(readings.eccentricity);
+    match readings.knowledge {
+        FlankKnowledge::NoPitch => format!(
+            "the readings' first harmonic{} is an eccentricity of {fitted}, which is used as the gear's: without [pitch] a first harmonic of its own tooth \
+             thickness cannot be distinguished from it. F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored",
+            if readings.flanks_taken_out {
+                ", after removing the effect of the stated tooth thickness,"
+            } else {
+                ""
+            },
+        ),
+        FlankKnowledge::Pitch => format!(
+            "the readings contain an eccentricity of {fitted}, after removing the effect of the stated flanks{} (their first harmonic itself is {}). \
+             F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored",
+            probe(readings),
+            shown(readings.first_harmonic)
+        ),
+        FlankKnowledge::DatumPitch => format!(
+            "the readings' first harmonic is an eccentricity of {fitted}; datum-axis pitch cannot separate it from a first harmonic of the gear's own tooth \
+             thickness, which looks the same in both. F_r, their range, is {range} µm; up to {left} µm of a reading is in neither that harmonic nor the pitch",
+        ),
+    }
+}
+
+fn probe(readings: &FittedReadings) -> String {
+    match (readings.probe, readings.by_ball_um) {
+        (Probe::Fork, _) => " as a fork at the pressure angle reads them".to_owned(),
+        (Probe::Ball(mm), None) => format!(" under a ball of {mm} mm"),
+        (Probe::Ball(mm), Some(um)) => format!(
+            " under a ball of {} mm, which touches at the reference circle (another that fits changes it by up to {} µm; state it as ball_mm)",
+            ascii(mm, 3),
+            ascii(um, 3)
+        ),
+    }
+}
+
+/// `readings` spans over `k` of `z` teeth, which give only the mean.
+fn mean_by_spans(k: u32, z: u32, readings: usize, why: MeanOnly, pitch_in_mean: bool) -> String {
+    let mean_only = if pitch_in_mean {
+        "; without [pitch] the pitch at these places stays in the mean thickness"
+    } else {
+        ""
+    };
+    let why = match why {
+        MeanOnly::AsAsked => return format!("{readings} spans, {z} teeth{mean_only}"),
+        MeanOnly::TooFew => format!("{readings} spans do not determine {z} teeth"),
+        MeanOnly::Undetermined { other } => {
+            let other = other.map_or(String::new(), |k| format!(" (spans over {k} teeth would)"));
+            format!(
+                "{z} spans over {k} teeth do not determine single teeth{other}: thickness that alternates from tooth i to tooth i + {} shows in no span",
+                k - 1
+            )
+        }
+    };
+    format!("{why}; only the mean thickness is used{mean_only}")
+}
+
+/// Per-tooth thickness compared with the pitch of both flanks; `other_sense` reads the left flank the other way round.
+fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String {
+    match beside {
+        ThicknessBesidePitch::Same => {
+            "repeats the pitch of both flanks (a tooth is thicker by right minus left pitch deviation), and the two are added: \
+             leave it out, unless the teeth are thicker by that much again"
+                .to_owned()
+        }
+        ThicknessBesidePitch::TakenBack => {
+            "cancels the thickness that the pitch of both flanks gives (right minus left pitch deviation): check which of the two is reversed; \
+             where both were measured on the same teeth, leave it out"
+                .to_owned()
+        }
+        ThicknessBesidePitch::SameIfReversed => format!(
+            "is the thickness that the pitch would give with the left flanks reversed: write pitch.sense = {other_sense:?} and leave it out, \
+             since the two are added"
+        ),
+        ThicknessBesidePitch::SameIfMoved { by, down } => format!(
+            "repeats the pitch of both flanks, shifted {} by {by} in tooth number, and the two are added: check the tooth \
+             numbers of both; if they are of the same teeth, leave it out",
+            if *down { "down" } else { "up" }
+        ),
+        ThicknessBesidePitch::Different {
+            list_um,
+            pitch_um,
+            tooth,
+            apart_um,
+        } => format!(
+            "the teeth vary by {} µm by this list and by {} µm by the pitch of both flanks (right minus left), \
+             {} µm apart at tooth {tooth}; the two are added: where both were measured on the same teeth, leave one of them out",
+            ascii(*list_um, 3),
+            ascii(*pitch_um, 3),
+            ascii(*apart_um, 3)
+        ),
+    }
+}
+
+/// The cross-check compared with the statement that counts, in words.
+fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
+    let range = |[least, most]: [f64; 2]| {
+        if least == most {
+            format!("{} mm", ascii(least, 6))
+        } else {
+            format!("{} … {} mm", ascii(least, 6), ascii(most, 6))
+        }
+    };
+    let bands = [compared.counts, compared.cross].map(|[least, most]| least < most);
+    let [gap, tolerance] = [compared.gap_um, compared.tolerance_um].map(|um| ascii(um, 1));
+    let outside = match bands {
+        [false, false] => "".to_owned(),
+        [true, true] => format!("the bands lie {gap} µm apart, "),
+        _ => format!("the single value lies {gap} µm outside the band, "),
+    };
+    let verdict = match (compared.agree(), compared.gap_um > 0.0) {
+        (true, false) => "they agree".to_owned(),
+        (true, true) => {
+            format!("{outside}within the tolerance of {tolerance} µm: they agree")
+        }
+        (false, _) => format!(
+            "{outside}{tolerance} µm is allowed: check both measurements, the pins and the number of teeth spanned"
+        ),
+    };
+    let key = |role| of.of_thickness(role).0.key().unwrap_or_default();
+    format!(
+        "base thickness {} by {}, {} by {}, difference{} {} µm: {verdict}",
+        range(compared.counts),
+        key(StatementRole::Counts),
+        range(compared.cross),
+        key(StatementRole::CrossCheck),
+        if bands == [false, false] {
+            ""
+        } else {
+            " of the means"
+        },
+        ascii(compared.difference_um, 2),
+    )
 }

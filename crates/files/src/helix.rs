@@ -65,7 +65,6 @@ impl Helix {
         })
     }
 
-    /// `data` with this helix.
     pub fn of(&self, data: BasicGearData, table: &Table) -> Option<BasicGearData> {
         let wound = data.with_helix(
             self.angle_deg.to_radians(),

@@ -3,7 +3,6 @@
 //! Heights of the file count from the reference face's end of the teeth. A [`Lead`] counts heights from the measuring plane, away from
 //! the reference face.
 
-use super::flanks;
 use super::helix::Helix;
 use super::numbers::shortest;
 use super::sheet::Header;
@@ -12,7 +11,7 @@ use super::spec::{
     SlopeLength, SpurSlopeSpec, TeethEnd, TraceSpec,
 };
 use super::table::Table;
-use super::traces::{Along, Measured};
+use super::traces::{self, Along, Measured};
 use gearlash::gear::{BasicGearData, EndRelief, Face, Flank, Hand, Lead, Trace};
 use gearlash::metrology::LeadKey;
 
@@ -160,7 +159,7 @@ impl Leads {
             helix_cos: basic_data.base_helix_angle().cos(),
         };
         let measured = Measured::new(part.teeth, along);
-        let mut flanks = flanks::read(&table, spec.flanks, &measured)?;
+        let mut flanks = traces::read_flanks(&table, spec.flanks, &measured)?;
         if spec.from == TeethEnd::Far {
             for flank in &mut flanks {
                 flank.trace = flank.trace.take().map(|traces| match traces {
@@ -221,8 +220,8 @@ impl Leads {
 /// The key, below the gear's table, that states `key` of a flank.
 pub fn key_of(gear: &Table, flank: Flank, key: LeadKey) -> String {
     match key {
-        LeadKey::EndRelief => flanks::key_of(gear, NAME, flank, "end_relief"),
-        LeadKey::Trace => flanks::key_of(gear, NAME, flank, "trace"),
+        LeadKey::EndRelief => traces::key_of(gear, NAME, flank, "end_relief"),
+        LeadKey::Trace => traces::key_of(gear, NAME, flank, "trace"),
         LeadKey::Range => format!("{NAME}.range_mm"),
         LeadKey::All => NAME.to_owned(),
     }
@@ -230,7 +229,7 @@ pub fn key_of(gear: &Table, flank: Flank, key: LeadKey) -> String {
 
 /// Reports keys that are given for both flanks and again for one.
 pub fn check(gear: &Table) -> Option<()> {
-    flanks::check(gear, NAME)
+    traces::check_flanks(gear, NAME)
 }
 
 /// The hand of the teeth, or that of the helix slopes of a spur gear. A number on a spur gear gets the right hand where it is positive.

@@ -24,14 +24,9 @@ pub mod drawing;
 mod encoding;
 mod error;
 mod faults;
-mod files;
 mod findings;
-mod flanks;
 mod gauged_file;
 mod gear;
-mod gear_file;
-mod gearbox_model;
-mod grouped_warnings;
 mod helix;
 pub mod import;
 mod inches;
@@ -88,14 +83,13 @@ pub fn named(path: &Path) -> &Path {
 }
 
 pub use error::{InputError, Problem};
-pub use files::Files;
 pub use gauged_file::{NoGearFile, gauged_file};
 pub use helix::short_for_span;
 pub use outline_file::{OutlineFile, OutlineFormat};
 pub use pair_file::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
-pub use sources::Sources;
+pub use sources::{Files, Sources};
 pub use spec::{explained, gear_schema, pair_schema};
 
 /// A pair file or gear file as a tree of values.
@@ -240,7 +234,7 @@ fn pair_by_data(file: &Tree) -> Option<PairFile> {
 
 fn gears(file: &Tree) -> Option<GearsFile> {
     if file.is_gear_file() {
-        gear_file::read(file)
+        read::gear_file(file)
     } else {
         pair(file).map(GearsFile::from)
     }
@@ -254,7 +248,7 @@ fn gears_by_data(file: &Tree) -> Option<GearsFile> {
 
 /// The result of `understand` for the file at `path`.
 fn with_tree<T>(path: &Path, understand: impl FnOnce(&Tree) -> Option<T>) -> Result<T, InputError> {
-    let bytes = bytes(path).and_then(|bytes| gearbox_model::no_model(named(path), bytes));
+    let bytes = bytes(path).and_then(|bytes| rexs::no_model(named(path), bytes));
     let text = bytes.and_then(source::text);
     with_text(named(path), Reading::of(path), text, understand)
 }
@@ -278,7 +272,6 @@ fn of_text<T>(
     with_text(name, reading, Ok(text.to_owned()), understand)
 }
 
-/// The result of `understand` for a text without problems.
 fn with_text<T>(
     path: &Path,
     reading: Reading,

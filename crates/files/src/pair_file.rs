@@ -64,7 +64,6 @@ struct Placed {
 }
 
 impl<'a> PairTables<'a> {
-    /// Reads every table of `file`.
     pub fn read(tree: &Tree<'a>) -> PairTables<'a> {
         let file = Checked::new(&PAIR, tree.table());
         let (stem, title) = tree.names(&file);

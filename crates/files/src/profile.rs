@@ -1,11 +1,10 @@
 //! `[profile]`: deviations of the flanks from the involute, for both flanks or each.
 
-use super::flanks;
 use super::node::Node;
 use super::sheet::Header;
 use super::spec::{FlankProfileSpec, FlanksSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 use super::table::Table;
-use super::traces::{Along, Measured};
+use super::traces::{self, Along, Measured};
 use gearlash::gear::{BasicGearData, Flank, Modification, Relief, Trace};
 use gearlash::metrology::ProfileKey;
 
@@ -28,14 +27,13 @@ impl Profiles {
         basic_data: Option<&BasicGearData>,
     ) -> Option<Profiles> {
         let measured = Measured::new(teeth, Along::Profile(basic_data));
-        let flanks = flanks::read(&gear.below(NAME), spec, &measured)?;
+        let flanks = traces::read_flanks(&gear.below(NAME), spec, &measured)?;
         Some(Profiles {
             flanks,
             headers: measured.into_headers(),
         })
     }
 
-    /// The modifications on a gear of `basic_data`.
     pub fn measured(&self, basic_data: &BasicGearData) -> [Modification; 2] {
         let base = basic_data.base_radius();
         self.flanks.each_ref().map(|flank| Modification {
@@ -70,12 +68,12 @@ pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
         ProfileKey::Trace => "trace",
         ProfileKey::All => return NAME.to_owned(),
     };
-    flanks::key_of(gear, NAME, flank, name)
+    traces::key_of(gear, NAME, flank, name)
 }
 
 /// Reports keys that are given for both flanks and again for one, and ranges that descend.
 pub fn check(gear: &Table) -> Option<()> {
-    let mut good = flanks::check(gear, NAME);
+    let mut good = traces::check_flanks(gear, NAME);
     for name in ["profile.right", "profile.left", NAME] {
         let table = gear.below(name);
         let range = table.get("range_mm").map(Node::to::<[f64; 2]>);

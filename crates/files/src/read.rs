@@ -1,8 +1,11 @@
 //! The content of a file: the study or the gears, and the data of the file itself.
 
+use crate::Tree;
+use crate::check::Checked;
+use crate::gear::{GearPart, materials};
 use crate::outlines::DrawingRead;
 use crate::sources::Sources;
-use crate::spec::{EitherGearSpec, PairSpec};
+use crate::spec::{EitherGearSpec, GEAR, PairSpec};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
@@ -137,4 +140,27 @@ fn of_one<'a, P, B: Clone + PartialEq + 'a>(
         }
     }
     materials
+}
+
+pub(crate) fn gear_file(file: &Tree) -> Option<GearsFile> {
+    let checked = Checked::new(&GEAR, file.table());
+    let (stem, title) = file.names(&checked);
+    let part = GearPart::read(&checked, "gear");
+    let (title, spec) = (title?, part.spec?);
+    let built = part.as_built.as_ref();
+    let drawn = part.drawn.as_ref();
+    Some(GearsFile {
+        title,
+        stem,
+        gears: vec![GearEntry {
+            name: "gear",
+            materials: built.map_or_else(Vec::new, |gear| materials(gear, AsBuilt::clone)),
+            drawn: drawn.map_or_else(Vec::new, |gear| materials(gear, OutlineGear::clone)),
+            spec,
+        }],
+        temperature_c: None,
+        warnings: part.warnings,
+        remarks: part.remarks,
+        sources: file.reading.sources(),
+    })
 }

@@ -1,10 +1,9 @@
 //! One reading of a file: the folder of its files, the files read, problems and remarks.
 
 use crate::error::Problem;
-use crate::files::Files;
 use crate::inches::Inches;
 use crate::node::Node;
-use crate::sources::Sources;
+use crate::sources::{Files, Sources};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -156,7 +155,6 @@ impl Reading {
         (read, self.problems.replace(outer))
     }
 
-    /// Adds the problems of the list at `key`.
     pub fn add_list(&self, key: &str, list: Problems) {
         let mut problems = self.problems.borrow_mut();
         problems.listed.extend(list.listed);

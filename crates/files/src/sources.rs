@@ -1,9 +1,11 @@
-//! The files that were read, recognised under any name of an output.
+//! The files that were read, recognised under any name of an output; and files by name and bytes, for a caller without a file system.
 //!
-//! Only ordinary files are kept: writing to a pipe or a device that was read does no harm.
+//! Of the files that were read only ordinary ones are kept: writing to a pipe or a device that was read does no harm.
 
+use crate::error::Problem;
+use std::collections::BTreeMap;
 use std::fs::{File, Metadata};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Every file of a study: the pair file, its tables, protocols, workbooks and measured rows.
 #[derive(Debug, Clone, Default)]
@@ -78,4 +80,62 @@ fn identity(_: &Path, metadata: &Metadata) -> Option<Identity> {
 #[cfg(not(unix))]
 fn identity(path: &Path, metadata: &Metadata) -> Option<Identity> {
     path.canonicalize().ok().filter(|_| metadata.is_file())
+}
+
+/// Files by name and bytes, in place of a folder. A name is relative to that folder, such as `wheel.csv` or `data/wheel.csv`.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Files(BTreeMap<String, Vec<u8>>);
+
+impl Files {
+    /// No files.
+    pub fn new() -> Files {
+        Files::default()
+    }
+
+    /// Adds a file, in place of one with the same name.
+    pub fn add(&mut self, name: &str, bytes: Vec<u8>) {
+        self.0.insert(plain_name(Path::new(name)), bytes);
+    }
+
+    /// Takes a file out; whether there was one.
+    pub fn remove(&mut self, name: &str) -> bool {
+        self.0.remove(&plain_name(Path::new(name))).is_some()
+    }
+
+    /// The bytes of the file with this name.
+    pub fn get(&self, name: &str) -> Option<&[u8]> {
+        let bytes = self.0.get(&plain_name(Path::new(name)));
+        bytes.map(Vec::as_slice)
+    }
+
+    /// The names, sorted.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.keys().map(String::as_str)
+    }
+
+    /// The bytes of the file called `path`. A file that was given without its folder counts where only one has its name.
+    /// Errors: a problem where there is no such file.
+    pub(crate) fn bytes(&self, path: &Path) -> Result<Vec<u8>, Problem> {
+        let name = plain_name(path);
+        let found = self.0.get(&name).or_else(|| {
+            let last = path.file_name()?.to_str()?;
+            self.0.get(last)
+        });
+        found.cloned().ok_or_else(|| {
+            Problem::of_file(
+                "is not among the files given",
+                format!("add the file {}", name.rsplit('/').next().unwrap_or(&name)),
+            )
+        })
+    }
+}
+
+/// `path` with `/` between its parts and without `.`.
+fn plain_name(path: &Path) -> String {
+    let text = path.to_string_lossy().replace('\\', "/");
+    let parts = Path::new(&text)
+        .components()
+        .filter(|part| !matches!(part, Component::CurDir | Component::RootDir));
+    let parts = parts.map(|part| part.as_os_str().to_string_lossy().into_owned());
+    parts.collect::<Vec<_>>().join("/")
 }

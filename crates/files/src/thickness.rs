@@ -3,8 +3,8 @@
 use super::numbers::ascii;
 use super::sheet::{Column, Coverage, Quantity, Sheet, Wanted};
 use super::spec::{
-    BandSpec, CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, OverPinsSpec, StatementSpec,
-    TableFileSpec, ThicknessSpec,
+    BandSpec, CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, OverPinsSpec, STATEMENTS,
+    StatementSpec, TableFileSpec, ThicknessSpec,
 };
 use super::table::Table;
 use gearlash::gear::{Deviations, GearDesign, MeasuringBody, thickness};
@@ -222,19 +222,9 @@ pub fn one_a_tooth(
 impl StatementSpec {
     /// The key that states the thickness; `None` where nothing is stated: nominal.
     pub(crate) fn key(&self) -> Option<&'static str> {
-        let each = [
-            ("span", self.span.is_some()),
-            ("over_pins", self.over_pins.is_some()),
-            ("designation", self.designation.is_some()),
-            ("allowance_um", self.allowance_um.is_some()),
-            ("flank_offset_mm", self.flank_offset_mm.is_some()),
-            ("base_thickness_mm", self.base_thickness_mm.is_some()),
-            ("arc_thickness_mm", self.arc_thickness_mm.is_some()),
-            ("chordal_thickness", self.chordal_thickness.is_some()),
-        ];
-        each.into_iter()
-            .find(|(_, given)| *given)
-            .map(|(key, _)| key)
+        let stated = serde_json::to_value(self).unwrap_or_default();
+        let mut keys = STATEMENTS.iter().map(|keys| keys[0]);
+        keys.find(|key| stated.get(key).is_some())
     }
 
     pub(crate) fn measured(&self) -> ThicknessStatement {

@@ -3,20 +3,12 @@
 use super::check::Checked;
 use super::spec::{ScatterName, ScatterSpec, ToleranceSpec};
 
-const SCATTERS: [&str; 8] = [
-    "center_distance",
-    "bearing_play",
-    "wheel.thickness",
-    "wheel.runout",
-    "wheel.per_tooth",
-    "pinion.thickness",
-    "pinion.runout",
-    "pinion.per_tooth",
-];
+const SCATTERS: &str = "center_distance bearing_play wheel.thickness wheel.runout wheel.per_tooth pinion.thickness pinion.runout pinion.per_tooth";
+
 /// Reads `[tolerance]`; `Some(None)` where the file has none.
 pub fn tolerance(file: &Checked) -> Option<Option<ToleranceSpec>> {
     let mut good = Some(());
-    for path in SCATTERS.map(|name| format!("tolerance.{name}")) {
+    for path in SCATTERS.split(' ').map(|name| format!("tolerance.{name}")) {
         let scatter = file.read::<ScatterSpec>(&path).flatten();
         if let Some((key, reason, help)) = scatter.and_then(|spec| fault(file, &path, spec.scatter))
         {

@@ -1,17 +1,17 @@
-//! `trace` of `[profile]` and `[lead]`: measured curves of flanks, as lists or from tables.
+//! Values of the flanks, for both or for each, in `[profile]` and `[lead]`; and their traces: measured curves, as lists or from tables.
 
 use crate::data_file::DataFile;
 use crate::node::Node;
 use crate::numbers::ascii;
 use crate::sheet::{Column, Coverage, Header, Quantity, Sheet, Wanted};
-use crate::spec::{Either, TraceDirection, TraceSpec};
+use crate::spec::{Either, FlankSpec, FlanksSpec, TraceDirection, TraceSpec};
 use crate::table::Table;
 use gearlash::gear::{BasicGearData, Flank};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 /// Traces of the right flanks, and of the left ones.
-pub type FlankTraces = [Vec<TraceSpec>; 2];
+type FlankTraces = [Vec<TraceSpec>; 2];
 
 /// A point of a trace: roll length or height, mm, and deviation, µm.
 type Point = (f64, f64);
@@ -121,8 +121,7 @@ impl<'a> Measured<'a> {
     }
 }
 
-/// Reads the traces that are `stated` in a table of the `own` flank, or of both flanks.
-pub fn read(
+fn read(
     table: &Table,
     stated: Option<Either<TraceSpec, Vec<TraceSpec>>>,
     own: Option<Flank>,
@@ -349,4 +348,77 @@ fn of_rows(
         found[flank].push(gear.trace(tooth, &points));
     }
     Some(found)
+}
+
+/// The values of the right flanks, and of the left ones, of `table`. Traces of files become lists.
+pub fn read_flanks<F: FlankSpec>(
+    table: &Table,
+    spec: FlanksSpec<F>,
+    gear: &Measured,
+) -> Option<[F; 2]> {
+    let one = |table: &Table, mut spec: F, own| {
+        let traces = read(table, spec.trace().take(), own, gear);
+        Some((spec, traces?))
+    };
+    let both = one(table, spec.both, None);
+    let own = [(Flank::Right, spec.right), (Flank::Left, spec.left)].map(|(side, spec)| {
+        let below = table.below(side.name());
+        one(&below, spec.unwrap_or_default(), Some(side))
+    });
+    let [right, left] = own;
+    let ((right, right_traces), (left, left_traces)) = (right?, left?);
+    let (both, [of_right, of_left]) = both?;
+    let [both_right, both_left] = [(both.clone(), of_right), (both, of_left)];
+    let [own_right, _] = right_traces;
+    let [_, own_left] = left_traces;
+    Some([
+        joined((right, own_right), both_right),
+        joined((left, own_left), both_left),
+    ])
+}
+
+/// The own values of a flank, with those of both flanks in place of absent ones.
+fn joined<F: FlankSpec>(own: (F, Vec<TraceSpec>), both: (F, Vec<TraceSpec>)) -> F {
+    let [own, both] = [own, both].map(|(mut flank, mut traces)| {
+        *flank.trace() = match traces.len() {
+            0 => None,
+            1 => traces.pop().map(Either::One),
+            _ => Some(Either::Other(traces)),
+        };
+        flank
+    });
+    own.or(both)
+}
+
+/// Reports keys that are given for both flanks and again for one, in the table `name` of a gear.
+pub fn check_flanks(gear: &Table, name: &str) -> Option<()> {
+    let both = gear.below(name);
+    let mut good = Some(());
+    for side in Flank::BOTH {
+        let own = both.below(side.name());
+        let keys = own.entries().iter().map(|(key, _)| key);
+        for key in keys.filter(|key| both.has(key)) {
+            let [of_both, of_own] = [&both, &own].map(|table| table.path_of(""));
+            let reason = format!("given together with {of_both}{key}, allowed is one of them");
+            let help = format!(
+                "remove one: what stands in [{}] is of both flanks, what stands in [{}] of the {} flanks alone",
+                of_both.trim_end_matches('.'),
+                of_own.trim_end_matches('.'),
+                side.name()
+            );
+            own.add(key, reason, help);
+            good = None;
+        }
+    }
+    good
+}
+
+/// The key, below the gear's table, that states `key` of a flank in the table `name`.
+pub fn key_of(gear: &Table, name: &str, flank: Flank, key: &str) -> String {
+    let own = format!("{name}.{}.{key}", flank.name());
+    if gear.has(&own) {
+        own
+    } else {
+        format!("{name}.{key}")
+    }
 }

@@ -17,7 +17,6 @@ pub struct BSpline {
     pub knots: Vec<f64>,
     /// Its control points, mm.
     pub points: Vec<Point2<f64>>,
-    /// One each, or none.
     pub weights: Vec<f64>,
 }
 

@@ -25,9 +25,6 @@ type Stated = Option<(Unit, usize)>;
 /// Adds the outline to `pieces`.
 pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
     let text = decode(bytes)?;
-    if let Some(name) = &options.select {
-        return Err(DrawingError::not_there("layer or id", name, &[]));
-    }
     let (rows, stated) = rows(&text)?;
     one_decimal_sign(&rows)?;
     let stated = stated.map(|(unit, line)| (format!("\"{unit}\" in line {line}"), unit.mm()));

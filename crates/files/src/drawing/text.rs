@@ -19,7 +19,6 @@ pub fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, DrawingError> {
 pub struct Lines(Vec<usize>);
 
 impl Lines {
-    /// The lines of `text`.
     pub fn of(text: &str) -> Lines {
         Lines(text.match_indices('\n').map(|(at, _)| at).collect())
     }

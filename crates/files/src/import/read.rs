@@ -106,7 +106,6 @@ pub(super) fn tables(
     Some(tables)
 }
 
-/// The source of the tables.
 struct TableSource<'a> {
     file: &'a DataFile,
     content: &'a Content,

@@ -130,7 +130,6 @@ impl ImportedTable {
         ImportedTable::with_columns(kind, title, columns.collect(), sheet)
     }
 
-    /// The traces of `sheet`.
     pub(super) fn of_traces(kind: Kind, sheet: &Sheet) -> ImportedTable {
         let tooth = |row: &Row| row.tooth.map_or(Value::None, Value::Whole);
         let flank = |row: &Row| {

@@ -18,20 +18,14 @@ const LEFT_OUT: [(&str, &str); 2] = [
     ("compare", "has no formula to compare with"),
 ];
 
-/// Keys of `[tolerance]` that do not apply to a pair with an outline, and why.
-const NO_SCATTER: [(&str, &str); 14] = [
-    ("wheel.thickness", AS_DRAWN),
-    ("wheel.pitch", AS_DRAWN),
-    ("wheel.per_tooth", AS_DRAWN),
-    ("wheel.gears", AS_DRAWN),
-    ("wheel.lead", ONE_SECTION),
-    ("wheel.wobble_um", ONE_SECTION),
-    ("pinion.thickness", AS_DRAWN),
-    ("pinion.pitch", AS_DRAWN),
-    ("pinion.per_tooth", AS_DRAWN),
-    ("pinion.gears", AS_DRAWN),
-    ("pinion.lead", ONE_SECTION),
-    ("pinion.wobble_um", ONE_SECTION),
+/// Keys of `[tolerance]` that do not apply to a pair with an outline, and why; those of a gear first.
+const NO_SCATTER: [(&str, &str); 8] = [
+    ("thickness", AS_DRAWN),
+    ("pitch", AS_DRAWN),
+    ("per_tooth", AS_DRAWN),
+    ("gears", AS_DRAWN),
+    ("lead", ONE_SECTION),
+    ("wobble_um", ONE_SECTION),
     ("misalignment", ONE_SECTION),
     ("thickness_correlation", AS_DRAWN),
 ];
@@ -62,10 +56,16 @@ pub(crate) fn refuse_tables(file: &Table) {
         let reason = format!("a pair with an outline {why}");
         file.add(name, reason, "remove the table");
     }
-    let scatters = NO_SCATTER.map(|(key, why)| (format!("tolerance.{key}"), why));
-    for (key, why) in scatters.iter().filter(|(key, _)| file.has(key)) {
+    let (of_a_gear, others) = NO_SCATTER.split_at(6);
+    let tables = [("wheel.", of_a_gear), ("pinion.", of_a_gear), ("", others)];
+    let scatters = tables.into_iter().flat_map(|(table, keys)| {
+        let key =
+            move |(key, why): &(&str, &'static str)| (format!("tolerance.{table}{key}"), *why);
+        keys.iter().map(key)
+    });
+    for (key, why) in scatters.filter(|(key, _)| file.has(key)) {
         let help = "leave it out: runout, center_distance, bearing_play and phase apply";
-        file.add(key, *why, help);
+        file.add(&key, why, help);
     }
 }
 
@@ -235,8 +235,8 @@ pub(crate) fn of_drawing(path: &Path, options: &OutlineOptions) -> String {
 
 /// The keys of gears given by an outline.
 fn outlines(file: &Tree) -> impl Iterator<Item = String> {
-    let keys = ["wheel", "pinion", "gear"].map(|name| format!("{name}.outline"));
     let table = file.table();
+    let keys = ["wheel", "pinion", "gear"].map(|name| format!("{name}.outline"));
     keys.into_iter().filter(move |key| table.has(key))
 }
 

@@ -4,7 +4,6 @@
 //! planetary stages are never read as external pairs. Versions 1.0 to 2.0 are read, as XML, as JSON, and zipped (`.rexsz`). The
 //! facts of the format come from the public Java API of its owner (<https://github.com/fva-net/rexs-api-java>, Apache-2.0).
 
-mod archive;
 mod document;
 mod fault;
 mod gear;
@@ -13,17 +12,17 @@ mod stage;
 mod thickness;
 mod xml;
 
-pub use crate::gearbox_model::is_rexs;
-
 use crate::characters::{cut, plain};
 use crate::error::{InputError, Problem};
 use crate::node::LONGEST;
 use crate::reading::Reading;
 use crate::{Sources, source};
-use document::{Component, Document};
+use document::{Component, Document, shown};
 use fault::Fault;
 use stage::Stage;
+use std::io::{Cursor, Read};
 use std::path::Path;
+use zip::ZipArchive;
 
 /// Stages of a file. The largest gearboxes have a dozen.
 const MAX_STAGES: usize = 200;
@@ -83,7 +82,7 @@ pub fn read(path: &Path) -> Result<RexsFile, InputError> {
 /// Reads `bytes`; messages call the file `path`.
 fn of_bytes(path: &Path, sources: Sources, bytes: Vec<u8>) -> Result<RexsFile, Problem> {
     let bytes = if bytes.starts_with(b"PK") {
-        archive::unpacked(&bytes)?
+        unpacked(&bytes)?
     } else {
         bytes
     };
@@ -179,5 +178,81 @@ impl RexsFile {
     /// The stage with an id.
     pub fn stage(&self, id: i32) -> Option<&RexsStage> {
         self.stages.iter().find(|stage| stage.id == id)
+    }
+}
+
+/// Whether the file at `path` is to be read as REXS, by its name.
+pub fn is_rexs(path: &Path) -> bool {
+    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+    ending.is_some_and(|ending| ["rexs", "rexsj", "rexsz"].iter().any(|one| ending == *one))
+}
+
+/// The `bytes` of the file at `path`, which should be a pair file or gear file.
+/// Errors: the file is a gearbox model, by its name or as XML.
+pub(crate) fn no_model(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let is_xml = text.trim_ascii_start().starts_with(b"<");
+    let is_model = is_xml && text.windows(6).any(|six| six == b"<model");
+    if is_rexs(path) || is_model {
+        Err(Problem::of_file(
+            "is a gearbox model",
+            format!(
+                "gearlash import {} --stage ID -o pair.toml writes the pair file of a stage",
+                path.display()
+            ),
+        ))
+    } else {
+        Ok(bytes)
+    }
+}
+
+/// Largest unpacked size: 16 MiB, as for a file that is not zipped.
+const MAX_UNPACKED: u64 = 16 << 20;
+const ARCHIVE: &str = "the archive";
+
+/// The one REXS file in the archive.
+/// Errors: no archive, none or several such files in it, too large, damaged.
+fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
+    let damaged = |error: &dyn std::error::Error| {
+        let reason = format!("not a whole zip archive: {}", shown(&error.to_string()));
+        Problem::at(
+            ARCHIVE,
+            reason,
+            "pack it again, or unpack it and name the .rexs file",
+        )
+    };
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| damaged(&error))?;
+    let mut found = Vec::new();
+    for index in 0..archive.len() {
+        let part = archive.by_index(index).map_err(|error| damaged(&error))?;
+        let name = part
+            .name()
+            .map_err(|error| damaged(&error))?
+            .to_ascii_lowercase();
+        // Copies of names by macOS's Finder are not files.
+        let is_rexs = [".rexs", ".rexsj"]
+            .iter()
+            .any(|ending| name.ends_with(ending));
+        if is_rexs && !name.starts_with("__macosx/") {
+            found.push(index);
+        }
+    }
+    let [index] = found[..] else {
+        let reason = format!("holds {} files .rexs or .rexsj, expected one", found.len());
+        return Err(Problem::at(ARCHIVE, reason, "unpack it and name the file"));
+    };
+    let part = archive.by_index(index).map_err(|error| damaged(&error))?;
+    let mut content = Vec::new();
+    part.take(MAX_UNPACKED + 1)
+        .read_to_end(&mut content)
+        .map_err(|error| damaged(&error))?;
+    if content.len() as u64 > MAX_UNPACKED {
+        Err(Problem::at(
+            ARCHIVE,
+            "its file has more than 16 MiB",
+            "check that this is the file you mean",
+        ))
+    } else {
+        Ok(content)
     }
 }

@@ -74,7 +74,6 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
 }
 
 impl<'a> Stage<'a> {
-    /// The stage of `component`.
     pub fn read(document: &'a Document, component: &'a Component) -> Result<Stage<'a>, Fault> {
         let [one, two] = gears(document, component)?;
         let gears = [Gear::read(document, one)?, Gear::read(document, two)?];

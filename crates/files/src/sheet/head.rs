@@ -3,13 +3,12 @@
 use super::column::{Column, Quantity};
 use super::grid::{Cell, Line, letter};
 use super::heading;
-use super::number::Decimal;
 use crate::characters::listed;
 use crate::data_file::DataFile;
 use crate::error::Problem;
 use crate::node::Node;
+use crate::spec::AnyTableSpec;
 use crate::table::Table;
-use serde::Deserialize;
 use std::fmt::Display;
 
 /// Lines in which a header is searched, and most cells of such a line. Each cell takes some µs.
@@ -103,8 +102,12 @@ impl Head {
     /// groups. A line that the pair file names takes precedence.
     pub fn find(lines: &[Line], choice: &Choice, is_one: impl Fn(&Head) -> bool) -> Option<Head> {
         let good = |at: usize| Some(Head::of(lines, at)).filter(|head| is_one(head));
-        if let Some(row) = choice.header_row {
-            return good(lines.iter().position(|line| line.number == row)?);
+        if let Some(row) = choice.table.header_row {
+            return good(
+                lines
+                    .iter()
+                    .position(|line| line.number == u64::from(row))?,
+            );
         }
         let searched = lines.len().min(MAX_SEARCHED);
         let mut places = (0..searched).filter(|at| {
@@ -226,18 +229,8 @@ fn is_units(line: &Line) -> bool {
 /// The key that names the column of tooth numbers.
 pub const TOOTH: &str = "tooth_column";
 
-#[derive(Debug, Clone, Default, Deserialize)]
-#[serde(default)]
-pub struct Choice {
-    pub sheet: Option<String>,
-    /// The line of the header, from 1; 0 where the file has none.
-    pub header_row: Option<u64>,
-    pub decimal: Option<Decimal>,
-    tooth_column: Option<String>,
-    left: Option<String>,
-    right: Option<String>,
-    column: Option<String>,
-}
+/// What a pair file says of a table.
+pub type Choice = AnyTableSpec;
 
 impl Choice {
     /// The keys of `table`.
@@ -249,10 +242,10 @@ impl Choice {
 
     fn columns(&self) -> [(&'static str, Option<&str>); 4] {
         [
-            (TOOTH, self.tooth_column.as_deref()),
+            (TOOTH, self.table.tooth_column.as_deref()),
             ("left", self.left.as_deref()),
             ("right", self.right.as_deref()),
-            ("column", self.column.as_deref()),
+            ("column", self.table.column.as_deref()),
         ]
     }
 
@@ -266,7 +259,7 @@ impl Choice {
 
     /// A given key that applies to tables of cells alone.
     pub fn of_cells(&self) -> Option<&'static str> {
-        let row = self.header_row.map(|_| "header_row");
+        let row = self.table.header_row.map(|_| "header_row");
         let mut columns = self.columns().into_iter();
         row.or(columns.find(|(_, name)| name.is_some()).map(|(key, _)| key))
     }

@@ -239,11 +239,11 @@ impl Content {
             return file.refuse(format!("is {name}"), "save it as .xlsx or CSV");
         }
         if workbook::is_one(file, &bytes) {
-            let grids = workbook::read(file, bytes, choice.sheet.as_deref())?;
+            let grids = workbook::read(file, bytes, choice.table.sheet.as_deref())?;
             return Some(Content::Cells(below_header(grids, choice)));
         }
         let remove = |key: &str, words: &str| table.add(key, words, "remove it");
-        if choice.sheet.is_some() {
+        if choice.table.sheet.is_some() {
             remove(
                 "sheet",
                 "the file is not a workbook, sheet is allowed only with .xlsx",
@@ -261,7 +261,7 @@ impl Content {
             let grids = delimited::read(file, &text, most)?;
             return Some(Content::Cells(below_header(grids, choice)));
         }
-        if choice.decimal == Some(Decimal::Comma) {
+        if choice.table.decimal == Some(Decimal::Comma) {
             remove(
                 "decimal",
                 "the file is a protocol, whose decimal sign is the point",
@@ -328,7 +328,7 @@ impl Content {
 
 /// The grids, with a blank header added where the pair file states that there is none. Letters then name the columns.
 fn below_header(mut grids: Vec<Grid>, choice: &Choice) -> Vec<Grid> {
-    if choice.header_row == Some(0) {
+    if choice.table.header_row == Some(0) {
         for grid in &mut grids {
             let width = grid.lines.iter().map(|line| line.cells.len()).max();
             let cells = vec![Cell::Empty; width.unwrap_or(0)];

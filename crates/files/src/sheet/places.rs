@@ -152,7 +152,6 @@ impl Request<'_> {
         }
     }
 
-    /// The one of `places` that is `column`.
     fn one(&self, head: &Head, column: Column, places: &[usize]) -> Result<usize, Problem> {
         let place = match *places {
             [place] => place,

@@ -135,7 +135,6 @@ impl Request<'_> {
         })
     }
 
-    /// The one grid that has a header, and the header.
     fn one_of<'g>(
         &self,
         grids: &'g [Grid],
@@ -145,13 +144,16 @@ impl Request<'_> {
         let in_grid = |grid: &'g Grid| Some((grid, Head::find(&grid.lines, choice, &is_head)?));
         let mut found: Vec<_> = grids.iter().filter_map(in_grid).collect();
         if found.is_empty()
-            && let ([grid], Some(row)) = (grids, choice.header_row)
-            && let Some(at) = grid.lines.iter().position(|line| line.number == row)
+            && let ([grid], Some(row)) = (grids, choice.table.header_row)
+            && let Some(at) = grid
+                .lines
+                .iter()
+                .position(|line| line.number == u64::from(row))
         {
             // The columns that it lacks are reported.
             return Some((grid, Head::of(&grid.lines, at)));
         }
-        if found.is_empty() && choice.header_row.is_none() {
+        if found.is_empty() && choice.table.header_row.is_none() {
             // To report the missing columns is better than "no header".
             let nearly = |head: &Head| self.is_nearly_head(head);
             let in_grid = |grid: &'g Grid| Some((grid, Head::find(&grid.lines, choice, nearly)?));
@@ -207,7 +209,7 @@ impl Request<'_> {
                 "use one separator for all columns",
             ),
             None => {
-                let (what, row) = match choice.header_row {
+                let (what, row) = match choice.table.header_row {
                     Some(row) => (format!("line {row} does not name"), row),
                     None => ("no line names".to_owned(), 1),
                 };

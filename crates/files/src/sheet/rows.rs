@@ -113,7 +113,7 @@ impl<'a> Found<'a> {
             .map(|line| self.row(request, line, &mut numbers));
         let rows: Vec<Option<Row>> = rows.collect();
         let rows: Vec<Row> = rows.into_iter().collect::<Option<_>>()?;
-        let signs = [request.choice.decimal, self.grid.decimal];
+        let signs = [request.choice.table.decimal, self.grid.decimal];
         check_decimal_sign(request.file, &numbers, signs)?;
         ordered(request.file, rows, request.wanted)
     }

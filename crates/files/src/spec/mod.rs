@@ -43,7 +43,7 @@ pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub(crate) use schema::{DRAWINGS, GEAR, PAIR, TABLE};
 pub use schema::{gear_schema, pair_schema};
-pub(crate) use thickness::CROSS_CHECK_UM;
+pub(crate) use thickness::{CROSS_CHECK_UM, STATEMENTS};
 pub use thickness::{
     ChordSpec, CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
@@ -53,8 +53,8 @@ pub use tolerance::{
 };
 pub use trace::{FlankSpec, FlanksSpec, TraceDirection, TraceSpec};
 pub use uncertainty::UncertaintySpec;
-pub(crate) use value::each_value;
 pub use value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
+pub(crate) use value::{AnyTableSpec, each_value};
 
 use gearlash::error::GearError;
 use gearlash::gear::ThicknessField;

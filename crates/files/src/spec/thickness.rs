@@ -12,7 +12,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_with::skip_serializing_none;
 
 /// The statements, one key each.
-const STATEMENTS: [&[&str]; 8] = [
+pub(crate) const STATEMENTS: [&[&str]; 8] = [
     &["span"],
     &["over_pins"],
     &["designation"],

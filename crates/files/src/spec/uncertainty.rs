@@ -97,18 +97,13 @@ impl UncertaintySpec {
     }
 
     /// The keys stated that concern gears given by data alone.
-    pub(crate) fn of_data(&self) -> impl Iterator<Item = &'static str> {
-        let keys = [
-            ("span_um", self.span_um),
-            ("over_pins_um", self.over_pins_um),
-            ("allowance_um", self.allowance_um),
-            ("per_tooth_um", self.per_tooth_um),
-            ("pitch_um", self.pitch_um),
-            ("lead_um", self.lead_um.unwrap_or(0.0)),
-            ("misalignment_um", self.misalignment_um.unwrap_or(0.0)),
-        ];
-        let stated = keys.into_iter().filter(|(_, um)| *um > 0.0);
-        stated.map(|(key, _)| key)
+    pub(crate) fn of_data(&self) -> Vec<String> {
+        let others = ["runout_um", "center_distance_um", "coverage_factor"];
+        let keys = serde_json::to_value(self).unwrap_or_default();
+        let keys = keys.as_object().into_iter().flatten();
+        let stated =
+            keys.filter(|(key, um)| um.as_f64() > Some(0.0) && !others.contains(&key.as_str()));
+        stated.map(|(key, _)| key.clone()).collect()
     }
 
     /// Standard uncertainty of `s_bt`, mm. A span measures `s_bt cos β_b`. A thicker tooth lifts pins: the slope of that lift

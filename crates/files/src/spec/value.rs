@@ -72,7 +72,7 @@ fn allowance_keys(schema: &mut Schema) {
 
 /// A table of readings, one row a tooth.
 #[skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = table_file_keys)]
 pub struct TableFileSpec {
     /// A table.
@@ -92,8 +92,8 @@ pub struct TableFileSpec {
 
 /// A table of any kind, by itself.
 #[skip_serializing_none]
-#[derive(Serialize, JsonSchema)]
-pub(super) struct AnyTableSpec {
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema)]
+pub struct AnyTableSpec {
     /// Which table.
     #[serde(flatten)]
     pub table: TableFileSpec,

@@ -1,16 +1,21 @@
-//! Measured gears that are drawn as a whole.
+//! Measured gears that are drawn as a whole: their files by names and patterns, and the bands of thickness that they and a pair file state.
 
-use super::bands::middle;
-use super::gear_names::{duplicates, named};
-use crate::grouped_warnings::GroupedWarnings;
 use crate::numbers::shortest;
+use crate::read::PairFile;
 use crate::reading::Reading;
-use crate::spec::GearSpec;
+use crate::spec::{GearSpec, GearToleranceSpec, ToleranceSpec};
 use crate::table::Table;
 use crate::temperature::REFERENCE_C;
-use gearlash::gear::AsBuilt;
+use gearlash::analysis::study::Material;
+use gearlash::error::GearError;
+use gearlash::gear::thickness::per_normal_thickness;
+use gearlash::gear::{AsBuilt, Deviations};
 use gearlash::pair::Member;
-use std::path::Path;
+use glob::{MatchOptions, Pattern};
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::io::ErrorKind;
+use std::path::{Component, Path, PathBuf};
 
 /// Most gear files of one list: a folder of measurements has fewer.
 const MAX_GEARS: usize = 100_000;
@@ -121,4 +126,243 @@ fn read_one(
         spec: gear.spec.data().ok_or("has no such gear")?.clone(),
     };
     Ok((measured, gear.materials.len() > 1, file.warnings))
+}
+
+/// Most files and folders that are compared with a pattern: twice the gears that a list can have.
+const MAX_VISITED: usize = 200_000;
+
+#[derive(Debug, Default)]
+pub struct Named {
+    /// Files, in the order of their names.
+    pub files: Vec<PathBuf>,
+    /// Matches that are ignored, and why.
+    pub left_out: Vec<String>,
+    /// Matches that cannot be read, and why.
+    pub faults: Vec<String>,
+}
+
+/// The files that `name` stands for, relative to `folder`. `*`, `?` and `[` match letters within one path component. Case
+/// matters.
+pub fn named(folder: &Path, name: &str) -> Named {
+    let mut named = Named::default();
+    if !name.contains(['*', '?', '[']) {
+        let path = folder.join(name);
+        match path.symlink_metadata() {
+            Err(error) if error.kind() == ErrorKind::NotFound => (),
+            _ => named.add(path, false),
+        }
+        return named;
+    }
+    let found = found(folder, name, &mut named.faults).unwrap_or_else(|error| {
+        named.faults.push(format!("{name:?}: {error}"));
+        Vec::new()
+    });
+    for (path, is_as_written) in found {
+        if is_as_written {
+            named.add(path, true)
+        } else {
+            named.left_out.push(format!(
+                "{}: is as {name:?} but for capital letters, and is left out",
+                path.display()
+            ))
+        }
+    }
+    named
+}
+
+/// Every path that matches the pattern `name`, in the order of the names, and whether case matched. Read errors are added to `faults`.
+///
+/// File names need not be UTF-8: an invalid byte counts as one letter.
+fn found(
+    folder: &Path,
+    name: &str,
+    faults: &mut Vec<String>,
+) -> Result<Vec<(PathBuf, bool)>, String> {
+    if name.contains("**") {
+        return Err("`**` is not allowed, name each folder".to_owned());
+    }
+    let mut found = vec![(folder.to_path_buf(), true)];
+    let mut visited = 0;
+    for part in Path::new(name).components() {
+        let text = part.as_os_str().to_string_lossy();
+        if part == Component::CurDir {
+            continue;
+        }
+        if !text.contains(['*', '?', '[']) {
+            found.iter_mut().for_each(|(path, _)| path.push(part));
+            found.retain(|(path, _)| path.symlink_metadata().is_ok());
+            continue;
+        }
+        let pattern = Pattern::new(&text).map_err(|error| error.msg.to_owned())?;
+        let mut next = Vec::new();
+        for (path, is_as_written) in found {
+            let inner = entries(&path, faults);
+            visited += inner.len();
+            if visited > MAX_VISITED {
+                let reason = format!("a pattern meets more than {MAX_VISITED} files and folders");
+                faults.push(reason);
+                return Ok(Vec::new());
+            }
+            for path in inner {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                let is_same = is_as_written && pattern.matches(&name);
+                if pattern.matches_with(&name, IGNORE_CASE) {
+                    next.push((path, is_same));
+                }
+            }
+        }
+        found = next;
+    }
+    Ok(found)
+}
+
+/// Matches names without regard to case.
+const IGNORE_CASE: MatchOptions = MatchOptions {
+    case_sensitive: false,
+    require_literal_separator: false,
+    require_literal_leading_dot: false,
+};
+
+/// The entries of `folder` by name; empty where it is no folder.
+fn entries(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
+    let at = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
+    if !at.is_dir() {
+        return Vec::new();
+    }
+    let names = std::fs::read_dir(at).and_then(|entries| {
+        let names = entries.map(|entry| Ok(entry?.file_name()));
+        names.collect::<std::io::Result<Vec<OsString>>>()
+    });
+    match names {
+        Ok(mut names) => {
+            names.sort();
+            names.into_iter().map(|name| folder.join(name)).collect()
+        }
+        Err(error) => {
+            faults.push(format!("{}: {error}", folder.display()));
+            Vec::new()
+        }
+    }
+}
+
+impl Named {
+    /// Adds the file at `path`. A folder is ignored where a pattern matched it.
+    fn add(&mut self, path: PathBuf, is_of_pattern: bool) {
+        let name = path.display();
+        match path.metadata() {
+            Ok(found) if found.is_file() => self.files.push(path),
+            Ok(found) if found.is_dir() && is_of_pattern => {
+                let reason = "is a folder, and is left out";
+                self.left_out.push(format!("{name}: {reason}"));
+            }
+            Ok(_) => self.faults.push(format!("{name}: this is no file")),
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                let reason = "this is a link to a file that is not there";
+                self.faults.push(format!("{name}: {reason}"));
+            }
+            Err(error) => self.faults.push(format!("{name}: {error}")),
+        }
+    }
+}
+
+/// Files of one folder whose names differ only in the extension, such as `p1.toml` and `p1.json`: the gear is ambiguous.
+fn duplicates(files: &[PathBuf]) -> Vec<String> {
+    let mut first: BTreeMap<(PathBuf, OsString), &PathBuf> = BTreeMap::new();
+    let mut duplicates = Vec::new();
+    for path in files {
+        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
+        let stem = path.file_stem().unwrap_or_default().to_os_string();
+        let before = *first.entry((folder, stem)).or_insert(path);
+        if before != path {
+            duplicates.push(format!(
+                "{} and {}: two files of one gear",
+                before.display(),
+                path.display()
+            ));
+        }
+    }
+    duplicates
+}
+
+/// A warning for each band of `pair` that `tolerance` does not draw from, with the key to write.
+pub fn left_out(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<String> {
+    let mut warnings = Vec::new();
+    for member in Member::BOTH {
+        let is_drawn = |spec: &GearToleranceSpec| spec.thickness.is_some() || spec.gears.is_some();
+        if !tolerance.gear(member).is_some_and(is_drawn) && thickness_band(pair, member).is_some() {
+            let name = member.name();
+            warnings.push(format!(
+                "{name}.thickness: states a band from which nothing is drawn, every {name} has its middle; to draw it, write thickness = {{ scatter = \"normal\" }} in [tolerance.{name}]"
+            ));
+        }
+    }
+    if tolerance.center_distance.is_none() && pair.study.band.is_some() {
+        warnings.push(
+            "assembly.center_distance_mm: states a band from which nothing is drawn, every pair has the nominal distance; to draw it, write center_distance = { scatter = \"normal\" } in [tolerance]"
+                .to_owned(),
+        );
+    }
+    warnings
+}
+
+/// The gear in the middle between the thickest and the thinnest.
+pub fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, GearError> {
+    let gears: Vec<&AsBuilt> = gears.collect();
+    let base = |gear: &AsBuilt| gear.gear().base_thickness();
+    let (first, rest) = gears.split_first().ok_or(GearError::ThicknessField)?;
+    let Some(last) = rest.last() else {
+        return Ok((*first).clone());
+    };
+    let per = per_normal_thickness(first.gear().basic_data());
+    let thicker = 0.5 * (base(last) - base(first)) / per;
+    first.varied(thicker, &Deviations::default())
+}
+
+/// The band of a gear's thickness about its middle, mm at the reference circle (in the normal section).
+pub fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
+    let gear = |(_, wheel, pinion): &'_ (Material, AsBuilt, AsBuilt)| {
+        let gear = [wheel, pinion][member as usize].gear();
+        (
+            gear.base_thickness(),
+            per_normal_thickness(gear.basic_data()),
+        )
+    };
+    let materials = &pair.study.materials;
+    let ((most, per), (least, _)) = (gear(materials.first()?), gear(materials.last()?));
+    let half = 0.5 * (most - least) / per;
+    (half > 0.0).then_some([-half, half])
+}
+
+/// Texts, each with its files.
+#[derive(Debug, Default)]
+pub(crate) struct GroupedWarnings {
+    each: Vec<(String, PathBuf, usize)>,
+}
+
+impl GroupedWarnings {
+    /// Adds the `texts` of `file`.
+    pub fn add(&mut self, file: &Path, texts: &[String]) {
+        for text in texts {
+            match self.each.iter_mut().find(|(known, ..)| known == text) {
+                Some((.., more)) => *more += 1,
+                None => self.each.push((text.clone(), file.to_path_buf(), 0)),
+            }
+        }
+    }
+
+    /// A line per text, in the order in which they were added: the first file with it, and the number of others.
+    pub fn lines(&self) -> Vec<String> {
+        let each = self.each.iter().map(|(text, file, more)| {
+            let others = match more {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            format!("{}{others}: {text}", file.display())
+        });
+        each.collect()
+    }
 }

@@ -1,9 +1,6 @@
 //! Populations of pair files: from `[tolerance]` to rows, and from rows to the result of a run.
 
-mod bands;
-mod gear_names;
 mod gears;
-mod mm;
 mod population;
 mod result;
 mod rows;
@@ -11,12 +8,12 @@ mod run;
 mod sentence;
 mod worst;
 
-pub(crate) use bands::middle;
+pub(crate) use gears::{GroupedWarnings, middle};
 pub(crate) use population::{placed, shape_difference};
 pub(crate) use result::limits;
 pub(crate) use worst::sha256;
 
-pub use gear_names::named;
+pub use gears::named;
 pub use population::{ToleranceFile, read_tolerance};
 pub use result::{About, Convergence, Limit, ToleranceResult, in_words};
 pub use rows::{RowsHead, RowsReader, RowsTally, row_line, tenths_to_um};

@@ -8,15 +8,20 @@ use gearlash::pair::Pose;
 
 /// The spur pair of 20 mm, face to face over `face`, with these keys of the wheel and of `[assembly]`.
 fn spur(face: [f64; 2], wheel: &str, assembly: &str) -> PairFile {
+    pair(face, [wheel, ""], assembly)
+}
+
+/// The pair with these keys of its gears and of `[assembly]`.
+fn pair(face: [f64; 2], [wheel, pinion]: [&str; 2], assembly: &str) -> PairFile {
     let text = SPUR.replace("[-10, 10]", &format!("{face:?}"));
-    let text = text.replace("WHEEL", wheel).replace("PINION", "");
-    study(&text.replace("center_distance_mm = 60.2", assembly))
+    let text = text.replace("WHEEL", wheel).replace("PINION", pinion);
+    study(&text.replace(PARALLEL, assembly))
 }
 
 /// Backlash that these keys take from the pair at 60.2 mm, µm on the base circles.
 fn loss(face: [f64; 2], wheel: &str, assembly: &str) -> f64 {
     let at = |file: &PairFile| j_bt(file, (1, 1), Side::Right);
-    at(&spur(face, "", "center_distance_mm = 60.2")) - at(&spur(face, wheel, assembly))
+    at(&spur(face, "", PARALLEL)) - at(&spur(face, wheel, assembly))
 }
 
 fn lean(in_plane: f64, out_of_plane: f64, more: &str) -> String {
@@ -42,6 +47,7 @@ fn skew(um: f64) -> f64 {
 }
 
 const CENTRED: [f64; 2] = [-10.0, 10.0];
+const PARALLEL: &str = "center_distance_mm = 60.2";
 
 #[test]
 fn shafts_cost_what_closed_forms_say() {
@@ -114,13 +120,8 @@ fn other_distances_keep_the_lean() {
 
 /// The pair of 36 and 24 teeth over `face` with a runout of the gear called `name`.
 fn with_runout(face: [f64; 2], name: &str, runout: &str) -> PairFile {
-    let text = SPUR.replace("[-10, 10]", &format!("{face:?}"));
-    let keys = |own: &str| if own == name { runout } else { "" };
-    study(
-        &text
-            .replace("WHEEL", keys("wheel"))
-            .replace("PINION", keys("pinion")),
-    )
+    let keys = ["wheel", "pinion"].map(|own| if own == name { runout } else { "" });
+    pair(face, keys, PARALLEL)
 }
 
 /// Two planes at the ends of teeth of 20 mm, centred at the first; the reference face is in front, or at the back.
@@ -173,8 +174,7 @@ fn wobble_brings_the_far_end_nearer() {
             let turned = f64::from(member == Member::Pinion) * skew(2.0) * turn;
             let off = found - nearer(2.0) - turned;
             assert!(off.abs() < 2e-4, "{towards}: {found}");
-            let found = loss(&away);
-            assert!(found.abs() < 2e-4, "{away}: {found}");
+            assert!(loss(&away).abs() < 2e-4, "{away}");
         }
     }
 }
@@ -263,7 +263,7 @@ fn of_cycle(file: &PairFile) -> [(f64, [f64; 2]); 2] {
 /// The worst direction counts: nearer at one end, or askew. The greatest is that of parallel axes, which the measuring plane bounds.
 #[test]
 fn a_misalignment_of_unknown_sense_takes_the_worst() {
-    let plain = of_cycle(&spur(CENTRED, "", "center_distance_mm = 60.2"));
+    let plain = of_cycle(&spur(CENTRED, "", PARALLEL));
     let cases = [
         ("in_plane_um = { max = 10 }", nearer(1.0)),
         ("out_of_plane_um = { max = 10 }", skew(2.0)),
@@ -334,28 +334,18 @@ fn a_lean_that_narrow_helical_teeth_gain_by_is_in_the_bracket() {
 #[test]
 fn axes_tilt_in_their_bearings() {
     let at = |keys: &str| {
-        of_cycle(&spur(
-            CENTRED,
-            "",
-            &format!("center_distance_mm = 60.2\nbearing_clearance_mm = {keys}"),
-        ))
+        let keys = format!("{PARALLEL}\nbearing_clearance_mm = {keys}");
+        of_cycle(&spur(CENTRED, "", &keys))
     };
-    let plain = of_cycle(&spur(CENTRED, "", "center_distance_mm = 60.2"));
+    let plain = of_cycle(&spur(CENTRED, "", PARALLEL));
     let [(least, [low, high]), (greatest, [from, to])] =
         at("{ wheel = 0.002, pinion = 0.001, at_mm = [-10, 10] }");
     assert!((plain[0].0 - least - 6.0).abs() < 5e-3, "{least}");
-    assert!(
-        low <= least + 1e-9 && least <= high + 1e-9 && low.is_finite(),
-        "{low}"
-    );
-    assert!(
-        (plain[1].0 - greatest - nearer(-3.0)).abs() < 2e-3,
-        "{greatest}"
-    );
-    assert!(
-        from <= greatest + 1e-9 && greatest <= to + 1e-9 && to < greatest + 1e-2,
-        "{to}"
-    );
+    let holds = |low: f64, found: f64, high: f64| low <= found + 1e-9 && found <= high + 1e-9;
+    assert!(holds(low, least, high) && low.is_finite(), "{low}");
+    let off = plain[1].0 - greatest - nearer(-3.0);
+    assert!(off.abs() < 2e-3, "{greatest}");
+    assert!(holds(from, greatest, to) && to < greatest + 1e-2, "{to}");
     // Other clearances at the far bearing: 2 µm and 6 µm are 4 µm in the middle.
     let [(least, _), (greatest, _)] =
         at("{ wheel = [0.001, 0.005], pinion = 0.001, at_mm = [-10, 10] }");
@@ -393,17 +383,12 @@ fn leads_about_the_bore_contain_the_wobble() {
     let face = [0.0, 20.0];
     let file = with_runout(face, "wheel", &leads("datum"));
     let wheel = &file.study.materials[0].1;
-    assert!((wheel.wobble() - 1e-4).abs() < 1e-8, "{}", wheel.wobble());
-    assert!(
-        (wheel.wobble_tooth() - 8.0).abs() < 1e-2,
-        "{}",
-        wheel.wobble_tooth()
-    );
+    let (wobble, tooth) = (wheel.wobble(), wheel.wobble_tooth());
+    assert!((wobble - 1e-4).abs() < 1e-8, "{wobble}");
+    assert!((tooth - 8.0).abs() < 1e-2, "{tooth}");
     let remarks = file.remarks.join("\n");
-    assert!(
-        remarks.contains("wobble of 2.00 µm over the teeth, towards tooth 8.00"),
-        "{remarks}"
-    );
+    let words = "wobble of 2.00 µm over the teeth, towards tooth 8.00";
+    assert!(remarks.contains(words), "{remarks}");
     let stated = planes(4.0, 8.0);
     let j = |keys: &str| j_bt(&with_runout(face, "wheel", keys), (8, 8), Side::Right);
     let expected = j(&stated);
@@ -411,14 +396,8 @@ fn leads_about_the_bore_contain_the_wobble() {
     assert!((j(&format!("{}\n{stated}", leads("datum"))) - expected).abs() < 1e-4);
     // About the axis of the teeth they would be leads of four teeth alone.
     assert!(j(&leads("own")) - expected > 1.0);
-    let other = with_runout(
-        face,
-        "wheel",
-        &format!("{}\n{}", leads("datum"), planes(12.0, 8.0)),
-    );
-    let warnings = other.warnings.join("\n");
-    assert!(
-        warnings.contains("the stated wobble counts, 4.00 µm off it"),
-        "{warnings}"
-    );
+    let both = format!("{}\n{}", leads("datum"), planes(12.0, 8.0));
+    let warnings = with_runout(face, "wheel", &both).warnings.join("\n");
+    let words = "the stated wobble counts, 4.00 µm off it";
+    assert!(warnings.contains(words), "{warnings}");
 }

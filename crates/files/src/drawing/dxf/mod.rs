@@ -5,7 +5,6 @@
 
 mod block;
 mod entity;
-mod pairs;
 mod shape;
 
 use super::error::LONGEST_NAME;
@@ -15,8 +14,7 @@ use super::text::decode;
 use super::{DrawingError, Options, Unit};
 use crate::characters::cut;
 use block::{Block, Placed};
-use entity::{Entity, Handling};
-use pairs::{EXPORT, Pairs, check_format};
+use entity::{EXPORT, Entity, Handling, Pairs, check_format};
 use std::collections::HashMap;
 use std::rc::Rc;
 

@@ -5,7 +5,6 @@
 
 mod path;
 mod shape;
-mod view;
 
 use super::affine::Affine;
 use super::chain::DrawnPath;
@@ -174,7 +173,7 @@ impl Page<'_> {
         let view = self.parsed::<ViewBox>(root, "viewBox")?;
         let size = ["width", "height"].map(|name| self.parsed::<Length>(root, name));
         let [width, height] = size;
-        let stated = view::page_unit([width?, height?], view, self.aspect(root)?)
+        let stated = shape::page_unit([width?, height?], view, self.aspect(root)?)
             .map_err(|reason| self.syntax(root, reason))?;
         let why = "the SVG needs width and height in mm, cm or in, and a viewBox";
         options.unit_mm(stated, why)
@@ -341,7 +340,7 @@ impl Page<'_> {
         let (Some(width), Some(height)) = (number("width")?, number("height")?) else {
             return Err(self.syntax(node, "a viewBox without width and height"));
         };
-        let inner = view::viewport(corner, [width, height], view, self.aspect(node)?);
+        let inner = shape::viewport(corner, [width, height], view, self.aspect(node)?);
         within.map = within.map.after(&inner);
         Ok(())
     }

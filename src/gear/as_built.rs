@@ -245,15 +245,11 @@ impl AsBuilt {
             self.gear.clone()
         };
         let thicker = self.gear.half_base_angle() - gear.half_base_angle();
-        let enlarged = |side: Side| {
-            let offsets = self.offsets[side.index()].iter();
-            let enlarged = offsets.map(|offset| factor * (offset + side.sense() * thicker));
-            enlarged.collect()
-        };
+        let enlarged = |side: Side, _, offset| factor * (offset + side.sense() * thicker);
         let exaggerated = AsBuilt {
             modified: self.modified_of(&gear, factor)?,
             leads: self.leads_by(1.0, |curve| curve.scaled(factor)),
-            offsets: Side::BOTH.map(enlarged),
+            offsets: self.offsets_by(enlarged),
             eccentricity: factor * self.eccentricity,
             wobble: factor * self.wobble,
             gear,
@@ -309,9 +305,11 @@ impl AsBuilt {
     /// # Errors
     /// As [`AsBuilt::new`] of thickness.
     pub(crate) fn with_side_turned(&self, side: Side, angle: f64) -> Result<AsBuilt, GearError> {
-        let mut other = self.clone();
-        let list = &mut other.offsets[side.index()];
-        *list = list.iter().map(|offset| offset + angle).collect();
+        let turned = |on, _, offset| if on == side { offset + angle } else { offset };
+        let other = AsBuilt {
+            offsets: self.offsets_by(turned),
+            ..self.clone()
+        };
         other.check_teeth()?;
         Ok(other)
     }
@@ -564,23 +562,21 @@ impl AsBuilt {
     /// As [`AsBuilt::new`] of thickness.
     pub(crate) fn enclosing(&self, face: [f64; 2]) -> Result<([AsBuilt; 2], f64), GearError> {
         let bound = |which: usize| self.at_lead_bound(which, Some(face)).unmodified();
-        let mut enclosing = [bound(1), bound(0)];
-        let mut range = 0.0f64;
         let base = self.gear.base_radius();
-        for side in Side::BOTH {
-            let bounds = self.deviations(side);
-            range = bounds
-                .iter()
-                .fold(range, |range, [least, most]| range.max(most - least));
-            for (which, other) in [1, 0].into_iter().zip(&mut enclosing) {
-                let list = &mut other.offsets[side.index()];
-                let turned = |(tooth, offset): (u32, &f64)| {
-                    let deviation = bounds[self.shape_of(side, tooth)][which];
-                    offset + side.sense() * deviation / base
-                };
-                *list = (1..).zip(list.iter()).map(turned).collect();
+        let bounds = Side::BOTH.map(|side| self.deviations(side));
+        let ranges = bounds.iter().flatten().map(|[least, most]| most - least);
+        let range = ranges.fold(0.0, f64::max);
+        let enclosing = [1, 0].map(|which| {
+            let other = bound(which);
+            let turned = |side: Side, tooth, offset| {
+                let deviation = bounds[side.index()][self.shape_of(side, tooth)][which];
+                offset + side.sense() * deviation / base
+            };
+            AsBuilt {
+                offsets: other.offsets_by(turned),
+                ..other
             }
-        }
+        });
         for other in &enclosing {
             other.check_teeth()?;
         }
@@ -658,22 +654,21 @@ impl AsBuilt {
     /// As [`AsBuilt::enclosing`].
     pub(crate) fn spread_by_leads(&self, face: [f64; 2], more: f64) -> Result<AsBuilt, GearError> {
         let ([outer, inner], _) = self.enclosing(face)?;
-        let spread = |side: Side| {
+        let more = more / self.gear.base_radius();
+        let limits = Side::BOTH.map(|side| {
             let all = [&outer, &inner].map(|gear| gear.offsets[side.index()].iter());
-            let [one, other] = all.map(|offsets| {
-                offsets.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), o| {
-                    (l.min(*o), m.max(*o))
-                })
-            });
-            let more = more / self.gear.base_radius();
-            let (least, most) = (one.0.min(other.0) - more, one.1.max(other.1) + more);
-            let teeth = self.offsets[side.index()].len();
-            (0..teeth)
-                .map(|k| if k == 0 { most } else { least })
-                .collect()
-        };
+            let ends = (f64::INFINITY, f64::NEG_INFINITY);
+            let (least, most) = all
+                .into_iter()
+                .flatten()
+                .fold(ends, |(least, most), offset| {
+                    (least.min(*offset), most.max(*offset))
+                });
+            [least - more, most + more]
+        });
+        let spread = |side: Side, tooth, _| limits[side.index()][usize::from(tooth == 1)];
         Ok(AsBuilt {
-            offsets: Side::BOTH.map(spread),
+            offsets: self.offsets_by(spread),
             ..outer
         })
     }
@@ -688,24 +683,33 @@ impl AsBuilt {
         self.leads.as_deref().is_none_or(one)
     }
 
+    /// The offsets with `change` applied to each flank: its side and its tooth.
+    fn offsets_by(&self, change: impl Fn(Side, u32, f64) -> f64) -> [Arc<[f64]>; 2] {
+        Side::BOTH.map(|side| {
+            let offsets = (1..).zip(self.offsets[side.index()].iter());
+            offsets
+                .map(|(tooth, offset)| change(side, tooth, *offset))
+                .collect()
+        })
+    }
+
     /// This gear with every flank turned by `more` of its lead, mm.
     fn with_leads_turned(&self, more: impl Fn(&DeviationCurve) -> f64) -> AsBuilt {
         let Some(leads) = &self.leads else {
             return self.clone();
         };
         let base = self.gear.base_radius();
-        let turned = |side: Side| {
+        let more = Side::BOTH.map(|side| {
             let flank = self.face.flank_of(side);
             let curves = (0..leads.shapes(flank)).map(|shape| leads.shape(flank, shape));
-            let more: Vec<f64> = curves
-                .map(|curve| side.sense() * more(curve) / base)
-                .collect();
-            let offsets = (1..).zip(self.offsets[side.index()].iter());
-            let turned = offsets.map(|(tooth, offset)| offset + more[leads.shape_of(flank, tooth)]);
-            turned.collect()
+            let more = curves.map(|curve| side.sense() * more(curve) / base);
+            more.collect::<Vec<f64>>()
+        });
+        let turned = |side: Side, tooth, offset| {
+            offset + more[side.index()][leads.shape_of(self.face.flank_of(side), tooth)]
         };
         AsBuilt {
-            offsets: Side::BOTH.map(turned),
+            offsets: self.offsets_by(turned),
             ..self.clone()
         }
     }
@@ -735,10 +739,7 @@ impl AsBuilt {
 
     /// This gear without wobble.
     pub(crate) fn without_wobble(&self) -> AsBuilt {
-        AsBuilt {
-            wobble: 0.0,
-            ..self.clone()
-        }
+        self.with_wobble(0.0, self.wobble_tooth)
     }
 
     /// The leads with `change` applied to every curve, and heights multiplied by `factor`.
@@ -864,9 +865,8 @@ impl AsBuilt {
     pub(crate) fn turned(self, angle: f64) -> AsBuilt {
         let basic_data = self.gear.basic_data();
         let teeth = self.face.ascending() * angle / basic_data.angular_pitch();
-        let offsets = self.offsets.each_ref();
         AsBuilt {
-            offsets: offsets.map(|side| side.iter().map(|offset| offset + angle).collect()),
+            offsets: self.offsets_by(|_, _, offset| offset + angle),
             high_tooth: basic_data.tooth_after(self.high_tooth - 1.0 + teeth),
             ..self
         }
@@ -874,13 +874,9 @@ impl AsBuilt {
 
     /// This section with its right and its left flanks turned further, rad, counter-clockwise, tooth 1 first.
     pub(crate) fn with_flanks_turned(self, turns: [Vec<f64>; 2]) -> AsBuilt {
-        let turned = |side: Side| {
-            let offsets = self.offsets[side.index()].iter();
-            let turned = offsets.zip(&turns[side.index()]);
-            turned.map(|(offset, turn)| offset + turn).collect()
-        };
+        let turn = |side: Side, tooth: u32| turns[side.index()][tooth as usize - 1];
         AsBuilt {
-            offsets: Side::BOTH.map(turned),
+            offsets: self.offsets_by(|side, tooth, offset| offset + turn(side, tooth)),
             wobble: 0.0,
             ..self
         }
@@ -894,14 +890,11 @@ impl AsBuilt {
         if face == self.face {
             return self.clone();
         }
-        let turned = |side: Side| {
-            let across = self.offsets[side.other().index()].iter();
-            across.map(|offset| -offset).collect()
-        };
+        let across = |side: Side, tooth, _| -self.flank_offset(side.other(), tooth);
         let swapped = |[right, left]: &[ModifiedHalves; 2]| Arc::new([left.clone(), right.clone()]);
         AsBuilt {
             face,
-            offsets: Side::BOTH.map(turned),
+            offsets: self.offsets_by(across),
             modified: self.modified.as_deref().map(swapped),
             ..self.clone()
         }

@@ -276,34 +276,28 @@ impl FlankLeads {
 mod tests {
     use super::*;
 
-    fn lead() -> Lead {
-        Lead {
+    /// Teeth of 40 mm, evaluated over 36 mm, with this change.
+    fn lead(change: impl Fn(&mut Lead)) -> Lead {
+        let mut lead = Lead {
             face: [-20.0, 20.0],
             range: [-18.0, 18.0],
             ..Lead::default()
-        }
+        };
+        change(&mut lead);
+        lead
     }
 
     /// Source: the definitions: a slope over the evaluation range, a parabola of height C over the teeth, reliefs over their lengths, and
     /// zero where pitch and thickness were measured.
     #[test]
     fn what_is_stated_adds_up_from_the_zero() {
-        let slope = Lead {
-            slope: 0.009,
-            ..lead()
+        let slope = lead(|lead| lead.slope = 0.009);
+        let crowned = lead(|lead| (lead.crowning, lead.zero) = (0.008, 20.0));
+        let trace = Trace {
+            tooth: None,
+            points: vec![(-20.0, 0.0), (20.0, 0.008)],
         };
-        let crowned = Lead {
-            crowning: 0.008,
-            zero: 20.0,
-            ..lead()
-        };
-        let traced = Lead {
-            traces: vec![Trace {
-                tooth: None,
-                points: vec![(-20.0, 0.0), (20.0, 0.008)],
-            }],
-            ..lead()
-        };
+        let traced = lead(|lead| lead.traces = vec![trace.clone()]);
         let mut cases = vec![
             (slope.clone(), 18.0, 0.0045),
             (slope, -20.0, -0.005),
@@ -313,15 +307,13 @@ mod tests {
         ];
         for (at_far_end, parabolic) in [(false, false), (false, true), (true, false), (true, true)]
         {
-            let relieved = Lead {
-                end_reliefs: vec![EndRelief {
-                    amount: 0.012,
-                    length: 6.0,
-                    at_far_end,
-                    parabolic,
-                }],
-                ..lead()
+            let relief = EndRelief {
+                amount: 0.012,
+                length: 6.0,
+                at_far_end,
+                parabolic,
             };
+            let relieved = lead(|lead| lead.end_reliefs = vec![relief]);
             let sign = if at_far_end { 1.0 } else { -1.0 };
             let middle = if parabolic { 0.003 } else { 0.006 };
             for (height, expected) in [(0.0, 0.0), (14.0, 0.0), (17.0, -middle), (20.0, -0.012)] {

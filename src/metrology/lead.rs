@@ -85,13 +85,16 @@ mod tests {
         measurements.measure().map(|gear| gear.findings)
     }
 
-    fn lead() -> Lead {
-        Lead {
+    /// A crown over a face of 40 mm, with this change.
+    fn lead(change: impl Fn(&mut Lead)) -> Lead {
+        let mut lead = Lead {
             face: [0.0, 40.0],
             range: [2.0, 38.0],
             crowning: 0.008,
             ..Lead::default()
-        }
+        };
+        change(&mut lead);
+        lead
     }
 
     fn trace(tooth: Option<u32>, points: &[(f64, f64)]) -> Trace {
@@ -103,51 +106,31 @@ mod tests {
 
     #[test]
     fn errors_name_flank_and_key() {
-        let beyond = Lead {
-            range: [-2.0, 38.0],
-            ..lead()
-        };
-        let zero = Lead {
-            zero: 41.0,
-            ..lead()
-        };
-        let no_face = Lead {
-            face: [5.0; 2],
-            range: [5.0; 2],
-            ..lead()
-        };
-        let reversed = Lead {
-            range: [38.0, 2.0],
-            ..lead()
-        };
-        let relieved = |amount, length| Lead {
-            end_reliefs: vec![EndRelief {
+        let ranged = |range| lead(|lead| lead.range = range);
+        let relieved = |amount, length| {
+            let relief = EndRelief {
                 amount,
                 length,
                 at_far_end: true,
                 parabolic: false,
-            }],
-            ..lead()
+            };
+            lead(|lead| lead.end_reliefs = vec![relief])
         };
-        let traced = |points: &[(f64, f64)]| Lead {
-            traces: vec![trace(None, points)],
-            ..lead()
-        };
-        // Thicker than the space at the far end.
-        let steep = Lead {
-            slope: 12.0,
-            ..lead()
-        };
+        let traced = |points: &[(f64, f64)]| lead(|lead| lead.traces = vec![trace(None, points)]);
         for (expected, lead) in [
-            (LeadKey::Range, beyond),
-            (LeadKey::Range, zero),
-            (LeadKey::Range, no_face),
-            (LeadKey::Range, reversed),
+            (LeadKey::Range, ranged([-2.0, 38.0])),
+            (LeadKey::Range, ranged([38.0, 2.0])),
+            (LeadKey::Range, lead(|lead| lead.zero = 41.0)),
+            (
+                LeadKey::Range,
+                lead(|lead| (lead.face, lead.range) = ([5.0; 2], [5.0; 2])),
+            ),
             (LeadKey::EndRelief, relieved(0.01, 50.0)),
             (LeadKey::EndRelief, relieved(-0.001, 5.0)),
             (LeadKey::Trace, traced(&[(1.0, 0.0)])),
             (LeadKey::Trace, traced(&[(1.0, 0.0), (1.0, 0.0)])),
-            (LeadKey::All, steep),
+            // Thicker than the space at the far end.
+            (LeadKey::All, lead(|lead| lead.slope = 12.0)),
         ] {
             match &measured(lead).unwrap_err()[..] {
                 [MeasurementError::Lead { flank, key, .. }] => {
@@ -161,8 +144,8 @@ mod tests {
     #[test]
     fn teeth_without_a_trace_are_reported() {
         let ends = [(0.0, 0.0), (40.0, 0.005)];
-        let traces = [1, 6, 11].map(|tooth| trace(Some(tooth), &ends)).to_vec();
-        let found = measured(Lead { traces, ..lead() }).unwrap();
+        let traces = [1, 6, 11].map(|tooth| trace(Some(tooth), &ends));
+        let found = measured(lead(|lead| lead.traces = traces.to_vec())).unwrap();
         let expected = Finding::LeadOfSomeTeeth {
             flank: Flank::Left,
             measured: 3,

@@ -81,24 +81,4 @@ mod tests {
             }
         }
     }
-
-    /// Mean 1/2 and variance 1/12, each within five standard errors.
-    #[test]
-    fn numbers_are_uniform() {
-        let draw = Draw {
-            seed: 7,
-            run: Run::Population,
-            number: 1,
-        };
-        let mut stream = draw.stream(0);
-        let n = 1e5;
-        let (mut sum, mut squares) = (0.0, 0.0);
-        for _ in 0..100_000 {
-            let off = stream.uniform() - 0.5;
-            (sum, squares) = (sum + off, squares + off * off);
-        }
-        assert!((sum / n).abs() < 5.0 * (1.0 / 12.0 / n).sqrt());
-        // The variance of (x − 1/2)² is 1/80 − 1/144.
-        assert!((squares / n - 1.0 / 12.0).abs() < 5.0 * (1.0 / 180.0 / n).sqrt());
-    }
 }

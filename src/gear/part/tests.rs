@@ -85,46 +85,37 @@ fn parts() -> Vec<(String, Part)> {
 
 /// Every kind of profile deviation.
 fn gears_with_profiles() -> Vec<(&'static str, AsBuilt)> {
-    let none = Modification::default;
-    let tip = |parabolic| Modification {
-        tip_relief: Some(Relief {
+    let with = |change: &dyn Fn(&mut Modification)| {
+        let mut profile = Modification::default();
+        change(&mut profile);
+        profile
+    };
+    let relief = |from, parabolic| {
+        Some(Relief {
             amount: 0.02,
-            from: 45.2,
+            from,
             parabolic,
-        }),
-        ..none()
-    };
-    let root = Modification {
-        root_relief: Some(Relief {
-            amount: 0.02,
-            from: 43.2,
-            parabolic: false,
-        }),
-        ..none()
-    };
-    let slope = Modification {
-        slope: 0.05,
-        ..none()
-    };
-    let crowning = Modification {
-        crowning: 0.03,
-        ..none()
+        })
     };
     let wave = |k: i32| (0.2 + 0.02 * f64::from(k), 0.004 * f64::from(k * k % 5));
-    let trace = Modification {
-        traces: vec![Trace {
-            tooth: None,
-            points: (0..20).map(wave).collect(),
-        }],
-        ..none()
+    let trace = Trace {
+        tooth: None,
+        points: (0..20).map(wave).collect(),
     };
+    let tip = |parabolic| with(&|profile| profile.tip_relief = relief(45.2, parabolic));
     let all = [
-        ("slope", slope),
-        ("crowning", crowning),
+        ("slope", with(&|profile| profile.slope = 0.05)),
+        ("crowning", with(&|profile| profile.crowning = 0.03)),
         ("straight relief", tip(false)),
         ("parabolic relief", tip(true)),
-        ("root relief", root),
-        ("trace", trace),
+        (
+            "root relief",
+            with(&|profile| profile.root_relief = relief(43.2, false)),
+        ),
+        (
+            "trace",
+            with(&|profile| profile.traces = vec![trace.clone()]),
+        ),
     ];
     let built = |(what, profile): (&'static str, Modification)| {
         let deviations = Deviations {

@@ -279,3 +279,25 @@ impl Reached {
         holds.then_some(bend)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `(|s_xx| + 2 |s_xμ| |μ'| + |s_μμ| μ'²)/s_μ` with a slope a fifth steeper.
+    #[test]
+    fn a_bend_is_its_formula() {
+        let reached = Reached {
+            gap: 0.0,
+            slope: -2.0,
+            turning: 30.0,
+            radius: 31.0,
+            speed: 1.0,
+            lengths: [5.0, 3.0, 2.0],
+        };
+        let expected = (5.0 + 2.0 * 3.0 * 2.4 + 2.0 * 2.4 * 2.4) / 30.0;
+        assert!((reached.bend(0.0).unwrap() - expected).abs() < 1e-15);
+        // Over such a long stretch the arm may be short, and the slope steep.
+        assert_eq!(reached.bend(1.0), None);
+    }
+}

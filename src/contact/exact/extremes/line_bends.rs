@@ -77,11 +77,12 @@ impl LineBends {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::separation::tests::touch;
+    use super::super::super::shape::{C, turn};
     use super::*;
     use std::f64::consts::PI;
 
-    /// No touch bends more than its bounds, and some not much less. Source: differences of the rotation of touch.
+    /// No touch bends more than its bounds, and some not much less. Source: differences of the rotation of touch, found by Newton's method from
+    /// the length of the line of action.
     #[test]
     fn a_touch_bends_no_more_than_its_bounds() {
         for (bases, off) in [
@@ -91,13 +92,25 @@ mod tests {
             ([30.0, 20.0], [0.9, 0.4]),
         ] {
             let sum: f64 = bases[0] + bases[1];
-            let bounds = LineBends::of(bases, sum / 20f64.to_radians().cos(), off).unwrap();
+            let distance = sum / 20f64.to_radians().cos();
+            let touch = |x: f64, phases: [f64; 2]| {
+                let (mut mu, mut beta) = (0.0, 0.0);
+                for _ in 0..60 {
+                    let between = C::from(distance) - turn(x + phases[0]) * off[0]
+                        + turn(mu + phases[1]) * off[1];
+                    let length = (between.norm_sqr() - sum * sum).sqrt();
+                    beta = between.arg() + length.atan2(sum);
+                    mu -= (length - bases[0] * (beta - x) - bases[1] * (beta - mu)) / bases[1];
+                }
+                (mu, beta)
+            };
+            let bounds = LineBends::of(bases, distance, off).unwrap();
             let most = [bounds.turn, bounds.second, bounds.third];
             let mut shares = [0.0f64; 3];
             for k in 0..400 {
                 let phases = [f64::from(k % 20), f64::from(k / 20)].map(|k| 0.1 * PI * k);
                 const H: f64 = 5e-3;
-                let [a, b, c, d] = [-1.5, -0.5, 0.5, 1.5].map(|x| touch(bases, off, phases, x * H));
+                let [a, b, c, d] = [-1.5, -0.5, 0.5, 1.5].map(|x| touch(x * H, phases));
                 let found = [
                     (c.1 - b.1) / H,
                     (a.0 - b.0 - c.0 + d.0) / (2.0 * H * H),

@@ -73,7 +73,6 @@ enum Kind {
     Field,
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     check_options(args)?;
     let file = input::pair(&args.pair)?;

@@ -57,7 +57,6 @@ pub(super) struct Args {
     method: MethodArgs,
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     if args.inputs {
         return match given(args)? {

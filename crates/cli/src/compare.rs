@@ -86,7 +86,6 @@ impl ValueEnum for Format {
     }
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     if let Some(tolerance) = args.tolerance_um
         && !(tolerance >= 0.0 && tolerance.is_finite())

@@ -75,7 +75,6 @@ fn diameter(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = read(args)?;
     let materials = |gear| materials(gear);
@@ -196,7 +195,7 @@ fn finish(
     print(&match args.results.format {
         Format::Text => text(title, gears, args.positions, &args.screen.screen()),
         Format::Json => json(title, gears),
-        Format::Csv => teeth_csv(gears).map_err(unwritable)?,
+        Format::Csv => teeth_csv(gears).map_err(Error::unwritable("the table"))?,
     })?;
     if let Format::Csv = args.results.format {
         // Blank columns do not explain themselves; the other formats state the reasons.
@@ -213,7 +212,8 @@ fn finish(
     };
     let mut files = Vec::new();
     for gauged in gears {
-        let table = teeth_csv(std::slice::from_ref(gauged)).map_err(unwritable)?;
+        let table =
+            teeth_csv(std::slice::from_ref(gauged)).map_err(Error::unwritable("the table"))?;
         files.push((table_name(&gauged.stem()), table));
         if args.page {
             files.extend(page(gauged)?);
@@ -231,10 +231,6 @@ fn finish(
     }
     args.results.write(folder, &files)?;
     Ok(0)
-}
-
-fn unwritable(error: impl std::error::Error) -> Error {
-    Error::Usage(format!("the readings cannot be written as text: {error}"))
 }
 
 /// Checks that a gear could be measured over the requested pins.

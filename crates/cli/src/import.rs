@@ -103,7 +103,6 @@ impl Args {
     }
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     if lists_outlines(&args.file) {
         return outlines(args);

@@ -45,7 +45,6 @@ fn target(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let name = gearlash_files::named(&args.pair);
     let stem = Path::new(name.file_stem().unwrap_or_default());

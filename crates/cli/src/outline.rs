@@ -102,7 +102,6 @@ fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
     )))
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let study = gearlash_files::read_gears_by_data(&args.file);
     let study = reported(&args.file, study)?;

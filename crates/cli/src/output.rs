@@ -149,11 +149,6 @@ impl Temporary {
         Ok(Temporary { path, file })
     }
 
-    /// Its path.
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
-
     /// A writer to it.
     pub fn writer(&self) -> std::io::Result<NewFile> {
         Ok(NewFile {
@@ -475,7 +470,7 @@ impl OutputFolder {
     pub fn open(&self, name: &str) -> Result<File, Error> {
         let mut new = self.new.iter();
         let opened = match new.find(|(other, _)| other == name) {
-            Some((_, temporary)) => File::open(temporary.path()),
+            Some((_, temporary)) => File::open(&temporary.path),
             None => Err(ErrorKind::NotFound.into()),
         };
         opened.map_err(self.failed(name))

@@ -37,7 +37,6 @@ pub(super) struct Args {
     method: MethodArgs,
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let date = today()?;
     let pair = &input::pair(&args.pair)?;

@@ -45,7 +45,6 @@ pub(super) struct Args {
     method: MethodArgs,
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let mut pair = input::pair(&args.pair)?;
     if let Some(Distances(distances)) = &args.center_distance {

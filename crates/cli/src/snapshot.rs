@@ -71,7 +71,6 @@ enum Flank {
     Left,
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = input::pair(&args.pair)?;
     let (study, sources) = (&file.study, &file.sources);

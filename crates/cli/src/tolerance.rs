@@ -52,7 +52,6 @@ pub(super) struct Args {
     screen: ScreenArgs,
 }
 
-/// Runs the command.
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = read_tolerance(&args.pair)?;
     let mut sources = file.pair.sources.clone();

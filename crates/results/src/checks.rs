@@ -1,12 +1,11 @@
 //! The checks of a pair: their rows, their outcome as a judged file, and their text.
 
 use crate::column::{Row, Shown, Value, row_type, shown as heading_of};
-use crate::extreme::{extremes, verdict_record};
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::{Screen, Tone};
 use crate::notes::{self, drawn_notes};
 use crate::remedies::RemedyRecords;
-use crate::run::contact_count;
+use crate::run::{contact_count, extremes, verdict_record};
 use crate::verdict::{distinct, heading, lines, short_title};
 use gearlash::analysis::backlash_map::{BacklashCell, BacklashMap};
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap, MapCell};
@@ -362,9 +361,6 @@ row_type!(row: (f64, BacklashCell) {
 });
 
 /// `map` of a drawn pair as CSV, one row per cell with its pose.
-///
-/// # Errors
-/// None: the text is in memory.
 pub fn backlash_map_csv(map: &BacklashMap) -> csv::Result<String> {
     let rows = map
         .distances
@@ -383,9 +379,6 @@ row_type!(row: (f64, f64, MapCell) {
 });
 
 /// `map` as CSV, one row per pose.
-///
-/// # Errors
-/// None: the text is in memory.
 pub fn map_csv(map: &ContactMap) -> csv::Result<String> {
     let places = map.distances.iter();
     let places = places.flat_map(|a| map.fractions.iter().map(move |fraction| (*a, *fraction)));

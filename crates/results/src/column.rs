@@ -403,9 +403,6 @@ impl<R: Row> Columns<R> {
     }
 
     /// `rows` as CSV.
-    ///
-    /// # Errors
-    /// None: the text is in memory.
     pub fn csv(&self, rows: &[R]) -> csv::Result<String> {
         self.csv_with(rows, false)
     }

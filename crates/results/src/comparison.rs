@@ -1,10 +1,10 @@
 //! The outcome of `compare` for a pair: whether the simulation agrees with the formulas.
 
 use crate::column::{Row, Value, list, row_type, shown};
-use crate::extreme::{extremes, verdict_record};
 use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
 use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::{PoseRow, doubts};
+use crate::run::{extremes, verdict_record};
 use crate::verdict::lines;
 use gearlash::analysis::compare::{ComparedPose, Summary, Verdict};
 use gearlash::analysis::diagnosis::{self, CheckName};

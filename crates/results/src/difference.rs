@@ -107,9 +107,6 @@ fn drawings(compared: &ComparedOutlines) -> [DrawingRow; 2] {
 }
 
 /// The deviation of B at each place along A, in A's drawing, as CSV.
-///
-/// # Errors
-/// None: the text is in memory.
 pub fn difference_csv(compared: &ComparedOutlines) -> Result<String, csv::Error> {
     let columns = PlaceRow::columns();
     let mut writer = csv::Writer::from_writer(Vec::new());

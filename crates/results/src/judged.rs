@@ -210,9 +210,6 @@ impl Outcome {
     }
 
     /// One JSON object for one or several files, with a line end.
-    ///
-    /// # Errors
-    /// None for an outcome; otherwise a number that JSON cannot hold.
     pub fn json(&self) -> serde_json::Result<String> {
         let files = self.files.iter().map(|file| match file {
             JudgedFile::Judged(judged) => judged.json.clone(),
@@ -311,9 +308,6 @@ impl Outcome {
     }
 
     /// JUnit XML: one suite per file, one case per judged property.
-    ///
-    /// # Errors
-    /// None: the text is in memory.
     pub fn junit(&self) -> io::Result<String> {
         let mut xml = Writer::new_with_indent(Vec::new(), b' ', 4);
         xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;

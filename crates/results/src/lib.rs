@@ -19,7 +19,6 @@ mod checks;
 mod column;
 mod comparison;
 mod difference;
-mod extreme;
 pub mod gauge;
 pub mod grades;
 pub mod judged;
@@ -28,11 +27,25 @@ pub mod matching;
 mod notes;
 pub mod population;
 mod pose;
+mod read;
 mod remedies;
 mod run;
-pub mod text;
+mod simulation;
 pub mod verdict;
 mod written;
+
+/// Results as text for a terminal.
+pub mod text {
+    pub use crate::difference::difference_text;
+    pub use crate::layout::{Column, Screen, Table, Tone};
+    pub use crate::read::{gearbox, gearbox_pair, imported, listed_outlines};
+    pub use crate::simulation::{measured_shown, simulation};
+
+    /// The checks of a pair as text.
+    pub mod check {
+        pub use crate::checks::{doubts, shown, text, titles};
+    }
+}
 
 use column::Row;
 
@@ -44,7 +57,7 @@ pub fn keys() -> impl Iterator<Item = &'static str> {
     }
     of::<pose::PoseRow>()
         .chain(of::<run::RunRow>())
-        .chain(of::<extreme::ExtremeRow>())
+        .chain(of::<run::ExtremeRow>())
         .chain(of::<checks::CheckRow>())
         .chain(of::<comparison::ComparedRow>())
         .chain(of::<matching::AssignmentRow>())
@@ -54,8 +67,8 @@ pub use checks::{backlash_map_csv, checked, map_csv};
 pub use column::{Array, Shown, Unit, Value, Values};
 pub use comparison::ComparedPair;
 pub use difference::{comparison_json, difference_csv, difference_sentence, turn_words};
-pub use extreme::{extremes_json, pose_json};
 pub use notes::{drawn_notes, fitted_sentences};
 pub use pose::{ContactRow, doubts, pose_arrays, pose_page};
 pub use remedies::RemedyRecords;
+pub use run::{extremes_json, pose_json};
 pub use written::ResultWriter;

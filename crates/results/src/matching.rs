@@ -90,9 +90,6 @@ pub fn json(result: &MatchResult) -> String {
 }
 
 /// Every wheel with every pinion in its best phase as CSV.
-///
-/// # Errors
-/// None: the text is in memory.
 pub fn csv(result: &MatchResult) -> csv::Result<String> {
     let rows: Vec<AssignmentRow> = rows(result).collect();
     AssignmentRow::columns().csv(&rows)

@@ -180,9 +180,6 @@ fn shares(result: &ToleranceResult) -> [ShareRow; 3] {
 }
 
 /// The numbers as CSV, one row per number, with its interval or standard error where it has one.
-///
-/// # Errors
-/// None: the text is in memory.
 pub fn csv(result: &ToleranceResult) -> csv::Result<String> {
     let mut rows = Vec::new();
     for ShareRow { name, share, .. } in shares(result) {

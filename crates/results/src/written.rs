@@ -3,10 +3,9 @@
 //! The JSON is byte for byte the output of `serde_json::to_string_pretty` for the whole.
 
 use crate::column::{Row, Value};
-use crate::extreme::{extremes, verdict_record};
 use crate::notes;
 use crate::pose::PoseRow;
-use crate::run::RunRow;
+use crate::run::{RunRow, extremes, verdict_record};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::{Piece, RunTally};
 use gearlash::analysis::verdict::Verdict;
@@ -71,9 +70,6 @@ impl<'w> ResultWriter<'w> {
     }
 
     /// Writes the next piece; the poses of a block are converted to text on all cores.
-    ///
-    /// # Errors
-    /// A writer failed.
     pub fn take(&mut self, piece: Piece) -> Result<()> {
         match (piece, &mut self.json) {
             (Piece::Begin(run), Some(json)) => {
@@ -129,9 +125,6 @@ impl<'w> ResultWriter<'w> {
     }
 
     /// Ends the result with its verdict and flushes the writers.
-    ///
-    /// # Errors
-    /// A writer failed.
     pub fn finish(self, verdict: &Verdict) -> Result<()> {
         if let Some(mut json) = self.json {
             json.close(']')?;

@@ -2,6 +2,7 @@
 
 use super::is_own;
 use crate::error::Error;
+use crate::output::folder_of;
 use crate::signals;
 use gearlash::population::{Row, Tally};
 use gearlash_files::tolerance::{RowsHead, RowsTally, ToleranceRun, named, row_line, shell_word};
@@ -155,10 +156,7 @@ impl<'a> RowsFile<'a> {
 
 /// An error where rows at `path` would replace a result in `folder`.
 pub(super) fn check_not_result(path: &Path, folder: &Path) -> Result<(), Error> {
-    let parent = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
+    let parent = folder_of(path);
     let real = |path: &Path| path.canonicalize().ok();
     // Some file systems ignore case.
     let name = path.file_name().unwrap_or_default().to_string_lossy();

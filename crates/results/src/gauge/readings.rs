@@ -128,9 +128,6 @@ pub fn position_table(gear: &GaugedGear) -> String {
 }
 
 /// The readings of several gears as CSV, one row per tooth; a reading that was not taken is empty.
-///
-/// # Errors
-/// None: the text is in memory.
 pub fn teeth_csv(gears: &[GaugedGear]) -> csv::Result<String> {
     let rows: Vec<ToothRow> = gears.iter().flat_map(tooth_rows).collect();
     let lying = READINGS.iter().position(|(name, ..)| *name == LYING);

@@ -102,8 +102,8 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Ou
     let curve = work(py, None, |tick| {
         curves::over_distance(study, followed, cycle, METHOD, tick)
     })?;
-    let told = |analysis: &Analysis| extremes_in_short(&analysis.verdict());
-    let cycle = searched.as_ref().map(told).unwrap_or_default();
+    let in_short = |analysis: &Analysis| extremes_in_short(&analysis.verdict());
+    let cycle = searched.as_ref().map(in_short).unwrap_or_default();
     let outcomes = by_distance(&all, &[]);
     let heading = heading(&study.title, &cycle);
     Ok(chart::distance(BacklashUnit::Um, &heading, &curve, &outcomes)?.svg)

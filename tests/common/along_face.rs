@@ -2,17 +2,13 @@
 
 #![allow(dead_code)] // each test binary uses its part
 
-#[allow(clippy::duplicate_mod)] // the campaign of plane sections has it, too
-#[path = "campaign/random.rs"]
-mod random;
-
-use gearlash::contact::{ExactKernel, LostMotion};
+use crate::campaign::random::Random;
+use gearlash::contact::{Contact, ExactKernel, LostMotion, Status};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, EndRelief, Face, Gear, GearDesign, Hand, Lead,
     Modification, Pitch, Relief, Side, Trace, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
-use random::Random;
 use std::f64::consts::TAU;
 
 /// Points of a measured lead.
@@ -21,8 +17,10 @@ const TRACE_POINTS: u32 = 33;
 /// Resolution of the place of a contact, µm: 1e-5 mm along a lead that rises by 2 µm per mm.
 const RESOLVED: f64 = 2e-5;
 
-/// Lengths of the highest places that are refined, as a part of the distance of dense sections.
-const REFINED: f64 = 1e-6;
+/// The resolution as an angle of the free gear, rad.
+pub fn resolved(pair: &GearPair) -> f64 {
+    RESOLVED / (1e3 * pair.operating_pitch_radius(pair.free()))
+}
 
 /// Pose `index` of `seed`, each of a pair of its own, with a helix angle of 0 to 35°. Leads, pitch, eccentricity, wobble and leaning shafts are up
 /// to some 30 µm over the face.
@@ -37,11 +35,8 @@ pub fn drawn_with_profiles(seed: u64, index: u64) -> (GearPair, Pose) {
 
 fn first(seed: u64, index: u64, profiles: bool) -> (GearPair, Pose) {
     let mut random = Random::of(seed, index);
-    loop {
-        if let Some(drawn) = one(&mut random, profiles) {
-            return drawn;
-        }
-    }
+    let mut drawn = std::iter::repeat_with(|| one(&mut random, profiles)).flatten();
+    drawn.next().expect("an endless sequence")
 }
 
 fn one(random: &mut Random, profiles: bool) -> Option<(GearPair, Pose)> {
@@ -71,11 +66,7 @@ fn one(random: &mut Random, profiles: bool) -> Option<(GearPair, Pose)> {
     let data = [hand, hand.mate()].map(|hand| {
         let teeth = random.decades(17.0, 90.0) as u32;
         let data = BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap();
-        if helix == 0.0 {
-            data
-        } else {
-            data.with_helix(helix, hand).unwrap()
-        }
+        data.with_helix(helix, hand).unwrap()
     });
     let wheel = gear(random, data[0], faces[0], &kinds)?;
     let pinion = gear(random, data[1], faces[1], &kinds)?;
@@ -132,10 +123,7 @@ fn gear(
         Face::Back => [-face[1], -face[0]],
     };
     let um = 1e-3;
-    let mut pitch = || -> Vec<f64> {
-        let all = (0..teeth).map(|_| um * random.within(-8.0, 8.0));
-        all.collect()
-    };
+    let mut pitch = || Vec::from_iter((0..teeth).map(|_| um * random.within(-8.0, 8.0)));
     let [right, left] = [pitch(), pitch()];
     let leads = [0, 1].map(|_| lead(random, teeth, own, kinds));
     let mut high = || random.within(1.0, f64::from(teeth) + 1.0);
@@ -144,7 +132,7 @@ fn gear(
     let profiles = [0, 1].map(|_| {
         let is_drawn = kinds.profiles && random.chance(0.8);
         if is_drawn {
-            profile(random, &gear)
+            profile(random, &gear, true)
         } else {
             Modification::default()
         }
@@ -168,46 +156,47 @@ fn gear(
     AsBuilt::new(gear, seen, &deviations).ok()
 }
 
-/// Slope, crowning, reliefs and traces of one side of a gear.
-fn profile(random: &mut Random, gear: &Gear) -> Modification {
-    let um = 1e-3;
-    let [form, tip] = [gear.form_roll(), gear.tip_roll()];
-    let at = |share: f64| form + (tip - form) * share;
-    let radius = |roll: f64| gear.base_radius() * roll.hypot(1.0);
-    let some = |random: &mut Random, least: f64, most: f64| {
-        random.pick(&[0.0, 1.0]) * um * random.within(least, most)
-    };
-    let relief = |random: &mut Random, from: f64| {
+/// A profile on some of a gear's flanks, from none to twenty times what a shop tolerates.
+pub fn profile(random: &mut Random, gear: &Gear, traces: bool) -> Modification {
+    let um = 1e-3 * gear.basic_data().module() * random.decades(0.1, 10.0);
+    let base = gear.base_radius();
+    let rolls = [gear.form_roll(), gear.tip_roll()];
+    let at = |share: f64| rolls[0] + (rolls[1] - rolls[0]) * share;
+    let radius = |roll: f64| base * roll.hypot(1.0);
+    let mut modification = Modification::default();
+    if random.chance(0.4) {
+        modification.slope = um * random.within(-5.0, 5.0);
+    }
+    if random.chance(0.4) {
+        modification.crowning = um * random.within(-2.0, 5.0);
+    }
+    let mut relief = |from: f64| {
         random.chance(0.4).then(|| Relief {
-            amount: um * random.within(0.0, 20.0),
+            amount: um * random.within(0.0, 10.0),
             from: radius(at(from + random.within(-0.2, 0.2))),
             parabolic: random.chance(0.5),
         })
     };
-    let mut modification = Modification {
-        slope: some(random, -12.0, 12.0),
-        crowning: some(random, -4.0, 10.0),
-        tip_relief: relief(random, 0.7),
-        root_relief: relief(random, 0.25),
-        ..Modification::default()
-    };
-    let own = match random.one_of(4) {
-        1 => vec![None],
-        2 => (1..=gear.basic_data().teeth()).map(Some).collect(),
-        _ => Vec::new(),
-    };
-    let (wave, noise) = (random.within(0.0, 3.0), random.pick(&[0.0, 0.2, 1.0]));
-    let trace = |tooth: Option<u32>| {
-        let (phase, turns) = (random.within(0.0, TAU), random.within(0.5, 3.0));
-        let point = |k: u32| {
-            let part = f64::from(k) / f64::from(TRACE_POINTS - 1);
-            let form = wave * (phase + TAU * turns * part).sin() + noise * random.within(-1.0, 1.0);
-            (at(part).max(1e-6 * f64::from(k)), um * form)
+    modification.tip_relief = relief(0.7);
+    modification.root_relief = relief(0.25);
+    let teeth = gear.basic_data().teeth();
+    if traces && random.chance(0.4) {
+        let mut trace = |tooth| {
+            let count = 2 + (random.bits() % 30) as usize;
+            let deviation = |k: usize| {
+                let roll = at(k as f64 / (count - 1) as f64);
+                (roll.max(1e-6 * k as f64), um * random.within(-1.0, 1.0))
+            };
+            Trace {
+                tooth,
+                points: (0..count).map(deviation).collect(),
+            }
         };
-        let points = (0..TRACE_POINTS).map(point).collect();
-        Trace { tooth, points }
-    };
-    modification.traces = own.into_iter().map(trace).collect();
+        modification.traces = match teeth % 3 {
+            0 => vec![trace(None)],
+            _ => (1..=teeth.min(4)).map(|tooth| trace(Some(tooth))).collect(),
+        };
+    }
     modification
 }
 
@@ -257,38 +246,55 @@ fn lead(random: &mut Random, teeth: u32, face: [f64; 2], kinds: &Kinds) -> Lead 
     lead
 }
 
-/// Rotations beyond nominal at which the free gear of `pose` stops: on the right, and on the left; the right one counts up to tightness, the
-/// left one down.
-fn beyond(pose: &Pose, lost: &LostMotion) -> Option<[f64; 2]> {
-    let off = lost.right?.rotation - pose.free_rotation();
-    let right = off - TAU * (off / TAU).round();
-    Some([right, right + lost.angle()?])
+/// `angle` without whole turns.
+pub fn without_turns(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
 }
 
-/// How far the section at `b` holds the free gear back on the right and on the left, rad; plus is tighter.
-fn tightness(pair: &GearPair, pose: &Pose, b: f64) -> Option<[f64; 2]> {
+/// How far a contact at `b` holds the free gear back, rad beyond the nominal rotation of the measuring plane; plus is tighter. The teeth of a
+/// section are turned by the free gear's own twist, `−η b tan β/r`, from those of the measuring plane.
+pub fn held_back(pair: &GearPair, pose: &Pose, side: Side, b: f64, contact: &Contact) -> f64 {
+    let data = pair.gear(pair.free()).gear().basic_data();
+    let eta = match data.hand() {
+        Some(Hand::Right) => 1.0,
+        _ => -1.0,
+    };
+    let twist = -eta * b * data.helix_angle().tan() / data.reference_radius();
+    let turned = contact.rotation - twist - pose.free_rotation();
+    -side.sense() * without_turns(turned)
+}
+
+/// [`held_back`] on the right and on the left, and the error, by the section at `b` alone, a spur pair; nothing holds it in a section without contact.
+pub fn of_section(
+    pair: &GearPair,
+    pose: &Pose,
+    b: f64,
+    method: &impl Fn(&GearPair, &Pose) -> LostMotion,
+) -> [(f64, f64); 2] {
     let (section, here) = pose.section(pair, b);
-    let lost = ExactKernel::new(&section).lost_motion(&here).ok()?;
-    if lost.right.is_none() || lost.left.is_none() {
-        // A section beyond the teeth.
-        return Some([f64::MIN; 2]);
-    }
-    beyond(&here, &lost).map(|[right, left]| [right, -left])
+    let found = method(&section, &here);
+    Side::BOTH.map(|side| {
+        let held = |one: Contact| (held_back(pair, pose, side, b, &one), one.error);
+        found.on(side).map_or((f64::NEG_INFINITY, 0.0), held)
+    })
 }
 
-/// The tightest of `count` sections and both ends on the right and on the left, rad, as rotations of the free gear beyond nominal.
-pub fn dense(pair: &GearPair, pose: &Pose, count: u32) -> [f64; 2] {
-    let found = sections(pair, pose, count).expect("contact in every section");
-    let most = [0, 1].map(|k| {
-        found
-            .iter()
-            .map(|(_, tight)| tight[k])
-            .fold(f64::MIN, f64::max)
-    });
-    [most[0], -most[1]]
+/// The exact method; nothing where its search gives up.
+pub fn exact(section: &GearPair, here: &Pose) -> LostMotion {
+    let found = ExactKernel::new(section).lost_motion(here);
+    found.unwrap_or(LostMotion {
+        right: None,
+        left: None,
+        solid: false,
+    })
 }
 
-/// The sections that can hold a tooth of both gears, mm: teeth of leaning axes reach over the common face.
+/// `count` even parts of the sections that can hold a tooth of both gears, mm: teeth of leaning axes reach over the common face.
+pub fn evenly(pair: &GearPair, count: u32) -> impl Iterator<Item = f64> {
+    let [from, to] = reach(pair);
+    (0..=count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count))
+}
+
 fn reach(pair: &GearPair) -> [f64; 2] {
     let [from, to] = pair.face();
     let most = Member::BOTH.map(|member| pair.gear(member).reach());
@@ -296,97 +302,63 @@ fn reach(pair: &GearPair) -> [f64; 2] {
     [from - over, to + over]
 }
 
-fn sections(pair: &GearPair, pose: &Pose, count: u32) -> Option<Vec<(f64, [f64; 2])>> {
-    let [from, to] = reach(pair);
-    let place = |k: u32| from + (to - from) * f64::from(k) / f64::from(count);
-    (0..=count)
-        .map(|k| Some((place(k), tightness(pair, pose, place(k))?)))
-        .collect()
-}
-
-/// A pose against its dense sections.
-#[derive(Debug, Clone, Copy)]
-pub struct Witnessed {
-    /// How much tighter than the whole face the tightest section is on a side, less its bound, µm of `j_wt`: a fault above 0.
-    pub looser: f64,
-    /// How much tighter the whole face is than the tightest section with zoom, less its bound: a fault above 0.
-    pub tighter: f64,
-    /// How much tighter the whole face is than the tightest section without zoom.
-    pub between: f64,
-    /// Place of the contact on the right and on the left, and of the tightest section, mm.
-    pub places: [[f64; 2]; 2],
-}
-
-/// The contacts of a pose over the whole face against `count` sections with zoom at their tightest places; `None` for jammed poses.
-pub fn witness(pair: &GearPair, pose: &Pose, count: u32) -> Option<Witnessed> {
-    let lost = ExactKernel::new(pair)
-        .lost_motion(pose)
-        .expect("a proven pose");
-    let [right, left] = beyond(pose, &lost)?;
-    let whole = [right, -left];
-    let found = sections(pair, pose, count)?;
-    let um = 1e3 * pair.operating_pitch_radius(pair.free());
-    let mut witnessed = Witnessed {
-        looser: f64::MIN,
-        tighter: f64::MIN,
-        between: 0.0,
-        places: [[0.0; 2]; 2],
-    };
-    for (k, contact) in [lost.right?, lost.left?].into_iter().enumerate() {
-        let bound = contact.error + RESOLVED / um;
-        let most = found
-            .iter()
-            .map(|(_, tight)| tight[k])
-            .fold(f64::MIN, f64::max);
-        // Every place whose neighbours are looser, the tightest first.
-        let mut tops: Vec<usize> = (0..found.len())
-            .filter(|&i| {
-                let beside = [i.saturating_sub(1), (i + 1).min(found.len() - 1)];
-                beside.iter().all(|&j| found[j].1[k] <= found[i].1[k])
-            })
-            .collect();
-        tops.sort_by(|&i, &j| found[j].1[k].total_cmp(&found[i].1[k]));
-        // The section of the contact itself is one of the dense ones: a peak can be narrower than their distance.
-        let own = tightness(pair, pose, contact.section)?[k];
-        let mut tightest = (contact.section, own);
-        for &i in tops.iter().take(ZOOMED) {
-            let (b, tight) = refined(pair, pose, k, &found, i)?;
-            if tight > tightest.1 {
-                tightest = (b, tight);
-            }
-        }
-        let (place, zoomed) = tightest;
-        witnessed.places[k] = [contact.section, place];
-        witnessed.looser = witnessed.looser.max((zoomed - whole[k] - bound) * um);
-        witnessed.tighter = witnessed.tighter.max((whole[k] - zoomed - bound) * um);
-        witnessed.between = witnessed.between.max((whole[k] - most) * um);
-    }
-    Some(witnessed)
-}
-
-/// Places that are refined.
-const ZOOMED: usize = 3;
-
-/// The tightest section on a side around place `i` of `found`, each round four times denser.
-fn refined(
+/// Contradictions to the contacts of a pose that is not jammed: a section that is tighter than the whole face, or a face that is tighter than any
+/// section. Examined are `count` sections and that of the contact, and then others ever nearer to the tightest of them. A section may be tighter by
+/// `looser`, and the face by `tighter`, rad.
+pub fn against_sections(
     pair: &GearPair,
     pose: &Pose,
-    side: usize,
-    found: &[(f64, [f64; 2])],
-    i: usize,
-) -> Option<(f64, f64)> {
+    found: &LostMotion,
+    count: u32,
+    [looser, tighter]: [f64; 2],
+) -> Vec<String> {
+    if found.status() == Status::Jammed {
+        return Vec::new();
+    }
     let [from, to] = reach(pair);
-    let (mut best, mut reach) = (found[i], found[1].0 - found[0].0);
-    let end = REFINED * reach;
-    while reach > end {
-        reach *= 0.25;
-        for step in [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0] {
-            let b = (best.0 + step * reach).clamp(from, to);
-            let tight = tightness(pair, pose, b)?;
-            if tight[side] > best.1[side] {
-                best = (b, tight);
+    // Leads and profiles have several places that are nearly the tightest.
+    let refined = if pair.binds_anywhere() { 3 } else { 1 };
+    // An error leaves as much for a section that is no tighter.
+    let surely = |b: f64| of_section(pair, pose, b, &exact).map(|(held, error)| held - error);
+    let each: Vec<(f64, [f64; 2])> = evenly(pair, count).map(|b| (b, surely(b))).collect();
+    let mut against = Vec::new();
+    for (k, side) in Side::BOTH.into_iter().enumerate() {
+        let is_top = |i: &usize| {
+            let beside = [i.saturating_sub(1), (i + 1).min(each.len() - 1)];
+            beside.iter().all(|&j| each[j].1[k] <= each[*i].1[k])
+        };
+        let mut tops: Vec<usize> = (0..each.len()).filter(is_top).collect();
+        tops.sort_by(|&i, &j| each[j].1[k].total_cmp(&each[i].1[k]));
+        let climbed = tops.iter().take(refined).map(|&i| {
+            let (mut best, mut step) = ((each[i].0, each[i].1[k]), (to - from) / f64::from(count));
+            while step > 1e-7 {
+                for b in [best.0 - step, best.0 + step].map(|b| b.clamp(from, to)) {
+                    let here = surely(b)[k];
+                    if here > best.1 {
+                        best = (b, here);
+                    }
+                }
+                step *= 0.5;
             }
+            best
+        });
+        let best = climbed.reduce(|a, b| if b.1 > a.1 { b } else { a });
+        let best = best.expect("a tightest section");
+        let Some(contact) = found.on(side) else {
+            if best.1 > f64::NEG_INFINITY {
+                against.push(format!("{side:?}: none claimed, {best:?}"));
+            }
+            continue;
+        };
+        let own = held_back(pair, pose, side, 0.0, &contact);
+        let (there, error) = of_section(pair, pose, contact.section, &exact)[k];
+        let most = best.1.max(there - error);
+        if most > own + contact.error + looser {
+            against.push(format!("{best:?}, {there} tighter than {own}, {contact:?}"));
+        }
+        if !(best.1.max(there + error) >= own - contact.error - tighter) {
+            against.push(format!("{best:?}, {there} looser than {own}, {contact:?}"));
         }
     }
-    Some((best.0, best.1[side]))
+    against
 }

@@ -5,21 +5,13 @@ use gearlash::gear::{
 };
 use gearlash::pair::{GearPair, Mating, Member};
 use serde::Deserialize;
-use toml::Table;
+use std::collections::BTreeMap;
 
 /// All names of fixtures/reference/lost_motion, without extension.
 pub fn reference_names() -> Vec<String> {
-    let kinds = [
-        "clear",
-        "deviated",
-        "everything",
-        "fillet",
-        "handover",
-        "interfering",
-    ];
-    kinds
-        .iter()
-        .flat_map(|kind| (1..=3).map(move |n| format!("{kind}_{n}")))
+    let kinds = "clear deviated everything fillet handover interfering";
+    let each = kinds.split(' ');
+    each.flat_map(|kind| (1..=3).map(move |n| format!("{kind}_{n}")))
         .collect()
 }
 
@@ -59,8 +51,7 @@ impl ReferencePose {
             pinion_tooth: self.pinion_tooth,
             flank: match self.flank.as_str() {
                 "right" => Side::Right,
-                "left" => Side::Left,
-                other => panic!("flank {other}"),
+                _ => Side::Left,
             },
             fraction: self.fraction,
         }
@@ -86,14 +77,12 @@ pub fn reference_file(name: &str) -> String {
 }
 
 pub fn reference_pair(name: &str) -> ReferencePair {
-    let pair: Table = reference_file(&format!("lost_motion/{name}.toml"))
-        .parse()
-        .unwrap();
-    let distance = number(table(&pair, "assembly").unwrap(), "center_distance_mm").unwrap();
+    let text = reference_file(&format!("lost_motion/{name}.toml"));
+    let pair: PairTable = toml::from_str(&text).unwrap();
     let assembly = GearPair::with_locked(
-        as_built(table(&pair, "wheel").unwrap()),
-        as_built(table(&pair, "pinion").unwrap()),
-        distance,
+        pair.wheel.as_built(),
+        pair.pinion.as_built(),
+        pair.assembly["center_distance_mm"],
         Member::Wheel,
     )
     .unwrap();
@@ -101,93 +90,76 @@ pub fn reference_pair(name: &str) -> ReferencePair {
     ReferencePair { assembly, poses }
 }
 
+#[derive(Deserialize)]
+struct PairTable {
+    wheel: GearTable,
+    pinion: GearTable,
+    assembly: BTreeMap<String, f64>,
+}
+
 /// The keys that the reference pairs use, and no others.
-fn as_built(gear: &Table) -> AsBuilt {
-    check_keys(
-        gear,
-        "teeth module_mm pressure_angle_deg profile_shift reference_face rack thickness runout pitch",
-    );
-    let basic_data = BasicGearData::new(
-        u32::try_from(gear["teeth"].as_integer().unwrap()).unwrap(),
-        number(gear, "module_mm").unwrap(),
-        number(gear, "pressure_angle_deg").unwrap().to_radians(),
-    )
-    .unwrap();
-    let rack = table(gear, "rack").unwrap();
-    check_keys(rack, "addendum dedendum root_radius");
-    let design = GearDesign {
-        basic_data,
-        profile_shift: number(gear, "profile_shift").unwrap(),
-        rack: BasicRack::new(
-            number(rack, "addendum").unwrap(),
-            number(rack, "dedendum").unwrap(),
-            number(rack, "root_radius").unwrap(),
-        )
-        .unwrap(),
-        tip_diameter: None,
-    };
-    let mut base = design.nominal_base_thickness();
-    let mut deviations = Deviations::default();
-    if let Some(stated) = table(gear, "thickness") {
-        check_keys(stated, "allowance_um per_tooth_um");
-        base = thickness::base_from_allowance(
-            &basic_data,
-            base,
-            number(stated, "allowance_um").unwrap() * 1e-3,
-        );
-        deviations.per_tooth = list_um(stated, "per_tooth_um");
-    }
-    if let Some(runout) = table(gear, "runout") {
-        check_keys(runout, "total_um high_tooth");
-        deviations.eccentricity = number(runout, "total_um").unwrap() * 1e-3 / 2.0;
-        deviations.high_tooth = number(runout, "high_tooth").unwrap();
-    }
-    if let Some(pitch) = table(gear, "pitch") {
-        check_keys(pitch, "kind right_um left_um");
-        assert_eq!(pitch["kind"].as_str(), Some("cumulative"));
-        deviations.pitch = Some(Pitch::from_cumulative(
-            &list_um(pitch, "right_um"),
-            &list_um(pitch, "left_um"),
-        ));
-    }
-    let face = match gear["reference_face"].as_str().unwrap() {
-        "front" => Face::Front,
-        "back" => Face::Back,
-        other => panic!("face {other}"),
-    };
-    AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GearTable {
+    teeth: u32,
+    module_mm: f64,
+    pressure_angle_deg: f64,
+    profile_shift: f64,
+    reference_face: String,
+    rack: BTreeMap<String, f64>,
+    thickness: Option<ThicknessTable>,
+    runout: Option<BTreeMap<String, f64>>,
+    pitch: Option<PitchTable>,
 }
 
-fn check_keys(table: &Table, known: &str) {
-    for key in table.keys() {
-        assert!(
-            known.split_whitespace().any(|k| k == key),
-            "{key} is not read here"
-        );
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ThicknessTable {
+    allowance_um: f64,
+    #[serde(default)]
+    per_tooth_um: Vec<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PitchTable {
+    kind: String,
+    right_um: Vec<f64>,
+    left_um: Vec<f64>,
+}
+
+impl GearTable {
+    fn as_built(&self) -> AsBuilt {
+        let mm = |um: &[f64]| -> Vec<f64> { um.iter().map(|um| um * 1e-3).collect() };
+        let angle = self.pressure_angle_deg.to_radians();
+        let basic_data = BasicGearData::new(self.teeth, self.module_mm, angle).unwrap();
+        let rack = ["addendum", "dedendum", "root_radius"].map(|key| self.rack[key]);
+        let design = GearDesign {
+            basic_data,
+            profile_shift: self.profile_shift,
+            rack: BasicRack::new(rack[0], rack[1], rack[2]).unwrap(),
+            tip_diameter: None,
+        };
+        let mut base = design.nominal_base_thickness();
+        let mut deviations = Deviations::default();
+        if let Some(stated) = &self.thickness {
+            let allowance = stated.allowance_um * 1e-3;
+            base = thickness::base_from_allowance(&basic_data, base, allowance);
+            deviations.per_tooth = mm(&stated.per_tooth_um);
+        }
+        if let Some(runout) = &self.runout {
+            deviations.eccentricity = runout["total_um"] * 1e-3 / 2.0;
+            deviations.high_tooth = runout["high_tooth"];
+        }
+        if let Some(pitch) = &self.pitch {
+            assert_eq!(pitch.kind, "cumulative");
+            let [right, left] = [mm(&pitch.right_um), mm(&pitch.left_um)];
+            deviations.pitch = Some(Pitch::from_cumulative(&right, &left));
+        }
+        let face = match self.reference_face.as_str() {
+            "front" => Face::Front,
+            _ => Face::Back,
+        };
+        AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
     }
-}
-
-fn table<'a>(parent: &'a Table, key: &str) -> Option<&'a Table> {
-    parent.get(key).map(|value| value.as_table().unwrap())
-}
-
-fn number(table: &Table, key: &str) -> Option<f64> {
-    let value = table.get(key)?;
-    Some(
-        value
-            .as_float()
-            .unwrap_or_else(|| value.as_integer().unwrap() as f64),
-    )
-}
-
-/// A list in µm, in mm; empty where there is none.
-fn list_um(table: &Table, key: &str) -> Vec<f64> {
-    let Some(values) = table.get(key) else {
-        return Vec::new();
-    };
-    let values = values.as_array().unwrap();
-    values
-        .iter()
-        .map(|value| value.as_float().unwrap() * 1e-3)
-        .collect()
 }

@@ -6,14 +6,13 @@ use gearlash::contact::{ContactClass, ContactKind, ExactKernel, MeshSection};
 use gearlash::gear::{
     AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Hand, Side, thickness,
 };
-use gearlash::pair::{GearPair, Mating, Member};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
+use std::f64::consts::{PI, TAU};
 
-pub(super) fn mating(flank: Side, fraction: f64) -> Mating {
+fn mating(flank: Side, fraction: f64) -> Mating {
     Mating {
-        wheel_tooth: 4,
-        pinion_tooth: 16,
-        flank,
         fraction,
+        ..Mating::at(4, 16, flank)
     }
 }
 
@@ -22,16 +21,28 @@ fn field(pair: &GearPair, mating: Mating) -> Field {
 }
 
 /// Perfect 27/51 on a face of its own.
-pub(super) fn perfect(hand: Hand) -> GearPair {
+fn perfect(hand: Hand) -> GearPair {
     let pair = pair_of_the_prototype([0.0; 2], [0.0; 2], hand, 1);
     pair.with_face([-20.0, 30.0]).unwrap()
+}
+
+/// The same with eccentricities and pitch deviations.
+fn deviating(hand: Hand) -> GearPair {
+    let pair = pair_of_the_prototype([30.0, 40.0], [4.0, 5.0], hand, 7);
+    pair.with_face([-24.0, 24.0]).unwrap()
+}
+
+/// Place on a contact line at `z`.
+fn place_at(line: &ContactLine, z: f64) -> f64 {
+    let [one, other] = line.ends;
+    one[1] + (z - one[0]) / (other[0] - one[0]) * (other[1] - one[1])
 }
 
 /// tan β_b = tan β cos α_t, p_bt = π m_t cos α_t, with tan α_t = tan α_n/cos β and m_t = m_n/cos β (ISO 21771).
 fn tangent_and_base_pitch() -> (f64, f64) {
     let beta = 21f64.to_radians();
     let transverse = (20f64.to_radians().tan() / beta.cos()).atan();
-    let pitch = std::f64::consts::PI * 4.5 / beta.cos() * transverse.cos();
+    let pitch = PI * 4.5 / beta.cos() * transverse.cos();
     (beta.tan() * transverse.cos(), pitch)
 }
 
@@ -47,7 +58,7 @@ fn contact_lines_of_perfect_gears_are_where_the_closed_form_says() {
     let mut slopes = Vec::new();
     for hand in [Hand::Right, Hand::Left] {
         let pair = perfect(hand);
-        let radii = [Member::Wheel, Member::Pinion].map(|member| {
+        let radii = Member::BOTH.map(|member| {
             let gear = pair.gear(member).gear();
             (gear.base_radius(), gear.tip_radius())
         });
@@ -102,7 +113,7 @@ fn contact_lines_hold_the_contacts_of_the_sections() {
     for locked in [Member::Wheel, Member::Pinion] {
         let pair = perfect(Hand::Right);
         let gear = |member| pair.gear(member).clone();
-        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(gear);
+        let [wheel, pinion] = Member::BOTH.map(gear);
         let pair = GearPair::with_locked(wheel, pinion, 190.0, locked).unwrap();
         lines_hold_contacts(&pair.with_face([-20.0, 30.0]).unwrap());
     }
@@ -111,23 +122,19 @@ fn contact_lines_hold_the_contacts_of_the_sections() {
 fn lines_hold_contacts(pair: &GearPair) {
     let mating = mating(Side::Right, 0.3);
     let field = field(pair, mating);
-    let pose = gearlash::pair::Pose::new(pair, mating);
+    let pose = Pose::new(pair, mating);
     let pitch_point = pair.operating_pitch_radius(Member::Wheel);
     for z in [-20.0, -3.0, 0.0, 11.0, 30.0] {
         let here = pose.in_section(pair, z);
         let found = ExactKernel::new(&pair.section(z))
             .lost_motion(&here)
             .unwrap();
-        for (flank, contact) in [(Side::Right, found.right), (Side::Left, found.left)] {
-            let contact = contact.unwrap();
+        for flank in Side::BOTH {
+            let contact = found.on(flank).unwrap();
             let away = (contact.point.x - pitch_point).hypot(contact.point.y);
-            let lines = &side(&field, flank).lines;
-            let line = lines
-                .iter()
-                .find(|line| line.wheel_tooth == contact.wheel.tooth);
-            let [one, other] = line.unwrap().ends;
-            let part = (z - one[0]) / (other[0] - one[0]);
-            let place = one[1] + part * (other[1] - one[1]);
+            let mut lines = side(&field, flank).lines.iter();
+            let line = lines.find(|line| line.wheel_tooth == contact.wheel.tooth);
+            let place = place_at(line.unwrap(), z);
             assert!((place.abs() - away).abs() < 1e-8, "{z}: {place} {away}");
         }
     }
@@ -137,11 +144,11 @@ fn lines_hold_contacts(pair: &GearPair) {
 /// binds, the contact is on its line.
 #[test]
 fn gaps_of_lines_are_those_of_their_sections() {
-    let pair = pair_of_the_prototype([30.0, 40.0], [4.0, 5.0], Hand::Right, 7);
-    let pair = pair.with_face([-24.0, 24.0]).unwrap();
+    let pairs = [Hand::Right, Hand::Left].map(deviating);
     let (mut compared, mut on_line) = (0, 0);
     for k in 0..40 {
-        let field = field(&pair, mating(Side::Right, f64::from(k) * 0.7));
+        let (pair, flank) = (&pairs[k % 2], Side::BOTH[k / 2 % 2]);
+        let field = field(pair, mating(flank, k as f64 * 0.7));
         for side in &field.sides {
             let least = side.sections.iter().filter_map(|section| section.gap);
             let least = least.fold(f64::INFINITY, f64::min);
@@ -157,11 +164,9 @@ fn gaps_of_lines_are_those_of_their_sections() {
                 }
             }
             let binding = &side.binding;
-            for line in side.lines.iter().filter(|line| line.binds) {
-                let [one, other] = line.ends;
-                let part = (binding.section - one[0]) / (other[0] - one[0]);
-                if binding.kind == ContactKind::Involute {
-                    let place = one[1] + part * (other[1] - one[1]);
+            if binding.kind == ContactKind::Involute {
+                for line in side.lines.iter().filter(|line| line.binds) {
+                    let place = place_at(line, binding.section);
                     assert!((place - binding.place).abs() < 1e-6);
                     on_line += 1;
                 }
@@ -175,8 +180,7 @@ fn gaps_of_lines_are_those_of_their_sections() {
 /// would have more.
 #[test]
 fn a_drawn_section_stands_as_the_whole_face_holds_it() {
-    let pair = pair_of_the_prototype([30.0, 40.0], [4.0, 5.0], Hand::Right, 7);
-    let pair = pair.with_face([-24.0, 24.0]).unwrap();
+    let pair = deviating(Hand::Right);
     let (mut apart, mut together) = (0, 0);
     for k in 0..12 {
         let pose = pair
@@ -192,11 +196,11 @@ fn a_drawn_section_stands_as_the_whole_face_holds_it() {
             let turned = section.pose().locked_rotation() - pose.pose.locked_rotation();
             let beta = 21f64.to_radians();
             let twist = -z * beta.tan() / (27.0 * 4.5 / 2.0 / beta.cos());
-            let whole = (turned - twist) / std::f64::consts::TAU;
+            let whole = (turned - twist) / TAU;
             assert!((whole - whole.round()).abs() < 1e-12, "{z}: {whole}");
             let here = section.alone().unwrap().left.unwrap().rotation;
             let gap = here - section.held().unwrap();
-            let gap = gap - std::f64::consts::TAU * (gap / std::f64::consts::TAU).round();
+            let gap = gap - TAU * (gap / TAU).round();
             assert!(gap > -1e-12, "{gap}");
             apart += u32::from(gap > 1e-9);
             together += u32::from(gap == 0.0);
@@ -219,7 +223,7 @@ fn as_many_lines_touch_as_the_total_contact_ratio_says() {
     let pair = pair_of_the_prototype([0.0; 2], [0.0; 2], Hand::Right, 1);
     for face in [[-20.0, 30.0], [-7.0, 5.0], [-100.0, 100.0]] {
         let pair = pair.clone().with_face(face).unwrap();
-        let radii = [Member::Wheel, Member::Pinion].map(|member| {
+        let radii = Member::BOTH.map(|member| {
             let gear = pair.gear(member).gear();
             (gear.base_radius(), gear.tip_radius())
         });
@@ -229,7 +233,7 @@ fn as_many_lines_touch_as_the_total_contact_ratio_says() {
             .iter()
             .sum();
         let path = arms - (190f64 * 190.0 - sum * sum).sqrt();
-        let overlap = (face[1] - face[0]) * 21f64.to_radians().sin() / (std::f64::consts::PI * 4.5);
+        let overlap = (face[1] - face[0]) * 21f64.to_radians().sin() / (PI * 4.5);
         let ratio = path / pitch + overlap;
         let mut lines = [0; 2];
         for step in 0..STEPS {
@@ -254,59 +258,6 @@ fn as_many_lines_touch_as_the_total_contact_ratio_says() {
     }
 }
 
-/// A pair in the mirror has the other hand, faces turned over and right flanks for left ones; where along the face and along the path it touches is
-/// the same.
-#[test]
-fn a_mirrored_pair_has_the_mirrored_field() {
-    let face = [-14.0, 31.0];
-    let make = |hand| {
-        let pair = pair_of_the_prototype([30.0, 40.0], [4.0, 5.0], hand, 7);
-        pair.with_face(face).unwrap()
-    };
-    let pair = make(Hand::Right);
-    let mirrored = make(Hand::Left);
-    let [wheel, pinion] =
-        [Member::Wheel, Member::Pinion].map(|m| mirrored.gear(m).facing(Face::Back));
-    let mirrored = GearPair::new(wheel, pinion, 190.0).unwrap();
-    let mirrored = mirrored.with_face(face).unwrap();
-    let close = |one: f64, other: f64| assert!((one - other).abs() < 1e-9, "{one} {other}");
-    for k in 0..12 {
-        let fraction = f64::from(k) * 0.7;
-        for flank in Side::BOTH {
-            let other = match flank {
-                Side::Right => Side::Left,
-                Side::Left => Side::Right,
-            };
-            let [one, image] = [
-                field(&pair, mating(flank, fraction)),
-                field(&mirrored, mating(other, fraction)),
-            ];
-            for at in 0..2 {
-                let (side, image) = (&one.sides[at], &image.sides[1 - at]);
-                assert_eq!(side.limits, image.limits);
-                assert_eq!(side.lines.len(), image.lines.len());
-                let teeth = |line: &ContactLine| (line.wheel_tooth, line.pinion_tooth);
-                for line in &side.lines {
-                    let image = image.lines.iter().find(|image| teeth(image) == teeth(line));
-                    let image = image.unwrap();
-                    close(line.gap, image.gap);
-                    for (end, image) in line.ends.iter().flatten().zip(image.ends.iter().flatten())
-                    {
-                        assert!((end - image).abs() < 1e-7, "{end} {image}");
-                    }
-                }
-                for section in &side.sections {
-                    // Ends of lines differ by rounding.
-                    if let Some(image) = image.sections.iter().find(|image| image.at == section.at)
-                    {
-                        close(section.gap.unwrap(), image.gap.unwrap());
-                    }
-                }
-            }
-        }
-    }
-}
-
 /// Perfect 70/25, m_n 2, β 15°, whose tips reach below the mate's form circle at 97.54 mm.
 fn tips_on_fillets() -> GearPair {
     let gear = |teeth, hand| {
@@ -326,15 +277,13 @@ fn tips_on_fillets() -> GearPair {
 #[test]
 fn tips_touch_fillets_in_stretches_an_axial_pitch_apart() {
     let pair = tips_on_fillets();
-    let axial = std::f64::consts::PI * 2.0 / 15f64.to_radians().sin();
+    let axial = PI * 2.0 / 15f64.to_radians().sin();
     let mating = Mating {
-        wheel_tooth: 3,
-        pinion_tooth: 5,
-        flank: Side::Right,
         fraction: 0.3,
+        ..Mating::at(3, 5, Side::Right)
     };
     let field = field(&pair, mating);
-    let pose = gearlash::pair::Pose::new(&pair, mating);
+    let pose = Pose::new(&pair, mating);
     for side in &field.sides {
         assert_eq!(side.binding.kind, ContactKind::TipFillet);
         let whole: Vec<[f64; 2]> = (side.fillets.iter().copied())
@@ -354,11 +303,8 @@ fn tips_touch_fillets_in_stretches_an_axial_pitch_apart() {
             let section = pair.section(z);
             let here = pose.in_section(&pair, z);
             let found = ExactKernel::new(&section).lost_motion(&here).unwrap();
-            let contact = match side.side {
-                Side::Right => found.right,
-                Side::Left => found.left,
-            };
-            ContactClass::of(&section, side.side, &contact.unwrap()).kind
+            let contact = found.on(side.side).unwrap();
+            ContactClass::of(&section, side.side, &contact).kind
         };
         let seen = |z: f64| {
             side.fillets

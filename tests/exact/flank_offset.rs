@@ -49,7 +49,7 @@ fn involutes_stay_conjugate() {
     let built = |teeth, face| {
         let base = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
         let gear = Gear::nominal(GearDesign::standard(base)).unwrap();
-        drawn(&AsBuilt::perfect(gear, face), CHORD)
+        drawn(&AsBuilt::perfect(gear, face), CHORD).unwrap()
     };
     let (wheel, pinion) = (built(24, Face::Front), built(31, Face::Back));
     for [one, other] in [[-0.1, -0.1], [-0.15, 0.05], [-0.3, 0.1]] {

@@ -3,29 +3,25 @@
 
 #[path = "../common/along_face.rs"]
 mod along_face;
-mod both_methods;
-mod brackets;
+#[path = "../common/campaign/mod.rs"]
 mod campaign;
 #[path = "../common/clearance/mod.rs"]
 mod clearance;
+#[path = "../common/cycle.rs"]
+mod cycle;
 #[path = "../common/design.rs"]
 mod design;
 mod drawn;
 mod extremes;
-mod face_width;
 mod field;
 #[cfg(feature = "offset")]
 mod flank_offset;
-mod grazing;
-mod hard;
+mod hard_cases;
 mod helical;
 mod helical_extremes;
 mod helical_pairs;
-mod helical_sections;
-mod helical_warm;
 mod leads;
-mod modified;
-mod odd_teeth;
+mod methods;
 mod outline_extremes;
 mod outlines;
 mod perfect;
@@ -34,13 +30,9 @@ mod posed;
 mod profiles;
 mod proofs;
 mod random;
-mod reference;
-mod reference_poses;
+#[path = "../common/random_pair.rs"]
+#[allow(dead_code)] // its twin tests use the rest
+mod random_pair;
 mod straight_sided;
-mod ties;
-mod traced;
-mod wide;
 mod witnesses;
 mod witnesses_extremes;
-mod witnesses_helical;
-mod witnesses_outlines;

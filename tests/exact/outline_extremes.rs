@@ -1,10 +1,13 @@
-//! The proven extremes of drawn pairs against dense poses of the same pairs: none lies outside the bracket.
+//! Random drawn pairs. Their proven extremes hold dense poses; polygons of odd teeth overlap just outside the play; excluded pairs of pieces do not
+//! touch.
 
-use crate::drawn::{closed_by_arcs, gear, turned};
-use crate::random::Random;
+use crate::drawn::{at, closed_by_arcs, cross, turned};
+use crate::methods::differ;
+use crate::outlines::{MEASURED, READING, drawn_pair};
+use crate::random::{self, Random, either};
 use gearlash::analysis::extremes::{RunExtremes, extremes};
 use gearlash::analysis::study::{Material, Study};
-use gearlash::contact::{Method, OutlineKernel};
+use gearlash::contact::{Contact, Method, OutlineKernel, Status};
 use gearlash::outline::{OutlineGear, OutlinePair, PathSegment};
 use gearlash::pair::{Mating, Member, SweepPlan};
 use nalgebra::{Point2, Vector2};
@@ -89,7 +92,8 @@ impl Drawn {
         }
     }
 
-    fn gear(&self, random: &mut Random) -> OutlineGear {
+    /// `None` where curves cross.
+    fn gear(&self, random: &mut Random) -> Option<OutlineGear> {
         let pitch = TAU / f64::from(self.teeth);
         let mut path: Vec<PathSegment> = Vec::new();
         let mut flanks = None;
@@ -104,7 +108,7 @@ impl Drawn {
             let both: Vec<PathSegment> = mirrored.chain(down).collect();
             path.extend(turned(&both, -pitch * f64::from(tooth)));
         }
-        gear(&closed_by_arcs(&path), 0.0)
+        OutlineGear::new(&closed_by_arcs(&path), &READING).ok()
     }
 }
 
@@ -135,8 +139,8 @@ fn pair(random: &mut Random, flanks: impl Fn(&mut Random) -> Flanks) -> OutlineP
     let runout = random.chance(0.08);
     let mut drawn = || Drawn {
         teeth: match unlike || runout {
-            true => 7 + random.tooth(4),
-            false => 8 + random.tooth(40),
+            true => 7 + random.one_of(4),
+            false => 8 + random.one_of(40),
         },
         flanks: flanks(random),
         shift: random.within(-0.1, 0.5),
@@ -146,7 +150,7 @@ fn pair(random: &mut Random, flanks: impl Fn(&mut Random) -> Flanks) -> OutlineP
     };
     let each = [drawn(), drawn()];
     let [wheel, pinion] = each.map(|drawn| {
-        let gear = drawn.gear(random);
+        let gear = drawn.gear(random).unwrap();
         match runout {
             true => {
                 let high = 1.0 + random.within(0.0, f64::from(drawn.teeth));
@@ -157,10 +161,7 @@ fn pair(random: &mut Random, flanks: impl Fn(&mut Random) -> Flanks) -> OutlineP
     });
     let [one, other] = each.map(|drawn| 0.5 * f64::from(drawn.teeth) + drawn.shift);
     let a = one + other + random.within(-0.03, 0.2);
-    let locked = match random.chance(0.5) {
-        true => Member::Wheel,
-        false => Member::Pinion,
-    };
+    let locked = either(random, Member::BOTH);
     OutlinePair::new(wheel, pinion, a, locked).unwrap()
 }
 
@@ -237,14 +238,119 @@ fn all_hold(seed: u64, count: u64, flanks: impl Fn(&mut Random) -> Flanks + Copy
 /// Source: poses of the same pairs, 400 per pitch.
 #[test]
 fn no_pose_of_polygons_lies_outside_the_bracket() {
-    all_hold(1, 40, |random| Flanks::Chords(2 + random.tooth(18)));
+    all_hold(1, 40, |random| Flanks::Chords(2 + random.one_of(18)));
 }
 
 /// Source: poses of the same pairs, 400 per pitch.
 #[test]
 fn no_pose_of_arcs_and_cubics_lies_outside_the_bracket() {
     all_hold(2, 24, |random| match random.chance(0.5) {
-        true => Flanks::Arcs(1 + random.tooth(3)),
-        false => Flanks::Cubics(1 + random.tooth(3)),
+        true => Flanks::Arcs(1 + random.one_of(3)),
+        false => Flanks::Cubics(1 + random.one_of(3)),
     });
+}
+
+/// A pair of irregular teeth, each with points of its own, apart by more than their sum of pitch radii; `None` where curves cross.
+fn odd_pair(
+    random: &mut Random,
+    locked: Member,
+    apart: [f64; 2],
+    eccentricity: f64,
+) -> Option<OutlinePair> {
+    let mut drawn = || Drawn {
+        teeth: 5 + random.one_of(20),
+        flanks: match random.one_of(3) {
+            1 => Flanks::Chords(1 + random.one_of(3)),
+            2 => Flanks::Arcs(random.one_of(2)),
+            _ => Flanks::Cubics(random.one_of(2)),
+        },
+        shift: random.within(-0.1, 0.3),
+        tip: random.within(0.4, 0.9),
+        rough: 0.12,
+        unlike: true,
+    };
+    let each = [drawn(), drawn()];
+    let [wheel, pinion] = each.map(|drawn| drawn.gear(random));
+    let wheel = wheel?.with_runout(eccentricity, 2.5).unwrap();
+    let [one, other] = each.map(|drawn| 0.5 * f64::from(drawn.teeth) + drawn.shift);
+    let distance = one + other + random.within(apart[0], apart[1]);
+    OutlinePair::new(wheel, pinion?, distance, locked).ok()
+}
+
+/// Rectangles around runs of pieces rule out no contact. Source: every pair of pieces.
+#[test]
+fn nothing_that_touches_is_ruled_out() {
+    let mut compared = 0;
+    for seed in 0..90u64 {
+        let mut random = Random(1000 + seed);
+        let locked = Member::BOTH[seed as usize % 2];
+        let pair = if seed % 3 == 0 {
+            let chord = random.decades(5e-4, 1.5e-2);
+            drawn_pair(&random::pair(&mut random, MEASURED), chord)
+        } else {
+            let eccentricity = random.within(0.0, 0.3);
+            odd_pair(&mut random, locked, [-1.0, 1.8], eccentricity)
+        };
+        // Curves may cross; such an outline is no gear.
+        let Some(pair) = pair else { continue };
+        let kernel = OutlineKernel::new(&pair);
+        for k in 0..8u32 {
+            let mating = at(k % 5 + 1, (k + 1) % 5 + 1, random.within(-0.5, 0.5));
+            let found = kernel.lost_motion(&mating).unwrap();
+            let all = kernel.lost_motion_by_search(&mating).unwrap();
+            assert_eq!(found.status(), all.status(), "{seed} {k}");
+            // For solid poses an overlap of half a turn counts from either side.
+            if found.solid {
+                continue;
+            }
+            assert_eq!(differ(&found, &all, 0.0), None, "{seed} {k}");
+            compared += [found.right, found.left].iter().flatten().count();
+        }
+    }
+    assert!(compared > 500, "{compared}");
+}
+
+/// Wheels of irregular, different teeth: polygons overlap just outside the play found, and not just inside it.
+#[test]
+fn odd_teeth_overlap_just_outside_the_play() {
+    let (mut clear, mut tight) = (0, 0);
+    for seed in 0..160u64 {
+        let mut random = Random(seed);
+        let locked = Member::BOTH[seed as usize % 2];
+        let Some(pair) = odd_pair(&mut random, locked, [0.0, 1.6], 0.0) else {
+            continue;
+        };
+        let kernel = OutlineKernel::new(&pair);
+        for k in 0..6u32 {
+            let mating = at(k % 5 + 1, (k + 1) % 5 + 1, 0.23 * f64::from(k));
+            let found = kernel.lost_motion(&mating).unwrap();
+            let Some((right, left)) = found.right.zip(found.left) else {
+                continue;
+            };
+            let off = |contact: &Contact| contact.error + 2e-4;
+            if found.status() == Status::Clear && left.rotation - right.rotation > 2e-3 {
+                for (rotation, overlaps) in [
+                    (right.rotation - 4.0 * off(&right), true),
+                    (right.rotation + off(&right), false),
+                    (0.5 * (right.rotation + left.rotation), false),
+                    (left.rotation - off(&left), false),
+                    (left.rotation + 4.0 * off(&left), true),
+                ] {
+                    let crosses = cross(&pair, &mating, rotation);
+                    assert_eq!(crosses, overlaps, "{seed} {k} {rotation} {found:?}");
+                }
+                clear += 1;
+            } else if found.status() == Status::Interference {
+                for share in [0.0, 0.3, 0.7, 1.0] {
+                    let between = left.rotation + share * (right.rotation - left.rotation);
+                    assert!(
+                        cross(&pair, &mating, between) || right.rotation - left.rotation < 1e-3,
+                        "{seed} {k} {found:?}"
+                    );
+                }
+                tight += 1;
+            }
+        }
+    }
+    assert!(clear > 400 && tight > 8, "{clear} {tight}");
 }

@@ -1,6 +1,6 @@
 //! Helical gears whose profiles deviate, against dense sections and closed forms.
 
-use crate::along_face::{dense, drawn_with_profiles, witness};
+use crate::along_face::against_sections;
 use gearlash::analytic::LineOfAction;
 use gearlash::contact::ExactKernel;
 use gearlash::gear::{
@@ -13,11 +13,8 @@ use gearlash::pair::{GearPair, Mating, Pose};
 fn pair(helix: f64, profiles: [&Modification; 2], thicker: f64) -> GearPair {
     let gear = |teeth, hand, profile: &Modification, face, thicker: f64| {
         let data = BasicGearData::new(teeth, 4.5, 20f64.to_radians()).unwrap();
-        let data = if helix == 0.0 {
-            data
-        } else {
-            data.with_helix(helix.to_radians(), hand).unwrap()
-        };
+        // Without an angle a spur gear.
+        let data = data.with_helix(helix.to_radians(), hand).unwrap();
         let design = GearDesign::standard(data);
         let base = thickness::base_from_allowance(&data, design.nominal_base_thickness(), -0.1);
         // Both flanks by this along the transverse base tangent; a thickness is an arc of the reference circle in the normal section.
@@ -46,31 +43,13 @@ fn angles(pair: &GearPair) -> Vec<f64> {
     found.map(|found| found.unwrap().angle().unwrap()).collect()
 }
 
+/// Greatest difference of two pairs at eight phases, µm; the first is expected to have `more` lost motion, rad.
 fn most_off(one: &GearPair, other: &GearPair, more: f64) -> f64 {
     let um = 1e3 * one.operating_pitch_radius(one.free());
     let pairs = angles(one).into_iter().zip(angles(other));
     pairs.fold(0.0, |most, (one, other)| {
         f64::max(most, (one - other - more).abs() * um)
     })
-}
-
-/// Never looser than the bound, and tighter by no more than 151 dense sections with zoom explain. Source: the sections, each a spur pair.
-/// `campaign --along-face` draws more.
-#[test]
-fn random_profiles_agree_with_dense_sections() {
-    let mut count = 0;
-    for index in 0..8 {
-        let (pair, pose) = drawn_with_profiles(47, index);
-        let Some(found) = witness(&pair, &pose, 151) else {
-            continue;
-        };
-        assert!(
-            found.looser <= 0.0 && found.tighter <= 0.0,
-            "{index}: {found:?}"
-        );
-        count += usize::from(pair.is_helical());
-    }
-    assert!(count > 3, "{count}");
 }
 
 /// A constant deviation is a thicker tooth: by δ along the base tangent on each flank.
@@ -150,39 +129,7 @@ fn model_3_agrees_over_the_face() {
         let formula = LineOfAction::new(&pair, &pose).angle().unwrap();
         let off = (formula - found.angle().unwrap()) * um;
         assert!((-1e-6..0.05).contains(&off), "{k}: {off}");
-        let [right, left] = dense(&pair, &pose, 2001);
-        assert!((left - right - found.angle().unwrap()) * um < 1e-2);
+        let against = against_sections(&pair, &pose, &found, 200, [1e-12, 0.5e-2 / um]);
+        assert!(against.is_empty(), "{k}: {against:#?}");
     }
-}
-
-/// The extremes hold 60 poses of the cycle.
-#[test]
-fn extremes_hold_every_pose() {
-    let mut held = 0;
-    for index in 0..2 {
-        let (pair, _) = drawn_with_profiles(11, index);
-        let kernel = ExactKernel::new(&pair);
-        let matings = 30;
-        let extremes = kernel
-            .extremes(&pair, Mating::FIRST, matings, 1e-6)
-            .unwrap();
-        let Some((least, greatest)) = extremes.least.zip(extremes.greatest) else {
-            continue;
-        };
-        let radius = pair.operating_pitch_radius(pair.free());
-        for k in 0..60 {
-            let pitches = f64::from(k) * f64::from(matings as u32) / 60.0;
-            let pose = Pose::new(&pair, Mating::FIRST.onward(&pair, pitches));
-            let Some(angle) = kernel.lost_motion(&pose).unwrap().angle() else {
-                continue;
-            };
-            let play = angle * radius;
-            assert!(
-                play >= least.low - 1e-8 && play <= greatest.high + 1e-8,
-                "{index} {k}"
-            );
-        }
-        held += usize::from(least.low.is_finite() && greatest.high.is_finite());
-    }
-    assert!(held > 0, "{held}");
 }

@@ -1,7 +1,9 @@
 //! Proofs by directions: what they accept, what they refuse, and what the checker verifies.
 
+use crate::campaign::{Depth, Drawn, Teeth};
 use crate::clearance;
-use crate::wide::drawn::{Depth, Drawn, Teeth};
+use crate::design::design;
+use crate::methods::{against_polygons, by_both_methods, complaints};
 use gearlash::contact::{
     Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, Piece, Proof, Prover, Reason,
     SideProof, Status, sweep,
@@ -87,89 +89,65 @@ fn the_checker_accepts_proofs_in_two_sections() {
     assert!(in_two > 50, "{in_two}");
 }
 
-/// A contact moved by three of its bounds to either side is refused, as certificates by polygons refuse one moved by three of theirs.
-#[test]
-fn a_moved_contact_is_refused() {
-    let (proven, _) = proven(None, 500);
-    for (drawn, found, proof) in &proven {
-        refuses_moved(drawn, found, proof);
-    }
-}
-
-/// The prover refuses `found`, which `proof` proves, with either contact moved by 3 of its bounds.
-fn refuses_moved(drawn: &Drawn, found: &LostMotion, proof: &Proof) {
-    let pose = Pose::new(&drawn.assembly, drawn.mating);
-    let prover = Prover::new(&drawn.assembly, &ExactKernel::new(&drawn.assembly));
-    for side in &proof.sides {
-        let Some((open, touch)) = side.open.zip(side.touch) else {
-            continue;
-        };
-        for by in [-1.5, 1.5] {
-            let mut moved = *found;
-            let contact = match side.side {
-                Side::Right => moved.right.as_mut(),
-                Side::Left => moved.left.as_mut(),
-            };
-            contact.unwrap().rotation += by * (open - touch.closed);
-            let checked = prover.check(&pose, &moved);
-            assert!(checked.is_err(), "{}", drawn.pair_file());
-        }
-    }
-}
+const ONCE_LEFT: [(u64, u64, &str); 18] = [
+    // The direction that keeps them apart is further than a right angle from the contact's normal.
+    (1, 22, "a tip 0.35 µm above a root land"),
+    (
+        2,
+        85_076,
+        "the far flank of a tooth out of reach by its near half",
+    ),
+    (
+        2,
+        167_397,
+        "root lands that meet at another place of the runout",
+    ),
+    (
+        2,
+        243_152,
+        "an eccentric land whose arm changes sign as it passes",
+    ),
+    (2, 461_924, "tips that hardly overlap, on one side only"),
+    (2, 476_491, "a far fillet and a root land"),
+    (2, 550_056, "fillets in reach of each other"),
+    (
+        2,
+        567_447,
+        "the direction of the greatest room has a negative arm",
+    ),
+    (2, 816_227, "contact on a fillet that bulges"),
+    (
+        3,
+        37_685,
+        "the named teeth tie with others that touch first",
+    ),
+    (3, 50_100, "a fillet whose tangents cross the mate's tip"),
+    (3, 92_407, "tips that hardly overlap, of 233 teeth"),
+    (3, 94_302, "tips that hardly overlap, and both runouts"),
+    (3, 175_520, "tips that hardly overlap, and one runout"),
+    (3, 195_485, "tips that hardly overlap, and undercut teeth"),
+    (3, 422_340, "a tip corner at the end of a root land"),
+    (3, 597_858, "an eccentric land of few teeth"),
+    (3, 744_097, "a tip on the far flank of a tooth beside it"),
+];
 
 /// Poses of the campaign, by seed and index, that were once left to the polygons although both gears have seven teeth or more. Each is proven, the
-/// checker accepts the proof, and moved by 3 bounds it is refused.
+/// checker accepts the proof, and the campaign finds that a contact moved by 3 bounds is refused.
 #[test]
 fn poses_once_left_to_the_polygons_are_proven() {
-    for (seed, index, what) in [
-        (3, 37685, "the named teeth tie with others that touch first"),
-        (3, 597858, "an eccentric land of few teeth"),
-        (
-            3,
-            744097,
-            "a tip on the far flank of a tooth that points sideways",
-        ),
-        (3, 92407, "tips that hardly overlap, of 233 teeth"),
-        (3, 94302, "tips that hardly overlap, and both runouts"),
-        (3, 175_520, "tips that hardly overlap, and one runout"),
-        (3, 195_485, "tips that hardly overlap, and undercut teeth"),
-        (2, 461_924, "tips that hardly overlap, on one side only"),
-        (3, 50100, "a fillet whose tangents cross the mate's tip"),
-        (3, 422_340, "a tip corner at the end of a root land"),
-        (2, 550_056, "fillets in reach of each other"),
-        (2, 816_227, "contact on a fillet that bulges"),
-        (2, 476_491, "a far fillet and a root land"),
-        (
-            2,
-            167_397,
-            "root lands that meet at another place of the runout",
-        ),
-        (
-            2,
-            243_152,
-            "an eccentric land whose arm changes sign while it passes",
-        ),
-        (
-            2,
-            567_447,
-            "the direction of the greatest room has a negative arm",
-        ),
-        (
-            2,
-            85076,
-            "the far flank of a tooth whose near half is out of reach",
-        ),
-    ] {
+    let against = complaints(&ONCE_LEFT, |(seed, index, _)| {
         let drawn = Drawn::new(None, seed, index);
         let pose = Pose::new(&drawn.assembly, drawn.mating);
         let kernel = ExactKernel::new(&drawn.assembly);
         let found = kernel.lost_motion(&pose).unwrap();
-        let prover = Prover::new(&drawn.assembly, &kernel);
-        let proof = prover.proof(&pose, &found);
-        let proof = proof.unwrap_or_else(|why| panic!("{index}, {what}: {why}"));
-        assert_eq!(proof.verify(&drawn.assembly, &pose), Ok(()), "{what}");
-        refuses_moved(&drawn, &found, &proof);
-    }
+        let proof = Prover::new(&drawn.assembly, &kernel).proof(&pose, &found);
+        let proof = proof.map_err(str::to_owned);
+        let verified = proof.and_then(|proof| proof.verify(&drawn.assembly, &pose));
+        let mut against = by_both_methods(Teeth::Spur, None, seed, index);
+        against.extend(verified.err());
+        against
+    });
+    assert!(against.is_empty(), "{against:#?}");
 }
 
 /// A free tip closes against the far flank of a locked tooth that points sideways, of 8 teeth. Half teeth that face each other let the gear turn
@@ -194,22 +172,21 @@ fn a_tip_may_close_against_the_far_flank_of_a_tooth_beside_it() {
 /// 1.3 to 54 mrad into the metal. Source: points of whole gears in each other's metal, from another program, and certificates by polygons.
 #[test]
 fn a_far_half_counts_where_the_near_half_is_out_of_reach() {
+    let poses = [(3, 38733), (2, 44542), (2, 63195), (2, 85076), (2, 153_995)];
     let mut clear = 0;
-    for (seed, index) in [(3, 38733), (2, 44542), (2, 63195), (2, 85076), (2, 153_995)] {
+    for (seed, index) in poses {
         let drawn = Drawn::new(None, seed, index);
         let pair = &drawn.assembly;
         let pose = Pose::new(pair, drawn.mating);
         let found = ExactKernel::new(pair).lost_motion(&pose).unwrap();
-        let cut = CutPair::for_certificates(pair.gear(Member::Wheel), pair.gear(Member::Pinion));
-        let certified = Certifier::new(cut.kernel(pair)).check(&pose, &found);
-        assert!(certified.is_ok(), "{index}");
+        let against = against_polygons(pair, &pose, &found);
+        assert!(against.is_empty(), "{index}: {against:#?}");
         if found.status() != Status::Clear {
             continue;
         }
         clear += 1;
         let [right, left] = [found.right, found.left].map(|contact| contact.unwrap().rotation);
-        let opens = (left - right).signum();
-        for (rotation, opens) in [(right, opens), (left, -opens)] {
+        for (rotation, opens) in [(right, 1.0), (left, -1.0)] {
             let overlap = |by: f64| clearance::overlap(pair, &pose, rotation + opens * by);
             assert!(overlap(1e-6) <= 0.0 && overlap(-1e-3) > 0.0, "{index}");
         }
@@ -429,20 +406,13 @@ fn a_flank_may_close_against_the_far_flank() {
     assert!(Prover::new(&pair, &kernel).check(&pose, &open).is_err());
 }
 
-/// 11 on 16 undercut teeth.
-fn undercut() -> GearPair {
-    let gear = |teeth, face| {
-        let basic = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
-        AsBuilt::perfect(Gear::nominal(GearDesign::standard(basic)).unwrap(), face)
-    };
-    GearPair::new(gear(11, Face::Front), gear(16, Face::Back), 27.1).unwrap()
-}
-
 /// Each pose of a sweep is proven; polygons check the first of every 64, all with `Checked` and `Both`, none without proof. The proof is kept with `Both`
 /// alone. All methods give the same values.
 #[test]
 fn polygons_check_every_64th_pose() {
-    let pair = undercut();
+    // Undercut teeth.
+    let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth, 2.0)).unwrap(), face);
+    let pair = GearPair::new(gear(11, Face::Front), gear(16, Face::Back), 27.1).unwrap();
     let cut = CutPair::for_certificates(pair.gear(Member::Wheel), pair.gear(Member::Pinion));
     let plan = SweepPlan::wheel_revolution(&pair, 12, (1, 1));
     let matings = plan.matings(&pair);
@@ -471,17 +441,4 @@ fn polygons_check_every_64th_pose() {
             assert!(verified.into_iter().all(|verified| verified == Ok(())));
         }
     }
-}
-
-/// 11 on 11 teeth, a tip 0.35 µm above a root land: pose 22 of the campaign. The direction that keeps them apart is further than a right angle from the
-/// contact's normal.
-#[test]
-fn a_tip_close_above_a_root_is_proven() {
-    let drawn = Drawn::new(None, 1, 22);
-    let pose = Pose::new(&drawn.assembly, drawn.mating);
-    let kernel = ExactKernel::new(&drawn.assembly);
-    let found = kernel.lost_motion(&pose).unwrap();
-    assert_eq!(found.status(), Status::Clear);
-    let proof = Prover::new(&drawn.assembly, &kernel).proof(&pose, &found);
-    assert_eq!(proof.unwrap().verify(&drawn.assembly, &pose), Ok(()));
 }

@@ -1,44 +1,13 @@
 //! Seeded random pairs and poses, leaning towards the awkward: undercut, tips on fillets,
 //! alternating pitch errors at hand-over, eccentric axes, interference.
 
+use crate::along_face::profile;
+pub use crate::campaign::random::Random;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side, involute,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Flank, Gear, GearDesign, Pitch, Side,
+    involute,
 };
 use gearlash::pair::{GearPair, Mating, Member};
-
-/// SplitMix64 (Steele, Lea and Flood 2014): a seed gives one sequence, on any machine.
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    pub fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    pub fn chance(&mut self, share: f64) -> bool {
-        self.unit() < share
-    }
-
-    /// Log-uniform.
-    pub fn decades(&mut self, low: f64, high: f64) -> f64 {
-        (self.within(low.ln(), high.ln())).exp()
-    }
-
-    pub fn tooth(&mut self, teeth: u32) -> u32 {
-        1 + (self.bits() % u64::from(teeth)) as u32
-    }
-}
 
 /// The range of a random pair.
 #[derive(Clone, Copy)]
@@ -51,6 +20,13 @@ pub struct Kind {
     pub shift: (f64, f64),
 }
 
+/// Perfect gears.
+pub const PERFECT: Kind = Kind {
+    teeth: (12.0, 300.0),
+    deviation: 0.0,
+    shift: (-0.15, 0.3),
+};
+
 /// Deviations up to six times ordinary, half of all free gears eccentric.
 pub const WILD: Kind = Kind {
     teeth: (7.0, 1000.0),
@@ -58,13 +34,16 @@ pub const WILD: Kind = Kind {
     shift: (-0.3, 0.4),
 };
 
+/// The first with a probability of a half.
+pub fn either<T>(random: &mut Random, [one, other]: [T; 2]) -> T {
+    if random.chance(0.5) { one } else { other }
+}
+
 /// A pair of `kind` that can exist.
 pub fn pair(random: &mut Random, kind: Kind) -> GearPair {
-    loop {
-        if let Some(assembly) = try_pair(random, kind) {
-            return assembly;
-        }
-    }
+    std::iter::repeat_with(|| try_pair(random, kind))
+        .find_map(|pair| pair)
+        .expect("an endless sequence")
 }
 
 fn try_pair(random: &mut Random, kind: Kind) -> Option<GearPair> {
@@ -98,12 +77,8 @@ fn try_pair(random: &mut Random, kind: Kind) -> Option<GearPair> {
     }
     let tight = involute::radius_at(involute::roll_of_inv(inv), sum);
     let distance = tight + random.within(kind.shift.0, kind.shift.1) * module;
-    let locked = if random.chance(0.5) {
-        Member::Wheel
-    } else {
-        Member::Pinion
-    };
-    let style = random.unit();
+    let locked = either(random, Member::BOTH);
+    let style = random.within(0.0, 1.0);
     let built: Vec<AsBuilt> = gears
         .into_iter()
         .map(|gear| as_built(random, gear, kind.deviation, style))
@@ -113,15 +88,11 @@ fn try_pair(random: &mut Random, kind: Kind) -> Option<GearPair> {
 }
 
 fn as_built(random: &mut Random, gear: Gear, deviation: f64, style: f64) -> Option<AsBuilt> {
-    let face = if random.chance(0.5) {
-        Face::Front
-    } else {
-        Face::Back
-    };
+    let face = either(random, [Face::Front, Face::Back]);
     let teeth = gear.basic_data().teeth();
     let module = gear.basic_data().module();
     // Ordinary: 10 µm of pitch and thickness, 20 µm of runout at module 3.
-    let scale = deviation * random.unit() * 0.003 * module;
+    let scale = deviation * random.within(0.0, 1.0) * 0.003 * module;
     let list = |random: &mut Random, alternating: bool| -> Vec<f64> {
         (0..teeth)
             .map(|k| {
@@ -140,7 +111,7 @@ fn as_built(random: &mut Random, gear: Gear, deviation: f64, style: f64) -> Opti
             deviations.per_tooth = list(random, false);
         }
         if random.chance(0.5) {
-            deviations.eccentricity = 0.003 * module * deviation * random.unit();
+            deviations.eccentricity = 0.003 * module * deviation * random.within(0.0, 1.0);
             deviations.high_tooth = random.within(1.0, f64::from(teeth) + 1.0);
         }
     }
@@ -149,20 +120,47 @@ fn as_built(random: &mut Random, gear: Gear, deviation: f64, style: f64) -> Opti
 
 /// A pose of `assembly` up to a thousand pitches beyond a mating.
 pub fn mating(random: &mut Random, assembly: &GearPair) -> Mating {
-    let teeth = |member| assembly.gear(member).gear().basic_data().teeth();
     let whole = if random.chance(0.2) {
         random.within(-1000.0, 1000.0).round()
     } else {
         0.0
     };
     Mating {
-        wheel_tooth: random.tooth(teeth(Member::Wheel)),
-        pinion_tooth: random.tooth(teeth(Member::Pinion)),
-        flank: if random.chance(0.5) {
-            Side::Right
-        } else {
-            Side::Left
-        },
-        fraction: whole + random.unit(),
+        wheel_tooth: random.one_of(assembly.teeth(Member::Wheel)),
+        pinion_tooth: random.one_of(assembly.teeth(Member::Pinion)),
+        flank: either(random, Side::BOTH),
+        fraction: whole + random.within(0.0, 1.0),
     }
+}
+
+/// A random pair with random profiles; `None` where one cannot exist.
+pub fn deviating_pair(random: &mut Random, traces: bool) -> Option<GearPair> {
+    let plain = pair(random, WILD);
+    let [wheel, pinion] = Member::BOTH.map(|member| {
+        let built = plain.gear(member);
+        let gear = built.gear().clone();
+        let deviations = Deviations {
+            eccentricity: built.eccentricity(),
+            high_tooth: built.high_tooth(),
+            pitch: Some(pitch(built)),
+            profiles: [0; 2].map(|_| profile(random, &gear, traces)),
+            ..Deviations::default()
+        };
+        AsBuilt::new(gear, built.face(), &deviations).ok()
+    });
+    GearPair::with_locked(wheel?, pinion?, plain.center_distance(), plain.locked()).ok()
+}
+
+/// The places of a gear's flanks as a pitch deviation.
+fn pitch(built: &AsBuilt) -> Pitch {
+    let r = built.gear().basic_data().reference_radius();
+    let curve = |own: Flank| -> Vec<f64> {
+        let side = built.face().seen_from_front(own);
+        let teeth = 1..=built.gear().basic_data().teeth();
+        let along = built.face().ascending() * r;
+        teeth
+            .map(|tooth| along * built.flank_offset(side, tooth))
+            .collect()
+    };
+    Pitch::from_cumulative(&curve(Flank::Right), &curve(Flank::Left))
 }

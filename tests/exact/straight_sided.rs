@@ -2,13 +2,15 @@
 //! hand: two straight flanks touch where a tip corner of one lies on the other, and where a circle about the free axis meets a line.
 
 use crate::design::design;
-use gearlash::contact::{Certifier, Contact, CutPair, ExactKernel, LostMotion};
+use crate::methods::{turned, with_contact, without_turns};
+use gearlash::contact::{Certifier, CutPair, ExactKernel};
 use gearlash::gear::{AsBuilt, Deviations, Face, Gear, Side};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
-use std::f64::consts::{PI, TAU};
+use nalgebra::{Rotation2, Vector2};
+use std::f64::consts::PI;
 
 /// `teeth` of module 3, straight-sided: parts of a quarter pitch that half a tooth spans at the tip and at the root circle.
-pub fn straight(teeth: u32, [tip, root]: [f64; 2], face: Face, per_tooth: Vec<f64>) -> AsBuilt {
+fn straight(teeth: u32, [tip, root]: [f64; 2], face: Face, per_tooth: Vec<f64>) -> AsBuilt {
     let quarter = PI / (2.0 * f64::from(teeth));
     let gear = Gear::nominal(design(teeth, 3.0)).unwrap();
     let gear = gear
@@ -56,79 +58,72 @@ fn exaggerated_straight_flanks_stay_straight() {
     assert!((large - 30.0 * small).abs() < 1e-15 && small > 0.0);
 }
 
-type Point = [f64; 2];
-
-fn polar(radius: f64, angle: f64) -> Point {
-    [radius * angle.cos(), radius * angle.sin()]
-}
-
-/// Tip corner and root corner of a flank in the picture, the gear's axis at `(axis, 0)`, its tooth 1 turned to `tooth_1`.
+/// Tip corner and root corner of a flank, the gear's axis at `axis`, its tooth 1 turned to `tooth_1`.
 fn flank(
     gear: &AsBuilt,
     half: [f64; 2],
-    axis: f64,
+    axis: Vector2<f64>,
     tooth_1: f64,
     tooth: u32,
     side: Side,
-) -> [Point; 2] {
+) -> [Vector2<f64>; 2] {
     let quarter = PI / (2.0 * f64::from(gear.gear().basic_data().teeth()));
     let middle = tooth_1 + gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
     let radii = [gear.gear().tip_radius(), gear.gear().root_radius()];
     [0, 1].map(|end| {
-        let point = polar(radii[end], middle + side.sense() * half[end] * quarter);
-        [point[0] + axis, point[1]]
+        let turn = Rotation2::new(middle + side.sense() * half[end] * quarter);
+        axis + turn * Vector2::new(radii[end], 0.0)
     })
 }
 
-/// Where the circle of radius `rho` about `(axis, 0)` meets the line through both ends of a flank, between them: at the foot of the
+/// Where the circle of radius `rho` about `axis` meets the line through both ends of a flank, between them: at the foot of the
 /// perpendicular, `h` away, and `√(ρ² − h²)` along the line to either side of it.
-fn on_circle([tip, root]: [Point; 2], axis: f64, rho: f64) -> Vec<Point> {
-    let along = [root[0] - tip[0], root[1] - tip[1]];
-    let length = along[0].hypot(along[1]);
-    let along = [along[0] / length, along[1] / length];
-    let from = [axis - tip[0], -tip[1]];
-    let foot = from[0] * along[0] + from[1] * along[1];
-    let h = from[0] * along[1] - from[1] * along[0];
+fn on_circle(
+    [tip, root]: [Vector2<f64>; 2],
+    axis: Vector2<f64>,
+    rho: f64,
+) -> impl Iterator<Item = Vector2<f64>> {
+    let length = (root - tip).norm();
+    let along = (root - tip) / length;
+    let from = axis - tip;
+    let (foot, h) = (from.dot(&along), from.perp(&along));
     let half = (rho * rho - h * h).sqrt();
-    [foot - half, foot + half]
-        .into_iter()
-        .filter(|s| (0.0..=length).contains(s))
-        .map(|s| [tip[0] + s * along[0], tip[1] + s * along[1]])
-        .collect()
+    let places = [foot - half, foot + half].into_iter();
+    places
+        .filter(move |s| (0.0..=length).contains(s))
+        .map(move |s| tip + s * along)
 }
 
-fn direction(point: Point, axis: f64) -> f64 {
-    point[1].atan2(point[0] - axis)
-}
-
-/// The free pinion's rotations at which a flank of one side touches: clockwise it can turn down to the greatest one of the right flanks,
-/// counter-clockwise up to the least one of the left flanks.
+/// The free pinion's rotations beyond nominal at which a flank of one side touches: clockwise it can turn down to the greatest one of the right
+/// flanks, counter-clockwise up to the least one of the left flanks.
 fn by_hand(pair: &GearPair, halves: [[f64; 2]; 2], pose: &Pose) -> [f64; 2] {
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| pair.gear(member));
-    let (a, nominal) = (pair.center_distance(), pose.free_rotation());
+    let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
+    let axes = [Vector2::zeros(), Vector2::new(pair.center_distance(), 0.0)];
+    let turn = |from: Vector2<f64>, to: Vector2<f64>| {
+        let [from, to] = [from, to].map(|point| point - axes[1]);
+        from.perp(&to).atan2(from.dot(&to))
+    };
     Side::BOTH.map(|side| {
         let mut rotations = Vec::new();
-        for ours in 1..=wheel.gear().basic_data().teeth() {
-            let locked = flank(wheel, halves[0], 0.0, pose.locked_rotation(), ours, side);
-            for theirs in 1..=pinion.gear().basic_data().teeth() {
+        for ours in 1..=pair.teeth(Member::Wheel) {
+            let turned = pose.locked_rotation();
+            let locked = flank(wheel, halves[0], axes[0], turned, ours, side);
+            for theirs in 1..=pair.teeth(Member::Pinion) {
                 // At rotation 0 tooth 1 of the pinion points at the wheel.
-                let free = flank(pinion, halves[1], a, PI, theirs, side);
+                let free = flank(pinion, halves[1], axes[1], PI, theirs, side);
                 // The wheel's tip corner on the pinion's flank, the pinion's tip corner on the wheel's.
-                let rho = (locked[0][0] - a).hypot(locked[0][1]);
-                let met = on_circle(free, a, rho).into_iter();
-                rotations.extend(met.map(|met| direction(locked[0], a) - direction(met, a)));
-                let rho = (free[0][0] - a).hypot(free[0][1]);
-                let met = on_circle(locked, a, rho).into_iter();
-                rotations.extend(met.map(|met| direction(met, a) - direction(free[0], a)));
+                let met = on_circle(free, axes[1], (locked[0] - axes[1]).norm());
+                rotations.extend(met.map(|met| turn(met, locked[0])));
+                let met = on_circle(locked, axes[1], (free[0] - axes[1]).norm());
+                rotations.extend(met.map(|met| turn(free[0], met)));
             }
         }
-        let near = rotations.iter().map(|rotation| {
-            let off = rotation - nominal;
-            off - TAU * (off / TAU).round()
-        });
+        let beyond = rotations
+            .iter()
+            .map(|rotation| without_turns(rotation - pose.free_rotation()));
         // Other teeth of the same side would touch a pitch on.
         let pitch = pinion.gear().basic_data().angular_pitch();
-        let near = near.filter(|off| off.abs() < pitch / 2.0);
+        let near = beyond.filter(|off| off.abs() < pitch / 2.0);
         match side {
             Side::Right => near.fold(f64::NEG_INFINITY, f64::max),
             Side::Left => near.fold(f64::INFINITY, f64::min),
@@ -155,10 +150,8 @@ fn straight_flanks_touch_where_lines_and_circles_meet() {
         let (refined, certifier) = (cut.refined_kernel(&pair), Certifier::new(cut.kernel(&pair)));
         for k in 0..40 {
             let mating = Mating {
-                wheel_tooth: 1 + k % 7,
-                pinion_tooth: 1,
-                flank: [Side::Right, Side::Left][k as usize % 2],
                 fraction: f64::from(k) / 40.0,
+                ..Mating::at(1 + k % 7, 1, Side::BOTH[k as usize % 2])
             };
             let pose = Pose::new(&pair, mating);
             let [right, left] = by_hand(&pair, halves, &pose);
@@ -175,15 +168,9 @@ fn straight_flanks_touch_where_lines_and_circles_meet() {
                 assert!((angle - expected).abs() < error + 1e-14, "{what}");
             }
             certifier.check(&pose, &exact).unwrap();
-            for turned in [1e-8, -1e-8] {
-                let turn = |contact: Contact| Contact {
-                    rotation: contact.rotation + turned,
-                    ..contact
-                };
-                let wrong = LostMotion {
-                    right: exact.right.map(turn),
-                    ..exact
-                };
+            for by in [1e-8, -1e-8] {
+                let right = exact.right.map(|contact| turned(contact, by));
+                let wrong = with_contact(&exact, Side::Right, right);
                 assert!(certifier.check(&pose, &wrong).is_err());
             }
             met[usize::from(expected < 0.0)] += 1;
@@ -215,10 +202,8 @@ fn a_straight_flank_meets_an_involute() {
             let certifier = Certifier::new(cut.kernel(&pair));
             for k in 0..25 {
                 let mating = Mating {
-                    wheel_tooth: 1 + k % 20,
-                    pinion_tooth: 1,
-                    flank: Side::Right,
                     fraction: 0.04 * f64::from(k),
+                    ..Mating::at(1 + k % 20, 1, Side::Right)
                 };
                 let pose = Pose::new(&pair, mating);
                 let exact = kernel.lost_motion(&pose).unwrap();

@@ -3,17 +3,15 @@
 //! Each is the first of thousands of random poses at which a one-line change of `src/contact` (a mutant:
 //! `tests/README.md`) gave a wrong contact or a wrong verdict, and which a method without the change refuses. Campaigns
 //! of a few thousand poses meet most of them by chance. These are few enough for every referee.
-//! referee.
 
+use crate::campaign::{Depth, Drawn, Teeth};
 use crate::clearance;
-use crate::modified;
+use crate::methods::{against_polygons, by_both_methods, complaints, cut, turned, with_contact};
 use crate::random::{self, Random};
-use crate::wide::drawn::{Depth, Drawn, LONGEST, Teeth, run_of};
-use gearlash::contact::{Certifier, CutPair, ExactKernel, LostMotion, Status};
+use gearlash::contact::{Certifier, Contact, ExactKernel, LostMotion, Status};
 use gearlash::error::Error;
-use gearlash::pair::{GearPair, Member, Pose};
-use rayon::prelude::*;
-use std::f64::consts::TAU;
+use gearlash::gear::Side;
+use gearlash::pair::{GearPair, Pose};
 
 /// Seed of the campaign's pairs.
 const SEED: u64 = 2;
@@ -59,30 +57,16 @@ fn drawn(index: u64) -> (GearPair, Pose) {
     (drawn.assembly, pose)
 }
 
-fn cut(assembly: &GearPair) -> CutPair {
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
-    CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module())
-}
-
-/// Complaints of all of `indices`, each with its index.
-fn complaints(indices: &[u64], of: impl Fn(u64) -> Vec<String> + Sync) -> Vec<(u64, Vec<String>)> {
-    let each = indices.par_iter().map(|&index| (index, of(index)));
-    each.filter(|(_, against)| !against.is_empty()).collect()
-}
-
-/// Faults of both methods and the certificate, and unproven poses.
-fn by_both_methods(depth: Option<Depth>, index: u64) -> Vec<String> {
-    let tally = run_of(Teeth::Spur, depth, SEED, index..index + 1, LONGEST, true);
-    let found = tally.faults.into_iter().chain(tally.unproven);
-    found.map(|(_, what)| what).collect()
+fn of_spur(depth: Option<Depth>, index: u64) -> Vec<String> {
+    by_both_methods(Teeth::Spur, depth, SEED, index)
 }
 
 /// Source: the polygon method and its certificate.
 #[test]
 fn spur_poses_hold_against_polygons() {
-    let mut against = complaints(&SPUR, |index| by_both_methods(depth(index), index));
+    let mut against = complaints(&SPUR, |index| of_spur(depth(index), index));
     against.extend(complaints(&GRAZING, |index| {
-        by_both_methods(Some(Depth::Grazing), index)
+        of_spur(Some(Depth::Grazing), index)
     }));
     assert!(against.is_empty(), "{against:#?}");
 }
@@ -105,12 +89,12 @@ fn contacts_are_where_reported() {
         let mut against = clearance::named(&assembly, &pose, &found);
         let polygon = cut(&assembly).refined_kernel(&assembly).lost_motion(&pose);
         let polygon = polygon.unwrap();
-        for (one, other) in [(found.right, polygon.right), (found.left, polygon.left)] {
-            let teeth = [one, other]
-                .map(|contact| contact.map(|contact| (contact.wheel.tooth, contact.pinion.tooth)));
-            if teeth[0] != teeth[1] {
-                against.push(format!("polygons name other teeth: {teeth:?}"));
-            }
+        let teeth = [found, polygon].map(|found| {
+            let names = |contact: Contact| (contact.wheel.tooth, contact.pinion.tooth);
+            [found.right, found.left].map(|contact| contact.map(names))
+        });
+        if teeth[0] != teeth[1] {
+            against.push(format!("polygons name other teeth: {teeth:?}"));
         }
         against
     });
@@ -124,23 +108,17 @@ fn claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
     let gear = assembly.gear(assembly.free()).gear();
     let pitch = gear.basic_data().angular_pitch();
     let mut claims = vec![(*found, true)];
-    let mut claim = |right: bool, contact| {
-        let mut claimed = *found;
-        if right {
-            claimed.right = contact
-        } else {
-            claimed.left = contact
-        }
-        let borne = claimed.solid || claimed.status() == Status::Jammed;
-        claims.push((claimed, borne));
-    };
-    for (right, contact) in [(true, found.right), (false, found.left)] {
-        let Some(contact) = contact else {
+    for side in Side::BOTH {
+        let mut claim = |contact| {
+            let claimed = with_contact(found, side, contact);
+            let borne = claimed.solid || claimed.status() == Status::Jammed;
+            claims.push((claimed, borne));
+        };
+        let Some(contact) = found.on(side) else {
             // The contact of the other side, if there is one.
-            let other = found.right.or(found.left);
-            other
-                .into_iter()
-                .for_each(|other| claim(right, Some(other)));
+            if let Some(other) = found.on(side.other()) {
+                claim(Some(other));
+            }
             continue;
         };
         let lever = (contact.point - axis).perp(&contact.normal).abs();
@@ -148,34 +126,20 @@ fn claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
         let known = contact.error + 1e3 * f64::EPSILON * assembly.center_distance() / lever;
         for off in [10.0, -10.0, 1e4, -1e4].map(|bounds| bounds * known) {
             if off.abs() < 1e-3 * pitch {
-                let mut wrong = contact;
-                wrong.rotation += off;
-                claim(right, Some(wrong));
+                claim(Some(turned(contact, off)));
             }
         }
-        claim(right, None);
-    }
-    claims
-}
-
-/// Claims with bounds of a fiftieth of a pitch: a contact within them is right, one off by three of them is wrong.
-fn wide_claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
-    let gear = assembly.gear(assembly.free()).gear();
-    let wide = gear.basic_data().angular_pitch() / 50.0;
-    let mut claims = Vec::new();
-    for off in [0.0, 0.5, -0.5, 3.0, -3.0].map(|bounds| bounds * wide) {
-        for right in [true, false] {
-            let mut claimed = *found;
-            let side = if right {
-                &mut claimed.right
-            } else {
-                &mut claimed.left
+        claim(None);
+        // With a bound of a fiftieth of a pitch a contact within it is right, and one off by three of them is wrong.
+        let wide = pitch / 50.0;
+        for bounds in [0.0, 0.5, -0.5, 3.0, -3.0] {
+            let contact = Contact {
+                error: wide,
+                ..turned(contact, bounds * wide)
             };
-            let Some(contact) = side else { continue };
-            contact.rotation += off;
-            contact.error = wide;
+            let claimed = with_contact(found, side, Some(contact));
             let jammed = claimed.solid || claimed.status() == Status::Jammed;
-            claims.push((claimed, off.abs() < wide || jammed));
+            claims.push((claimed, bounds.abs() < 1.0 || jammed));
         }
     }
     claims
@@ -186,7 +150,6 @@ fn misjudged(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String
     let cut = cut(assembly);
     let certifier = Certifier::new(cut.kernel(assembly));
     let claims = claims(assembly, found).into_iter();
-    let claims = claims.chain(wide_claims(assembly, found));
     let wrong = claims.filter_map(|(claimed, borne)| {
         let seen = certifier.check(pose, &claimed);
         let right = match &seen {
@@ -205,7 +168,7 @@ fn the_certificate_confirms_right_contacts_and_refuses_wrong_ones() {
     let against = complaints(&CERTIFIED, |index| {
         let (assembly, pose) = drawn(index);
         let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
-        let mut against = by_both_methods(depth(index), index);
+        let mut against = of_spur(depth(index), index);
         against.extend(misjudged(&assembly, &pose, &found));
         against
     });
@@ -217,37 +180,10 @@ fn the_certificate_confirms_right_contacts_and_refuses_wrong_ones() {
 fn deviating_profiles_hold_against_polygons() {
     let against = complaints(&MODIFIED, |seed| {
         let mut random = Random(seed ^ 0x77aa);
-        let assembly = modified::pair(&mut random, seed % 3 == 0).unwrap();
+        let assembly = random::deviating_pair(&mut random, seed % 3 == 0).unwrap();
         let pose = Pose::new(&assembly, random::mating(&mut random, &assembly));
         let exact = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
-        let polygon = cut(&assembly).refined_kernel(&assembly).lost_motion(&pose);
-        let polygon = polygon.unwrap();
-        let mut against = Vec::new();
-        for (one, other) in [(exact.right, polygon.right), (exact.left, polygon.left)] {
-            let near = match (one, other) {
-                (Some(one), Some(other)) => {
-                    let turns = (one.rotation - other.rotation) / TAU;
-                    let off = (turns - turns.round()).abs() * TAU;
-                    // The last term is the rounding of an angle of this many turns.
-                    off <= one.error + other.error + 1e-14 * (1.0 + turns.abs())
-                }
-                (one, other) => one.is_none() && other.is_none(),
-            };
-            if !near {
-                against.push(format!("{one:?}, by polygons {other:?}"));
-            }
-        }
-        if exact.status() != polygon.status() {
-            against.push(format!(
-                "{:?}, by polygons {:?}",
-                exact.status(),
-                polygon.status()
-            ));
-        }
-        let cut = cut(&assembly);
-        let certified = Certifier::new(cut.kernel(&assembly)).check(&pose, &exact);
-        against.extend(certified.err().map(|error| error.to_string()));
-        against
+        against_polygons(&assembly, &pose, &exact)
     });
     assert!(against.is_empty(), "{against:#?}");
 }

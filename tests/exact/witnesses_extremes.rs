@@ -1,8 +1,9 @@
 //! Cycles whose proven extremes expose a small mistake in the program, like `witnesses` for poses.
 
-use crate::helical_pairs::{self, Draws};
+use crate::campaign::{Depth, Pair};
+use crate::extremes::{ROUNDING, WIDTH};
+use crate::helical_pairs::try_drawn;
 use crate::random::{self, Kind, Random};
-use crate::wide::drawn::{Depth, Pair};
 use gearlash::contact::{ExactKernel, Extreme, Status};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use rayon::prelude::*;
@@ -14,12 +15,6 @@ const CYCLES: [u64; 27] = [
     365, 367, 427, 604,
 ];
 
-/// Width of a bracket, mm.
-const WIDTH: f64 = 1e-6;
-
-/// Values of one pose are known to 1e-10 mm at the very worst (rounding).
-const ROUNDING: f64 = 1e-10;
-
 /// Poses spread over the stretch by the golden ratio.
 const POSES: u32 = 250;
 
@@ -28,7 +23,7 @@ fn drawn(number: u64) -> (GearPair, Mating, u64) {
     let index = number / 5 * 4 + number % 5 % 4;
     let mut random = Random(index.wrapping_mul(77) ^ 0xe1);
     let pair = match (number % 5, index % 4) {
-        (4, _) => helical_pairs::drawn(&mut Draws(index ^ 0x99)).unwrap(),
+        (4, _) => try_drawn(&mut Random(index ^ 0x99)).unwrap(),
         (_, 0 | 1) => {
             let kind = Kind {
                 teeth: (6.0, 60.0),

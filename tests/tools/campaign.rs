@@ -15,10 +15,10 @@ mod campaign;
 #[path = "../common/clearance/mod.rs"]
 mod clearance;
 
-use campaign::{Depth, Drawn, LONGEST, Tally, Teeth, run_of};
-use clap::{Parser, ValueEnum};
+use campaign::{Depth, Drawn, LONGEST, Tally, Teeth, run_within};
+use clap::Parser;
 use gearlash::contact::ExactKernel;
-use gearlash::pair::{GearPair, Pose};
+use gearlash::pair::Pose;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::process::ExitCode;
@@ -41,7 +41,7 @@ struct Options {
     helical: bool,
     /// Only poses of this depth, instead of all mixed
     #[arg(long)]
-    depth: Option<Bundle>,
+    depth: Option<Depth>,
     /// Seconds after which a pose is given up, and the campaign with it
     #[arg(long, default_value_t = LONGEST.as_secs())]
     longest: u64,
@@ -62,27 +62,6 @@ struct Options {
     print: Option<u64>,
 }
 
-/// How far the gears are apart
-#[derive(Clone, Copy, ValueEnum)]
-enum Bundle {
-    /// From jammed to tips that hardly reach
-    Any,
-    /// Tips that hardly reach each other
-    Grazing,
-    /// Tips that just reach a root, or just do not
-    OnRoot,
-}
-
-impl Bundle {
-    fn depth(self) -> Depth {
-        match self {
-            Bundle::Any => Depth::Any,
-            Bundle::Grazing => Depth::Grazing,
-            Bundle::OnRoot => Depth::OnRoot,
-        }
-    }
-}
-
 /// Poses printed in full.
 const SHOWN: usize = 3;
 
@@ -91,8 +70,7 @@ const NAMED: usize = 40;
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    let (poses, seed) = (options.poses, options.seed);
-    let depth = options.depth.map(Bundle::depth);
+    let (depth, seed) = (options.depth, options.seed);
     let kind = if options.helical {
         Teeth::Helical
     } else {
@@ -103,31 +81,26 @@ fn main() -> ExitCode {
         return ExitCode::SUCCESS;
     }
     let start = Instant::now();
-    if options.brute {
-        let complaints = brute(depth, seed, options.first, poses);
-        println!(
-            "{poses} poses of seed {seed} against brute force, {:.1?}",
-            start.elapsed()
-        );
-        name("fault", &complaints);
-        println!("{} faults", complaints.len());
-        return if complaints.is_empty() {
-            ExitCode::SUCCESS
-        } else {
-            ExitCode::FAILURE
-        };
-    }
-    let indices = options.first..options.first + poses;
-    if let Some(sections) = options.along_face {
-        let drawn = if options.profiles {
-            along_face::drawn_with_profiles
-        } else {
-            along_face::drawn
-        };
-        return against_sections(drawn, seed, indices, sections);
+    let indices = options.first..options.first + options.poses;
+    let against = if let Some(sections) = options.along_face {
+        Some(complaints(&indices, |index| {
+            against_sections(seed, index, options.profiles, sections)
+        }))
+    } else if options.brute {
+        Some(complaints(&indices, |index| brute(depth, seed, index)))
+    } else {
+        None
+    };
+    if let Some(faults) = against {
+        let (poses, took) = (options.poses, start.elapsed());
+        println!("{poses} poses of seed {seed}, {took:.1?}");
+        name("fault", &faults);
+        println!("{} faults", faults.len());
+        return code(faults.is_empty());
     }
     let longest = Duration::from_secs(options.longest);
-    let tally = run_of(kind, depth, seed, indices, longest, !options.proofs);
+    let all = indices.clone();
+    let tally = run_within(longest, kind, depth, seed, all, !options.proofs);
     println!("seed {seed}, {:.1?}", start.elapsed());
     println!("{}", tally.report());
     name("unproven", &tally.unproven);
@@ -135,98 +108,70 @@ fn main() -> ExitCode {
     println!("{} poses left to the polygons: {left:?}", tally.left.len());
     let ordinary = &tally.ordinary_left;
     println!("{} of them ordinary: {ordinary:?}", ordinary.len());
-    let border: Vec<(u64, String)> = tally
+    let border = tally
         .border
         .iter()
-        .map(|(i, what)| (*i, (*what).to_owned()))
-        .collect();
-    name("on a border", &border);
-    let overlaps = if options.proofs {
-        Vec::new()
-    } else {
-        whole(kind, depth, seed, options.first..options.first + poses)
-    };
-    name("fault", &overlaps);
-    if overlaps.is_empty() {
-        verdict(&tally, kind, depth, seed)
-    } else {
-        ExitCode::FAILURE
+        .map(|(i, what)| (*i, (*what).to_owned()));
+    name("on a border", &border.collect::<Vec<_>>());
+    if kind == Teeth::Spur && !options.proofs {
+        let overlaps = complaints(&indices, |index| whole(depth, seed, index));
+        name("fault", &overlaps);
+        if !overlaps.is_empty() {
+            return ExitCode::FAILURE;
+        }
     }
+    verdict(&tally, kind, depth, seed)
 }
 
-/// Clear spur poses in which whole gears overlap just inside a contact.
-fn whole(kind: Teeth, depth: Option<Depth>, seed: u64, indices: Range<u64>) -> Vec<(u64, String)> {
-    if matches!(kind, Teeth::Helical) {
-        return Vec::new();
-    }
-    let complaint = |index: u64| {
-        let drawn = Drawn::new(depth, seed, index);
-        let pose = Pose::new(&drawn.assembly, drawn.mating);
-        let found = ExactKernel::new(&drawn.assembly).lost_motion(&pose).ok()?;
-        let complaint = clearance::overlap_just_inside(&drawn.assembly, &pose, &found)?;
-        Some((index, complaint))
-    };
-    indices.into_par_iter().filter_map(complaint).collect()
+/// What is wrong with each pose, on all threads.
+fn complaints(indices: &Range<u64>, of: impl Fn(u64) -> Vec<String> + Sync) -> Vec<(u64, String)> {
+    let each = indices
+        .clone()
+        .into_par_iter()
+        .map(|index| (index, of(index).join("; ")));
+    each.filter(|(_, against)| !against.is_empty()).collect()
+}
+
+/// Whole gears that overlap just inside a contact of a clear spur pose.
+fn whole(depth: Option<Depth>, seed: u64, index: u64) -> Vec<String> {
+    let drawn = Drawn::new(depth, seed, index);
+    let pose = Pose::new(&drawn.assembly, drawn.mating);
+    let found = ExactKernel::new(&drawn.assembly).lost_motion(&pose).ok();
+    let overlap =
+        found.and_then(|found| clearance::overlap_just_inside(&drawn.assembly, &pose, &found));
+    Vec::from_iter(overlap)
 }
 
 /// Contradictions of brute force to the exact method, and abandoned poses.
-fn brute(depth: Option<Depth>, seed: u64, first: u64, poses: u64) -> Vec<(u64, String)> {
-    let indices = (first..first + poses).into_par_iter();
-    let complaints = indices.filter_map(|index| {
-        let drawn = Drawn::new(depth, seed, index);
-        let pose = Pose::new(&drawn.assembly, drawn.mating);
-        let complaint = match ExactKernel::new(&drawn.assembly).lost_motion(&pose) {
-            Ok(found) => clearance::against(&drawn.assembly, &pose, &found).join("; "),
-            Err(error) => error.to_string(),
-        };
-        (!complaint.is_empty()).then_some((index, complaint))
-    });
-    complaints.collect()
+fn brute(depth: Option<Depth>, seed: u64, index: u64) -> Vec<String> {
+    let drawn = Drawn::new(depth, seed, index);
+    let pose = Pose::new(&drawn.assembly, drawn.mating);
+    match ExactKernel::new(&drawn.assembly).lost_motion(&pose) {
+        Ok(found) => clearance::against(&drawn.assembly, &pose, &found),
+        Err(error) => vec![error.to_string()],
+    }
 }
 
-/// Poses along the face against dense sections: faults, and how far sections without zoom are from the contacts.
-fn against_sections(
-    drawn: fn(u64, u64) -> (GearPair, Pose),
-    seed: u64,
-    indices: Range<u64>,
-    sections: u32,
-) -> ExitCode {
-    let start = Instant::now();
-    let witnessed: Vec<_> = indices
-        .into_par_iter()
-        .filter_map(|index| {
-            let (pair, pose) = drawn(seed, index);
-            Some((index, along_face::witness(&pair, &pose, sections)?))
-        })
-        .collect();
-    let took = start.elapsed().as_secs_f64();
-    let count = witnessed.len();
-    let mut between: Vec<f64> = witnessed.iter().map(|(_, found)| found.between).collect();
-    between.sort_by(f64::total_cmp);
-    let part = |share: f64| between[(share * (count as f64 - 1.0)) as usize];
-    println!(
-        "seed {seed}: {count} poses against {sections} sections, {:.2} poses/s",
-        count as f64 / took
-    );
-    println!(
-        "tighter than sections without zoom, µm: median {:.1e}, ninth decile {:.1e}, most {:.1e}",
-        part(0.5),
-        part(0.9),
-        part(1.0)
-    );
-    let off = |found: &along_face::Witnessed| found.looser.max(found.tighter);
-    let mut faults: Vec<_> = witnessed
-        .iter()
-        .filter(|(_, found)| off(found) > 0.0)
-        .collect();
-    faults.sort_by(|(_, one), (_, other)| off(other).total_cmp(&off(one)));
-    let reasons: Vec<(u64, String)> = faults
-        .iter()
-        .map(|(index, found)| (*index, format!("{found:?}")))
-        .collect();
-    name("fault", &reasons);
-    println!("{} faults", faults.len());
-    if faults.is_empty() {
+/// Contradictions of dense sections to a pose along the face.
+fn against_sections(seed: u64, index: u64, profiles: bool, sections: u32) -> Vec<String> {
+    let draw = if profiles {
+        along_face::drawn_with_profiles
+    } else {
+        along_face::drawn
+    };
+    let (pair, pose) = draw(seed, index);
+    match ExactKernel::new(&pair).lost_motion(&pose) {
+        Ok(found) => {
+            let known = [along_face::resolved(&pair); 2];
+            along_face::against_sections(&pair, &pose, &found, sections, known)
+        }
+        Err(error) => vec![error.to_string()],
+    }
+}
+
+/// Success if nothing is wrong.
+fn code(is_right: bool) -> ExitCode {
+    if is_right {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
@@ -256,9 +201,5 @@ fn verdict(tally: &Tally, kind: Teeth, depth: Option<Depth>, seed: u64) -> ExitC
         let all: Vec<u64> = tally.faults.iter().map(|(index, _)| *index).collect();
         println!("{} faults: {all:?}", all.len());
     }
-    if tally.faults.is_empty() && empty.is_empty() && tally.ordinary_left.is_empty() {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
-    }
+    code(tally.faults.is_empty() && empty.is_empty() && tally.ordinary_left.is_empty())
 }

@@ -56,27 +56,23 @@ fn finding(teeth: (u32, u32), root_radius: f64, closer: f64) -> Result<Finding, 
     let mut loss = 0f64;
     for phase in 0..PHASES {
         let mating = Mating {
-            wheel_tooth: 1,
-            pinion_tooth: 1,
-            flank: Side::Right,
             fraction: f64::from(phase) / f64::from(PHASES),
+            ..Mating::at(1, 1, Side::Right)
         };
         let found = kernel.lost_motion(&Pose::new(&assembly, mating))?;
         if let (Some(angle), Some(formula)) = (found.angle(), formula) {
             loss = loss.max(formula - angle * base);
         }
     }
-    let members = [Member::Wheel, Member::Pinion];
+    let margins = Member::BOTH.map(|m| limits::non_involute_margin(&assembly, m));
+    let undercut = Member::BOTH.map(|m| {
+        let gear = assembly.gear(m).gear();
+        let least = limits::least_shift_without_undercut(gear.basic_data(), &gear.design().rack);
+        gear.generating_shift() < least
+    });
     Ok(Finding {
-        k_8: members
-            .iter()
-            .all(|m| limits::non_involute_margin(&assembly, *m) >= -limits::MET_WITHIN),
-        undercut: members.iter().any(|m| {
-            let gear = assembly.gear(*m).gear();
-            let least =
-                limits::least_shift_without_undercut(gear.basic_data(), &gear.design().rack);
-            gear.generating_shift() < least
-        }),
+        k_8: margins.iter().all(|margin| *margin >= -limits::MET_WITHIN),
+        undercut: undercut.contains(&true),
         loss,
     })
 }
@@ -96,31 +92,25 @@ fn main() -> Result<(), Error> {
         }
         println!("{}", line.trim_end());
     }
-    let grid: Vec<(u32, u32)> = (8..=40)
-        .flat_map(|z_1| (20..=120).map(move |z_2| (z_1, z_2)))
-        .collect();
+    let grid = (8..=40).flat_map(|z_1| (20..=120).map(move |z_2| (z_1, z_2)));
+    let grid: Vec<(u32, u32)> = grid.collect();
     for (closer, place) in CLOSER.into_iter().zip(["as drawn", "0.1 m closer"]) {
         for root_radius in ROOT_RADII {
-            let found: Result<Vec<Finding>, Error> = grid
+            let found = grid
                 .par_iter()
-                .map(|&teeth| finding(teeth, root_radius, closer))
-                .collect();
-            let found = found?;
-            let count =
-                |which: &dyn Fn(&Finding) -> bool| found.iter().filter(|f| which(f)).count();
-            let loses = |f: &Finding| f.loss > NOTHING;
+                .map(|&teeth| finding(teeth, root_radius, closer));
+            let found = found.collect::<Result<Vec<Finding>, Error>>()?;
+            let (kept, violated): (Vec<&Finding>, Vec<&Finding>) =
+                found.iter().partition(|f| f.k_8);
+            let lose = |some: &[&Finding]| some.iter().filter(|f| f.loss > NOTHING).count();
             println!(
                 "z 8…40 × 20…120, {place}, {root_radius:.2} m: violated {} ({} undercut), {} of them lose; kept {}, {} of them lose, {:.1} µm at most",
-                count(&|f| !f.k_8),
-                count(&|f| !f.k_8 && f.undercut),
-                count(&|f| !f.k_8 && loses(f)),
-                count(&|f| f.k_8),
-                count(&|f| f.k_8 && loses(f)),
-                found
-                    .iter()
-                    .filter(|f| f.k_8)
-                    .map(|f| f.loss * 1e3)
-                    .fold(0.0, f64::max),
+                violated.len(),
+                violated.iter().filter(|f| f.undercut).count(),
+                lose(&violated),
+                kept.len(),
+                lose(&kept),
+                kept.iter().map(|f| f.loss * 1e3).fold(0.0, f64::max),
             );
         }
     }

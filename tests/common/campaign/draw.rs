@@ -25,26 +25,18 @@ pub enum Teeth {
 const HELIX: u64 = 0x4845_4c49;
 
 /// The distance of the gears of a pose.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
 pub enum Depth {
-    /// From jammed to tips that barely reach; mostly in mesh.
+    /// From jammed to tips that barely reach; mostly in mesh
     Any,
-    /// Tip circles that overlap, or nearly, by 0.2 m down to 1e-4 m: only the tips are left of the mesh.
+    /// Tip circles that overlap, or nearly, by 0.2 m down to 1e-4 m: only the tips are left of the mesh
     Grazing,
-    /// The opposite: tips within 0.1 m to 1e-4 m of a root, on either side of contact.
+    /// Tips within 0.1 m to 1e-4 m of a root, on either side of contact
     OnRoot,
 }
 
 impl Depth {
     pub const ALL: [Depth; 3] = [Depth::Any, Depth::Grazing, Depth::OnRoot];
-
-    pub fn name(self) -> &'static str {
-        match self {
-            Depth::Any => "any",
-            Depth::Grazing => "grazing",
-            Depth::OnRoot => "on root",
-        }
-    }
 }
 
 /// A drawn pair.
@@ -135,41 +127,32 @@ impl Pair {
 
     /// Pose `k` of the pair, at `depth` or at any depth.
     pub fn pose(&self, k: u64, depth: Option<Depth>) -> Drawn {
+        use Depth::{Any, Grazing, OnRoot};
         let mut random = Random::of(!self.seed, self.number * POSES_A_PAIR + k);
-        let bundles = [
-            Depth::Any,
-            Depth::Any,
-            Depth::Any,
-            Depth::Grazing,
-            Depth::OnRoot,
-        ];
-        let drawn = random.pick(&bundles);
+        let drawn = random.pick(&[Any, Any, Any, Grazing, OnRoot]);
         let depth = depth.unwrap_or(drawn);
         let locked = random.pick(&[Member::Wheel, Member::Pinion]);
         let [wheel, pinion] = &self.gears;
         // A pose that cannot be assembled (overlapping base circles) is drawn again. Gears that can never be so near
         // get a greater distance.
-        let depths = std::iter::repeat_n(depth, 20).chain(std::iter::repeat(Depth::Any));
+        let depths = std::iter::repeat_n(depth, 20).chain(std::iter::repeat(Any));
         let assembly = depths
             .map(|depth| self.distance(&mut random, depth))
             .find_map(|a| GearPair::with_locked(wheel.clone(), pinion.clone(), a, locked).ok())
             .expect("a distance between jam and out of mesh");
         let assembly = assembly.with_face(self.face).expect("ends in order");
-        let whole = if random.chance(0.2) {
-            random.within(-50.0, 50.0).round()
-        } else {
-            0.0
-        };
-        let part = if random.chance(0.1) {
-            0.0
-        } else {
-            random.within(0.0, 1.0)
-        };
+        let mut fraction = 0.0;
+        if random.chance(0.2) {
+            fraction += random.within(-50.0, 50.0).round();
+        }
+        if !random.chance(0.1) {
+            fraction += random.within(0.0, 1.0);
+        }
         let mating = Mating {
             wheel_tooth: random.one_of(self.numbers[0].teeth),
             pinion_tooth: random.one_of(self.numbers[1].teeth),
             flank: random.pick(&Side::BOTH),
-            fraction: whole + part,
+            fraction,
         };
         Drawn {
             gears: Arc::clone(&self.numbers),

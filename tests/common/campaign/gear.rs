@@ -33,17 +33,6 @@ impl RackKind {
         RackKind::Any,
     ];
 
-    pub fn name(self) -> &'static str {
-        match self {
-            RackKind::Standard => "standard",
-            RackKind::Stub => "stub",
-            RackKind::Long => "long",
-            RackKind::Sharp => "sharp",
-            RackKind::FullRound => "full round",
-            RackKind::Any => "any",
-        }
-    }
-
     /// Addendum, dedendum, root radius in modules, at the pressure angle `alpha`.
     fn draw(self, random: &mut Random, alpha: f64) -> [f64; 3] {
         let addendum = match self {
@@ -76,14 +65,6 @@ pub enum Tip {
 
 impl Tip {
     pub const ALL: [Tip; 3] = [Tip::AsGenerated, Tip::TurnedDown, Tip::Raised];
-
-    pub fn name(self) -> &'static str {
-        match self {
-            Tip::AsGenerated => "as generated",
-            Tip::TurnedDown => "turned down",
-            Tip::Raised => "raised",
-        }
-    }
 }
 
 /// The numbers of one gear, as in a pair file.
@@ -125,6 +106,7 @@ impl Numbers {
         module_mm: f64,
         pressure_angle_deg: f64,
     ) -> Numbers {
+        use Tip::{AsGenerated, Raised, TurnedDown};
         let kind = random.pick(&RackKind::ALL);
         let rack = kind.draw(random, pressure_angle_deg.to_radians());
         let profile_shift = if random.chance(0.15) {
@@ -133,20 +115,13 @@ impl Numbers {
             random.within(-0.6, 1.2)
         };
         let plain = f64::from(teeth) * module_mm + 2.0 * module_mm * (rack[0] + profile_shift);
-        let tip = random.pick(&[
-            Tip::AsGenerated,
-            Tip::AsGenerated,
-            Tip::TurnedDown,
-            Tip::Raised,
-        ]);
-        let tip_diameter_mm = plain
-            + 2.0
-                * module_mm
-                * match tip {
-                    Tip::AsGenerated => 0.0,
-                    Tip::TurnedDown => -random.decades(0.01, 0.8),
-                    Tip::Raised => random.decades(0.01, 0.6),
-                };
+        let tip = random.pick(&[AsGenerated, AsGenerated, TurnedDown, Raised]);
+        let longer = match tip {
+            AsGenerated => 0.0,
+            TurnedDown => -random.decades(0.01, 0.8),
+            Raised => random.decades(0.01, 0.6),
+        };
+        let tip_diameter_mm = plain + 2.0 * module_mm * longer;
         let allowance = if random.chance(0.5) {
             random.within(-0.03, 0.005)
         } else {
@@ -203,13 +178,8 @@ impl Numbers {
             let off = |k: u32| match pattern {
                 Pattern::Random => random.within(-most, most),
                 Pattern::Alternating => most * (0.2 * random.within(-1.0, 1.0) + f64::from(k % 2)),
-                Pattern::One(tooth) => {
-                    if k == tooth {
-                        random.within(-most, most)
-                    } else {
-                        0.0
-                    }
-                }
+                Pattern::One(tooth) if k == tooth => random.within(-most, most),
+                Pattern::One(_) => 0.0,
             };
             (0..self.teeth).map(off).collect()
         };
@@ -229,11 +199,9 @@ impl Numbers {
     pub fn build(&self) -> Option<AsBuilt> {
         let mm = |list: &[f64]| list.iter().map(|um| um / 1e3).collect::<Vec<f64>>();
         let alpha = self.pressure_angle_deg.to_radians();
-        let spur = BasicGearData::new(self.teeth, self.module_mm, alpha).ok()?;
-        let basic_data = match self.helix {
-            None => spur,
-            Some((angle_deg, hand)) => spur.with_helix(angle_deg.to_radians(), hand).ok()?,
-        };
+        let (angle_deg, hand) = self.helix.unwrap_or((0.0, Hand::Right));
+        let basic_data = BasicGearData::new(self.teeth, self.module_mm, alpha).ok()?;
+        let basic_data = basic_data.with_helix(angle_deg.to_radians(), hand).ok()?;
         let design = GearDesign {
             basic_data,
             profile_shift: self.profile_shift,

@@ -4,53 +4,41 @@
 //! printed and run again (`pair_file`). The draws go far beyond practice and favour difficult cases. Examples are undercut teeth, tips
 //! turned down or raised, hand-over on tip corners, eccentric axes, tips deep in roots, and tips that barely reach.
 
-#![allow(dead_code)] // each test binary uses its part
+#![allow(dead_code, unused_imports)] // each test binary uses its part
 
 mod draw;
 mod gear;
 mod outcome;
-mod over_face;
 mod pair_file;
-mod random;
+pub mod random;
 mod tally;
 mod watch;
 
 use draw::POSES_A_PAIR;
-pub use draw::Pair;
-#[allow(unused_imports)] // each test binary uses its part
-pub use draw::{Depth, Drawn, Teeth};
+pub use draw::{Depth, Drawn, Pair, Teeth};
 use gearlash::contact::CutPair;
-#[allow(unused_imports)] // each test binary uses its part
 use outcome::Outcome;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::time::Duration;
 pub use tally::Tally;
-#[allow(unused_imports)] // each test binary uses its part
 pub use watch::LONGEST;
 use watch::Watch;
 
-/// Poses `first..first + poses` of `seed` of spur gears, all at `depth` or mixed, by both methods on all threads.
-///
-/// The process ends if a pose takes longer than `longest`: an endless search is a fault that would hide all others.
-pub fn run(depth: Option<Depth>, seed: u64, first: u64, poses: u64, longest: Duration) -> Tally {
-    run_of(
-        Teeth::Spur,
-        depth,
-        seed,
-        first..first + poses,
-        longest,
-        true,
-    )
+/// Poses of `seed` by both methods on all threads, at `depth` or mixed.
+pub fn run(kind: Teeth, depth: Option<Depth>, seed: u64, indices: Range<u64>) -> Tally {
+    run_within(LONGEST, kind, depth, seed, indices, true)
 }
 
-/// [`run`] for spur or helical gears; without the polygon method, certificate and proof alone judge spur poses.
-pub fn run_of(
+/// [`run`]; without the polygon method, certificate and proof alone judge spur poses.
+///
+/// The process ends if a pose takes longer than `longest`: an endless search is a fault that would hide all others.
+pub fn run_within(
+    longest: Duration,
     kind: Teeth,
     depth: Option<Depth>,
     seed: u64,
     indices: Range<u64>,
-    longest: Duration,
     has_polygon_method: bool,
 ) -> Tally {
     let Range { start: first, end } = indices;
@@ -62,13 +50,14 @@ pub fn run_of(
             let pair = Pair::of(kind, seed, number);
             let [wheel, pinion] = pair.gears();
             let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
-            let mut tally = tally::of_pair(&pair);
+            let mut tally = Tally {
+                redrawn: pair.redrawn,
+                ..Tally::default()
+            };
             let poses = number * POSES_A_PAIR..(number + 1) * POSES_A_PAIR;
             for index in poses.filter(|index| (first..end).contains(index)) {
                 let drawn = pair.pose(index % POSES_A_PAIR, depth);
-                let running = watch.running(index);
-                let outcome = Outcome::new(&drawn, &cut, has_polygon_method);
-                drop(running);
+                let outcome = watch.run(index, || Outcome::new(&drawn, &cut, has_polygon_method));
                 tally.add(index, &drawn, outcome);
             }
             tally

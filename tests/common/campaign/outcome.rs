@@ -1,14 +1,15 @@
 //! The results of both methods and the certificate for one pose, and the faults among them.
 
 use super::draw::Drawn;
-use super::over_face;
 use gearlash::contact::{
-    Certifier, Contact, CutPair, ExactKernel, LostMotion, Prover, Status, Touch,
+    Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, PolygonDifference, PoseResult,
+    Prover, Status, Touch, sweep,
 };
 use gearlash::error::Error;
 use gearlash::gear::{Profile, ProfilePart, Side};
 use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// Distance from the form circle, mm, within which a contact is at the joint of involute and fillet.
@@ -31,6 +32,7 @@ pub enum Verdict {
 }
 
 /// Agreement of two methods.
+#[derive(Default)]
 pub struct Agreement {
     /// Greatest difference of a rotation, and both bounds together, µm of `j_wt`.
     pub difference_um: f64,
@@ -54,7 +56,7 @@ impl Outcome {
     /// The results for a pose; without the polygon method, certificate and proof alone judge a spur pose.
     pub fn new(drawn: &Drawn, cut: &CutPair, has_polygon_method: bool) -> Outcome {
         if drawn.assembly.is_helical() {
-            return over_face::outcome(drawn, cut);
+            return over_face(drawn, cut);
         }
         let assembly = &drawn.assembly;
         let pose = Pose::new(assembly, drawn.mating);
@@ -91,11 +93,7 @@ impl Outcome {
             (_, Some(Err(error)), _) => Verdict::Unproven(format!("polygon: {error}")),
             (_, _, Err(error)) => Verdict::Unproven(format!("certificate: {error}")),
             (Ok(exact), Some(Ok(polygon)), Ok(())) => judge(drawn, cut, exact, polygon),
-            (Ok(_), None, Ok(())) => Verdict::Confirmed(Agreement {
-                difference_um: 0.0,
-                bound_um: 0.0,
-                border: None,
-            }),
+            (Ok(_), None, Ok(())) => Verdict::Confirmed(Agreement::default()),
         };
         Outcome {
             exact: exact.ok(),
@@ -123,10 +121,7 @@ fn accepts_moved(
         let Some((open, touch)) = side.open.zip(side.touch) else {
             continue;
         };
-        let contact = match side.side {
-            Side::Right => found.right?,
-            Side::Left => found.left?,
-        };
+        let contact = found.on(side.side)?;
         let arm = contact.point - assembly.axis(assembly.free());
         let lever = arm.perp(&contact.normal).abs();
         let turned = 1.0 + pose.locked_rotation().abs() + pose.free_rotation().abs();
@@ -170,16 +165,10 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
         |what: String| Verdict::Fault(format!("{what}\nexact   {exact:?}\npolygon {polygon:?}"));
     let both_jammed = [exact, polygon].map(LostMotion::status) == [Status::Jammed; 2];
     let um = assembly.operating_pitch_radius(assembly.free()) * 1e3;
-    let mut agreement = Agreement {
-        difference_um: 0.0,
-        bound_um: 0.0,
-        border: None,
-    };
-    for (name, one, other) in [
-        ("right", exact.right, polygon.right),
-        ("left", exact.left, polygon.left),
-    ] {
-        match (one, other) {
+    let mut agreement = Agreement::default();
+    for side in Side::BOTH {
+        let name = side.name();
+        match (exact.on(side), polygon.on(side)) {
             (None, None) => {}
             (Some(one), Some(other)) => {
                 let turn = one.rotation - other.rotation;
@@ -227,11 +216,10 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
 
 /// Whether a tip circle reaches the centre of the mate's outline: jammed by definition, and rotations have no meaning.
 pub fn reaches_the_centre(assembly: &GearPair) -> bool {
-    let passes = |one: Member| {
+    Member::BOTH.into_iter().any(|one| {
         let (one, other) = (assembly.gear(one), assembly.gear(one.mate()));
         one.reach() + other.eccentricity() >= assembly.center_distance()
-    };
-    passes(Member::Wheel) || passes(Member::Pinion)
+    })
 }
 
 /// Whether a contact is where a fillet ends and a root land begins: either name is right, and so is either status. A
@@ -244,10 +232,11 @@ fn begins_a_land(assembly: &GearPair, found: &LostMotion) -> bool {
             && (touch.radius - gear.root_radius()).abs() <= JOINT
             && (end - start) * gear.root_radius() > JOINT
     };
-    [found.right, found.left]
-        .into_iter()
-        .flatten()
-        .any(|contact| on(Member::Wheel, &contact.wheel) || on(Member::Pinion, &contact.pinion))
+    let mut contacts = [found.right, found.left].into_iter().flatten();
+    contacts.any(|contact| {
+        let mut members = Member::BOTH.into_iter();
+        members.any(|member| on(member, contact.touch(member)))
+    })
 }
 
 /// Whether, within the rounding of the centre distance, a method finds a side both with contact and without. That
@@ -279,10 +268,7 @@ fn loses_contact_nearby(drawn: &Drawn, cut: &CutPair) -> bool {
 /// The curves of a contact, the locked gear's first.
 pub fn combination(assembly: &GearPair, contact: &Contact) -> String {
     let name = |member: Member| {
-        let touch: &Touch = match member {
-            Member::Wheel => &contact.wheel,
-            Member::Pinion => &contact.pinion,
-        };
+        let touch = contact.touch(member);
         let form = assembly.gear(member).gear().form_radius();
         if (touch.radius - form).abs() <= JOINT {
             "joint"
@@ -291,4 +277,63 @@ pub fn combination(assembly: &GearPair, contact: &Contact) -> String {
         }
     };
     format!("{} on {}", name(assembly.locked()), name(assembly.free()))
+}
+
+/// The results of both methods, and of exact method and certificate, for a helical pose. The times of the polygon
+/// method and of the certificate include that of the exact method and of their kernels.
+fn over_face(drawn: &Drawn, cut: &CutPair) -> Outcome {
+    let assembly = &drawn.assembly;
+    let pose = Pose::new(assembly, drawn.mating);
+    let kernel = ExactKernel::new(assembly);
+    let start = Instant::now();
+    let exact = kernel.lost_motion(&pose);
+    let took = start.elapsed();
+    let by = |method| -> (PoseResult, Duration) {
+        let start = Instant::now();
+        let matings = [drawn.mating];
+        let going_on = || ControlFlow::Continue(());
+        let mut found = sweep(assembly, cut, method, &matings, 0.0, &going_on)
+            .expect("what is of one pose is in its result");
+        (found.remove(0), start.elapsed())
+    };
+    let (both, both_took) = by(Method::Both);
+    let (certified, certified_took) = by(Method::Checked);
+    Outcome {
+        verdict: match &exact {
+            Err(error) => Verdict::Unproven(format!("exact: {error}")),
+            Ok(_) => judge_over_face(drawn, &both, &certified),
+        },
+        exact: exact.ok(),
+        times: [took, both_took, certified_took, Duration::ZERO],
+        left_to_polygons: None,
+        effort: kernel.effort(&pose),
+    }
+}
+
+/// Faults are a failed certificate, and methods that differ by more than both bounds or in status. If effort ends a
+/// method, the pose is unproven.
+fn judge_over_face(drawn: &Drawn, both: &PoseResult, certified: &PoseResult) -> Verdict {
+    let um = drawn.assembly.operating_pitch_radius(drawn.assembly.free()) * 1e3;
+    if let Err(unproven) = &certified.found {
+        let reason = format!("certificate: {}", unproven.reason);
+        return if reason.contains("effort") {
+            Verdict::Unproven(reason)
+        } else {
+            Verdict::Fault(reason)
+        };
+    }
+    let mut agreement = Agreement::default();
+    match &both.found {
+        Ok(found) => {
+            if let Some(PolygonDifference::Value(mm)) = both.polygon_difference {
+                agreement.difference_um = mm.abs() * 1e3;
+            }
+            agreement.bound_um = found.error().unwrap_or(0.0) * um;
+            Verdict::Confirmed(agreement)
+        }
+        Err(unproven) if unproven.reason.starts_with("the exact") => {
+            Verdict::Fault(unproven.reason.clone())
+        }
+        Err(unproven) => Verdict::Unproven(unproven.reason.clone()),
+    }
 }

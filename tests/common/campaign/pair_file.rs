@@ -37,15 +37,15 @@ fn write(
         Face::Back => "back",
     };
     writeln!(text, "[{name}]\nteeth = {}", numbers.teeth)?;
-    writeln!(text, "module_mm = {:?}", numbers.module_mm)?;
-    writeln!(
-        text,
-        "pressure_angle_deg = {:?}",
-        numbers.pressure_angle_deg
-    )?;
-    writeln!(text, "profile_shift = {:?}", numbers.profile_shift)?;
-    writeln!(text, "tip_diameter_mm = {:?}", numbers.tip_diameter_mm)?;
     writeln!(text, "reference_face = \"{face}\"")?;
+    for (key, value) in [
+        ("module_mm", numbers.module_mm),
+        ("pressure_angle_deg", numbers.pressure_angle_deg),
+        ("profile_shift", numbers.profile_shift),
+        ("tip_diameter_mm", numbers.tip_diameter_mm),
+    ] {
+        writeln!(text, "{key} = {value:?}")?;
+    }
     if let Some((angle_deg, hand)) = numbers.helix {
         let (hand, ends) = (hand.name(), assembly.face());
         writeln!(text, "helix_angle_deg = {angle_deg:?}\nhand = \"{hand}\"")?;
@@ -63,10 +63,8 @@ fn write(
     }
     if numbers.runout_um > 0.0 {
         let (total, high) = (numbers.runout_um, numbers.high_tooth);
-        writeln!(
-            text,
-            "[{name}.runout]\ntotal_um = {total:?}\nhigh_tooth = {high:?}"
-        )?;
+        writeln!(text, "[{name}.runout]\ntotal_um = {total:?}")?;
+        writeln!(text, "high_tooth = {high:?}")?;
     }
     if !numbers.right_um.is_empty() {
         let (right, left) = (&numbers.right_um, &numbers.left_um);

@@ -1,7 +1,7 @@
 //! The counts of a campaign, by class.
 
-use super::draw::{Depth, Drawn, Pair};
-use super::gear::{RackKind, Tip};
+use super::draw::{Depth, Drawn};
+use super::gear::{Numbers, RackKind, Tip};
 use super::outcome::{METHODS, Outcome, Verdict, combination, reaches_the_centre};
 use gearlash::contact::{LostMotion, Status};
 use gearlash::gear::Face;
@@ -35,6 +35,12 @@ const FACES: [(f64, &str); 3] = [
     (0.0, "below 10 modules"),
     (10.0, "10 to 30 modules"),
     (30.0, "above 30 modules"),
+];
+
+/// Classes of contacts.
+const SIDES: [&str; 2] = [
+    "right contact, locked on free",
+    "left contact, locked on free",
 ];
 
 /// Number of poses from which a campaign must include the rare classes.
@@ -141,11 +147,10 @@ impl Tally {
     /// Classes that a campaign of `depth` must include and does not.
     pub fn empty(&self, depth: Option<Depth>) -> Vec<String> {
         let helical = self.count("teeth", "helical") > 0;
-        let expected = expected(helical, depth, self.poses >= RARE);
-        let missing = expected
-            .into_iter()
-            .filter(|(class, name)| self.count(class, name) == 0);
-        missing
+        let mut missing = expected(helical, depth, self.poses >= RARE);
+        missing.retain(|(class, name)| self.count(class, name) == 0);
+        let named = missing.iter();
+        named
             .map(|(class, name)| format!("{class}: {name}"))
             .collect()
     }
@@ -203,81 +208,58 @@ impl Tally {
 /// The classes of `drawn` and its outcome.
 fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
     let assembly = &drawn.assembly;
-    let (locked, free) = (assembly.locked(), assembly.free());
+    let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
+    let teeth = if assembly.is_helical() {
+        "helical"
+    } else {
+        "spur"
+    };
+    let faces = Member::BOTH.map(|member| assembly.gear(member).face());
     let mut classes = vec![
-        ("depth", drawn.depth.name().to_owned()),
-        ("locked gear", locked.name().to_owned()),
-        (
-            "teeth",
-            if assembly.is_helical() {
-                "helical"
-            } else {
-                "spur"
-            }
-            .to_owned(),
-        ),
+        ("depth", format!("{:?}", drawn.depth)),
+        ("locked gear", assembly.locked().name().to_owned()),
+        ("teeth", teeth.to_owned()),
+        ("faces", format!("{faces:?}")),
     ];
-    let faces = [Member::Wheel, Member::Pinion].map(|member| match assembly.gear(member).face() {
-        Face::Front => "front",
-        Face::Back => "back",
-    });
-    classes.push(("faces", faces.join(" and ")));
     for numbers in drawn.gears.iter() {
-        classes.push(("rack (gears)", numbers.kind.name().to_owned()));
-        classes.push(("tip (gears)", numbers.tip.name().to_owned()));
+        classes.push(("rack (gears)", format!("{:?}", numbers.kind)));
+        classes.push(("tip (gears)", format!("{:?}", numbers.tip)));
     }
-    let mut met = |what: &'static str, is: bool| {
-        if is {
-            classes.push(("what else", what.to_owned()));
-        }
-    };
-    met(
-        "locked gear eccentric",
-        assembly.gear(locked).eccentricity() > 0.0,
-    );
-    met(
-        "free gear eccentric",
-        assembly.gear(free).eccentricity() > 0.0,
-    );
-    met(
-        "undercut",
-        [locked, free]
-            .iter()
-            .any(|&m| assembly.gear(m).gear().is_undercut()),
-    );
-    let deviates = |numbers: &super::gear::Numbers| {
-        !(numbers.right_um.is_empty() && numbers.per_tooth_um.is_empty())
-    };
-    met("deviations by tooth", drawn.gears.iter().any(deviates));
-    met(
-        "9 teeth or fewer",
-        drawn.gears.iter().any(|numbers| numbers.teeth <= 9),
-    );
-    met(
-        "more than 200 teeth",
-        drawn.gears.iter().any(|numbers| numbers.teeth > 200),
-    );
-    met(
-        "a tip reaches the mate's centre",
-        reaches_the_centre(assembly),
-    );
+    let some = |is: fn(&Numbers) -> bool| drawn.gears.iter().any(is);
+    for (what, is) in [
+        ("locked gear eccentric", gears[0].eccentricity() > 0.0),
+        ("free gear eccentric", gears[1].eccentricity() > 0.0),
+        (
+            "undercut",
+            gears.iter().any(|gear| gear.gear().is_undercut()),
+        ),
+        (
+            "deviations by tooth",
+            some(|gear| !(gear.right_um.is_empty() && gear.per_tooth_um.is_empty())),
+        ),
+        ("9 teeth or fewer", some(|gear| gear.teeth <= 9)),
+        ("more than 200 teeth", some(|gear| gear.teeth > 200)),
+        (
+            "a tip reaches the mate's centre",
+            reaches_the_centre(assembly),
+        ),
+    ] {
+        classes.extend(is.then(|| ("what else", what.to_owned())));
+    }
     if let Some((angle_deg, _)) = drawn.gears[0].helix {
         let [from, to] = assembly.face();
         let wide = (to - from) / drawn.gears[0].module_mm;
-        let steep = HELICES.iter().rev().find(|(least, _)| angle_deg >= *least);
-        let width = FACES.iter().rev().find(|(least, _)| wide >= *least);
-        classes.extend(steep.map(|(_, name)| ("helix angle", (*name).to_owned())));
-        classes.extend(width.map(|(_, name)| ("face", (*name).to_owned())));
+        for (class, ranges, value) in [("helix angle", HELICES, angle_deg), ("face", FACES, wide)] {
+            let range = ranges.iter().rev().find(|(least, _)| value >= *least);
+            classes.extend(range.map(|(_, name)| (class, (*name).to_owned())));
+        }
     }
     let Some(exact) = &outcome.exact else {
         classes.push(("status", "without result".to_owned()));
         return classes;
     };
     classes.push(("status", exact.status().name().to_owned()));
-    for (class, contact) in [
-        ("right contact, locked on free", exact.right),
-        ("left contact, locked on free", exact.left),
-    ] {
+    for (class, contact) in SIDES.into_iter().zip([exact.right, exact.left]) {
         let name = contact.map(|contact| combination(assembly, &contact));
         classes.push((class, name.unwrap_or_else(|| "none".to_owned())));
     }
@@ -285,60 +267,43 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
 }
 
 fn expected(helical: bool, depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {
-    let mut expected: Vec<(&'static str, &str)> = vec![
-        ("locked gear", "wheel"),
-        ("locked gear", "pinion"),
-        ("what else", "locked gear eccentric"),
-        ("what else", "free gear eccentric"),
-        ("what else", "undercut"),
-        ("what else", "deviations by tooth"),
-        ("what else", "9 teeth or fewer"),
-        ("what else", "more than 200 teeth"),
+    let mut expected: Vec<(&'static str, String)> = Vec::new();
+    let mut expect = |class: &'static str, names: &[&str]| {
+        expected.extend(names.iter().map(|name| (class, (*name).to_owned())));
+    };
+    expect("locked gear", &["wheel", "pinion"]);
+    let others = [
+        "locked gear eccentric",
+        "free gear eccentric",
+        "undercut",
+        "deviations by tooth",
+        "9 teeth or fewer",
+        "more than 200 teeth",
     ];
+    expect("what else", &others);
     if helical {
-        expected.extend(HELICES.map(|(_, name)| ("helix angle", name)));
-        expected.extend(FACES.map(|(_, name)| ("face", name)));
+        expect("helix angle", &HELICES.map(|(_, name)| name));
+        expect("face", &FACES.map(|(_, name)| name));
     }
-    let depths = Depth::ALL
-        .into_iter()
-        .filter(|one| depth.is_none_or(|depth| depth == *one));
-    expected.extend(depths.map(|depth| ("depth", depth.name())));
-    for faces in [
-        "front and front",
-        "front and back",
-        "back and front",
-        "back and back",
-    ] {
-        expected.push(("faces", faces));
-    }
-    expected.extend(RackKind::ALL.map(|kind| ("rack (gears)", kind.name())));
-    expected.extend(Tip::ALL.map(|tip| ("tip (gears)", tip.name())));
     if depth.is_none_or(|depth| depth == Depth::Any) {
-        for status in ["clear", "interference", "jammed", "no_contact"] {
-            expected.push(("status", status));
-        }
+        expect("status", &["clear", "interference", "jammed", "no_contact"]);
         let contacts = match (long, helical) {
             (true, _) => &CONTACTS[..],
             (false, false) => &CONTACTS[..6],
             (false, true) => &CONTACTS[..3],
         };
-        for class in [
-            "right contact, locked on free",
-            "left contact, locked on free",
-        ] {
-            expected.extend(contacts.iter().map(|curves| (class, *curves)));
+        for class in SIDES {
+            expect(class, contacts);
         }
     }
-    let owned = expected
-        .into_iter()
-        .map(|(class, name)| (class, name.to_owned()));
-    owned.collect()
-}
-
-/// Tally of the poses drawn from one pair.
-pub fn of_pair(pair: &Pair) -> Tally {
-    Tally {
-        redrawn: pair.redrawn,
-        ..Tally::default()
+    let depths = Depth::ALL.into_iter();
+    let depths = depths.filter(|one| depth.is_none_or(|depth| depth == *one));
+    expected.extend(depths.map(|depth| ("depth", format!("{depth:?}"))));
+    for wheel in [Face::Front, Face::Back] {
+        let faces = [Face::Front, Face::Back].map(|pinion| [wheel, pinion]);
+        expected.extend(faces.map(|faces| ("faces", format!("{faces:?}"))));
     }
+    expected.extend(RackKind::ALL.map(|kind| ("rack (gears)", format!("{kind:?}"))));
+    expected.extend(Tip::ALL.map(|tip| ("tip (gears)", format!("{tip:?}"))));
+    expected
 }

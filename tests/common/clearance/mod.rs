@@ -5,7 +5,7 @@
 //! tooth independently. Turn the free gear in from open. The contact of the right side is where a right half tooth first touches the right
 //! half tooth it faces; left halves likewise. There the least clearance of all points of all facing pairs changes its sign.
 
-#![allow(dead_code)] // each test binary uses its part
+#![allow(dead_code, unused_imports)] // each test binary uses its part
 
 mod half;
 mod named;
@@ -16,13 +16,10 @@ mod whole;
 use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Member, Pose};
 use half::{Clearance, Ends, Half};
-#[allow(unused_imports)] // likewise
 pub use named::named;
 use std::rc::Rc;
 use stood::{Frame, Stood};
-#[allow(unused_imports)] // likewise
-pub use verdict::{against, contacts};
-#[allow(unused_imports)] // likewise
+pub use verdict::against;
 pub use whole::{overlap, overlap_just_inside};
 
 /// Points per curve before refinement.
@@ -248,8 +245,7 @@ impl<'a> Referee<'a> {
 
     /// Whether the tip circles are apart for any direction of the eccentricities.
     fn out_of_reach(&self) -> bool {
-        let reach =
-            [self.assembly.locked(), self.assembly.free()].map(|m| self.assembly.gear(m).reach());
+        let reach = Member::BOTH.map(|member| self.assembly.gear(member).reach());
         reach[0] + reach[1] < self.assembly.center_distance()
     }
 

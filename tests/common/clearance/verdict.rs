@@ -11,11 +11,6 @@ use std::f64::consts::TAU;
 /// eccentricities of a third of a pitch are included; anything further from the nominal rotation faces other teeth.
 const PITCHES: f64 = 1.5;
 
-/// The contacts of brute force, right and left.
-pub fn contacts(assembly: &GearPair, pose: &Pose) -> [Option<f64>; 2] {
-    Side::BOTH.map(|side| Referee::new(assembly, pose, side).contact(pose.free_rotation(), PITCHES))
-}
-
 /// Contradictions to `found`; empty if it is right.
 ///
 /// At a rotation more open by the error bound, and at all further open ones, nothing may overlap by more than rounding. At a rotation more
@@ -38,11 +33,11 @@ pub fn against(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<Stri
     }
     let um = assembly.operating_pitch_radius(assembly.free()) * 1e3;
     let mut complaints = Vec::new();
-    for (side, contact) in [(Side::Right, found.right), (Side::Left, found.left)] {
+    for side in Side::BOTH {
         let referee = Referee::new(assembly, pose, side);
         let name = side.name();
         let rounding = referee.rounding(pose);
-        let Some(contact) = contact else {
+        let Some(contact) = found.on(side) else {
             if let Some(own) = referee.contact(pose.free_rotation(), PITCHES) {
                 // By less than rounding: tips that graze.
                 if referee.deepest(own) < -rounding {

@@ -4,14 +4,14 @@
 //! `GEARLASH_CORPUS_CASES=helical` runs the cases whose name contains the word. `tests/corpus/README.md` says more.
 
 use data_encoding::HEXLOWER;
+use rayon::prelude::*;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::{env, fs, thread};
+use std::{env, fs};
 
 /// A list or a text longer than its limit is stored by its first and last element and by every 37th between, or by five.
 const STEP: usize = 37;
@@ -48,11 +48,7 @@ fn root() -> PathBuf {
 fn mode() -> Mode {
     match env::var("GEARLASH_CORPUS").ok().as_deref() {
         Some("write") => Mode::Write,
-        Some(number) => Mode::Within(
-            number
-                .parse()
-                .expect("GEARLASH_CORPUS: `write` or a number"),
-        ),
+        Some(number) => Mode::Within(number.parse().expect("`write` or a number")),
         None if cfg!(all(target_os = "linux", target_arch = "x86_64")) => Mode::Within(0.0),
         None => Mode::Within(1e-9),
     }
@@ -92,9 +88,7 @@ fn cases() -> Vec<Case> {
                 }
             }
             ["run", name, ref rest @ ..] => add(name.to_owned(), &rest.join(" ")),
-            _ => {
-                panic!("tests/corpus/cases.txt: {line:?}: a line begins with `pair`, `run` or `#`")
-            }
+            _ => panic!("cases.txt: {line:?}: a line begins with `pair`, `run` or `#`"),
         }
     }
     for entry in fs::read_dir(corpus.join("bad")).unwrap() {
@@ -123,21 +117,18 @@ fn kept(index: usize, count: usize, limit: usize) -> bool {
 fn flatten(value: &Value, path: &str, skipped: &[&str], out: &mut String) {
     match value {
         Value::Object(map) if !map.is_empty() => {
-            for (key, value) in map
+            let kept = map
                 .iter()
-                .filter(|(key, _)| !skipped.contains(&key.as_str()))
-            {
+                .filter(|(key, _)| !skipped.contains(&key.as_str()));
+            for (key, value) in kept {
                 let dot = if path.is_empty() { "" } else { "." };
                 flatten(value, &format!("{path}{dot}{key}"), skipped, out);
             }
         }
         Value::Array(list) if !list.is_empty() => {
             let name = path.rsplit('.').next().unwrap();
-            let limit = if WHOLE.contains(&name) {
-                LONG_LIST
-            } else {
-                LIST
-            };
+            let is_whole = WHOLE.contains(&name);
+            let limit = if is_whole { LONG_LIST } else { LIST };
             let mut seen = BTreeMap::new();
             for (index, value) in list.iter().enumerate() {
                 // Checks go by their id, so that a new one does not renumber the others.
@@ -175,22 +166,16 @@ fn output(case: &Case) -> String {
     }
     let has = |word: &str| case.args.iter().any(|arg| arg == word);
     if let (true, Ok(json)) = (has("json"), serde_json::from_str::<Value>(&text)) {
-        let skipped: &[&str] = if has("simulate") || has("compare") {
-            &REPEATED
-        } else {
-            &[]
-        };
+        let repeats = has("simulate") || has("compare");
+        let skipped = if repeats { &REPEATED[..] } else { &[] };
         // A list of one file is stored as that file.
         let only = json.get("files").and_then(Value::as_array);
         let only = only.filter(|files| files.len() == 1).map(|files| &files[0]);
         flatten(only.unwrap_or(&json), "", skipped, &mut out);
     } else {
         let count = text.lines().count();
-        for (index, line) in text
-            .lines()
-            .enumerate()
-            .filter(|(index, _)| kept(*index, count, TEXT_LINES))
-        {
+        let lines = text.lines().enumerate();
+        for (index, line) in lines.filter(|(index, _)| kept(*index, count, TEXT_LINES)) {
             let stored: String = line.chars().take(LINE).collect();
             writeln!(out, "line {} = {stored}", index + 1).unwrap();
         }
@@ -265,39 +250,28 @@ fn compare(stored: &str, actual: &str, tolerance: f64) -> (Vec<String>, f64, Str
 }
 
 fn stored_file(name: &str) -> PathBuf {
-    root()
-        .join("tests/corpus/expected")
-        .join(format!("{name}.txt"))
+    let expected = root().join("tests/corpus/expected");
+    expected.join(format!("{name}.txt"))
 }
 
 #[test]
 fn every_command_writes_what_is_stored() {
     let (mode, cases) = (mode(), cases());
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut found = Vec::new();
-        while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let file = stored_file(&case.name);
-            let actual = output(case);
-            match mode {
-                Mode::Write => fs::write(file, actual).unwrap(),
-                Mode::Within(tolerance) => {
-                    let stored = fs::read_to_string(file).unwrap_or_default();
-                    found.push((&case.name, compare(&stored, &actual, tolerance)));
-                }
+    let work = |case: &Case| {
+        let file = stored_file(&case.name);
+        let actual = output(case);
+        match mode {
+            Mode::Write => {
+                fs::write(file, actual).unwrap();
+                None
+            }
+            Mode::Within(tolerance) => {
+                let stored = fs::read_to_string(file).unwrap_or_default();
+                Some((case.name.clone(), compare(&stored, &actual, tolerance)))
             }
         }
-        found
     };
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let mut found: Vec<_> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        workers
-            .into_iter()
-            .flat_map(|worker| worker.join().unwrap())
-            .collect()
-    });
-    found.sort_by_key(|(name, _)| *name);
+    let mut found: Vec<_> = cases.par_iter().filter_map(work).collect();
     if let Some((name, (_, by, place))) = found.iter().max_by(|a, b| a.1.1.total_cmp(&b.1.1)) {
         println!("largest difference of a number: {by:e} in {name}, {place}");
     }

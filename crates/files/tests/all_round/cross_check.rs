@@ -27,11 +27,8 @@ fn table_4_tells_one_story() {
         let difference = 1000.0 * (cross - (base[0] + base[1]) / 2.0);
         assert!((found.difference_um - difference).abs() < 2e-3);
         assert!(found.gap_um == 0.0 && found.agree());
-        assert!(
-            study.remarks[0].ends_with("they agree"),
-            "{}",
-            study.remarks[0]
-        );
+        let remark = &study.remarks[0];
+        assert!(remark.ends_with("they agree"), "{remark}");
         assert_eq!(study.warnings, [""; 0]);
         // It is never built.
         assert_eq!(wheel(&study).gear().base_thickness(), found.counts[1]);

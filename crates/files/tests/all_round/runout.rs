@@ -129,22 +129,14 @@ impl Made {
             .collect();
         fs::write(folder.path().join("r.csv"), format!("tooth;runout\n{rows}")).unwrap();
         let um = |list: &[f64]| -> Vec<f64> { list.iter().map(|mm| 1000.0 * mm).collect() };
+        let [right, left] = self.own.each_ref().map(|own| um(own));
         let pitch = format!(
-            "pitch = {{ kind = \"cumulative\", right_um = {:?}, left_um = {:?} }}",
-            um(&self.own[0]),
-            um(&self.own[1])
+            "pitch = {{ kind = \"cumulative\", right_um = {right:?}, left_um = {left:?} }}\n"
         );
-        let gear = format!(
-            "teeth = {}\nmodule_mm = 3\npressure_angle_deg = 20\n",
-            self.z
-        );
+        let pitch = if with_pitch { &pitch } else { "" };
         let path = folder.path().join("pair.toml");
-        let text = format!(
-            "[wheel]\n{gear}{}\nrunout = {{ file = \"r.csv\", {keys} }}\n[pinion]\n{gear}[assembly]\ncenter_distance_mm = {:?}\n[sweep]\nmating = [[1, 1]]\n",
-            if with_pitch { &pitch } else { "" },
-            2.0 * self.r() + 0.2
-        );
-        fs::write(&path, text).unwrap();
+        let keys = format!("{pitch}runout = {{ file = \"r.csv\", {keys} }}");
+        fs::write(&path, crate::pair_with_table::pair(self.z, &keys)).unwrap();
         read(&path).unwrap_or_else(|error| panic!("{error}"))
     }
 
@@ -157,10 +149,9 @@ impl Made {
 }
 
 fn warning<'a>(study: &'a PairFile, words: &str) -> Option<&'a String> {
-    study
-        .warnings
-        .iter()
-        .find(|warning| warning.starts_with("wheel.runout.file: ") && warning.contains(words))
+    let key = "wheel.runout.file: ";
+    let is_it = |warning: &&String| warning.starts_with(key) && warning.contains(words);
+    study.warnings.iter().find(is_it)
 }
 
 fn check_said(study: &PairFile, words: &str, said: bool) {
@@ -174,21 +165,15 @@ fn the_gears_own_thickness_harmonic_is_no_eccentricity() {
     let mut runner = TestRunner::deterministic();
     for (z, ball) in [(44, 5.25), (21, 5.25), (9, 4.8), (97, 6.0)] {
         let made = Made::random(z, &mut runner);
-        let study = made.study(
-            &made.by_ball(ball),
-            &format!("at = \"space\", ball_mm = {ball}"),
-            true,
-        );
+        let by_ball = format!("at = \"space\", ball_mm = {ball}");
+        let study = made.study(&made.by_ball(ball), &by_ball, true);
         assert!(made.off(&study) < 1e-11, "{z}: {} mm", made.off(&study));
         check_said(&study, "contradict", false);
         // Without the pitch they look like another eccentricity, and that is reported.
         let blind = made.study(&made.by_ball(ball), "at = \"space\"", false);
         assert!(made.off(&blind) > 0.002, "{z}: {} mm", made.off(&blind));
-        check_said(
-            &blind,
-            "without [pitch] a first harmonic of its own tooth thickness cannot be distinguished from it",
-            true,
-        );
+        let words = "without [pitch] a first harmonic of its own tooth thickness cannot be distinguished from it";
+        check_said(&blind, words, true);
     }
 }
 
@@ -236,10 +221,9 @@ fn readings_that_do_not_show_the_flanks_are_reported() {
     check_said(&study, "the readings contradict the flanks", true);
     // Half a micrometre of noise contradicts nothing.
     let mut noisy = made.by_ball(5.25);
-    noisy
-        .iter_mut()
-        .enumerate()
-        .for_each(|(i, um)| *um += [0.5, -0.5, 0.2][i % 3]);
+    for (i, um) in noisy.iter_mut().enumerate() {
+        *um += [0.5, -0.5, 0.2][i % 3];
+    }
     let study = made.study(&noisy, "at = \"space\", ball_mm = 5.25", true);
     check_said(&study, "contradict", false);
 }
@@ -255,12 +239,11 @@ fn datum_pitch_stated_as_own_takes_the_eccentricity_of_readings() {
         ..Made::random(44, &mut TestRunner::deterministic())
     };
     let readings = even.by_ball(5.25);
-    let alpha = ALPHA;
     // F = −e sin(ψ ∓ α)/cos α, design section 6; teeth of half a pitch.
     let own = [1.0, -1.0].map(|ahead: f64| {
         let flank = |i: usize| {
             let psi = (i as f64 + 1.0 - even.high) * even.step() + ahead * even.step() / 4.0;
-            -even.e * (psi - ahead * alpha).sin() / alpha.cos()
+            -even.e * (psi - ahead * ALPHA).sin() / ALPHA.cos()
         };
         (0..44).map(flank).collect::<Vec<f64>>()
     });

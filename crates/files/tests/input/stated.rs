@@ -16,9 +16,9 @@ fn base_thicknesses(file: &PairFile) -> [f64; 2] {
 }
 
 fn assert_near(found: [f64; 2], expected: [f64; 2]) {
-    for (found, expected) in found.into_iter().zip(expected) {
-        assert!((found - expected).abs() < 1e-11, "{found} {expected}");
-    }
+    let near = |(found, expected): (f64, f64)| (found - expected).abs() < 1e-11;
+    let mut both = found.into_iter().zip(expected);
+    assert!(both.all(near), "{found:?} {expected:?}");
 }
 
 /// Closed forms: `s = π m/2 + A_s`; its chord is `2 r sin ψ`, `r_a − r cos ψ` below the tip, with `ψ = s/(2 r)`.
@@ -26,35 +26,24 @@ fn assert_near(found: [f64; 2], expected: [f64; 2]) {
 fn arc_and_chord_are_an_allowance() {
     let (radius, tip) = (30.0, 33.0);
     let arc = |um: f64| FRAC_PI_2 * 3.0 + um / 1000.0;
-    let by_allowance = |stated: &str| {
-        let file = wheel(&format!("thickness.allowance_um = {stated}"));
-        base_thicknesses(&file)
-    };
-    let (one, band) = (
-        by_allowance("-50"),
-        by_allowance("{ min = -80, max = -50 }"),
-    );
-    let by_arc = wheel(&format!("thickness.arc_thickness_mm = {:?}", arc(-50.0)));
-    assert_near(base_thicknesses(&by_arc), one);
+    let by = |stated: &str| base_thicknesses(&wheel(&format!("thickness.{stated}")));
+    let one = by("allowance_um = -50");
+    assert_near(by(&format!("arc_thickness_mm = {:?}", arc(-50.0))), one);
     let both = format!("{{ min = {:?}, max = {:?} }}", arc(-80.0), arc(-50.0));
-    let by_arc = wheel(&format!("thickness.arc_thickness_mm = {both}"));
-    assert_near(base_thicknesses(&by_arc), band);
+    let band = by("allowance_um = { min = -80, max = -50 }");
+    assert_near(by(&format!("arc_thickness_mm = {both}")), band);
 
     let half = arc(-50.0) / (2.0 * radius);
     let (chord, height) = (2.0 * radius * half.sin(), tip - radius * half.cos());
-    let by_chord = wheel(&format!(
-        "thickness.chordal_thickness = {{ mm = {chord:?}, height_mm = {height:?} }}"
-    ));
-    assert_near(base_thicknesses(&by_chord), one);
+    let stated = format!("chordal_thickness = {{ mm = {chord:?}, height_mm = {height:?} }}");
+    assert_near(by(&stated), one);
     // At the chordal addendum of the nominal tooth.
     let half = arc(0.0) / (2.0 * radius);
     let chord = 2.0 * radius * half.sin();
     let (least, most) = (chord - 0.08, chord);
-    let by_chord = wheel(&format!(
-        "thickness.chordal_thickness = {{ min_mm = {least:?}, max_mm = {most:?} }}"
-    ));
-    let [most, least] = base_thicknesses(&by_chord);
-    let nominal = by_allowance("0")[0];
+    let stated = format!("chordal_thickness = {{ min_mm = {least:?}, max_mm = {most:?} }}");
+    let [most, least] = by(&stated);
+    let nominal = by("allowance_um = 0")[0];
     assert!((most - nominal).abs() < 1e-11 && least < nominal - 0.05);
 }
 
@@ -143,13 +132,11 @@ fn a_scale_is_a_temperature_of_the_gears_alone() {
         warm,
         "temperature_c = 30\nhousing_expansion_per_k = 0",
     ));
-    let scaled = study(&text(
-        factors.map(|factor| format!("scale = {factor:?}\n")),
-        "",
-    ));
+    let scales = factors.map(|factor| format!("scale = {factor:?}\n"));
+    let scaled = study(&text(scales, ""));
     assert_eq!(scaled.study, warm.study);
     assert_eq!(scaled.spec.wheel.data().unwrap().scale, Some(factors[0]));
-    let [nominal] = [study(&text([String::new(), String::new()], ""))];
+    let nominal = study(&text([String::new(), String::new()], ""));
     let [large, small] = [&scaled, &nominal].map(|file| wheels(file)[0].gear().base_radius());
     assert!((large / small - factors[0]).abs() < 1e-15);
 }
@@ -168,10 +155,7 @@ fn a_drawn_gear_is_scaled() {
         )
     };
     let read = |keys: &str| {
-        let folder = TempDir::new().unwrap();
-        let path = folder.path().join("pair.toml");
-        fs::write(&path, gear(keys)).unwrap();
-        let pair = gearlash_files::read(&path).unwrap_or_else(|error| panic!("{error}"));
+        let pair = study(&gear(keys));
         let (_, wheel, _) = &pair.study.drawn[0];
         [
             wheel.tip_radius(),

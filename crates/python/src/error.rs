@@ -23,7 +23,7 @@ impl From<Failure> for PyErr {
 impl<E: Display + Any> From<E> for Failure {
     fn from(error: E) -> Failure {
         let (text, any): (String, &dyn Any) = (error.to_string(), &error);
-        let exception = |py| match any.downcast_ref::<InputError>() {
+        let exception = |py: Python<'_>| match any.downcast_ref::<InputError>() {
             None => Ok(PyErr::from_type(class(py, "GearlashError")?, text)),
             Some(input) => {
                 let problems = input.problems.iter().map(|problem| {

@@ -23,23 +23,21 @@ impl From<Failure> for PyErr {
 impl<E: Display + Any> From<E> for Failure {
     fn from(error: E) -> Failure {
         let (text, any): (String, &dyn Any) = (error.to_string(), &error);
-        let exception = |py: Python<'_>| -> PyResult<PyErr> {
-            match any.downcast_ref::<InputError>() {
-                None => Ok(PyErr::from_type(class(py, "GearlashError")?, text)),
-                Some(input) => {
-                    let problems = input.problems.iter().map(|problem| {
-                        let value = problem.value.as_deref();
-                        (&problem.key, value, &problem.reason, &problem.help)
-                    });
-                    let problems = PyTuple::new(py, problems)?.unbind();
-                    let class = class(py, "InputError")?;
-                    Ok(PyErr::from_type(class, (text, problems)))
-                }
+        let exception = |py: Python<'_>| match any.downcast_ref::<InputError>() {
+            None => Ok(PyErr::from_type(class(py, "GearlashError")?, text)),
+            Some(input) => {
+                let problems = input.problems.iter().map(|problem| {
+                    let value = problem.value.as_deref();
+                    (&problem.key, value, &problem.reason, &problem.help)
+                });
+                let problems = PyTuple::new(py, problems)?.unbind();
+                let class = class(py, "InputError")?;
+                Ok(PyErr::from_type(class, (text, problems)))
             }
         };
         Failure(Python::attach(|py| match any.downcast_ref::<PyErr>() {
             Some(raised) => raised.clone_ref(py),
-            None => exception(py).unwrap_or_else(|raised| raised),
+            None => exception(py).unwrap_or_else(|raised: PyErr| raised),
         }))
     }
 }

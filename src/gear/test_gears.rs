@@ -8,7 +8,7 @@ impl GearDesign {
         GearDesign::standard(BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap())
     }
 
-    /// The same with this profile shift.
+    /// This design with a profile shift.
     pub(crate) fn shifted(self, profile_shift: f64) -> GearDesign {
         GearDesign {
             profile_shift,
@@ -16,7 +16,7 @@ impl GearDesign {
         }
     }
 
-    /// The same with this helix angle.
+    /// This design with a helix angle.
     pub(crate) fn helical(self, degrees: f64, hand: Hand) -> GearDesign {
         let data = self.basic_data.with_helix(degrees.to_radians(), hand);
         GearDesign {
@@ -46,7 +46,7 @@ impl Deviations {
         }
     }
 
-    /// The same with these cumulative pitch deviations.
+    /// These deviations with cumulative pitch deviations.
     pub(crate) fn with_pitch(self, right: &[f64], left: &[f64]) -> Deviations {
         Deviations {
             pitch: Some(Pitch::from_cumulative(right, left)),

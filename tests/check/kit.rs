@@ -37,9 +37,9 @@ pub fn ends(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
 #[derive(Clone)]
 pub struct Make {
     pub design: GearDesign,
-    /// Of the thickness at the reference circle in the normal section, mm.
+    /// Allowance of the thickness at the reference circle in the normal section, mm.
     pub allowance: f64,
-    /// By so much the base thickness is less, mm.
+    /// Reduction of the base thickness, mm.
     pub thinner: f64,
     pub deviations: Deviations,
 }

@@ -75,7 +75,7 @@ fn from_arc(point: [f64; 2], centre: [f64; 2], radius: f64, [start, end]: [f64; 
 }
 
 /// The least distance of a tip of `member` from a root of its mate at a mating, by `points` of each tip: negative below the root circle.
-/// Of all teeth, or of the tip and the root named.
+/// It is taken over all teeth, or for the tip and the root named.
 fn nearest(
     pair: &GearPair,
     member: Member,

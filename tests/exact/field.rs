@@ -26,7 +26,7 @@ fn perfect(hand: Hand) -> GearPair {
     pair.with_face([-20.0, 30.0]).unwrap()
 }
 
-/// The same with eccentricities and pitch deviations.
+/// A pair of the prototype with eccentricities and pitch deviations.
 fn deviating(hand: Hand) -> GearPair {
     let pair = pair_of_the_prototype([30.0, 40.0], [4.0, 5.0], hand, 7);
     pair.with_face([-24.0, 24.0]).unwrap()

@@ -79,8 +79,8 @@ fn no_section_is_tighter_than_the_face() {
     }
 }
 
-/// Between involutes the sections that hold the tightest of all pairs are complete: of four times as many none is tighter. Of tips sections alone miss
-/// some.
+/// Between involutes the sections that hold the tightest of all pairs are complete: of four times as many none is tighter. Sections alone miss
+/// some contacts of tips.
 #[test]
 fn four_times_as_many_sections_find_the_same_between_involutes() {
     let mut rng = Random(11);
@@ -231,7 +231,7 @@ fn contacts_and_jams_between_sections_are_found() {
     assert!(against.is_empty(), "{against:#?}");
 }
 
-/// A tip in the root of the eccentric free gear between the sections. Such pairs were found to have play, or 0.004 to 0.27 rad less overlap than
+/// A tip in the root of the eccentric free gear between the sections. Earlier these pairs had play, or 0.004 to 0.27 rad less overlap than
 /// neighbouring sections. Source: the section named, and sections every 2000th of the face.
 #[test]
 fn a_tip_in_a_root_jams_anywhere_along_the_face() {

@@ -81,7 +81,7 @@ fn over_face(face: [f64; 2]) -> Settings {
     Settings { face, ..quick() }
 }
 
-/// Of module 3, with room at its tips.
+/// A helical gear of module 3 with room at its tips.
 fn helical(teeth: u32, beta_deg: f64, hand: Hand, shift: f64) -> Make {
     let gear = spur(teeth, 3.0).rack(1.0, 1.25, 0.25).shift(shift);
     gear.helix(beta_deg, hand)

@@ -12,7 +12,7 @@ const NOT_OURS: [(&str, &str, &str); 1] = [(
     "virtual number of teeth of a helical gear; gearlash's gears are spur",
 )];
 
-/// What compares a case.
+/// The comparison of a case.
 type Compare = fn(&Case);
 
 const CASES: [(&str, Compare); 22] = [

@@ -123,7 +123,7 @@ fn main() -> ExitCode {
     verdict(&tally, kind, depth, seed)
 }
 
-/// What is wrong with each pose, on all threads.
+/// The faults of each pose, on all threads.
 fn complaints(indices: &Range<u64>, of: impl Fn(u64) -> Vec<String> + Sync) -> Vec<(u64, String)> {
     let each = indices
         .clone()

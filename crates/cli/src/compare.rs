@@ -57,7 +57,7 @@ pub(super) struct Args {
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
     Judged(JudgedFormat),
-    /// Of drawings alone.
+    /// The CSV of two compared drawings.
     Csv,
 }
 

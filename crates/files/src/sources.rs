@@ -1,6 +1,6 @@
 //! The files that were read, recognised under any name of an output; and files by name and bytes, for a caller without a file system.
 //!
-//! Of the files that were read only ordinary ones are kept: writing to a pipe or a device that was read does no harm.
+//! Only ordinary files are kept: writing to a pipe or a device that was read does no harm.
 
 use crate::error::Problem;
 use std::collections::BTreeMap;

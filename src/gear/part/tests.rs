@@ -149,7 +149,7 @@ fn curves_are_as_they_say() {
     }
 }
 
-/// Reach and turn from the middle of a stretch, bend and curvature hold at every place. Those of a short stretch of a cubic curve are tight.
+/// Reach and turn from the middle of a stretch, bend and curvature hold at every place. For a short stretch of a cubic curve they are tight.
 ///
 /// The bend bounds the distance of every point from its chord, and the curvature, if known, the turn of every normal. Source: points, and
 /// differences of normals.

@@ -38,7 +38,7 @@ const TITLES: [&str; 30] = [
     "",
 ];
 
-/// What is printed or written.
+/// The kind of text printed or written.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Text,

@@ -31,7 +31,7 @@ bearing_clearance_mm = 0.01
 j_bn_um = LIMITS
 "#;
 
-/// What `check` finds of a pair file; exit 1 where something fails.
+/// The JSON of `check` for a pair file. It exits with 1 where something fails.
 fn checked(folder: &Path, text: &str) -> Value {
     std::fs::write(folder.join("pair.toml"), text).unwrap();
     let (code, json, message) = run(folder, &["check", "pair.toml", "--format", "json"]);

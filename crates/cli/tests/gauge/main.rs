@@ -9,7 +9,7 @@ use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
 
-/// What `gearlash` prints in `folder` with words separated by blanks.
+/// The output of `gearlash` in `folder`; blanks separate its arguments.
 fn printed(folder: &Path, words: &str) -> String {
     let mut command = Command::cargo_bin("gearlash").unwrap();
     command.current_dir(folder).args(words.split(' '));

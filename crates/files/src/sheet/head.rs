@@ -229,7 +229,7 @@ fn is_units(line: &Line) -> bool {
 /// The key that names the column of tooth numbers.
 pub const TOOTH: &str = "tooth_column";
 
-/// What a pair file says of a table.
+/// The choice of columns and rows of a table in a pair file.
 pub type Choice = AnyTableSpec;
 
 impl Choice {

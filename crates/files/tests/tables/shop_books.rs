@@ -69,7 +69,7 @@ fn mistake(cells: &mut Cells, choice: &mut Choice) {
     }
 }
 
-/// Of 17 teeth, and among 10 000 rows.
+/// Garbled workbooks have 17 teeth, or 10 000 rows.
 #[test]
 fn garbled_shop_books() {
     for (teeth, count) in [(17, count()), (10_000, 24)] {

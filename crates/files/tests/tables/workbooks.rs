@@ -19,7 +19,7 @@ fn sheet(workbook: &mut Workbook, name: &str, change: impl Fn(&mut rust_xlsxwrit
     change(sheet);
 }
 
-/// What is read of tooth 3, or the problems below the file's name.
+/// The readings of tooth 3, or the problems below the file's name.
 fn outcome(workbook: &mut Workbook, keys: &str) -> String {
     let table = workbook.save_to_buffer().unwrap();
     let keys = KEYS.replace(" }", &format!("{keys} }}"));

@@ -28,7 +28,7 @@ pub struct Line {
     pub stroke: String,
     pub width: String,
     pub is_filled: bool,
-    /// Of a gear that turns: seen in the first frame of the sheet only, and reaches beyond it.
+    /// Whether it belongs to a gear that turns: seen in the first frame of the sheet only, and reaches beyond it.
     pub turns: bool,
     pub points: Vec<Spot>,
 }
@@ -45,7 +45,7 @@ pub struct Dot {
     pub radius: f64,
 }
 
-/// What is drawn, in the order of drawing, in units of the `viewBox`.
+/// The shapes and texts of a picture in the order of drawing, in units of the `viewBox`.
 #[derive(Default)]
 pub struct Picture {
     pub texts: Vec<Text>,
@@ -134,7 +134,7 @@ fn is_no_drawing(node: Node) -> bool {
     node.has_tag_name("pattern") || node.has_tag_name("clipPath")
 }
 
-/// A text and its room: 0.62 em a character, 0.36 em a thin one, about what sans-serif faces take; a capital's height. Those of charts are
+/// A text and its room: 0.62 em a character, 0.36 em a thin one, about what sans-serif faces take; a capital's height. Texts of charts are
 /// DejaVu Sans, 0.58 and 0.33 em.
 fn text(node: &Node) -> Text {
     let class = node.parent().and_then(|parent| parent.attribute("class"));

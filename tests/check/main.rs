@@ -19,13 +19,16 @@ mod cycle;
 #[path = "../common/eccentric_17_100.rs"]
 mod eccentric_17_100;
 
-#[path = "../common/campaign/random.rs"]
-#[allow(dead_code)] // campaigns use the rest
-mod random;
+#[path = "../common/campaign"]
+mod campaign {
+    #[allow(dead_code)] // campaigns use the rest
+    pub mod random;
+}
 
 #[path = "../common/pair_86_21.rs"]
 mod pair_86_21;
 
+use campaign::random::Random;
 use common::{ReferenceContact, reference_pair};
 use eccentric_17_100::eccentric_17_100;
 use gearlash::analysis::compare::{ComparedRun, Verdict as Compared, compare};
@@ -48,7 +51,6 @@ use gearlash::pair::{FaceDeviation, GearPair, Mating, Member, Pose, SweepPlan};
 use gearlash_files as input;
 use kit::{Make, ends, inv, near, on, pair, spur};
 use pair_86_21::{pair_86_21, written};
-use random::Random;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};

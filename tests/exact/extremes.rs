@@ -199,7 +199,7 @@ fn wide_pairs_hold_or_are_doubted() {
 fn extremes_of_deviating_profiles_hold() {
     let bounded = (0..80u64).into_par_iter().filter_map(|seed| {
         let mut random = Random(seed ^ 0xe47e);
-        let pair = random::deviating_pair(&mut random, true)?;
+        let pair = crate::profiles::deviating_pair(&mut random, true)?;
         if Member::BOTH.iter().any(|member| pair.teeth(*member) > 80) {
             return None;
         }

@@ -314,7 +314,7 @@ fn the_quick_method_finds_what_branch_and_bound_finds() {
     };
     let deviating = |seed: u64| {
         let mut random = Random(seed ^ 0x5eed_0000);
-        let pair = random::deviating_pair(&mut random, false)?;
+        let pair = crate::profiles::deviating_pair(&mut random, false)?;
         let mating = random::mating(&mut random, &pair);
         Some((pair, mating))
     };
@@ -367,7 +367,7 @@ fn deviating_profiles_agree_by_every_method() {
             .into_par_iter()
             .filter_map(|seed| {
                 let mut random = Random(if warm { seed ^ 0x3a7 } else { seed });
-                let mut pair = random::deviating_pair(&mut random, !warm)?;
+                let mut pair = crate::profiles::deviating_pair(&mut random, !warm)?;
                 if warm {
                     let gears = Member::BOTH.map(|member| {
                         let expansion = random.within(-0.008, 0.008);

@@ -1,13 +1,14 @@
 //! Helical gears whose profiles deviate, against dense sections and closed forms.
 
-use crate::along_face::against_sections;
+use crate::along_face::{against_sections, profile};
+use crate::random::{self, Random, WILD};
 use gearlash::analytic::LineOfAction;
 use gearlash::contact::ExactKernel;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Hand, Modification, Relief, Trace,
-    thickness,
+    AsBuilt, BasicGearData, Deviations, Face, Flank, Gear, GearDesign, Hand, Modification, Pitch,
+    Relief, Trace, thickness,
 };
-use gearlash::pair::{GearPair, Mating, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 
 /// 27/51, m_n 4.5, β 21° over a face of 50 mm at 190 mm, with profiles of the wheel and of the pinion, the same on both flanks.
 fn pair(helix: f64, profiles: [&Modification; 2], thicker: f64) -> GearPair {
@@ -132,4 +133,36 @@ fn model_3_agrees_over_the_face() {
         let against = against_sections(&pair, &pose, &found, 200, [1e-12, 0.5e-2 / um]);
         assert!(against.is_empty(), "{k}: {against:#?}");
     }
+}
+
+/// A random pair with random profiles; `None` where one cannot exist.
+pub fn deviating_pair(numbers: &mut Random, traces: bool) -> Option<GearPair> {
+    let plain = random::pair(numbers, WILD);
+    let [wheel, pinion] = Member::BOTH.map(|member| {
+        let built = plain.gear(member);
+        let gear = built.gear().clone();
+        let deviations = Deviations {
+            eccentricity: built.eccentricity(),
+            high_tooth: built.high_tooth(),
+            pitch: Some(pitch(built)),
+            profiles: [0; 2].map(|_| profile(numbers, &gear, traces)),
+            ..Deviations::default()
+        };
+        AsBuilt::new(gear, built.face(), &deviations).ok()
+    });
+    GearPair::with_locked(wheel?, pinion?, plain.center_distance(), plain.locked()).ok()
+}
+
+/// The places of a gear's flanks as a pitch deviation.
+fn pitch(built: &AsBuilt) -> Pitch {
+    let r = built.gear().basic_data().reference_radius();
+    let curve = |own: Flank| -> Vec<f64> {
+        let side = built.face().seen_from_front(own);
+        let teeth = 1..=built.gear().basic_data().teeth();
+        let along = built.face().ascending() * r;
+        teeth
+            .map(|tooth| along * built.flank_offset(side, tooth))
+            .collect()
+    };
+    Pitch::from_cumulative(&curve(Flank::Right), &curve(Flank::Left))
 }

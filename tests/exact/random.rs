@@ -1,11 +1,9 @@
 //! Seeded random pairs and poses, leaning towards the awkward: undercut, tips on fillets,
 //! alternating pitch errors at hand-over, eccentric axes, interference.
 
-use crate::along_face::profile;
 pub use crate::campaign::random::Random;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Flank, Gear, GearDesign, Pitch, Side,
-    involute,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side, involute,
 };
 use gearlash::pair::{GearPair, Mating, Member};
 
@@ -131,36 +129,4 @@ pub fn mating(random: &mut Random, assembly: &GearPair) -> Mating {
         flank: either(random, Side::BOTH),
         fraction: whole + random.within(0.0, 1.0),
     }
-}
-
-/// A random pair with random profiles; `None` where one cannot exist.
-pub fn deviating_pair(random: &mut Random, traces: bool) -> Option<GearPair> {
-    let plain = pair(random, WILD);
-    let [wheel, pinion] = Member::BOTH.map(|member| {
-        let built = plain.gear(member);
-        let gear = built.gear().clone();
-        let deviations = Deviations {
-            eccentricity: built.eccentricity(),
-            high_tooth: built.high_tooth(),
-            pitch: Some(pitch(built)),
-            profiles: [0; 2].map(|_| profile(random, &gear, traces)),
-            ..Deviations::default()
-        };
-        AsBuilt::new(gear, built.face(), &deviations).ok()
-    });
-    GearPair::with_locked(wheel?, pinion?, plain.center_distance(), plain.locked()).ok()
-}
-
-/// The places of a gear's flanks as a pitch deviation.
-fn pitch(built: &AsBuilt) -> Pitch {
-    let r = built.gear().basic_data().reference_radius();
-    let curve = |own: Flank| -> Vec<f64> {
-        let side = built.face().seen_from_front(own);
-        let teeth = 1..=built.gear().basic_data().teeth();
-        let along = built.face().ascending() * r;
-        teeth
-            .map(|tooth| along * built.flank_offset(side, tooth))
-            .collect()
-    };
-    Pitch::from_cumulative(&curve(Flank::Right), &curve(Flank::Left))
 }

@@ -180,7 +180,7 @@ fn the_certificate_confirms_right_contacts_and_refuses_wrong_ones() {
 fn deviating_profiles_hold_against_polygons() {
     let against = complaints(&MODIFIED, |seed| {
         let mut random = Random(seed ^ 0x77aa);
-        let assembly = random::deviating_pair(&mut random, seed % 3 == 0).unwrap();
+        let assembly = crate::profiles::deviating_pair(&mut random, seed % 3 == 0).unwrap();
         let pose = Pose::new(&assembly, random::mating(&mut random, &assembly));
         let exact = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
         against_polygons(&assembly, &pose, &exact)

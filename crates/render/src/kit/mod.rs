@@ -6,14 +6,16 @@
 pub mod clip;
 mod frame;
 mod marks;
+mod occupied;
 mod paint;
 mod plot;
 pub mod scale;
 mod sheet;
 mod text;
 
-pub use frame::{CLEAR, Frame, Occupied, Spot, number};
+pub use frame::{Frame, Spot, number};
 pub use marks::{around, arrow, cross, diamond, disc, dot, hatch, shaded, square, turned};
+pub use occupied::{CLEAR, Occupied};
 pub use paint::{ACTION, GAP, GREY, HATCH, INK, OVERLAP, PATH, PINION, WHEEL, dark_style};
 pub use plot::{Axis, NUMBERS, Plot, axes, grid};
 pub use sheet::{

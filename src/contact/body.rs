@@ -192,7 +192,165 @@ fn widest_space(gear: &AsBuilt) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{CutPair, ExactKernel};
     use crate::gear::{BasicGearData, BasicRack, Deviations, Face, GearDesign};
+    use crate::pair::Mating;
+    use nalgebra::{Point2, Vector2};
+
+    /// Module 3, 20 teeth, each tooth with a different thickness.
+    fn gear(face: Face, tip_diameter: Option<f64>, eccentricity: f64) -> AsBuilt {
+        let wave = |tooth: i32| 0.2 * (1.3 * f64::from(tooth)).sin();
+        let deviations = Deviations {
+            per_tooth: (1..=20).map(wave).collect(),
+            ..Deviations::off_axis(eccentricity, 3.4)
+        };
+        let design = GearDesign {
+            tip_diameter,
+            ..GearDesign::plain(20, 3.0)
+        };
+        design.built(face, &deviations)
+    }
+
+    fn towards(angle: f64) -> Vector2<f64> {
+        Vector2::new(angle.cos(), angle.sin())
+    }
+
+    /// Possible positions of the free outline's centre.
+    fn free_centres(assembly: &GearPair) -> impl Iterator<Item = Point2<f64>> + Clone {
+        let (axis, off) = (
+            assembly.axis(assembly.free()),
+            assembly.gear(assembly.free()).eccentricity(),
+        );
+        (0..120).map(move |k| axis + off * towards(f64::from(k) * PI / 60.0))
+    }
+
+    /// Depth of the deepest point of a locked land inside the free root circle, for any turn of that circle. Negative
+    /// if that point is outside. Source: dense points of all lands, without special cases.
+    fn land_in_root(assembly: &GearPair, placed: &Placed) -> f64 {
+        let locked = placed.as_built();
+        let tip = locked.gear().tip_radius();
+        let half = locked.gear().half_angle_at_roll(locked.gear().tip_roll());
+        let root = assembly.gear(assembly.free()).gear().root_radius();
+        let centres = free_centres(assembly);
+        let depth = |point: Point2<f64>| {
+            let deepest = centres.clone().map(|centre| root - (point - centre).norm());
+            deepest.fold(f64::INFINITY, f64::min)
+        };
+        let points = (1..=20).flat_map(|tooth| {
+            let from = locked.flank_offset(Side::Right, tooth) - half;
+            let to = locked.flank_offset(Side::Left, tooth) + half;
+            (0..=60).map(move |k| (tooth, from + (to - from) * f64::from(k) / 60.0))
+        });
+        points
+            .map(|(tooth, angle)| {
+                depth(placed.centre() + tip * towards(placed.direction(tooth) + angle))
+            })
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Excess angle of the locked root circle over the widest space, on circles between the free form and tip circle, for any turn of the
+    /// free gear. Source: a walk along the circles from the direction of the locked centre until outside the root circle.
+    fn space_filled(assembly: &GearPair, placed: &Placed) -> f64 {
+        let (root, free) = (
+            placed.as_built().gear().root_radius(),
+            assembly.gear(assembly.free()),
+        );
+        let wide = |centre: Point2<f64>, radius: f64| {
+            let to = placed.centre() - centre;
+            let inside = |beside: f64| {
+                let point = centre + radius * towards(to.y.atan2(to.x) + beside);
+                (point - placed.centre()).norm() < root
+            };
+            let (mut low, mut high) = (0.0, PI);
+            if !inside(low) {
+                return 0.0;
+            }
+            for _ in 0..40 {
+                let middle = 0.5 * (low + high);
+                *(if inside(middle) { &mut low } else { &mut high }) = middle;
+            }
+            2.0 * low
+        };
+        let (form, tip) = (free.gear().form_radius(), free.gear().tip_radius());
+        let widest = |centre: Point2<f64>| {
+            let radii = (0..=40).map(|k| form + (tip - form) * f64::from(k) / 40.0);
+            radii.map(|radius| wide(centre, radius)).fold(0.0, f64::max)
+        };
+        let seen = free_centres(assembly)
+            .map(widest)
+            .fold(f64::INFINITY, f64::min);
+        let half = free.gear().half_angle_at_roll(free.gear().tip_roll());
+        let space = (1..=20)
+            .map(|tooth| {
+                let next = free.counter_clockwise(tooth, 1);
+                let turn = free.tooth_angle(f64::from(next)) - free.tooth_angle(f64::from(tooth));
+                let ends = free.flank_offset(Side::Right, next)
+                    - free.flank_offset(Side::Left, tooth)
+                    - 2.0 * half;
+                turn - 2.0 * PI * (turn / (2.0 * PI)).floor() + ends
+            })
+            .fold(0.0, f64::max);
+        seen - space
+    }
+
+    /// Teeth are in the mate's body exactly if some of their points are at every rotation, and both methods find such a
+    /// pose jammed. Source: points of the lands and of the root circle; cases within ±1e-3 mm or rad are omitted.
+    #[test]
+    fn teeth_are_in_the_body_if_their_points_are() {
+        let mut met = [0; 3];
+        for (tips, off, distances) in [
+            ([None; 2], [0.0, 0.0], [58.5, 58.9, 59.15, 59.3]),
+            ([None; 2], [0.3, 0.5], [58.3, 58.6, 58.9, 59.2]),
+            // The pinion's long teeth fill a space whose bottom the wheel's short teeth do not reach.
+            (
+                [Some(61.0), Some(67.5)],
+                [0.4, 0.2],
+                [58.4, 58.8, 59.2, 59.6],
+            ),
+            (
+                [Some(61.0), Some(66.0)],
+                [0.0, 0.6],
+                [57.8, 58.3, 58.8, 59.3],
+            ),
+        ] {
+            let wheel = gear(Face::Front, tips[0], off[0]);
+            let pinion = gear(Face::Back, tips[1], off[1]);
+            let cut = CutPair::for_certificates(&wheel, &pinion);
+            for (a, locked, k) in distances
+                .into_iter()
+                .flat_map(|a| Member::BOTH.map(|locked| (a, locked)))
+                .flat_map(|(a, locked)| (0..10).map(move |k| (a, locked, k)))
+            {
+                let gears = (wheel.clone(), pinion.clone());
+                let assembly = GearPair::with_locked(gears.0, gears.1, a, locked).unwrap();
+                let mating = Mating {
+                    fraction: f64::from(k) / 10.0,
+                    ..Mating::at(1 + 3 * k % 20, 1 + 7 * k % 20, Side::Right)
+                };
+                let pose = Pose::new(&assembly, mating);
+                let placed = placed_locked(&assembly, &pose);
+                let land = land_in_root(&assembly, &placed);
+                let space = space_filled(&assembly, &placed);
+                if land.abs().min(space.abs()) < 1e-3 {
+                    continue;
+                }
+                let solid = land > 0.0 || space > 0.0;
+                let what = format!("{a} {locked:?} {k}: {land} mm, {space} rad");
+                let found = may_be_solid(&assembly) && is_solid(&assembly, &pose);
+                assert_eq!(found, solid, "{what}");
+                met[0] += usize::from(land > 0.0 && space < 0.0);
+                met[1] += usize::from(land < 0.0 && space > 0.0);
+                met[2] += usize::from(!solid);
+                if solid {
+                    let exact = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+                    let polygon = cut.kernel(&assembly).lost_motion(&pose).unwrap();
+                    let found = [exact, polygon].map(|found| found.status());
+                    assert_eq!(found, [Status::Jammed; 2], "{what}");
+                }
+            }
+        }
+        assert!(met.iter().all(|count| *count >= 30), "{met:?}");
+    }
 
     /// Outlines that are off their axes by `e_1` and `e_2` have the least distance `a − e_1 − e_2`. A tip circle of
     /// that radius just reaches the mate's centre.

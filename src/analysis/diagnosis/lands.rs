@@ -95,3 +95,38 @@ pub(super) fn between_lands(distance: f64, tip: &Land, root: &Land) -> f64 {
     let along = distance - radius * angle.cos() - mate_radius * mate.cos();
     across.hypot(along)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Deviations, Face, GearDesign};
+
+    /// Source: all teeth, and all spaces half a pitch further, sorted by their angle from the given direction.
+    #[test]
+    fn the_nearest_three_are_those_of_all() {
+        for face in [Face::Front, Face::Back] {
+            let built = GearDesign::plain(11, 2.0).built(face, &Deviations::default());
+            for k in 0..40 {
+                let (turned, direction) = (0.83 * f64::from(k) - 9.0, 0.37 * f64::from(k) - 5.0);
+                let placed = Placed::new(&built, Default::default(), turned);
+                for beyond in [0.0, 0.5] {
+                    let off = |tooth: &u32| {
+                        let there = placed.direction(*tooth) + beyond * TAU / 11.0;
+                        (there - direction).cos()
+                    };
+                    let mut all: Vec<u32> = (1..=11).collect();
+                    all.sort_by(|a, b| off(b).total_cmp(&off(a)));
+                    let mut found = near(&placed, direction, beyond);
+                    // In order, counter-clockwise.
+                    assert_eq!(found[1], all[0], "{face:?} {k} {beyond}");
+                    assert_eq!(found[1], built.counter_clockwise(found[0], 1));
+                    assert_eq!(found[2], built.counter_clockwise(found[1], 1));
+                    found.sort_unstable();
+                    all.truncate(3);
+                    all.sort_unstable();
+                    assert_eq!(found[..], all[..], "{face:?} {k} {beyond}");
+                }
+            }
+        }
+    }
+}

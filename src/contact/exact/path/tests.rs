@@ -5,10 +5,8 @@ use crate::contact::exact::section::Section;
 use crate::gear::{Deviations, Face, GearDesign, Side};
 use crate::pair::{GearPair, Mating, Pose};
 
-/// `σ = ρ dθ/dρ` of a contact on the line is that of the locked flank about the free axis, and determines its bound. Gears
-/// of 25 and 18 teeth, both eccentric, with pitch deviations of up to a hundredth of a pitch. Source: the flank slightly to either side.
-#[test]
-fn the_slope_of_a_contact_is_that_of_the_locked_flank() {
+/// 200 poses, of either side. Gears of 25 and 18 teeth, both eccentric, with pitch deviations of up to a hundredth of a pitch.
+fn each(mut of: impl FnMut(&PosedFlanks, &TangentVariation)) {
     let gear = |teeth: u32, face, eccentricity| {
         let curve = |shift: f64| -> Vec<f64> {
             let each = 0..teeth;
@@ -23,18 +21,52 @@ fn the_slope_of_a_contact_is_that_of_the_locked_flank() {
     let pair = GearPair::new(wheel, pinion, 43.3).unwrap();
     let section = Section::new(&pair);
     let variation = &section.solver.as_ref().unwrap().variation;
-    const STEP: f64 = 1e-5;
-    let mut compared = 0;
     for (k, problem) in (0..200).flat_map(|k| [(k, &section.right), (k, &section.left)]) {
         let mating = Mating {
             fraction: f64::from(k) / 200.0,
             ..Mating::at(1 + k % 25, 1 + k % 18, Side::Right)
         };
-        let posed = section.posed(problem, &Pose::new(&pair, mating));
+        of(
+            &section.posed(problem, &Pose::new(&pair, mating)),
+            variation,
+        );
+    }
+}
+
+/// The steps include every one whose rolls are on both involutes within the tolerances, and few others. Source: the
+/// rolls of every step in reach.
+#[test]
+fn steps_on_the_line_are_those_whose_rolls_are() {
+    let (mut on, mut none) = (0, 0);
+    each(|posed, variation| {
+        let (line, _) = posed.start(variation).unwrap();
+        for plays in [(0.0, 0.0), (0.15, 0.0), (0.0, 0.2), (0.1, 0.15)] {
+            let steps = posed.steps_on(&line, plays);
+            let all = posed.steps();
+            let holds: Vec<i64> = all
+                .filter(|&step| posed.on_path(posed.rolls(&line, &posed.pair(step)), plays))
+                .collect();
+            let case = format!("{plays:?}: {holds:?} of {steps:?}");
+            assert!(holds.iter().all(|step| steps.contains(step)), "{case}");
+            assert!(steps.count() <= holds.len() + 2, "{case}");
+            on += holds.len();
+            none += usize::from(holds.is_empty());
+        }
+    });
+    assert!(on > 2000 && none < 20, "{on} {none}");
+}
+
+/// `σ = ρ dθ/dρ` of a contact on the line is that of the locked flank about the free axis, and determines its bound.
+/// Source: the flank slightly to either side.
+#[test]
+fn the_slope_of_a_contact_is_that_of_the_locked_flank() {
+    const STEP: f64 = 1e-5;
+    let mut compared = 0;
+    each(|posed, variation| {
         let mut tightest = TightestContacts::new(posed.problem);
         assert!(posed.on_line(variation, &mut tightest));
         let Some(touching) = tightest.choose() else {
-            continue;
+            return;
         };
         let (part, roll) = touching.candidate.locked;
         let locked = posed.locked(touching.step);
@@ -48,6 +80,6 @@ fn the_slope_of_a_contact_is_that_of_the_locked_flank() {
             "{found} {slope}"
         );
         compared += 1;
-    }
+    });
     assert!(compared > 300, "{compared}");
 }

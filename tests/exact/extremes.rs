@@ -79,7 +79,8 @@ pub fn proven(found: &Extremes) -> usize {
 /// Rough pairs are mostly jammed or off the line of action, where nothing is proven; these are not. Earlier, one in a
 /// hundred stayed open after 4000 cells. The depth in the fillet was evaluated for a corner above the form circle.
 /// Newton's method for the direction of separation stalled or oscillated at an end of an involute. Small runouts and pitch deviations make nearly
-/// equal matings of clear pairs. Of gears whose base pitches differ by up to 0.4 %, some tens of kelvin of a polymer, a few touch off the line of action.
+/// equal matings of clear pairs. Some gears have base pitches that differ by
+/// up to 0.4 %, as at some tens of kelvin of a polymer; a few of them touch off the line of action.
 #[test]
 fn ordinary_pairs_are_proven_and_hold() {
     for (count, deviations, expansion, poses, least) in [

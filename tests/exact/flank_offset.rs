@@ -74,8 +74,8 @@ fn involutes_stay_conjugate() {
     }
 }
 
-/// Heads of radius 2.4 mm vanish at 2.4 mm inwards. Outwards by `d`, the heads of two neighbours meet on the middle of the space at the radius
-/// `48 cos(π/24) + √((2.4 + d)² − (48 sin(π/24))²)`, and half the depth of 7.4 mm is left below their tops at `50.4 + d`.
+/// Heads of radius 2.4 mm vanish at 2.4 mm inwards. Outwards by `d`, the heads of two neighbours meet on the middle of the space. The radius there
+/// is `48 cos(π/24) + √((2.4 + d)² − (48 sin(π/24))²)`. Half the depth of 7.4 mm is left below their tops at `50.4 + d`.
 #[test]
 fn an_impossible_offset_is_refused_with_the_greatest() {
     let drawn = gear(&repeated(24, &pin(48.0, 2.4, 43.0)), 0.0);

@@ -10,9 +10,9 @@ fn rolled(part: &AsBuilt, steps_per_pitch: u32) -> Roll {
     measure(part, settings).roll.unwrap()
 }
 
-/// F_i'' ≈ 2 e of a pure eccentricity. Tight mesh keeps the distance of both centres at a_0, that of model 2 with zero play, so
-/// a'' = e cos χ + √(a_0² − e² sin² χ) about the axis: 2 e exactly between χ = 0 and π, and in between
-/// −e² sin² χ/(2 a_0) below the cosine. A perfect gear does not move. A helical gear moves equally in every section of any face.
+/// F_i'' ≈ 2 e of a pure eccentricity. Tight mesh keeps the distance of both centres at a_0, that of model 2 with zero play.
+/// About the axis a'' = e cos χ + √(a_0² − e² sin² χ). That is 2 e exactly between χ = 0 and π, and in between
+/// e² sin² χ/(2 a_0) below the cosine. A perfect gear does not move. A helical gear moves equally in every section of any face.
 #[test]
 fn an_eccentric_gear_moves_by_twice_its_eccentricity() {
     let perfect = |teeth, shift, thinner| spur(teeth, 3.0).shift(shift).thinner(thinner);

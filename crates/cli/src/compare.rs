@@ -1,6 +1,6 @@
 //! `gearlash compare`: judges pairs in a CI run; the difference of two outlines of one gear.
 
-use crate::console::{check_not_input, print, print_error_line, warn};
+use crate::console::{check_streams_not_input, print, print_error_line, warn};
 use crate::cycle::failed_checks;
 use crate::error::{Error, exit_code};
 use crate::judged::{self, JudgedFormat, print_outcome};
@@ -192,7 +192,7 @@ fn drawings(args: &Args) -> Result<u8, Error> {
         paths: [a, b],
         options: args.drawn.options()?,
     })?;
-    check_not_input(&compared.sources)?;
+    check_streams_not_input(&compared.sources)?;
     for (path, remarks) in args.pairs.iter().zip(&compared.remarks) {
         warn(path, &[], remarks);
     }

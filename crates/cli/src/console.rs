@@ -144,7 +144,7 @@ pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
 }
 
 /// An error where standard output or standard error is one of `sources`, as after `>> pair.toml`.
-pub(super) fn check_not_input(sources: &Sources) -> Result<(), Error> {
+pub(super) fn check_streams_not_input(sources: &Sources) -> Result<(), Error> {
     for (name, file) in streams() {
         let name = Path::new(name);
         if let Some(input) = file.and_then(|file| sources.named_open(name, &file)) {

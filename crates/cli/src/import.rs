@@ -1,7 +1,7 @@
 //! `gearlash import`: the content of a file of measurements, as a table and as lines for a pair file; of a gearbox model, and the
 //! pair file of a stage.
 
-use crate::console::{check_not_input, print};
+use crate::console::{check_streams_not_input, print};
 use crate::error::Error;
 use crate::options::ScreenArgs;
 use crate::output::Target;
@@ -172,7 +172,7 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
 }
 
 fn show(args: &Args, found: &Imported) -> Result<u8, Error> {
-    check_not_input(&found.sources)?;
+    check_streams_not_input(&found.sources)?;
     print(&match args.format {
         Format::Text => text::imported(found, &args.screen.screen()),
         Format::Json => found.to_json(),
@@ -211,7 +211,7 @@ impl RexsArgs {
 /// Prints the content of the model at `path`, and the pair file of a stage.
 fn model(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<u8, Error> {
     let file = rexs::read(path)?;
-    check_not_input(&file.sources)?;
+    check_streams_not_input(&file.sources)?;
     let name = gearlash_files::named(path).display().to_string();
     let chosen = match args.stage {
         Some(id) => Ok(pair_of(&name, &file, id)?),

@@ -1,6 +1,6 @@
 //! Reads the input of a command, and limits its poses, in number and bytes, before it begins.
 
-use crate::console::{check_not_input, print, print_error_line, warn};
+use crate::console::{check_streams_not_input, print, print_error_line, warn};
 use crate::error::Error;
 use gearlash_files::characters::plain;
 use gearlash_files::outlines::Drawings;
@@ -30,7 +30,7 @@ impl InputFile for GearsFile {
 pub(super) fn reported<T: InputFile>(path: &Path, file: Result<T, InputError>) -> Result<T, Error> {
     let file = file?;
     let (sources, warnings, remarks) = file.read();
-    check_not_input(sources)?;
+    check_streams_not_input(sources)?;
     warn(path, warnings, remarks);
     Ok(file)
 }

@@ -1,6 +1,6 @@
 //! `gearlash match`: pairs measured wheels with pinions, and finds the teeth to mark.
 
-use crate::console::{check_not_input, print_error_line, warn};
+use crate::console::{check_streams_not_input, print_error_line, warn};
 use crate::error::{Error, exit_code};
 use crate::options::{ResultsArgs, ScreenArgs};
 use crate::progress::Progress;
@@ -54,7 +54,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = read_match(&args.pair, folders, wanted)
         .map_err(|errors| Error::Several(errors.into_iter().map(Error::Input).collect()))?;
     let sources = &file.pair.sources;
-    check_not_input(sources)?;
+    check_streams_not_input(sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
     warn(&args.pair, &warnings, &file.pair.remarks);
     for (kind, lines) in [

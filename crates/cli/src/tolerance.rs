@@ -2,7 +2,7 @@
 
 mod rows;
 
-use crate::console::{check_not_input, print_note, warn};
+use crate::console::{check_streams_not_input, print_note, warn};
 use crate::date::today;
 use crate::error::{Error, exit_code};
 use crate::options::{ResultsArgs, ScreenArgs};
@@ -57,7 +57,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let mut sources = file.pair.sources.clone();
     let rows_files = rows::expanded(&args.from_rows)?;
     rows_files.iter().for_each(|path| sources.add(path));
-    check_not_input(&sources)?;
+    check_streams_not_input(&sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
     warn(&args.pair, &warnings, &file.pair.remarks);
     if let Some(first) = args.first {

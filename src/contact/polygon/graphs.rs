@@ -174,9 +174,9 @@ mod tests {
         }
     }
 
-    /// The gap of two circles of radius 10 and 20 that bulge towards each other with the least distance `d`, or an overlap, is not above
-    /// `d`, and below it by the third order at most. Source: the closed form of their distance. Neighbours on either side of the
-    /// contact share one `x`, where their ends are apart.
+    /// Two circles of radius 10 and 20 bulge towards each other with the least distance `d`, or overlap. Their gap is not above `d`, and
+    /// below it by the third order at most. Source: the closed form of their distance. Neighbours on either side of the contact share
+    /// one `x`, where their ends are apart.
     #[test]
     fn the_gap_of_arcs_is_exact_to_the_third_order() {
         let facing = |half: f64| {

@@ -166,7 +166,7 @@ pub fn buttons_wheel_and_keys_zoom(browser: &Chromium, site: &Site) {
     let mut tab = open(browser, site);
     let tab = &mut tab;
     let home = view(tab);
-    // Both sides are so many times those of the opening.
+    // Both sides are `times` those of the first view.
     let assert_size = |tab: &mut Tab, times: f64| {
         let now = view(tab);
         let off = [2, 3].map(|side| (now[side] - times * home[side]).abs());

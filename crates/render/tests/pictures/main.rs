@@ -59,7 +59,7 @@ fn first_course(study: &Study) -> Course {
     courses(&revolved(study)).remove(0)
 }
 
-/// A sweep from teeth 1, 1 on over so many pitches.
+/// A sweep over `pitches` from teeth 1, 1 on.
 fn over_pitches(mut study: Study, pitches: u64, steps_per_pitch: u32) -> Study {
     study.sweep = Some(SweepPlan::Revolution {
         pitches,

@@ -601,9 +601,16 @@ impl AsBuilt {
 
     /// Lead deviation of a tooth's flank, mm, `b` mm from this section away from the viewer.
     pub fn lead(&self, side: Side, tooth: u32, b: f64) -> f64 {
-        let height = self.height + self.inwards() * b;
-        self.lead_curve(side, tooth)
-            .map_or(0.0, |curve| curve.at(height))
+        self.lead_jet(side, tooth, b)[0]
+    }
+
+    /// Lead deviation of a tooth's flank, mm, `b` mm from this section away from the viewer, and its rate, mm per mm.
+    pub(crate) fn lead_jet(&self, side: Side, tooth: u32, b: f64) -> [f64; 2] {
+        let inwards = self.inwards();
+        self.lead_curve(side, tooth).map_or([0.0; 2], |curve| {
+            let [lead, rate, _] = curve.jet(self.height + inwards * b);
+            [lead, inwards * rate]
+        })
     }
 
     /// The lead deviation of a tooth's flank over the height; `None` without lead deviations.
@@ -618,15 +625,6 @@ impl AsBuilt {
         let curve = self.lead_curve(side, tooth).into_iter();
         let knots = curve.flat_map(|curve| curve.knots().iter());
         knots.map(|knot| self.inwards() * (knot - self.height))
-    }
-
-    /// Rate of the lead of a tooth's flank, mm per mm, `b` mm from this section away from the viewer.
-    pub(crate) fn lead_rate(&self, side: Side, tooth: u32, b: f64) -> f64 {
-        let height = self.height + self.inwards() * b;
-        let rate = self
-            .lead_curve(side, tooth)
-            .map_or(0.0, |curve| curve.slope(height));
-        self.inwards() * rate
     }
 
     /// Least and greatest lead of a tooth's flank over `face`, mm from this section: its value, mm, and its first and second rate along the

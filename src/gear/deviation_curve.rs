@@ -322,7 +322,15 @@ impl DeviationCurve {
             let cubic = &self.cubics[k];
             let [from, to] = [from, to].map(|xi| xi - self.knots[k]);
             let inside = |xi: &f64| *xi > from && *xi < to;
+            for end in [from, to] {
+                for (which, value) in at(cubic, end).into_iter().enumerate() {
+                    take(which, value);
+                }
+            }
             let [_, b, c, d] = *cubic;
+            if c == 0.0 && d == 0.0 {
+                continue;
+            }
             // The slope is extreme at δ'' = 0, the deviation at δ' = 0.
             let flat = -c / (3.0 * d);
             let root = (c * c - 3.0 * b * d).sqrt();
@@ -331,11 +339,6 @@ impl DeviationCurve {
                 (-c - root) / (3.0 * d),
                 -b / (2.0 * c),
             ];
-            for end in [from, to] {
-                for (which, value) in at(cubic, end).into_iter().enumerate() {
-                    take(which, value);
-                }
-            }
             if inside(&flat) {
                 take(1, at(cubic, flat)[1]);
             }

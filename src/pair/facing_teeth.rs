@@ -42,12 +42,18 @@ impl<'a> FacingTeeth<'a> {
         (height - at_0) / rate
     }
 
-    /// Leads of both teeth at `b`, less those in the measuring plane, mm.
-    pub fn leads(&self, b: f64) -> [f64; 2] {
+    /// Lead of each tooth at `b`, less that in the measuring plane, mm, and its rate, mm per mm.
+    pub fn jets(&self, b: f64) -> [[f64; 2]; 2] {
         [0, 1].map(|k| {
             let (gear, tooth) = self.teeth[k];
-            gear.lead(self.side, tooth, self.height(k, b)) - self.in_plane[k]
+            let [lead, rate] = gear.lead_jet(self.side, tooth, self.height(k, b));
+            [lead - self.in_plane[k], self.heights[k][1] * rate]
         })
+    }
+
+    /// Leads of both teeth at `b`, less those in the measuring plane, mm.
+    pub fn leads(&self, b: f64) -> [f64; 2] {
+        self.jets(b).map(|[lead, _]| lead)
     }
 
     /// Sum of both leads at `b`, less that in the measuring plane, mm: what they add along the base tangent.
@@ -58,10 +64,7 @@ impl<'a> FacingTeeth<'a> {
 
     /// Rates of both leads at `b`, mm per mm.
     pub fn rates(&self, b: f64) -> [f64; 2] {
-        [0, 1].map(|k| {
-            let (gear, tooth) = self.teeth[k];
-            self.heights[k][1] * gear.lead_rate(self.side, tooth, self.height(k, b))
-        })
+        self.jets(b).map(|[_, rate]| rate)
     }
 
     /// Rate of the sum of both leads at `b`, mm per mm.

@@ -138,13 +138,32 @@ impl Separation {
         near: f64,
         turns: [f64; 2],
     ) -> Separation {
-        let pair = posed.pair(step).turned(turns);
-        let arcs = arcs(posed, Arc::endless);
         let start = Start {
             beta: f64::NAN,
             gap: near,
         };
-        if let Some(found) = Separation::on_line_of_action(posed, &pair, arcs, &start) {
+        Separation::endless_from(posed, step, turns, &start)
+    }
+
+    /// Like [`Separation::endless_turned`], found from a line that may be that of another pair or section.
+    pub fn endless_beside(
+        posed: &PosedFlanks,
+        step: i64,
+        turns: [f64; 2],
+        start: &NearStart,
+    ) -> Separation {
+        Separation::endless_from(posed, step, turns, start)
+    }
+
+    fn endless_from(
+        posed: &PosedFlanks,
+        step: i64,
+        turns: [f64; 2],
+        start: &impl Trigonometry,
+    ) -> Separation {
+        let pair = posed.pair(step).turned(turns);
+        let arcs = arcs(posed, Arc::endless);
+        if let Some(found) = Separation::on_line_of_action(posed, &pair, arcs, start) {
             return found;
         }
         Separation {
@@ -318,11 +337,6 @@ impl Separation {
     /// `e^{iμ}` of the gap.
     pub fn gap_turned(&self, start: &NearStart) -> C {
         Trigonometry::gap(start, self.gap)
-    }
-
-    /// The separating direction `β`, rad.
-    pub fn direction(&self) -> f64 {
-        self.beta
     }
 
     /// Rolls of the locked and the free involute in the separating direction.

@@ -33,7 +33,6 @@ use crate::contact::cycle_search::{Cell, CycleCells};
 use crate::contact::effort::Effort;
 use crate::contact::exact::leaning::LeaningFrame;
 use crate::contact::exact::separation::{NearStart, Separation};
-use crate::contact::exact::shape::turn;
 use crate::contact::exact::{Doubt, End, ExactKernel};
 use crate::contact::gap::dot;
 use crate::contact::lost_motion::Contact;
@@ -139,6 +138,9 @@ impl CycleCells for AlongFaceCells<'_> {
             let ends = [posed[k].on(-half), posed[k].on(half)];
             SideCell {
                 assembly,
+                starts: ends
+                    .each_ref()
+                    .map(|end| NearStart::new(&end.flanks, end.nominal_gap())),
                 leaning: LeaningFrame::new(assembly, &ends[0].flanks)
                     .zip(LeaningFrame::new(assembly, &ends[1].flanks))
                     .map(|(one, other)| [one, other]),
@@ -195,6 +197,8 @@ struct SideCell<'a> {
     assembly: &'a GearPair,
     /// Where axes lean: the frames at both ends.
     leaning: Option<[LeaningFrame; 2]>,
+    /// Lines of action at both ends, from which touches are searched.
+    starts: [NearStart; 2],
     /// The cell in the measuring plane.
     over: Over<'a>,
 }
@@ -217,6 +221,11 @@ impl<'a> SideCell<'a> {
         [problem.locked.shape.base, problem.free.shape.base]
     }
 
+    fn tip_rolls(&self) -> [f64; 2] {
+        let problem = self.over.side.problem;
+        [&problem.locked, &problem.free].map(|teeth| teeth.shape.tip_roll)
+    }
+
     fn twists(&self) -> [f64; 2] {
         let flanks = &self.over.ends[0].flanks;
         self.members()
@@ -237,14 +246,28 @@ impl<'a> SideCell<'a> {
     fn above(&self) -> Option<Bound> {
         let mut most = [f64::NEG_INFINITY; 2];
         let mut open = 0.0f64;
+        let mut pairs = Vec::new();
         for step in self.steps() {
             self.over.effort.spend(STEP);
-            let found = self.over.endless_separations(step);
+            let found = [0, 1].map(|k| {
+                let flanks = &self.over.ends[k].flanks;
+                Separation::endless_beside(flanks, step, [0.0; 2], &self.starts[k])
+            });
             if !found.iter().all(|one| one.touches) {
                 return None;
             }
             let bend = self.bend(&found)?;
             let line = [0, 1].map(|k| bend - self.over.ends[k].room(found[k].gap));
+            pairs.push((step, found, line));
+        }
+        // Those first that are far from tips: they are likely to be tightest.
+        let passed = |(_, found, _): &(i64, [Separation; 2], [f64; 2])| {
+            let beyond =
+                |k: usize| found[0].rolls()[k].max(found[1].rolls()[k]) - self.tip_rolls()[k];
+            beyond(0).max(beyond(1))
+        };
+        pairs.sort_by(|one, other| passed(one).total_cmp(&passed(other)));
+        for (step, found, line) in pairs {
             let pair = PairOverFace::new(self, step, &found)?;
             let [from, to] = pair.face;
             if from > to {
@@ -255,10 +278,10 @@ impl<'a> SideCell<'a> {
             if (0..2).all(|k| line[k] + simple[k] + pair.at_fillet(pair.face) <= most[k]) {
                 continue;
             }
-            let first = pair.greatest(0);
+            let floors = [0, 1].map(|k| most[k] - line[k]);
             let greatest = match self.leaning {
-                Some(_) => [first, pair.greatest(1)],
-                None => [first; 2],
+                Some(_) => [0, 1].map(|k| pair.greatest(k, floors[k])),
+                None => [pair.greatest(0, floors[0].min(floors[1])); 2],
             };
             for k in 0..2 {
                 most[k] = most[k].max(line[k] + greatest[k]);
@@ -338,13 +361,13 @@ impl<'a> SideCell<'a> {
             return Some(Separation::turned(&posed.flanks, step, near, turns));
         };
         self.over.effort.spend(LEANING_STEP);
-        let start = NearStart::new(&posed.flanks, near);
-        let (here, _, touch) = frames[end].undisturbed(&posed.flanks, (step, b), turns, &start)?;
+        let start = &self.starts[end];
+        let (here, _, touch) = frames[end].undisturbed(&posed.flanks, (step, b), turns, start)?;
         let turns = [0, 1].map(|k| {
             let lead = teeth.leads(b + touch.heights[k])[k];
             twists[k] * b + touch.turns[k] - lead / bases[k]
         });
-        Some(Separation::beside(&here, step, turns, &start))
+        Some(Separation::beside(&here, step, turns, start))
     }
 
     /// The gears, locked and free.
@@ -415,7 +438,7 @@ impl<'a> SideCell<'a> {
     fn other_contact(&self, found: &[Separation; 2], turned: f64) -> f64 {
         let apart = [0, 1].map(|k| {
             let end = &self.over.ends[k];
-            let nearest = Separation::endless(&end.flanks, 0, end.nominal_gap());
+            let nearest = Separation::endless_beside(&end.flanks, 0, [0.0; 2], &self.starts[k]);
             (found[k].gap - nearest.gap).abs() + turned
         });
         let [from, to] = self.assembly.face();
@@ -429,15 +452,15 @@ impl<'a> SideCell<'a> {
         let posed = &self.over.ends[end];
         let (here, bases, twists) = (frame.at(&posed.flanks, b), self.bases(), self.twists());
         let turns = twists.map(|twist| twist * b);
-        let found = Separation::endless_turned(&here, step, posed.nominal_gap(), turns);
+        let start = &self.starts[end];
+        let found = Separation::endless_beside(&here, step, turns, start);
         if !found.touches {
             return None;
         }
-        let start = NearStart::new(&here, found.gap);
-        let touch = frame.touch(b, &here, &found, &start);
+        let touch = frame.touch(b, &here, &found, start);
         let (rolls, [locked, free]) = (found.rolls(), touch.turns);
-        let direction = turn(found.direction());
-        let leans = frame.leans(turn(found.gap));
+        let direction = found.direction_turned(start, 0.0);
+        let leans = frame.leans(found.gap_turned(start));
         // Towards the locked gear's tangent point; towards that of the free gear is opposite.
         let winding = |k: usize| bases[k] * twists[k] * dot(leans[k], -direction);
         Some(OnLine {
@@ -467,7 +490,7 @@ struct OnLine {
 struct Tip {
     base: f64,
     roll: f64,
-    /// Least roll beyond it in the section at 0, rad, and its rate, rad/mm.
+    /// Least roll beyond it in the section at 0 over the cell, rad, and its rate, rad/mm.
     excess: f64,
     rate: f64,
     /// Its change per locked lead, rad/mm.
@@ -705,17 +728,12 @@ impl<'a> PairOverFace<'a> {
     /// Bound on the rotation at an end of the cell over a part of the face, rad, without the room of tips.
     fn simple(&self, end: usize, part: [f64; 2]) -> f64 {
         let lead = self.teeth.greatest_lead(part);
-        let [at_0, rate, curve] = self.leaning[end];
-        let [one, other] = part.map(|b| rate * b + curve * b * b);
-        // A parabola rises above its chord by a quarter of the square of its width at most.
-        let width = part[1] - part[0];
-        let above = (-0.25 * curve * width * width).max(0.0);
         let arm = if lead > 0.0 {
             self.arms[0]
         } else {
             self.arms[1]
         };
-        lead / arm + (at_0 + one.max(other) + above + self.bend)
+        lead / arm + greatest_of(self.leaning[end], part) + self.bend
     }
 
     /// Bound on the rotation, rad, that a lean adds where a corner touches a fillet in a part of the face.
@@ -730,18 +748,24 @@ impl<'a> PairOverFace<'a> {
         more.sum::<f64>() / self.arms[0]
     }
 
-    /// Bound on the rotation at an end of the cell, rad.
-    fn greatest(&self, end: usize) -> f64 {
-        let [least, most] = self.arms.map(|arm| {
-            let along = self.leaning[end].map(|factor| factor * arm);
-            self.greatest_along(along) / arm
-        });
-        least.max(most) + self.bend
+    /// Bound on the rotation at an end of the cell, rad; that of `floor` where it is lower.
+    fn greatest(&self, end: usize, floor: f64) -> f64 {
+        let along = |arm: f64| {
+            let parabola = self.leaning[end].map(|factor| factor * arm);
+            self.greatest_along(parabola, (floor - self.bend) * arm) / arm
+        };
+        let [least, most] = self.arms;
+        let found = along(least);
+        let found = if least == most {
+            found
+        } else {
+            found.max(along(most))
+        };
+        found + self.bend
     }
 
-    /// The room that both tips leave at `b`, and its rate.
-    fn room(&self, b: f64) -> [f64; 2] {
-        let (lead, rate) = (self.teeth.leads(b)[0], self.teeth.rates(b)[0]);
+    /// The room that both tips leave at `b` with these leads and their rates, and its rate.
+    fn room(&self, b: f64, [lead, rate]: [f64; 2]) -> [f64; 2] {
         let mut room = [0.0; 2];
         for tip in &self.tips {
             let [own, closing] = tip.room(tip.beyond(b, lead));
@@ -754,8 +778,9 @@ impl<'a> PairOverFace<'a> {
     /// Greatest second derivative of the room of tips by leads of the locked tooth, which bend with one of `bends` between two places, mm per
     /// mm²: their rolls beyond the ends bend.
     fn most_hollow(&self, ends: [f64; 2], [least, most]: [f64; 2]) -> f64 {
+        let leads = ends.map(|b| self.teeth.leads(b)[0]);
         let hollow = |tip: &Tip| {
-            let beyond = ends.map(|b| tip.beyond(b, self.teeth.leads(b)[0]));
+            let beyond = [0, 1].map(|k| tip.beyond(ends[k], leads[k]));
             let beyond = beyond[0].max(beyond[1]).clamp(0.0, 1.0) * 1.01;
             let bend = (-tip.by_lead * least).max(-tip.by_lead * most).max(0.0);
             bend * tip.base * (tip.roll + beyond) * beyond
@@ -763,23 +788,53 @@ impl<'a> PairOverFace<'a> {
         self.tips.iter().map(hollow).sum()
     }
 
-    /// Bound of `Σ δ(b)` and a parabola, mm, less the room of the tips, over the face.
-    fn greatest_along(&self, parabola: [f64; 3]) -> f64 {
+    /// Bound of `Σ δ(b)` and a parabola, mm, less the room of the tips, over the face; `floor` where it is no more.
+    fn greatest_along(&self, parabola: [f64; 3], floor: f64) -> f64 {
         let [from, to] = self.face;
         let [at_0, rate, curve] = parabola;
         if from == to {
             let along = at_0 + from * (rate + from * curve);
-            return self.teeth.lead(from) + along - self.room(from)[0];
+            let [locked, free] = self.teeth.jets(from);
+            return locked[0] + free[0] + along - self.room(from, locked)[0];
         }
-        let stretches = self.knots.windows(2);
-        let bounds = stretches.map(|ends| self.greatest_between(parabola, [ends[0], ends[1]]));
-        bounds.fold(f64::NEG_INFINITY, f64::max)
+        let mut most = floor;
+        let mut open = vec![&self.knots[..]];
+        while let Some(knots) = open.pop() {
+            let part = [knots[0], knots[knots.len() - 1]];
+            if knots.len() == 2 {
+                most = most.max(self.greatest_between(parabola, part, most));
+            } else if self.most_between(parabola, part) > most {
+                let middle = knots.len() / 2;
+                open.extend([&knots[middle..], &knots[..=middle]]);
+            }
+        }
+        most
     }
 
-    /// The bound between two knots.
-    fn greatest_between(&self, [at_0, rate, curve]: [f64; 3], [from, to]: [f64; 2]) -> f64 {
-        let value = |b: f64| self.teeth.lead(b) + (at_0 + b * (rate + b * curve));
-        let slope = |b: f64| self.teeth.rate(b) + (rate + 2.0 * b * curve);
+    /// A quick bound between two places.
+    fn most_between(&self, parabola: [f64; 3], part: [f64; 2]) -> f64 {
+        self.teeth.greatest_lead(part) + greatest_of(parabola, part) - self.least_room(part)
+    }
+
+    /// The room of both tips in a part of the face is no less, mm.
+    fn least_room(&self, part: [f64; 2]) -> f64 {
+        let of = |tip: &Tip| {
+            let ends = part.map(|b| tip.excess + tip.rate * b);
+            let [least, most] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            let [own, _] = tip.room(least - self.turned);
+            own - tip.pull * (least - self.turned).max(0.0)
+                + (tip.pull * (most + self.turned).max(0.0)).min(0.0)
+        };
+        self.tips.iter().map(of).sum()
+    }
+
+    /// The bound between two knots, or a lower value if it is no more than `floor`.
+    fn greatest_between(
+        &self,
+        [at_0, rate, curve]: [f64; 3],
+        [from, to]: [f64; 2],
+        floor: f64,
+    ) -> f64 {
         // Just inside, where each lead is one cubic.
         let beside = 1e-9 * (to - from);
         let [low, high] = [from + beside, to - beside];
@@ -789,10 +844,14 @@ impl<'a> PairOverFace<'a> {
         let hollow = (most + self.most_hollow([from, to], bends[0])).max(0.0);
         let at = |b: f64| {
             let inside = b.clamp(low, high);
-            let ([room, _], [_, closing]) = (self.room(b), self.room(inside));
-            let filled = 0.5 * hollow * (b - from) * (to - b);
-            let filling = 0.5 * hollow * (from + to - 2.0 * b);
-            (value(b) + filled - room, slope(inside) + filling - closing)
+            let [locked, free] = self.teeth.jets(inside);
+            let [room, closing] = self.room(inside, locked);
+            let filled = 0.5 * hollow * (inside - from) * (to - inside);
+            let filling = 0.5 * hollow * (from + to - 2.0 * inside);
+            let along = at_0 + inside * (rate + inside * curve);
+            let slope = locked[1] + free[1] + (rate + 2.0 * inside * curve) + filling - closing;
+            let value = locked[0] + free[0] + along + filled - room;
+            (value + (b - inside) * slope, slope)
         };
         let (mut a, mut b) = ((from, at(from)), (to, at(to)));
         if a.1.1 <= 0.0 {
@@ -810,7 +869,7 @@ impl<'a> PairOverFace<'a> {
         };
         let mut bound = crossing(a, b);
         for _ in 0..STEPS {
-            if bound - a.1.0.max(b.1.0) < CLOSE {
+            if bound <= floor || bound - a.1.0.max(b.1.0) < CLOSE {
                 break;
             }
             let middle = 0.5 * (a.0 + b.0);
@@ -824,6 +883,14 @@ impl<'a> PairOverFace<'a> {
         }
         bound
     }
+}
+
+/// Bound of a parabola between two places; it has the factors of the powers.
+fn greatest_of([at_0, rate, curve]: [f64; 3], part: [f64; 2]) -> f64 {
+    let [one, other] = part.map(|b| rate * b + curve * b * b);
+    // It rises above its chord by a quarter of the square of its width at most.
+    let width = part[1] - part[0];
+    at_0 + one.max(other) + (-0.25 * curve * width * width).max(0.0)
 }
 
 /// The place between two others at which `value` is 0, if its sign differs there.

@@ -13,7 +13,7 @@ use super::search::SideRequest;
 use super::tightest::Touching;
 use crate::contact::body::FarFlanks;
 use crate::contact::gap::{
-    Arc, C, CurveContact, CurvePoint, MOST_NODES, PlacedCurve, common_normal, greatest, turn,
+    Arc, CurveContact, CurvePoint, MOST_NODES, PlacedCurve, common_normal, greatest,
 };
 use crate::gear::{ProfilePart, smooth};
 
@@ -67,18 +67,13 @@ pub(super) fn is_sideways(posed: &PosedFlanks, step: i64) -> bool {
     let locked = posed.locked(step);
     let mirrored = Placed {
         centre: locked.centre.conj(),
-        direction: far_direction(&locked).conj(),
+        direction: locked.far_direction().conj(),
         ..locked
     };
     let free = &posed.problem.free;
     let reach = free.shape.tip_radius + posed.problem.free_off.norm();
     // Less by a rounding: a flank that is nearly reached is also examined.
     tip_arm(&mirrored) <= 0.0 && least_flank_radius(&mirrored) * (1.0 - 1e-9) <= reach
-}
-
-/// `e^{iθ}` of the far half of a locked tooth, whose curves are mirrored. Its far corner is the mirror image of the near one, turned.
-fn far_direction(locked: &Placed) -> C {
-    locked.direction * turn(locked.far.arg() + locked.shape.tip_corner().arg())
 }
 
 /// The greatest gap of a step's free half tooth and the locked tooth's far half, if it exceeds `floor`.
@@ -90,24 +85,25 @@ pub(super) fn far_contact(
 ) -> Result<Option<CandidateContact>, SearchExhausted> {
     let (locked, free) = (posed.locked(step), posed.free(step));
     let shape = locked.shape;
-    let direction = far_direction(&locked);
+    let direction = locked.far_direction();
     let far = |part| PlacedCurve {
         mirrored: true,
         direction,
         ..locked.curve(part)
     };
+    let mates = FREE_PARTS.iter().flat_map(|&part| {
+        let (low, high) = free.range(part);
+        let ends = smooth(free.shape.curve(part).edges(), low, high);
+        let free = &free;
+        ends.map(move |(low, high)| Arc::new(free.curve(part), part as usize, low, high))
+    });
+    let mates: Vec<Arc> = mates.collect();
     let mut nodes = Vec::new();
     for part in FAR_PARTS {
         let (low, high) = shape.range(part);
         for (low, high) in smooth(shape.curve(part).edges(), low, high) {
             let arc = Arc::new(far(part), part as usize, low, high);
-            for mate in FREE_PARTS {
-                let (low, high) = free.range(mate);
-                let ends = smooth(free.shape.curve(mate).edges(), low, high);
-                nodes.extend(ends.map(|(low, high)| {
-                    (arc, Arc::new(free.curve(mate), mate as usize, low, high))
-                }));
-            }
+            nodes.extend(mates.iter().map(|mate| (arc, *mate)));
         }
     }
     let origin = posed.origin_of(step);

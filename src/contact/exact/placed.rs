@@ -28,6 +28,11 @@ impl<'a> Placed<'a> {
         }
     }
 
+    /// `e^{iθ}` of the tooth's far half, whose curves are mirrored: its far corner is the mirror image of the near one, turned.
+    pub fn far_direction(&self) -> C {
+        self.direction * self.shape.mirror(self.far)
+    }
+
     /// Radius about the free axis of a point of the half tooth's own frame.
     pub fn own_to_axis(&self, point: C) -> f64 {
         (self.centre + self.direction * point).norm_sqr().sqrt()

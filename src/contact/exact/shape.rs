@@ -139,6 +139,12 @@ impl HalfToothShape {
         self.corners[0].1
     }
 
+    /// `e^{iβ}`: the far half of a tooth is `e^{iβ}` times the conjugate of the near one; `far` is its far corner.
+    pub fn mirror(&self, far: C) -> C {
+        let turned = far * self.tip_corner();
+        turned / turned.norm_sqr().sqrt()
+    }
+
     /// Parameters of a part's two ends, the lesser first. Equal ends: the part has no length.
     pub fn range(&self, part: ProfilePart) -> (f64, f64) {
         self.part(part).range()

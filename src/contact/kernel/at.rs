@@ -80,13 +80,25 @@ impl At {
         room > need + lost
     }
 
+    /// The supports of `locked` along the direction `n = e^{iν}` and of `free` against it, `ν` within ±π.
+    #[inline]
+    pub fn supports(&self, locked: &Convex, free: &Convex, nu: f64, n: C) -> [Support; 2] {
+        let own = n * self.directions[0].conj();
+        let locked = locked.support(wrapped(nu - self.angles[0]), own);
+        let own = -n * self.directions[1].conj();
+        let free = free.support(wrapped(wrapped(nu + PI) - self.angles[1]), own);
+        [locked, free]
+    }
+
     /// The room between `locked` and `free` in the direction `n = e^{iν}`, `ν` within ±π.
     #[inline]
     pub fn room(&self, locked: &Convex, free: &Convex, nu: f64, n: C) -> Room {
-        let own = n * self.directions[0].conj();
-        let l = locked.support(wrapped(nu - self.angles[0]), own);
-        let own = -n * self.directions[1].conj();
-        let f = free.support(wrapped(wrapped(nu + PI) - self.angles[1]), own);
+        self.room_of(&self.supports(locked, free, nu, n), n)
+    }
+
+    /// The room between two pieces with these supports along `n`.
+    #[inline]
+    pub fn room_of(&self, &[l, f]: &[Support; 2], n: C) -> Room {
         let d = self.centres[1] - self.centres[0];
         Room {
             room: dot(d, n) - l.reach - f.reach,

@@ -186,12 +186,6 @@ impl<'a> Convex<'a> {
     }
 }
 
-/// `e^{iβ}`: the far half of a tooth is `e^{iβ}` times the conjugate of the near one; `far` is its far corner.
-pub(super) fn mirror(shape: &HalfToothShape, far: C) -> C {
-    let turned = far * shape.tip_corner();
-    turned / turned.norm()
-}
-
 /// Infinite if the normal of the edge between two corners of a hull, counter-clockwise from one to the other, is within `play` of `omega`.
 fn radius_of_edge([from, to]: [C; 2], omega: f64, play: f64) -> f64 {
     let normal = (from - to) * C::i();
@@ -225,7 +219,7 @@ pub(super) fn wrapped(angle: f64) -> f64 {
 impl Top<'_> {
     /// `e^{iβ}`: the far half of the tooth is `e^{iβ}` times the conjugate of the near one.
     fn mirror(&self) -> C {
-        mirror(self.shape, self.far)
+        self.shape.mirror(self.far)
     }
 
     fn mirrored(&self, own: C) -> C {

@@ -17,8 +17,8 @@ use crate::contact::gap::{C, dot, turn};
 use crate::gear::{Fillet, Part, PartCurve};
 use std::f64::consts::PI;
 
-/// Stretches into which a curve is cut in advance (tuned: 4 to 8 are equally good).
-const STRETCHES: u32 = 6;
+/// Stretches into which a curve is cut in advance (tuned: against 6, poses of equal gears take 8 % less, those with a small pinion 6 % more).
+const STRETCHES: u32 = 4;
 
 /// Limit of halvings of a stretch: smaller ones only occur at a touch.
 const DEEPEST: u32 = 26;
@@ -335,21 +335,29 @@ impl At {
         tell: &mut impl FnMut([f64; 2], OffStretch),
     ) -> bool {
         let mut open: Vec<(Stretch, u32)> = Vec::new();
+        // False where a stretch can be neither proven nor cut.
+        let mut examine = |stretch: &Stretch, depth, open: &mut Vec<(Stretch, u32)>| {
+            let proof = self.off_stretch((owner, hollow), stretch, (mate, facing), need, looks);
+            if let Some(proof) = proof {
+                tell(stretch.ends, proof);
+                return true;
+            }
+            if depth >= DEEPEST || *looks > most {
+                return false;
+            }
+            let nearest = self.nearest_tangent((owner, hollow), stretch, mate, need);
+            let parts = hollow.cut(stretch, nearest.map(|(at, _)| at));
+            open.extend(parts.map(|part| (part, depth + 1)));
+            true
+        };
         for stretch in &hollow.stretches {
-            open.push((*stretch, 0));
+            if !examine(stretch, 0, &mut open) {
+                return false;
+            }
             while let Some((stretch, depth)) = open.pop() {
-                let proof =
-                    self.off_stretch((owner, hollow), &stretch, (mate, facing), need, looks);
-                if let Some(proof) = proof {
-                    tell(stretch.ends, proof);
-                    continue;
-                }
-                if depth >= DEEPEST || *looks > most {
+                if !examine(&stretch, depth, &mut open) {
                     return false;
                 }
-                let nearest = self.nearest_tangent((owner, hollow), &stretch, mate, need);
-                let parts = hollow.cut(&stretch, nearest.map(|(at, _)| at));
-                open.extend(parts.map(|part| (part, depth + 1)));
             }
         }
         true

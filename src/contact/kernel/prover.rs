@@ -16,7 +16,7 @@
 //! reach of each other.
 
 use super::at::{Apart, At};
-use super::convex::{Convex, Support, along, mirror, wrapped};
+use super::convex::{Convex, Support, along};
 use super::hollow::{Hollow, OffStretch};
 use super::proof::{Piece, Proof, Reason, Separation, SideProof, TouchProof};
 use crate::contact::Effort;
@@ -28,7 +28,6 @@ use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
-use std::f64::consts::PI;
 use std::iter;
 
 /// Widest bound, as a part of a pitch, that is proven: a wider one is not specific to one pair of teeth.
@@ -258,24 +257,18 @@ struct Lowest {
 }
 
 impl Along {
-    fn new(pair: &Pair, apart: Apart, nu: f64) -> Along {
+    /// The ends along the direction of `apart`, in which the tops have these supports.
+    fn new(pair: &Pair, apart: Apart, [locked, free]: [Support; 2]) -> Along {
         let (Apart::Direction(n) | Apart::OutOfReach(n)) = apart;
-        let (at, [tooth, top]) = (&pair.at, &pair.tops);
-        let own = n * at.directions[0].conj();
-        let locked = tooth.support(wrapped(nu - at.angles[0]), own);
+        let at = &pair.at;
         let is_disc = matches!(apart, Apart::OutOfReach(_));
         let top = if is_disc {
             Lowest {
-                at: -top.farthest(at.centres[1] * at.directions[1].conj()),
+                at: -pair.tops[1].farthest(at.centres[1] * at.directions[1].conj()),
                 arm: f64::INFINITY,
             }
         } else {
-            let own = -n * at.directions[1].conj();
-            lowest(
-                at,
-                n,
-                top.support(wrapped(wrapped(nu + PI) - at.angles[1]), own),
-            )
+            lowest(at, n, free)
         };
         Along {
             n,
@@ -287,7 +280,7 @@ impl Along {
 
     fn of_locked(&self, pair: &Pair, hollow: &Hollow, is_far: bool) -> f64 {
         let direction = if is_far {
-            pair.far_direction()
+            pair.placed[0].far_direction()
         } else {
             pair.at.directions[0]
         };
@@ -318,15 +311,9 @@ fn lowest(at: &At, n: C, back: Support) -> Lowest {
 const TOPS: [Piece; 2] = [Piece::Tooth, Piece::Top];
 
 impl Pair<'_> {
-    /// `e^{iθ}` of the far half of the locked tooth, whose curves are mirrored.
-    fn far_direction(&self) -> C {
-        let [locked, _] = &self.placed;
-        locked.direction * mirror(locked.shape, locked.far)
-    }
-
     /// The pair with the far half of the locked tooth instead of the near one.
     fn far_at(&self) -> At {
-        let direction = self.far_direction();
+        let direction = self.placed[0].far_direction();
         At {
             angles: [direction.im.atan2(direction.re), self.at.angles[1]],
             directions: [direction, self.at.directions[1]],
@@ -517,8 +504,8 @@ impl<'a> Proving<'a> {
         let nu = held.normal.im.atan2(held.normal.re);
         for step in self.posed.steps_of_whole_teeth() {
             let pair = self.pair(step, rotation, turned);
-            let (apart, nu) = self.tops_apart(&pair, (nu, held.normal))?;
-            self.fillets_apart(&pair, apart, nu)?;
+            let (apart, nu, supports) = self.tops_apart(&pair, (nu, held.normal))?;
+            self.fillets_apart(&pair, apart, (nu, supports))?;
             for owner in 0..2 {
                 self.root_apart(&pair, owner, nu)?;
             }
@@ -529,26 +516,37 @@ impl<'a> Proving<'a> {
         Ok(())
     }
 
-    /// Proves that the tops of a pair are apart; returns their separation and its direction, rad.
-    fn tops_apart(&mut self, pair: &Pair, (nu, n): (f64, C)) -> Result<(Apart, f64), NotProven> {
+    /// Proves that the tops of a pair are apart; returns their separation, its direction, rad, and their supports in it.
+    fn tops_apart(
+        &mut self,
+        pair: &Pair,
+        (nu, n): (f64, C),
+    ) -> Result<(Apart, f64, [Support; 2]), NotProven> {
         let need = self.prover.need;
         let [locked, free] = &pair.tops;
         self.looks += 1;
-        let here = pair.at.room(locked, free, nu, n);
-        let (apart, nu) = if pair.at.stays(here.room, here.arm, need) {
-            (Apart::Direction(n), nu)
+        let supports = pair.at.supports(locked, free, nu, n);
+        let here = pair.at.room_of(&supports, n);
+        let proven = if pair.at.stays(here.room, here.arm, need) {
+            (Apart::Direction(n), nu, supports)
         } else {
             let apart = pair.at.separated(locked, free, nu, need, &mut self.looks);
             let apart = apart.ok_or("two teeth are not shown to be apart")?;
             let (Apart::Direction(n) | Apart::OutOfReach(n)) = apart;
-            (apart, n.im.atan2(n.re))
+            let nu = n.im.atan2(n.re);
+            (apart, nu, pair.at.supports(locked, free, nu, n))
         };
-        self.tell_apart(pair.step, TOPS, apart);
-        Ok((apart, nu))
+        self.tell_apart(pair.step, TOPS, proven.0);
+        Ok(proven)
     }
 
     /// Proves that the fillets of a pair are apart from the mate: by the separation of the tops if it suffices, otherwise each by itself.
-    fn fillets_apart(&mut self, pair: &Pair, apart: Apart, nu: f64) -> Result<(), NotProven> {
+    fn fillets_apart(
+        &mut self,
+        pair: &Pair,
+        apart: Apart,
+        (nu, supports): (f64, [Support; 2]),
+    ) -> Result<(), NotProven> {
         let prover = self.prover;
         let [near, free] = &prover.hollows;
         if near.is_none() && free.is_none() {
@@ -556,7 +554,7 @@ impl<'a> Proving<'a> {
         }
         let (at, [tooth, top]) = (&pair.at, &pair.tops);
         self.looks += 1;
-        let along = Along::new(pair, apart, nu);
+        let along = Along::new(pair, apart, supports);
         let free_bound = free.as_ref().map(|free| (free, along.of_free(at, free)));
         let near = near.as_ref().map(|near| (near, false));
         let far = prover.far_hollow.as_ref().map(|far| (far, true));
@@ -770,14 +768,15 @@ impl<'a> Proving<'a> {
     /// of both: below either one, unless it is a corner beside which the mate's curve slides. The teeth of `held` may tie with others that
     /// touch before by more than its bound.
     fn common_point(&self, held: &Held) -> Option<CommonPoint> {
-        let deep = held.normal * (0.5 * held.arm * held.closing);
+        let down = 0.5 * held.arm * held.closing;
+        let deep = held.normal * down;
         let closed = held.rotation - held.closing;
         let turned = turn(closed);
         let is_common = |(step, point): &CommonPoint, need: f64| {
             let (locked, free) = (self.posed.locked(*step), self.posed.free(*step));
             let in_locked =
-                depth(&locked, *point, deep.norm()) > need || far_depth(&locked, *point) > need;
-            in_locked && depth(&free, point * turned.conj(), deep.norm()) > need
+                depth(&locked, *point, down) > need || far_depth(&locked, *point) > need;
+            in_locked && depth(&free, point * turned.conj(), down) > need
         };
         let named =
             (self.posed.steps_of_whole_teeth()).find(|step| held.teeth == self.teeth(*step))?;
@@ -786,7 +785,7 @@ impl<'a> Proving<'a> {
         let centres = [locked.centre, turned * free.centre];
         let deeper = |point: C| {
             let towards = centres.map(|centre| (centre - point) / (centre - point).norm());
-            towards.map(|towards| point + towards * (2.0 * deep.norm()))
+            towards.map(|towards| point + towards * (2.0 * down))
         };
         let below = [held.point - deep, held.point * turn(-held.closing) + deep];
         let near = below.map(|point| iter::once(point).chain(deeper(point)));
@@ -807,7 +806,7 @@ impl<'a> Proving<'a> {
         });
         let mut tied = self.posed.steps_of_whole_teeth().filter_map(|step| {
             let Pair { at, tops, .. } = self.pair(step, closed, turned);
-            Some((step, at.middle(&tops, held.normal, 4.0 * deep.norm())?))
+            Some((step, at.middle(&tops, held.normal, 4.0 * down)?))
         });
         // A point's own rounding is at most half of that of a room.
         let need = self.prover.need;
@@ -843,7 +842,7 @@ fn depth(half: &Placed, point: C, beyond: f64) -> f64 {
 
 /// Depth of a point in the metal of the tooth's other half, mm.
 fn far_depth(half: &Placed, point: C) -> f64 {
-    let direction = half.direction * mirror(half.shape, half.far);
+    let direction = half.far_direction();
     depth_of(((point - half.centre) * direction.conj()).conj(), half, 0.0)
 }
 
@@ -893,6 +892,7 @@ fn fillet_angle(shape: &HalfToothShape, radius: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::pair::Mating;
+    use std::f64::consts::PI;
 
     /// Source: points of the free tooth at 720 rotations.
     #[test]
@@ -919,7 +919,8 @@ mod tests {
                 });
                 let points: Vec<C> = points.collect();
                 for n in [1.0, 2.5, 4.0].map(turn) {
-                    let along = Along::new(&pair, Apart::OutOfReach(n), n.arg());
+                    let supports = pair.at.supports(&pair.tops[0], &pair.tops[1], n.arg(), n);
+                    let along = Along::new(&pair, Apart::OutOfReach(n), supports);
                     let turns = (0..720).map(|k| turn(PI / 360.0 * f64::from(k)));
                     let starts =
                         turns.flat_map(|turned| points.iter().map(move |p| dot(turned * p, n)));

@@ -35,8 +35,8 @@ const ENOUGH: f64 = 0.8;
 /// Units of [`Effort`] for one end (tuned: some seconds).
 const MOST_EFFORT: u64 = 10_000_000;
 
-/// Steps towards the best pose beside the best cell: 2⁻²⁰ of its width.
-const POLISHED: u32 = 20;
+/// Part of the best cell's half width down to which poses beside the best one are examined.
+const POLISHED: f64 = 1e-6;
 
 /// Values that differ by less, rad, are equal: rounding of different platforms.
 const EQUAL: f64 = 1e-12;
@@ -221,7 +221,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         }
     }
 
-    /// Adds poses beside the best one, ever nearer to the best of them.
+    /// Adds poses beside the best one, nearer once neither of both is better.
     fn polish(&self, cells: &mut Vec<Cell>, end: End) {
         let valued = cells.iter().filter(|cell| cell.value(end).is_some());
         let order = |a: &&Cell, b: &&Cell| a.value(end).partial_cmp(&b.value(end));
@@ -229,11 +229,10 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         let Some(mut best) = best.copied() else {
             return;
         };
-        let mut half = best.half;
-        for _ in 0..POLISHED {
-            let beside = parallel::map([-1.0, -0.5, 0.5, 1.0], |share| {
-                self.look(best.pitches + share * half, 0.0, &[])
-            });
+        let (mut apart, least) = (0.5 * best.half, best.half * POLISHED);
+        while apart > least {
+            let from = best.pitches;
+            let beside = parallel::map([-apart, apart], |by| self.look(from + by, 0.0, &[]));
             for pose in beside {
                 if pose.value(end) < best.value(end) && pose.value(end).is_some() {
                     best = pose;
@@ -245,7 +244,9 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                     ..pose
                 });
             }
-            half *= 0.5;
+            if best.pitches == from {
+                apart *= 0.5;
+            }
         }
     }
 

@@ -144,7 +144,7 @@ impl Helical {
             0.0
         };
         let directly = Directly::new(assembly, plane, edges.as_ref()).map(Box::new);
-        Helical {
+        let helical = Helical {
             bounds: FaceBounds {
                 most_moved,
                 most_lead: Side::BOTH.map(|side| most_lead(assembly, side)),
@@ -157,7 +157,8 @@ impl Helical {
             assembly: assembly.clone(),
             plane: plane.clone(),
             sections,
-        }
+        };
+        helical.with_one_place()
     }
 
     /// The section at `b`, mm, at `pose`, and the pose there; `kept` is the one of [`Helical::sections`] there.
@@ -237,17 +238,26 @@ impl Helical {
         shortest_path(&self.assembly) > 0.0
     }
 
+    /// The teeth of `posed` over the face. The nominal rotation is at the gap `nominal`.
+    fn along_face<'a>(
+        &'a self,
+        posed: &'a PosedFlanks,
+        nominal: f64,
+        effort: &'a Effort,
+    ) -> AlongFace<'a> {
+        AlongFace::new(&self.assembly, posed, nominal, self.bounds, effort)
+    }
+
     /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`, and the tightest gap. The nominal rotation is
     /// at the gap `nominal`.
     fn places_of_leads(
         &self,
+        along: &AlongFace,
         posed: &PosedFlanks,
         nominal: f64,
         floor: f64,
-        effort: &Effort,
     ) -> (Vec<f64>, f64) {
         let (assembly, in_fillets) = (&self.assembly, self.bounds.in_fillets);
-        let along = AlongFace::new(assembly, posed, nominal, self.bounds, effort);
         // Leads can hold a pair that the known contact would leave out.
         let stands = FreeGear {
             rotation: posed.rotation(if floor.is_finite() { floor } else { nominal }),
@@ -394,7 +404,8 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
         let known = self.over.beyond(side);
         let floor = known.map_or(f64::NEG_INFINITY, |known| nominal - side.sense() * known);
-        let (places, _) = helical.places_of_leads(&posed, nominal, floor, self.effort);
+        let along = helical.along_face(&posed, nominal, self.effort);
+        let (places, _) = helical.places_of_leads(&along, &posed, nominal, floor);
         for b in places {
             self.section(b, None, 0.0)?;
         }

@@ -7,13 +7,16 @@ use super::{Edges, Helical, reduced};
 use crate::contact::Effort;
 use crate::contact::body::FarFlanks;
 use crate::contact::exact::direct::DirectSolver;
-use crate::contact::exact::flank_problem::FlankProblem;
+use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
 use crate::contact::exact::section::Section;
 use crate::contact::exact::section_side::{SectionPlace, SectionSide};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::gear::Side;
-use crate::pair::{GearPair, Pose};
+use crate::pair::{GearPair, Mating, Member, Pose};
+
+/// Poses of a pitch in which teeth on the line of action are sought; with a contact ratio above 1 most have them.
+const POSES: u32 = 8;
 
 /// The data of a pair whose sections need no search.
 #[derive(Debug, Clone)]
@@ -22,6 +25,8 @@ pub(super) struct Directly {
     solver: DirectSolver,
     /// Both sides of the measuring plane, with all teeth that can reach the mate in any section.
     sides: [FlankProblem; 2],
+    /// For spur gears with one lead each: where each side is tightest while teeth are on the line of action, mm, and that side there.
+    one_place: [Option<(f64, FlankProblem)>; 2],
 }
 
 impl Directly {
@@ -43,11 +48,57 @@ impl Directly {
         } else {
             (solver.clone(), [plane.right.clone(), plane.left.clone()])
         };
-        solver.proof.is_direct().then(|| Directly { solver, sides })
+        let one_place = [None, None];
+        solver.proof.is_direct().then_some(Directly {
+            solver,
+            sides,
+            one_place,
+        })
     }
 }
 
 impl Helical {
+    /// This pair with [`Directly::one_place`].
+    pub(super) fn with_one_place(mut self) -> Helical {
+        let assembly = &self.assembly;
+        let has_one_lead = Member::BOTH
+            .iter()
+            .all(|member| assembly.gear(*member).has_one_lead());
+        let is_asked = has_one_lead && !assembly.is_helical() && !assembly.leans();
+        let Some(directly) = self.directly.as_ref().filter(|_| is_asked) else {
+            return self;
+        };
+        let found = directly.sides.each_ref().map(|problem| {
+            let effort = Effort::of_pose();
+            let mut poses = (0..POSES).map(|k| {
+                let pitches = f64::from(k) / f64::from(POSES);
+                Pose::new(assembly, Mating::FIRST.onward(assembly, pitches))
+            });
+            let places = poses.find_map(|pose| {
+                let (posed, nominal) = self.posed(problem, &pose);
+                let along = self.along_face(&posed, nominal, &effort);
+                let is_on = along.is_on_line_of_action();
+                is_on.then(|| self.places_of_leads(&along, &posed, nominal, f64::NEG_INFINITY))
+            });
+            let [b] = places?.0[..] else {
+                return None;
+            };
+            let section = self.plane.turned(&assembly.section(b));
+            Some((b, section.side(problem.side).clone()))
+        });
+        if let Some(directly) = &mut self.directly {
+            directly.one_place = found;
+        }
+        self
+    }
+
+    /// The teeth of a side of the measuring plane, and the gap at the nominal rotation.
+    fn posed<'a>(&self, problem: &'a FlankProblem, pose: &Pose) -> (PosedFlanks<'a>, f64) {
+        let posed = self.plane.posed(problem, pose);
+        let nominal = reduced(-problem.side.sense() * pose.free_rotation());
+        (posed, reduced(nominal - posed.rotation(0.0)))
+    }
+
     /// Both contacts of `pose`; `None` where [`Helical::over`] has to find them.
     pub fn directly(&self, pose: &Pose, effort: &Effort) -> Option<FoundOverFace> {
         let directly = self.directly.as_ref()?;
@@ -86,6 +137,31 @@ impl Helical {
         over: &mut OverFace,
     ) -> Option<()> {
         let (assembly, side) = (&self.assembly, problem.side);
+        let mut take = |b: f64, here: &Pose, contact: Contact| {
+            let on = |own: Side| {
+                (own == side).then_some(Contact {
+                    error: contact.error + self.left_out,
+                    ..contact
+                })
+            };
+            let found = LostMotion {
+                right: on(Side::Right),
+                left: on(Side::Left),
+                solid: false,
+            };
+            over.take(b, here, found);
+            over.beyond(side)
+        };
+        let (posed, nominal) = self.posed(problem, pose);
+        let along = self.along_face(&posed, nominal, effort);
+        if let Some((b, there)) = &directly.one_place[side.index()]
+            && along.is_on_line_of_action()
+        {
+            let here = pose.in_section(assembly, *b);
+            let at = self.plane.posed(there, &here);
+            let contact = self.plane.contact(&at, &directly.solver, effort)?;
+            return take(*b, &here, contact).map(|_| ());
+        }
         // The radius of a far corner is less than one and a half base radii.
         let moved = 2.0 * self.bounds.most_moved + assembly.most_shift();
         let mut section = |b: f64| {
@@ -99,22 +175,8 @@ impl Helical {
             let at =
                 SectionSide::new(&self.plane, problem, place, Some((&directly.solver, moved)))?;
             let contact = self.plane.contact(&at.posed(), &directly.solver, effort)?;
-            let on = |own: Side| {
-                (own == side).then_some(Contact {
-                    error: contact.error + self.left_out,
-                    ..contact
-                })
-            };
-            let found = LostMotion {
-                right: on(Side::Right),
-                left: on(Side::Left),
-                solid: false,
-            };
-            over.take(b, &here, found);
-            over.beyond(side)
+            take(b, &here, contact)
         };
-        let posed = self.plane.posed(problem, pose);
-        let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
         // Fillets are searched only for what exceeds a known contact.
         let floor = if self.bounds.in_fillets {
             let [from, to] = assembly.face();
@@ -122,7 +184,7 @@ impl Helical {
         } else {
             f64::NEG_INFINITY
         };
-        let (places, tightest) = self.places_of_leads(&posed, nominal, floor, effort);
+        let (places, tightest) = self.places_of_leads(&along, &posed, nominal, floor);
         for b in places {
             section(b)?;
         }

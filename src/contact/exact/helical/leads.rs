@@ -35,6 +35,9 @@ const BESIDE: f64 = 1e-7;
 /// Rounds to the section with a height of a leaning gear: the lean's square is left.
 const ROUNDS_OF_HEIGHTS: usize = 2;
 
+/// Places no farther apart than that, mm, are one: a rate between knots is taken a little beside them.
+const AT_KNOT: f64 = 1e-6;
+
 /// Distance of the sections beside each other, mm, that give the rate of leaning axes.
 const NEIGHBOUR: f64 = 1e-3;
 
@@ -269,6 +272,8 @@ impl<'a> AlongFace<'a> {
             other.gap.total_cmp(&one.gap).then(nearer)
         });
         let mut places: Vec<f64> = found.iter().map(|(_, look)| look.b).collect();
+        // A place at a knot is found from either side of it.
+        places.dedup_by(|other, one| (*other - *one).abs() <= AT_KNOT);
         // The place nearest to the measuring plane is reported among equally tight ones.
         if !floor.is_finite() && self.leaning.is_none() {
             let [from, to] = self.assembly.face();
@@ -283,8 +288,32 @@ impl<'a> AlongFace<'a> {
                 places = vec![plane];
             }
         }
-        places.dedup();
         (places, best)
+    }
+
+    /// Whether a pair that is on the line of action over the whole face is the tightest one of spur gears with one lead each. All such pairs
+    /// are tightest at one place, whatever the pose. A pair beyond an end of an involute is no tighter than endless involutes, less the room
+    /// of that end.
+    pub fn is_on_line_of_action(&self) -> bool {
+        let turned = self.bounds.most_moved * self.per_moved();
+        let turning = self.bases()[1] + self.posed.problem.free_off.norm();
+        let (mut on, mut beside) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        for step in self.posed.steps_over([0.0; 2]) {
+            let pair = self.endless(step);
+            if self.are_on_arcs(pair.rolls, turned) {
+                on = on.max(pair.gap);
+            } else {
+                let nearer = [0, 1].map(|k| {
+                    let [low, high] = self.ends[k];
+                    let roll = pair.rolls[k];
+                    let onto = roll.clamp(low, high);
+                    onto + (roll - onto).signum() * ((roll - onto).abs() - turned).max(0.0)
+                });
+                let room = self.first.room(nearer, self.ends);
+                beside = beside.max(pair.gap - room / turning);
+            }
+        }
+        self.is_plain() && self.first.touches && on > beside + self.posed.problem.tie
     }
 
     /// Whether no touch is beside the involutes and their ends.
@@ -578,22 +607,24 @@ impl<'a> AlongFace<'a> {
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
     fn look(&self, pair: &PairOfTeeth, b: f64) -> Option<Look> {
         let bases = self.bases();
-        let turns = self.turns(pair, b);
+        let jets = pair.teeth.jets(b);
+        let turns = [0, 1].map(|k| -jets[k][0] / bases[k]);
         let found = self.touch(pair, b, turns)?;
-        // Leads rise with heights. Their knots are there too, so that only what is smooth is taken from beside.
-        let (mut rising, mut smooth) = ([1.0; 2], found.moving);
-        let mut twists = self.twists;
+        let (mut smooth, mut twists) = (found.moving, self.twists);
+        let mut rates = jets.map(|[_, rate]| rate);
         if let Some(leaning) = &self.leaning {
             let turned = [0, 1].map(|k| self.twists[k] * (b + NEIGHBOUR) + turns[k]);
             let at = (pair.step, b + NEIGHBOUR);
             let (_, _, after) = leaning.undisturbed(self.posed, at, turned, &self.start)?;
+            // Leads rise with heights. Their knots are there too, so that only what is smooth is taken from beside.
+            let mut rising = [1.0; 2];
             for k in [0, 1] {
                 rising[k] += (after.heights[k] - found.heights[k]) / NEIGHBOUR;
                 twists[k] += (after.turns[k] - found.turned[k]) / NEIGHBOUR;
             }
+            let heights = [0, 1].map(|k| [found.heights[k] + b * (1.0 - rising[k]), rising[k]]);
+            rates = pair.teeth.with_heights(heights).rates(b);
         }
-        let heights = [0, 1].map(|k| [found.heights[k] + b * (1.0 - rising[k]), rising[k]]);
-        let rates = pair.teeth.with_heights(heights).rates(b);
         for k in [0, 1] {
             smooth += found.by_turn[k] * (twists[k] - rates[k] / bases[k]);
         }
@@ -744,6 +775,16 @@ impl<'a> AlongFace<'a> {
         } else {
             self.look(pair, end)?
         };
+        if low.rate > 0.0 && high.rate < 0.0 && self.is_plain() && self.leaning.is_none() {
+            // On the line of action the gap is a function of the sum of both leads alone.
+            let base = self.bases()[1];
+            let leads = |b: f64| {
+                let [locked, free] = pair.teeth.jets(b);
+                let [gap, rate] = [0, 1].map(|k| (locked[k] + free[k]) / base);
+                Some(Look { b, gap, rate })
+            };
+            return self.look(pair, self.between(leads(start)?, leads(end)?, leads).b);
+        }
         let middle = if self.leaning.is_some() && start < end {
             self.look(pair, 0.5 * (start + end))?
         } else if low.rate > 0.0 {
@@ -754,12 +795,12 @@ impl<'a> AlongFace<'a> {
         let left = if low.rate <= 0.0 {
             Some(self.outwards(pair, low, from, beside))
         } else {
-            (middle.rate < 0.0).then(|| self.between(pair, low, middle))
+            (middle.rate < 0.0).then(|| self.between(low, middle, |b| self.look(pair, b)))
         };
         let right = if high.rate >= 0.0 {
             Some(self.outwards(pair, high, to, beside))
         } else {
-            (middle.rate >= 0.0).then(|| self.between(pair, middle, high))
+            (middle.rate >= 0.0).then(|| self.between(middle, high, |b| self.look(pair, b)))
         };
         let found = left.into_iter().chain(right);
         found.reduce(|one, other| if other.gap > one.gap { other } else { one })
@@ -789,15 +830,15 @@ impl<'a> AlongFace<'a> {
                 } else {
                     (next, last)
                 };
-                return self.between(pair, low, high);
+                return self.between(low, high, |b| self.look(pair, b));
             }
             last = next;
             way *= 2.0;
         }
     }
 
-    /// The greatest gap of a step between two places, from which it rises inwards.
-    fn between(&self, pair: &PairOfTeeth, mut low: Look, mut high: Look) -> Look {
+    /// The greatest gap between two places, from which it rises inwards.
+    fn between(&self, mut low: Look, mut high: Look, look: impl Fn(f64) -> Option<Look>) -> Look {
         let settled = if self.leaning.is_some() {
             SETTLED_LEANING
         } else {
@@ -814,19 +855,19 @@ impl<'a> AlongFace<'a> {
             }
             let share = rates[0] / (rates[0] - rates[1]);
             let b = low.b + (high.b - low.b) * share.clamp(0.01, 0.99);
-            let Some(look) = self.look(pair, b) else {
+            let Some(next) = look(b) else {
                 break;
             };
-            let moved = usize::from(look.rate <= 0.0);
+            let moved = usize::from(next.rate <= 0.0);
             if last_moved == Some(moved) {
                 rates[1 - moved] *= 0.5;
             }
-            rates[moved] = look.rate;
+            rates[moved] = next.rate;
             last_moved = Some(moved);
             if moved == 0 {
-                low = look;
+                low = next;
             } else {
-                high = look;
+                high = next;
             }
         }
         if low.gap >= high.gap { low } else { high }

@@ -80,6 +80,17 @@ pub(crate) fn wrap_angle(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
+/// A whole number for each number, in the order of `f64::total_cmp`: the key of sorts.
+///
+/// Each type of elements that `sort_by` sorts is 5 kB of code. All that `sort_by_cached_key` sorts by whole numbers share one sort.
+pub(crate) fn rank(number: f64) -> u64 {
+    const SIGN: u64 = 1 << 63;
+    match number.to_bits() {
+        positive @ ..SIGN => positive | SIGN,
+        negative => !negative,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,6 +117,24 @@ mod tests {
             if count < 3 { Ok(true) } else { Err(count) }
         });
         assert_eq!(found, Err(3));
+    }
+
+    #[test]
+    fn ranks_of_numbers_have_their_total_order() {
+        let numbers = [
+            -f64::NAN,
+            f64::NEG_INFINITY,
+            -2.0,
+            -1.5,
+            -0.0,
+            0.0,
+            1e-310,
+            1.0,
+            f64::INFINITY,
+            f64::NAN,
+        ];
+        assert!(numbers.is_sorted_by(|one, other| one.total_cmp(other).is_lt()));
+        assert!(numbers.is_sorted_by(|one, other| rank(*one) < rank(*other)));
     }
 
     #[test]

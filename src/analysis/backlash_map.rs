@@ -6,6 +6,7 @@ use super::study::{Material, Study};
 use crate::contact::{LostMotion, OutlineKernel, Status};
 use crate::error::{Error, Tick};
 use crate::gear::Side;
+use crate::numeric::rank;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member, SweepPlan};
 use crate::parallel;
@@ -158,7 +159,7 @@ fn shown(pair: &OutlinePair, assembles_from: Option<f64>) -> (Vec<f64>, Vec<Limi
         limit("a tip on a root circle", bottom),
     ];
     limits.extend(assembles_from.map(|from| limit("assembles from here on", from)));
-    limits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    limits.sort_by_cached_key(|limit| rank(limit.distance));
     let depth = [wheel, pinion].map(|gear| gear.tip_radius() - gear.root_radius());
     let room = ROOM * f64::min(depth[0], depth[1]);
     let ends = |pick: fn(f64, f64) -> f64| limits.iter().map(|limit| limit.distance).reduce(pick);

@@ -295,7 +295,7 @@ fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
         })
     };
     let mut unmet: Vec<Unmet> = limits.filter_map(worst).map(|(unmet, _)| unmet).collect();
-    unmet.sort_by_key(|unmet| !unmet.is_missed);
+    unmet.sort_by_cached_key(|unmet| u64::from(!unmet.is_missed));
     unmet
 }
 

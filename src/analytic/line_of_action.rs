@@ -37,7 +37,7 @@
 //! `G' = Im(conj(E_1) dD/dφ)/r_b2` and `|dD/dφ| = e_2`, `|G'| ≤ e_2/r_b2`.
 
 use crate::gear::{AsBuilt, DeviationCurve, ProfilePart, Side};
-use crate::numeric::{bisect, wrap_angle};
+use crate::numeric::{bisect, rank, wrap_angle};
 use crate::pair::{FacingTeeth, GearPair, Member, Pose};
 use nalgebra::{UnitComplex, Vector2};
 use std::ops::RangeInclusive;
@@ -134,7 +134,7 @@ impl<'a> OneSide<'a> {
         let seen = |vector: Vector2<f64>| Vector2::new(vector.x, mirror * vector.y);
         let twist = mirror * locked.gear().basic_data().twist();
         let mut face = assembly.face().map(|b| twist * b);
-        face.sort_by(f64::total_cmp);
+        face.sort_unstable_by(f64::total_cmp);
         let [x, y] = assembly.lean();
         let pinion = seen(Vector2::new(x, y));
         // The picture is turned by half a turn where the pinion is locked.
@@ -233,7 +233,7 @@ impl<'a> OneSide<'a> {
         }
         let [from, to] = self.turns_on_involutes(locked_arm, free_arm)?;
         let mut ends = [from, to].map(|turn| (turn / twist).clamp(face[0], face[1]));
-        ends.sort_by(f64::total_cmp);
+        ends.sort_unstable_by(f64::total_cmp);
         Some(ends)
     }
 
@@ -245,7 +245,7 @@ impl<'a> OneSide<'a> {
         let mut places = teeth.knots(stretch, |k, height| teeth.section_of(k, height));
         places.extend(tops(&places, rate));
         // The nearest to the measuring plane comes first.
-        places.sort_by(|one, other| one.abs().total_cmp(&other.abs()));
+        places.sort_by_cached_key(|b| rank(b.abs()));
         let mut best = (places[0], value(places[0]));
         for b in places {
             let here = value(b);
@@ -405,7 +405,7 @@ impl<'a> OneSide<'a> {
         }
         let mut places = facing.teeth.knots([from, to], |_, height| height);
         places.extend(own.into_iter().filter(|b| *b > from && *b < to));
-        places.sort_by(f64::total_cmp);
+        places.sort_unstable_by(f64::total_cmp);
         let slope = |b: f64| {
             let along = |k: usize| facing.flanks[k].map_or(0.0, |flank| flank.slope(roll(k, b)));
             facing.teeth.rate(b) - twists[0] * along(0) - twists[1] * along(1)

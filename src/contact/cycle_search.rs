@@ -9,6 +9,7 @@
 use super::effort::Effort;
 use super::exact::{Doubt, End, Extreme, Extremes};
 use super::lost_motion::Status;
+use crate::numeric::rank;
 use crate::pair::Mating;
 use crate::parallel;
 use std::cmp::Ordering;
@@ -193,10 +194,9 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                 cells.extend(open);
                 return is_closed;
             }
-            open.sort_by(|a, b| {
-                let [one, other] = [a, b].map(|cell| cell.bound(end).0);
-                one.total_cmp(&other).then(a.pitches.total_cmp(&b.pitches))
-            });
+            // By their bounds, equal ones by their places.
+            open.sort_by_cached_key(|cell| rank(cell.pitches));
+            open.sort_by_cached_key(|cell| rank(cell.bound(end).0));
             let count = ROUND.max(open.len() / 4);
             left = open.split_off(open.len().min(count));
             let parts = open.iter().flat_map(|cell| {

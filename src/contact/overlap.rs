@@ -4,6 +4,7 @@
 //! along the first boundary to its exit, then along the second to the next entry. Polygons that touch in a vertex may
 //! give a piece without area or lose one; nested ones give nothing.
 
+use crate::numeric::rank;
 use nalgebra::Point2;
 
 /// One piece of metal in both gears.
@@ -116,11 +117,9 @@ fn walk(
 /// The next crossing along one boundary, for each crossing.
 fn following(crossings: &[Crossing], which: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..crossings.len()).collect();
-    order.sort_by(|&i, &j| {
-        let (a, b) = (&crossings[i], &crossings[j]);
-        let edges = a.edges[which].cmp(&b.edges[which]);
-        edges.then(a.parts[which].total_cmp(&b.parts[which]))
-    });
+    // By their edges, those of one edge by their parts of it.
+    order.sort_by_cached_key(|&i| rank(crossings[i].parts[which]));
+    order.sort_by_cached_key(|&i| crossings[i].edges[which] as u64);
     let mut next = vec![0; order.len()];
     for (place, &crossing) in order.iter().enumerate() {
         next[crossing] = order[(place + 1) % order.len()];
@@ -142,7 +141,7 @@ fn crossings(first: &[Point2<f64>], second: &[Point2<f64>]) -> Vec<Crossing> {
             (from.y.min(to.y), from.y.max(to.y), which, i)
         }));
     }
-    edges.sort_by(|a, b| a.0.total_cmp(&b.0));
+    edges.sort_by_cached_key(|edge| rank(edge.0));
     let mut open: [Vec<(f64, usize)>; 2] = [Vec::new(), Vec::new()];
     let mut found = Vec::new();
     for (low, high, which, i) in edges {

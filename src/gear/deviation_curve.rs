@@ -139,7 +139,7 @@ impl DeviationCurve {
         let of = |list: fn(&DeviationCurve) -> &Vec<f64>| {
             let all = curves.iter().flat_map(|(_, curve)| list(curve).iter());
             let mut all: Vec<f64> = all.copied().collect();
-            all.sort_by(f64::total_cmp);
+            all.sort_unstable_by(f64::total_cmp);
             all.dedup();
             all
         };
@@ -267,7 +267,7 @@ impl DeviationCurve {
             (turn > ends[0] && turn < ends[1]).then_some(turn)
         });
         let mut bends: Vec<f64> = self.knots.iter().copied().chain(turns).collect();
-        bends.sort_by(f64::total_cmp);
+        bends.sort_unstable_by(f64::total_cmp);
         bends
     }
 

@@ -26,7 +26,7 @@ fn coarse(quantity: GradedQuantity, basic_data: &BasicGearData) -> f64 {
 /// The median; 0 for no values.
 fn median(values: impl Iterator<Item = f64>) -> f64 {
     let mut list: Vec<f64> = values.collect();
-    list.sort_by(f64::total_cmp);
+    list.sort_unstable_by(f64::total_cmp);
     let (half, odd) = (list.len() / 2, !list.len().is_multiple_of(2));
     match (
         list.get(half),

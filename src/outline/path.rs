@@ -3,7 +3,7 @@
 use super::polygon;
 use crate::error::OutlineError;
 use crate::gear::{Circle, Cubic, Line, PartCurve};
-use crate::numeric::bisect;
+use crate::numeric::{bisect, rank};
 use nalgebra::{Point2, Vector2};
 
 /// Most chords of one segment: a limit for pictures of curves far outside the drawing.
@@ -302,7 +302,7 @@ impl ClosedPath {
             (a.min(b), a.max(b))
         };
         let mut order: Vec<usize> = (0..count).collect();
-        order.sort_by(|&a, &b| range(a, 0).0.total_cmp(&range(b, 0).0));
+        order.sort_by_cached_key(|&k| rank(range(k, 0).0));
         let mut open: Vec<usize> = Vec::new();
         for &k in &order {
             let (left, _) = range(k, 0);

@@ -112,7 +112,7 @@ impl<'a> FacingTeeth<'a> {
             let sections = own.map(|place| section(k, place));
             knots.extend(sections.filter(|b| *b > from && *b < to));
         }
-        knots.sort_by(f64::total_cmp);
+        knots.sort_unstable_by(f64::total_cmp);
         knots.dedup();
         knots
     }

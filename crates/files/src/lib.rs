@@ -90,7 +90,7 @@ pub use pair_file::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
 pub use sources::{Files, Sources};
-pub use spec::{explained, gear_schema, pair_schema};
+pub use spec::{explained, gear_schema, pair_schema, schemas};
 
 /// A pair file or gear file as a tree of values.
 #[derive(Clone, Copy)]

@@ -36,7 +36,7 @@ pub fn syntax_errors(text: &str) -> Vec<Error> {
     let (_, mut errors) = DeTable::parse_recoverable(text);
     let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at).collect();
     let start = |error: &Error| error.span().unwrap_or_default().start;
-    errors.sort_by_key(start);
+    errors.sort_by_cached_key(|error| start(error) as u64);
     errors.dedup_by_key(|error| ends.partition_point(|end| *end < start(error)));
     errors
 }

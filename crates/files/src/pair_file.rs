@@ -436,7 +436,7 @@ impl PosesRead {
             assembly::check_clearance(file, &list, base_radii, play);
         }
         if let CenterDistanceSpec::Distances(list) = &mut stated {
-            list.sort_by(f64::total_cmp);
+            list.sort_unstable_by(f64::total_cmp);
         }
         Some(stated)
     }

@@ -155,7 +155,7 @@ fn read(
     }
     good?;
     for (flank, traces) in Flank::BOTH.into_iter().zip(&mut traces) {
-        traces.sort_by_key(|trace| trace.tooth);
+        traces.sort_by_cached_key(|trace| trace.tooth.map_or(0, |tooth| 1 + u64::from(tooth)));
         let teeth: Vec<Option<u32>> = traces.iter().map(|trace| trace.tooth).collect();
         let duplicate = teeth.windows(2).find(|pair| pair[0] == pair[1]);
         let reason = match (duplicate, &teeth[..]) {

@@ -317,7 +317,7 @@ impl<R: Row> Columns<R> {
         let mut csv: Vec<usize> = (0..columns.len())
             .filter(|number| columns[*number].csv.is_some())
             .collect();
-        csv.sort_by_key(|number| columns[*number].rank);
+        csv.sort_by_cached_key(|number| u64::from(columns[*number].rank));
         Columns { columns, json, csv }
     }
 

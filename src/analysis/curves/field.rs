@@ -151,7 +151,7 @@ fn places(held: &[HeldSide; 2], [from, to]: [f64; 2]) -> Vec<f64> {
     let ends = ends.flat_map(|line| line.ends.map(|end| end[0]));
     let holding = held.iter().map(|side| side.contact.section);
     let mut places: Vec<f64> = even.chain(ends).chain(holding).collect();
-    places.sort_by(f64::total_cmp);
+    places.sort_unstable_by(f64::total_cmp);
     places.dedup();
     places
 }

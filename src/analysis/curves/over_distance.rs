@@ -181,7 +181,7 @@ fn grid(study: &Study, measured: &[MeasuredRow], reach: Option<f64>) -> Result<V
     let step = (to - from) / f64::from(STEPS);
     let grid = (0..=STEPS).map(|i| from + f64::from(i) * step);
     let mut grid: Vec<f64> = grid.chain(reach).filter(possible).collect();
-    grid.sort_by(f64::total_cmp);
+    grid.sort_unstable_by(f64::total_cmp);
     grid.dedup();
     Ok(grid)
 }

@@ -16,6 +16,7 @@ use crate::analysis::study::{RunPlan, Study};
 use crate::contact::{Contact, Method, ToothPlace};
 use crate::error::{Error, Tick};
 use crate::gear::Side;
+use crate::numeric::rank;
 use crate::outline::AssembledPair;
 use crate::pair::{Mating, ToothNumbers};
 use std::f64::consts::TAU;
@@ -188,7 +189,7 @@ impl<'a> Curve<'a> {
                 }
             }
         }
-        wanted.sort_by(|one, other| one.0.total_cmp(&other.0));
+        wanted.sort_by_cached_key(|(at, _)| rank(*at));
         wanted.dedup_by(|one, other| one.0 == other.0);
         wanted.retain(|(at, _)| {
             let next = self.points.partition_point(|point| point.pitches < *at);
@@ -242,8 +243,7 @@ impl<'a> Curve<'a> {
         let proven = proven.filter(|(_, pose)| !pose.simulated.is_unproven());
         self.points
             .extend(proven.map(|((pitches, _), pose)| Point { pitches, pose }));
-        self.points
-            .sort_by(|one, other| one.pitches.total_cmp(&other.pitches));
+        self.points.sort_by_cached_key(|point| rank(point.pitches));
     }
 }
 

@@ -5,6 +5,7 @@ use super::onset::form_onset;
 use crate::analytic::limits;
 use crate::contact::{PairAtDistance, PoseClass, reach};
 use crate::error::{Error, Tick};
+use crate::numeric::rank;
 use crate::pair::{GearPair, Mating, Member};
 use crate::parallel;
 
@@ -146,7 +147,7 @@ fn limits_of(group: &Group) -> Vec<Limit> {
     }
     let [nearest, _] = reach(assembly);
     limits.retain(|limit| limit.distance >= nearest);
-    limits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    limits.sort_by_cached_key(|limit| rank(limit.distance));
     limits
 }
 

@@ -3,6 +3,7 @@
 use crate::analytic::limits;
 use crate::contact::{PairAtDistance, reach};
 use crate::error::Error;
+use crate::numeric::rank;
 use crate::pair::{GearPair, Mating};
 
 /// Width of the bracket of a centre distance, mm: a tenth of the tolerance of a met limit. The rounding of `j_bn` is a
@@ -145,7 +146,7 @@ fn local_minima(values: &[f64]) -> Vec<usize> {
             values[i] <= values[before] && values[i] <= values[after]
         })
         .collect();
-    minima.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+    minima.sort_by_cached_key(|i| rank(values[*i]));
     minima
 }
 

@@ -40,6 +40,7 @@ use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
 use crate::gear::Side;
+use crate::numeric::rank;
 use crate::pair::{GearPair, Member, Pose};
 use directly::Directly;
 use edges::Edges;
@@ -110,7 +111,7 @@ impl Helical {
         if assembly.deviates_along_face() && from < 0.0 && to > 0.0 {
             sections.push((0.0, plane.clone()));
         }
-        sections.sort_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
+        sections.sort_by_cached_key(|section| rank(section.0.abs()));
         let base_pitch = assembly
             .gear(Member::Wheel)
             .gear()

@@ -267,7 +267,7 @@ impl Pair<'_> {
             let mut ends: Vec<f64> = boxes.iter().flat_map(|one| [one[k].0, one[k].1]).collect();
             ends.extend([ranges[k].0, ranges[k].1]);
             ends.retain(|end| *end >= ranges[k].0 && *end <= ranges[k].1);
-            ends.sort_by(f64::total_cmp);
+            ends.sort_unstable_by(f64::total_cmp);
             ends.dedup();
             ends.windows(2)
                 .map(|ends| 0.5 * (ends[0] + ends[1]))

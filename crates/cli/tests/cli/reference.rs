@@ -1,15 +1,25 @@
-//! The lists of docs/reference: those that the program knows are written by it, the others are complete.
+//! The lists of docs/reference: those that the program knows are written by it, the others are complete. So are the schemas that the page in the
+//! browser reads.
 //!
 //! `GEARLASH_DOCS=write cargo test --release -p gearlash-cli --test cli reference` stores the lists anew.
 
 use super::{docs::docs, empty_folder, fixture, gearlash};
 use clap::{Arg, ArgAction, Command};
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
+use std::path::Path;
 
 /// Keys of any table of readings, which the page explains once.
 const OF_TABLES: [&str; 5] = ["sheet", "header_row", "tooth_column", "column", "decimal"];
+
+/// Whether the file at `path` holds `text`, which is stored where that is asked for.
+fn is_stored(path: &Path, text: &str) -> bool {
+    if std::env::var("GEARLASH_DOCS").is_ok_and(|value| value == "write") {
+        fs::write(path, text).unwrap();
+    }
+    fs::read_to_string(path).is_ok_and(|stored| stored == text)
+}
 
 /// Compares what stands between the marks `name` of a page with `list`, or stores it.
 fn assert_written(page: &str, name: &str, list: &str) {
@@ -20,14 +30,10 @@ fn assert_written(page: &str, name: &str, list: &str) {
         format!("<!-- end of {name} -->"),
     );
     let (before, rest) = text.split_once(&begin).unwrap();
-    let (stored, after) = rest.split_once(&end).unwrap();
+    let (_, after) = rest.split_once(&end).unwrap();
     let list = format!("\n{}\n\n", list.trim());
-    if std::env::var("GEARLASH_DOCS").is_ok_and(|value| value == "write") {
-        fs::write(&path, format!("{before}{begin}{list}{end}{after}")).unwrap();
-        return;
-    }
     assert!(
-        stored == list,
+        is_stored(&path, &format!("{before}{begin}{list}{end}{after}")),
         "docs/reference/{page} is not what the program has; store it by\n\
          GEARLASH_DOCS=write cargo test --release -p gearlash-cli --test cli reference\n{list}"
     );
@@ -198,6 +204,37 @@ fn range(schema: &Value) -> Option<String> {
             },
         ),
     }
+}
+
+/// The schemas for the page in the browser: each without its definitions, which are the same in all, then those.
+#[test]
+fn the_stored_schemas_are_those_of_the_types() {
+    let mut definitions = Map::new();
+    let mut line = |name, schema: &Value| {
+        let mut schema = schema.clone();
+        let own = schema.as_object_mut().unwrap();
+        if let Some(Value::Object(own)) = own.shift_remove("definitions") {
+            for (name, definition) in own {
+                let before = definitions.insert(name, definition.clone());
+                assert!(before.is_none_or(|before| before == definition));
+            }
+        }
+        format!("\"{name}\": {schema}")
+    };
+    let mut lines: Vec<String> = gearlash_files::schemas()
+        .map(|(name, schema)| line(name, schema))
+        .into();
+    let each = definitions
+        .iter()
+        .map(|(name, definition)| format!("\"{name}\": {definition}"));
+    let definitions = each.collect::<Vec<_>>().join(",\n");
+    lines.push(format!("\"definitions\": {{\n{definitions}\n}}"));
+    let path = docs().join("../crates/files/src/spec/schemas.json");
+    assert!(
+        is_stored(&path, &format!("{{\n{}\n}}\n", lines.join(",\n"))),
+        "crates/files/src/spec/schemas.json is not what the types have; store it by\n\
+         GEARLASH_DOCS=write cargo test --release -p gearlash-cli --test cli reference"
+    );
 }
 
 #[test]

@@ -77,7 +77,8 @@ pub(super) fn outlines(loops: &[DrawnPath]) -> Result<Vec<Outline>, String> {
         .iter()
         .map(|path| polygon::area(&corners(path, 2)).abs());
     let mut by_area: Vec<(usize, f64)> = areas.enumerate().collect();
-    by_area.sort_by(|a, b| b.1.total_cmp(&a.1));
+    // The largest first. Numbers that are not negative have the order of their bits.
+    by_area.sort_by_cached_key(|(_, area)| !area.to_bits());
     let mut outlines: Vec<Outline> = Vec::new();
     for (place, area) in by_area {
         let path = &loops[place];
@@ -93,7 +94,7 @@ pub(super) fn outlines(loops: &[DrawnPath]) -> Result<Vec<Outline>, String> {
             None => outlines.push(Outline::new(place, area, path)),
         }
     }
-    outlines.sort_by_key(|outline| outline.place);
+    outlines.sort_by_cached_key(|outline| outline.place as u64);
     Ok(outlines)
 }
 

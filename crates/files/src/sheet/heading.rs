@@ -3,6 +3,7 @@
 //! `headings.toml` holds the words. Every word must be known: "left limit" is not a left flank.
 
 use super::column::{Column, Quantity};
+use crate::node::Node;
 use gearlash::gear::Side;
 use serde::{Deserialize, Deserializer};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -44,8 +45,13 @@ struct Statistics {
 }
 
 /// A test reads the file, too.
-static VOCABULARY: LazyLock<Vocabulary> =
-    LazyLock::new(|| toml::from_str(include_str!("headings.toml")).unwrap_or_default());
+static VOCABULARY: LazyLock<Vocabulary> = LazyLock::new(|| {
+    let words: toml::Table = include_str!("headings.toml").parse().unwrap_or_default();
+    // As a pair file is read: to read the types from TOML itself is 70 kB of code more.
+    Node::from(toml::Value::Table(words))
+        .to()
+        .unwrap_or_default()
+});
 
 /// Reads lists of words, one for each meaning, as the meaning of each word.
 fn by_word<'de, D: Deserializer<'de>, T: Deserialize<'de> + Ord + Clone>(

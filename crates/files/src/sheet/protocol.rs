@@ -332,8 +332,8 @@ impl<'a> Block<'a> {
         else {
             return;
         };
-        single.sort_by_key(|value| value.1);
-        cumulative.sort_by_key(|value| value.1);
+        single.sort_by_cached_key(|value| u64::from(value.1));
+        cumulative.sort_by_cached_key(|value| u64::from(value.1));
         let Some(mut before) = cumulative.last().copied() else {
             return;
         };

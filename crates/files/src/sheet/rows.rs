@@ -240,7 +240,7 @@ impl<'a> Found<'a> {
 
 /// Lines with their labels: "lines 1–3, 50 (\"max\")"; `None` for none.
 fn lines_in_words(file: &DataFile, mut lines: Vec<(u64, &str)>) -> Option<String> {
-    lines.sort();
+    lines.sort_unstable();
     let mut runs: Vec<[u64; 2]> = Vec::new();
     for (line, _) in &lines {
         match runs.last_mut() {
@@ -340,7 +340,7 @@ pub fn ordered(file: &DataFile, mut rows: Vec<Row>, wanted: Wanted) -> Option<Ve
         return Some(rows);
     }
     // Stable: the first of two rows stays the first.
-    rows.sort_by_key(|row| row.tooth);
+    rows.sort_by_cached_key(|row| row.tooth.map_or(0, |tooth| 1 + u64::from(tooth)));
     let mut good = Some(());
     let mut wrong = |line: u64, reason: String, help: &str| {
         file.add_at(line, reason, help);

@@ -5,6 +5,8 @@
 //! is left out where nothing is said; another has a default, or must be there.
 
 mod assembly;
+#[cfg(not(target_family = "wasm"))]
+mod derived;
 mod explained;
 mod flanks;
 mod gear;
@@ -42,7 +44,7 @@ pub use pair::{EitherGearSpec, GearFileSpec, PairSpec};
 pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub(crate) use schema::{DRAWINGS, GEAR, PAIR, TABLE};
-pub use schema::{gear_schema, pair_schema};
+pub use schema::{gear_schema, pair_schema, schemas};
 pub(crate) use thickness::{CROSS_CHECK_UM, STATEMENTS};
 pub use thickness::{
     ChordSpec, CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,

@@ -56,15 +56,6 @@ pub struct GearFileSpec {
     pub gear: GearSpec,
 }
 
-/// Two drawings of one gear.
-#[derive(Serialize, JsonSchema)]
-pub(super) struct TwoDrawingsSpec {
-    /// The reference drawing.
-    pub a: OutlineGearSpec,
-    /// The drawing that is compared with it.
-    pub b: OutlineGearSpec,
-}
-
 /// A gear by its data or by its outline.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]

@@ -1,23 +1,39 @@
 //! The JSON Schema of the files, for editors to complete and check them.
 
-use super::pair::TwoDrawingsSpec;
-use super::rules::is_type;
-use super::value::AnyTableSpec;
-use super::{GearFileSpec, PairSpec};
-use schemars::generate::SchemaSettings;
-use schemars::transform::RecursiveTransform;
-use schemars::{JsonSchema, Schema};
+#[cfg(not(target_family = "wasm"))]
+use super::derived::schema;
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
 /// The schema of pair files.
-pub(crate) static PAIR: LazyLock<Value> = LazyLock::new(ordered::<PairSpec>);
+pub(crate) static PAIR: LazyLock<Value> = LazyLock::new(|| schema("pair"));
 /// The schema of two drawings of one gear.
-pub(crate) static DRAWINGS: LazyLock<Value> = LazyLock::new(ordered::<TwoDrawingsSpec>);
+pub(crate) static DRAWINGS: LazyLock<Value> = LazyLock::new(|| schema("drawings"));
 /// The schema of a single table.
-pub(crate) static TABLE: LazyLock<Value> = LazyLock::new(ordered::<AnyTableSpec>);
+pub(crate) static TABLE: LazyLock<Value> = LazyLock::new(|| schema("table"));
 /// The schema of gear files.
-pub(crate) static GEAR: LazyLock<Value> = LazyLock::new(ordered::<GearFileSpec>);
+pub(crate) static GEAR: LazyLock<Value> = LazyLock::new(|| schema("gear"));
+
+/// The schema as `schemas.json` has it: the code that derives it would be 50 kB of the page in the browser, by gzip.
+#[cfg(target_family = "wasm")]
+fn schema(of: &str) -> Value {
+    let stored = serde_json::from_str(include_str!("schemas.json"));
+    let mut stored: Value = stored.unwrap_or_default();
+    let mut schema = stored[of].take();
+    schema["definitions"] = stored["definitions"].take();
+    schema
+}
+
+/// Every schema by its name in `schemas.json`.
+#[doc(hidden)]
+pub fn schemas() -> [(&'static str, &'static Value); 4] {
+    [
+        ("pair", &PAIR),
+        ("drawings", &DRAWINGS),
+        ("table", &TABLE),
+        ("gear", &GEAR),
+    ]
+}
 
 /// The JSON Schema (draft 07) of pair files, as text: every key with type and range, and allowed combinations.
 ///
@@ -77,73 +93,5 @@ fn allow_inches(schema: &mut Value) {
             }
         }
         _ => {}
-    }
-}
-
-fn ordered<T: JsonSchema>() -> Value {
-    let mut settings = SchemaSettings::draft07();
-    // Runs before `$ref` gets a place of its own, which draft 07 needs.
-    let own: [fn(&mut Schema); 4] = [without_null, without_format, without_default, closed];
-    for (place, transform) in own.into_iter().enumerate() {
-        let everywhere = Box::new(RecursiveTransform(transform));
-        settings.transforms.insert(place, everywhere);
-    }
-    let mut schema = settings.into_generator().into_root_schema_for::<T>();
-    // Readers see the description first.
-    let mut ordered = Map::new();
-    for key in ["$schema", "title", "description"] {
-        ordered.extend(schema.ensure_object().shift_remove_entry(key));
-    }
-    let definitions = schema.ensure_object().shift_remove_entry("definitions");
-    ordered.append(schema.ensure_object());
-    ordered.extend(definitions);
-    Value::Object(ordered)
-}
-
-/// Removes `null`: an optional key is left out, it has no null value.
-fn without_null(schema: &mut Schema) {
-    let Some(object) = schema.as_object_mut() else {
-        return;
-    };
-    if let Some(Value::Array(types)) = object.get_mut("type") {
-        types.retain(|name| name != "null");
-        if let [only] = &types[..] {
-            let only = only.clone();
-            object.insert("type".to_owned(), only);
-        }
-    }
-    if let Some(Value::Array(values)) = object.get_mut("enum") {
-        values.retain(|value| !value.is_null());
-    }
-    if let Some(Value::Array(alternatives)) = object.get_mut("anyOf") {
-        alternatives.retain(|alternative| alternative["type"] != "null");
-        if let [Value::Object(only)] = &alternatives[..] {
-            let only = only.clone();
-            object.shift_remove("anyOf");
-            for (key, value) in only {
-                object.entry(key).or_insert(value);
-            }
-        }
-    }
-}
-
-/// Removes the format: the width of a number in memory does not concern the file.
-fn without_format(schema: &mut Schema) {
-    if let Some(object) = schema.as_object_mut() {
-        object.shift_remove("format");
-    }
-}
-
-/// Removes defaults of several values; the description of the key states them.
-fn without_default(schema: &mut Schema) {
-    if let Some(Value::Object(_) | Value::Array(_) | Value::Null) = schema.get("default") {
-        schema.remove("default");
-    }
-}
-
-/// Forbids keys that a table does not list.
-fn closed(schema: &mut Schema) {
-    if is_type(schema, "object") && schema.get("properties").is_some() {
-        schema.insert("additionalProperties".to_owned(), false.into());
     }
 }

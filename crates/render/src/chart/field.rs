@@ -280,7 +280,7 @@ fn spacing(side: &FieldSide) -> Option<f64> {
     let slope = side_slope(side);
     let feet = side.lines.iter().map(|line| line.ends[0]);
     let mut feet: Vec<f64> = feet.map(|[x, y]| x - y / slope).collect();
-    feet.sort_by(f64::total_cmp);
+    feet.sort_unstable_by(f64::total_cmp);
     let apart = feet.windows(2).map(|pair| pair[1] - pair[0]);
     apart.filter(|mm| mm.is_finite()).reduce(f64::min)
 }

@@ -123,7 +123,8 @@ fn nearest(wanted: Spot, size: [f64; 2], plot: &Plot, taken: &Occupied) -> (Fram
             }
         }
     }
-    candidates.sort_by(|one, other| one.0.total_cmp(&other.0));
+    // Numbers that are not negative have the order of their bits.
+    candidates.sort_by_cached_key(|(away, _)| away.to_bits());
     let free = candidates
         .iter()
         .find(|(_, frame)| taken.is_clear(frame, CLEAR));

@@ -38,7 +38,8 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     let picked: Vec<&ComparedRun> = report.analysis.extremes.runs.iter().collect();
     let all = [&runs[..], &picked[..]].concat();
     let mut distances = by_distance(&runs, &picked);
-    distances.sort_by(|a, b| a.center_distance.total_cmp(&b.center_distance));
+    // Numbers that are not negative have the order of their bits.
+    distances.sort_by_cached_key(|at| at.center_distance.to_bits());
     let page = Page {
         whole: Outcome::of(&runs, &picked),
         agreement: Agreement::of(&all),

@@ -132,7 +132,7 @@ fn interior_point(polygon: &[Spot], frame: &Frame) -> Option<Spot> {
         let mut at: Vec<f64> = cut
             .map(|[from, to]| from[0] + (y - from[1]) / (to[1] - from[1]) * (to[0] - from[0]))
             .collect();
-        at.sort_by(f64::total_cmp);
+        at.sort_unstable_by(f64::total_cmp);
         let chords: Vec<_> = at
             .chunks_exact(2)
             .map(|ends| (ends[1] - ends[0], [0.5 * (ends[0] + ends[1]), y]))

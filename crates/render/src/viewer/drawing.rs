@@ -230,7 +230,7 @@ pub fn numbers(
     let radius = rounded(root - INSIDE * module, precision.decimals);
     // A disc that contains the centre has all teeth.
     let mut teeth = gear.teeth_near(gear.centre(), tip);
-    teeth.sort_by_key(|(tooth, _)| *tooth);
+    teeth.sort_by_cached_key(|(tooth, _)| u64::from(*tooth));
     let first = teeth.first().map_or(0.0, |(_, direction)| *direction);
     let centre = gear.centre() - gear.axis();
     let [x, y] = [centre.x, centre.y].map(|value| rounded(value, precision.decimals));

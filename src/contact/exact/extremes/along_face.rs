@@ -614,7 +614,7 @@ impl<'a> PairOverFace<'a> {
             })
             .collect();
         pair.knots.append(&mut places);
-        pair.knots.sort_by(f64::total_cmp);
+        pair.knots.sort_unstable_by(f64::total_cmp);
         Some(pair)
     }
 

@@ -270,7 +270,7 @@ fn sum_of(sides: &[Above; 2]) -> (f64, f64) {
     let bend = sides[0].bend + sides[1].bend;
     if bend > 0.0 {
         // Between two breaks the sum is a parabola.
-        breaks.sort_by(f64::total_cmp);
+        breaks.sort_unstable_by(f64::total_cmp);
         for k in 1..breaks.len() {
             let (from, to) = (breaks[k - 1], breaks[k]);
             let line = |u| sides[0].line(u) + sides[1].line(u);

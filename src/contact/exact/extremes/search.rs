@@ -6,6 +6,7 @@ use super::extreme::{Doubt, End, PosesSeen, Proof, Seen};
 use super::sample::{self, Until};
 use super::table::{Bounds, Table};
 use crate::error::Error;
+use crate::numeric;
 use std::collections::BinaryHeap;
 
 /// Limit of cells examined for one extreme (tuned: a hundred settle an ordinary one; the limit takes about 20 ms).
@@ -334,9 +335,16 @@ impl Search<'_> {
         let least = self.best(found) - self.equal;
         near.retain(|bounds| self.key(bounds.low, bounds.high) >= least);
         if near.len() > MOST_PLACES {
-            near.sort_by_cached_key(|bounds| (self.teeth(bounds.mating), bounds.part));
+            near.sort_by_cached_key(|bounds| bounds.part as u64);
+            near.sort_by_cached_key(|bounds| self.order_of_teeth(bounds.mating));
             near.truncate(MOST_PLACES);
         }
+    }
+
+    /// The key of a sort by wheel tooth, then by pinion tooth.
+    fn order_of_teeth(&self, mating: u64) -> u64 {
+        let (wheel, pinion) = self.teeth(mating);
+        u64::from(wheel) << 32 | u64::from(pinion)
     }
 
     /// Wheel and pinion tooth of a mating.
@@ -357,8 +365,8 @@ impl Search<'_> {
         };
         let teeth = (named.wheel_tooth, named.pinion_tooth);
         near.retain(|cell| self.key(cell.low, cell.high) >= least);
-        near.sort_by(|a, b| a.from.total_cmp(&b.from));
-        near.sort_by_cached_key(|cell| self.teeth(cell.mating));
+        near.sort_by_cached_key(|cell| numeric::rank(cell.from));
+        near.sort_by_cached_key(|cell| self.order_of_teeth(cell.mating));
         for cell in near {
             let own = self.teeth(cell.mating);
             let is_later = own > teeth || own == teeth && cell.from >= named.fraction;

@@ -90,7 +90,7 @@ impl<'a> AlongFlanks<'a> {
     pub fn highest(&self) -> Result<Option<Highest>, Spent> {
         let twist = self.posed.twist(self.assembly, self.assembly.locked());
         let mut turns = self.assembly.face().map(|b| twist * b);
-        turns.sort_by(f64::total_cmp);
+        turns.sort_unstable_by(f64::total_cmp);
         let mut best = Highest {
             height: LEVEL,
             b: f64::NAN,

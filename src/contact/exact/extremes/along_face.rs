@@ -275,7 +275,9 @@ impl<'a> SideCell<'a> {
                 continue;
             }
             let simple = [0, 1].map(|k| pair.simple(k, pair.face));
-            if (0..2).all(|k| line[k] + simple[k] + pair.at_fillet(pair.face) <= most[k]) {
+            // What it leaves open counts where it is more than others leave.
+            let more = pair.at_fillet(pair.face) + (pair.open - open).max(0.0);
+            if (0..2).all(|k| line[k] + simple[k] + more <= most[k]) {
                 continue;
             }
             let floors = [0, 1].map(|k| most[k] - line[k]);

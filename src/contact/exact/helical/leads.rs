@@ -783,7 +783,11 @@ impl<'a> AlongFace<'a> {
                 let [gap, rate] = [0, 1].map(|k| (locked[k] + free[k]) / base);
                 Some(Look { b, gap, rate })
             };
-            return self.look(pair, self.between(leads(start)?, leads(end)?, leads).b);
+            let b = self.between(leads(start)?, leads(end)?, leads).b;
+            let rolls = self.rolls_at(self.endless(pair.step).rolls, b);
+            if self.are_on_arcs(rolls, self.bounds.most_moved * self.per_moved()) {
+                return self.look(pair, b);
+            }
         }
         let middle = if self.leaning.is_some() && start < end {
             self.look(pair, 0.5 * (start + end))?

@@ -25,7 +25,7 @@ use nalgebra::{Point2, Vector2};
 pub enum ProfilePart {
     /// Tip land or its corner. Parameter: angle past the tooth's centre line, rad.
     Tip,
-    /// The flank, an involute. Parameter: roll `ξ`, rad. A straight flank has this name too.
+    /// The flank, an involute. Parameter: roll `ξ`, rad.
     Involute,
     /// Generated fillet. Parameter: `γ`, see [`super::Fillet`], rad.
     Fillet,

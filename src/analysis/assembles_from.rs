@@ -58,7 +58,7 @@ impl AssemblesFrom {
             if let Some(there) = interference(&kernel, &pair, &tight)? {
                 return Ok(Some((there, None)));
             }
-            let there = kernel.least(&pair, over, width, effort)?;
+            let there = kernel.extremes_of(&pair, over, width, effort, &[End::Least])?;
             let least = there.least;
             tight.extend(there.lost.or(least.map(|least| least.mating)));
             // Without a proof the attained value counts.

@@ -9,6 +9,7 @@ use super::{
 use crate::error::GearError;
 use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 /// Measured deviations beside the mean thickness. Lengths in mm; empty or zero where nothing was measured.
@@ -669,6 +670,12 @@ impl AsBuilt {
                 .all(|flank| leads.shapes(flank) == 1)
         };
         self.leads.as_deref().is_none_or(one)
+    }
+
+    /// Teeth that have every lead of the gear: the first one, or all.
+    pub(crate) fn teeth_by_lead(&self) -> RangeInclusive<u32> {
+        let teeth = self.gear.basic_data().teeth();
+        1..=if self.has_one_lead() { 1 } else { teeth }
     }
 
     /// The offsets with `change` applied to each flank: its side and its tooth.

@@ -8,6 +8,7 @@ use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, Status,
 };
 use crate::error::Error;
+use crate::numeric::try_bisect;
 use crate::outline::OutlinePair;
 use crate::pair::{GearPair, Mating, Member};
 
@@ -58,7 +59,7 @@ impl AssemblesFrom {
             if let Some(there) = interference(&kernel, &pair, &tight)? {
                 return Ok(Some((there, None)));
             }
-            let there = kernel.least(&pair, over, width, effort)?;
+            let there = kernel.extremes_of(&pair, over, width, effort, &[End::Least])?;
             let least = there.least;
             tight.extend(there.lost.or(least.map(|least| least.mating)));
             // Without a proof the attained value counts.
@@ -198,18 +199,10 @@ impl AssemblesFrom {
             while low + step <= farthest && interferes_at(low + step)? {
                 (low, step) = (low + step, 2.0 * step);
             }
-            let mut high = low + step;
-            if high > farthest {
+            if low + step > farthest {
                 return Ok(None);
             }
-            while high - low > DISTANCE_WIDTH_DRAWN {
-                let middle = 0.5 * (low + high);
-                if interferes_at(middle)? {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
+            let [low, mut high] = try_bisect(low, low + step, DISTANCE_WIDTH_DRAWN, interferes_at)?;
             // A greater distance makes up for the width of the bracket.
             let (mut there, mut raised) = (pair.at(high)?, 0);
             let least = loop {

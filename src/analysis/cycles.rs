@@ -96,7 +96,7 @@ impl CyclePair for GearPair {
     fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
         let effort = &cycle.effort(self);
         let greatest = |pair: &GearPair, kernel: &ExactKernel| {
-            kernel.greatest(pair, cycle.over(), WIDTH, effort)
+            kernel.extremes_of(pair, cycle.over(), WIDTH, effort, &[End::Greatest])
         };
         if is_open(self) {
             let all = cycle.any_direction(self, effort)?;
@@ -147,7 +147,7 @@ impl CyclePair for GearPair {
         if is_open(self) {
             Ok(any_direction(self, over, &End::BOTH, width, effort)?.found)
         } else {
-            ExactKernel::new(self).extremes_within(self, over, width, effort)
+            ExactKernel::new(self).extremes_of(self, over, width, effort, &End::BOTH)
         }
     }
 
@@ -633,11 +633,11 @@ fn any_direction(
 ) -> Result<AnyDirection, Error> {
     // The bracket contains that of a search and the effect of the direction.
     let width = 0.4 * width;
-    let least = |pair: &GearPair, kernel: &ExactKernel| kernel.least(pair, over, width, effort);
-    let greatest =
-        |pair: &GearPair, kernel: &ExactKernel| kernel.greatest(pair, over, width, effort);
-    let least: &Search = &least;
-    let greatest: &Search = &greatest;
+    let one = |pair: &GearPair, kernel: &ExactKernel, end| {
+        kernel.extremes_of(pair, over, width, effort, &[end])
+    };
+    let least: &Search = &|pair, kernel| one(pair, kernel, End::Least);
+    let greatest: &Search = &|pair, kernel| one(pair, kernel, End::Greatest);
     directions::extremes(
         pair,
         ends.contains(&End::Least).then_some(least),

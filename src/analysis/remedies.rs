@@ -102,8 +102,6 @@ pub enum NoRemedy {
     MeasuredRows,
     /// The thickness: one gear is drawn, the other given by data.
     Drawn,
-    /// The thickness: a gear has flanks that no rack generates.
-    NotGenerated,
     /// The centre distance: none was found that suffices.
     NoDistance,
     /// The thickness of these gears: none was found that suffices.
@@ -183,14 +181,9 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     match pair {
         AssembledPair::Drawn(pair) => search.of_drawn(pair, &effort, &mut found)?,
         AssembledPair::Data(pair) => {
-            let generated = |member| pair.gear(member).gear().is_generated();
-            if Member::BOTH.into_iter().all(generated) {
-                for gears in Gears::EACH {
-                    let changes = search.thickness(pair, gears, &effort())?;
-                    found.add(gears, changes);
-                }
-            } else {
-                found.missing.push(NoRemedy::NotGenerated);
+            for gears in Gears::EACH {
+                let changes = search.thickness(pair, gears, &effort())?;
+                found.add(gears, changes);
             }
         }
     }

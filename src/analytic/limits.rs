@@ -62,12 +62,8 @@ pub fn usable_contact_ratio(assembly: &GearPair) -> f64 {
         .map(|member| (-form_margin(assembly, member)).max(0.0))
         .iter()
         .sum();
-    let base_pitch = assembly
-        .gear(Member::Wheel)
-        .gear()
-        .basic_data()
-        .base_pitch();
-    contact_ratio(assembly) - lost / base_pitch
+    let wheel = assembly.gear(Member::Wheel).gear().basic_data();
+    contact_ratio(assembly) - lost / wheel.base_pitch()
 }
 
 /// Tooth thickness of `member` on its operating pitch circle, `s_wt = 2 r_w (ψ_b − inv α_wt)`, mm.

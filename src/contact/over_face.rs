@@ -2,6 +2,7 @@
 
 use super::lost_motion::{Contact, LostMotion, Status};
 use crate::gear::Side;
+use crate::numeric::wrap_angle;
 use crate::pair::Pose;
 use std::f64::consts::{PI, TAU};
 
@@ -43,12 +44,13 @@ impl OverFace {
                 _ => (self.jam, self.right, self.left) = (Some(b), None, None),
             }
         }
-        let turns = |angle: f64| angle - TAU * (angle / TAU).round();
-        let right = found.right.map(|contact| turns(contact.rotation - nominal));
+        let right = found
+            .right
+            .map(|contact| wrap_angle(contact.rotation - nominal));
         // The left rotation continues from the right one.
         let left = found.left.map(|contact| match found.right.zip(right) {
             Some((first, beyond)) => beyond + (contact.rotation - first.rotation),
-            None => turns(contact.rotation - nominal),
+            None => wrap_angle(contact.rotation - nominal),
         });
         let at = |contact: Contact| Contact {
             error: (contact.error + rounding).min(PI),
@@ -81,9 +83,9 @@ impl OverFace {
     /// Whether contacts of another section beyond `known` could overlap with those `found` there, at its pose `here`.
     pub fn may_overlap(here: &Pose, found: &LostMotion, [right, left]: [f64; 2]) -> bool {
         let nominal = here.free_rotation();
-        let turns = |angle: f64| angle - TAU * (angle / TAU).round();
-        let beyond =
-            |contact: Option<Contact>| contact.map(|contact| turns(contact.rotation - nominal));
+        let beyond = |contact: Option<Contact>| {
+            contact.map(|contact| wrap_angle(contact.rotation - nominal))
+        };
         let (one, other) = (beyond(found.right), beyond(found.left));
         // A contact that is known exactly leaves nothing open.
         let open = [

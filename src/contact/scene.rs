@@ -5,7 +5,7 @@
 
 use super::overlap::{Overlap, overlaps};
 use super::{DrawnContact, LostMotion, MeshSection, Status};
-use crate::gear::{Gear, Side};
+use crate::gear::Side;
 use crate::outline::{AssembledPair, PlacedGear};
 use crate::pair::{Member, Pose};
 use nalgebra::{Point2, UnitComplex, center};
@@ -217,7 +217,8 @@ impl<'a> Scene<'a> {
         Point2::new(self.assembly.operating_pitch_radius(Member::Wheel), 0.0)
     }
 
-    /// The line of action of `side`; `None` if eccentric base circles overlap, and for flanks other than involutes.
+    /// The line of action of `side`; `None` if eccentric base circles overlap, and for drawn gears. Profile deviations are too
+    /// small to bend it.
     ///
     /// The centres are `D` apart. The tangent that crosses between the circles leaves each at the angle `acos((r_b1 +
     /// r_b2)/D)` from the line of centres: towards +y on the wheel for right flanks, whose normal out of the wheel
@@ -225,10 +226,6 @@ impl<'a> Scene<'a> {
     pub fn line_of_action(&self, side: Side) -> Option<LineOfAction> {
         let wheel = self.wheel.data()?.as_built().gear();
         let gears = [wheel, self.pinion.data()?.as_built().gear()];
-        // Profile deviations are too small to bend it.
-        if !gears.into_iter().all(Gear::is_generated) {
-            return None;
-        }
         let between = self.pinion.centre() - self.wheel.centre();
         let distance = between.norm();
         let [(base_1, reach_1), (base_2, reach_2)] =

@@ -15,11 +15,8 @@ pub const GRADES: RangeInclusive<u32> = 1..=11;
 
 /// A deviation that a grade limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum GradedQuantity {
     /// Single pitch deviation `f_p`, the largest amount.
     SinglePitch,
@@ -31,11 +28,8 @@ pub enum GradedQuantity {
 
 /// A grade with its tolerance, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Grade {
     /// The finest grade that admits the value.
     Within {

@@ -28,11 +28,8 @@ const MOST_CORRECTIONS: usize = 50;
 
 /// A probe that touches the flanks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Probe {
     /// A ball of this diameter, mm, in the space after each tooth, towards the next number.
     Ball(f64),

@@ -2,11 +2,8 @@
 
 /// A side of a tooth in the picture, seen from the front. See [`Flank`] for the gear's own sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Side {
     /// Front-right: the right-hand flank of a tooth that points up, its clockwise side.
     Right,
@@ -50,11 +47,8 @@ impl Side {
 
 /// A flank of a gear, seen on its reference face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Flank {
     /// The right-hand flank of a tooth that points up.
     Right,

@@ -10,11 +10,8 @@ const MOST_WOBBLE_APART_UM: f64 = 2.0;
 
 /// A finding about the measurements of one gear.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Finding {
     /// Single pitch deviations of a flank do not sum to 0; the rest is distributed evenly.
     PitchDoesNotClose {
@@ -200,11 +197,8 @@ impl Finding {
 
 /// Knowledge of the flanks on which a runout was read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum FlankKnowledge {
     /// No pitch.
     NoPitch,
@@ -258,11 +252,8 @@ pub struct RunoutContradiction {
 
 /// The reason why spans give the mean thickness only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum MeanOnly {
     /// Per-tooth thickness was not requested.
     AsAsked,
@@ -277,11 +268,8 @@ pub enum MeanOnly {
 
 /// Stated per-tooth thickness compared with the thickness in the pitch of both flanks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ThicknessBesidePitch {
     /// Both are equal.
     Same,
@@ -311,11 +299,8 @@ pub enum ThicknessBesidePitch {
 
 /// A list or value stated in µm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Quantity {
     /// Per-tooth thickness.
     PerTooth,
@@ -325,11 +310,8 @@ pub enum Quantity {
 
 /// The common kind of two thickness statements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum SameKind {
     /// Spans over the same number of teeth.
     Span,
@@ -343,11 +325,8 @@ pub enum SameKind {
 
 /// Form of a runout statement.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum RunoutSource {
     /// Amount and high tooth.
     Total,
@@ -360,11 +339,8 @@ pub enum RunoutSource {
 
 /// A single value far from all others.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Outlier {
     /// A span or a dimension over pins.
     Reading(ReadingOutlier),
@@ -396,11 +372,8 @@ pub struct ReadingOutlier {
 
 /// The criterion of an outlier among lengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum TooFar {
     /// The distance exceeds the variation of a coarse gear, µm.
     CoarseGear(f64),

@@ -1,8 +1,6 @@
 //! Stated lead deviations: their checks and findings.
 
 use super::error::{LeadKey, MeasurementError};
-use super::finding::Finding;
-use super::profile::measured_teeth;
 use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, Lead};
 
 /// The keys of a lead that are checked alone, and all together last.
@@ -53,28 +51,11 @@ pub(super) fn check(gear: &Gear, face: Face, leads: &[Lead; 2]) -> Vec<Measureme
     errors
 }
 
-/// Flanks with traces of some teeth only.
-pub(super) fn findings(teeth: u32, leads: &[Lead; 2]) -> Vec<Finding> {
-    let of_flank = |(flank, lead): (Flank, &Lead)| {
-        let measured = measured_teeth(&lead.traces, teeth)?;
-        Some(Finding::LeadOfSomeTeeth {
-            flank,
-            measured,
-            teeth,
-        })
-    };
-    Flank::BOTH
-        .into_iter()
-        .zip(leads)
-        .filter_map(of_flank)
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::gear::{EndRelief, GearDesign, Trace};
-    use crate::metrology::Measurements;
+    use crate::metrology::{Finding, Measurements};
 
     /// A gear of module 3 with these leads of its left flanks.
     fn measured(lead: Lead) -> Result<Vec<Finding>, Vec<MeasurementError>> {

@@ -325,8 +325,23 @@ impl Measurements {
                 total_um: runout.total_um,
             });
         }
-        findings.extend(profile::findings(basic_data.teeth(), &self.profiles));
-        findings.extend(lead::findings(basic_data.teeth(), &self.leads));
+        let teeth = basic_data.teeth();
+        let profiles = self.profiles.each_ref().map(|profile| &profile.traces[..]);
+        for (flank, measured) in profile::of_some_teeth(teeth, profiles) {
+            findings.push(Finding::ProfileOfSomeTeeth {
+                flank,
+                measured,
+                teeth,
+            });
+        }
+        let leads = self.leads.each_ref().map(|lead| &lead.traces[..]);
+        for (flank, measured) in profile::of_some_teeth(teeth, leads) {
+            findings.push(Finding::LeadOfSomeTeeth {
+                flank,
+                measured,
+                teeth,
+            });
+        }
         findings.extend(plausibility::readings_all_round(&self.thickness, flanks));
         findings.extend(contradictions::findings(
             &self.thickness,

@@ -1,7 +1,6 @@
 //! Stated profile deviations: their checks, their findings, and the pitch of the involutes.
 
 use super::error::{MeasurementError, ProfileKey};
-use super::finding::Finding;
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Deviations, Excess, Face, Flank, Gear, Modification, Pitch, Trace};
 
@@ -83,27 +82,17 @@ fn check_range(gear: &Gear, profile: &Modification) -> Result<(), GearError> {
     )
 }
 
-/// Flanks with traces of some teeth only.
-pub(super) fn findings(teeth: u32, profiles: &[Modification; 2]) -> Vec<Finding> {
-    let of_flank = |(flank, profile): (Flank, &Modification)| {
-        let measured = measured_teeth(&profile.traces, teeth)?;
-        Some(Finding::ProfileOfSomeTeeth {
-            flank,
-            measured,
-            teeth,
-        })
-    };
-    Flank::BOTH
-        .into_iter()
-        .zip(profiles)
-        .filter_map(of_flank)
-        .collect()
-}
-
-/// The number of teeth with a trace of their own; `None` for all or none of the `teeth`.
-pub(super) fn measured_teeth(traces: &[Trace], teeth: u32) -> Option<u32> {
-    let traces = traces.iter().filter(|trace| trace.tooth.is_some());
-    Some(traces.count() as u32).filter(|count| (1..teeth).contains(count))
+/// The flanks with `traces` of some of the `teeth` only, each with the number of those teeth.
+pub(super) fn of_some_teeth(
+    teeth: u32,
+    traces: [&[Trace]; 2],
+) -> impl Iterator<Item = (Flank, u32)> {
+    let each = Flank::BOTH.into_iter().zip(traces);
+    each.filter_map(move |(flank, traces)| {
+        let measured = traces.iter().filter(|trace| trace.tooth.is_some());
+        let measured = measured.count() as u32;
+        (1..teeth).contains(&measured).then_some((flank, measured))
+    })
 }
 
 /// The pitch of the involutes, from the `pitch` of the flanks measured on the reference circle.

@@ -22,6 +22,7 @@
 
 use super::{GearPair, Member, Pose, lens_half};
 use crate::gear::Side;
+use crate::numeric::wrap_angle;
 use nalgebra::{Rotation2, Vector2};
 use std::f64::consts::PI;
 
@@ -308,7 +309,7 @@ impl LeaningSide<'_> {
         let pitch = leaning.gears[locked as usize].pitch;
         let tooth = leaning.pose.locked_tooth(pair, step);
         let flank = leaning.flank(locked, self.side, tooth);
-        -s * reduced(self.tangent - (self.mating_at + step as f64 * pitch + flank))
+        -s * wrap_angle(self.tangent - (self.mating_at + step as f64 * pitch + flank))
     }
 
     /// Roll of the free flank on the line, rad, whose mate has the roll `roll`.
@@ -327,7 +328,7 @@ impl LeaningSide<'_> {
             + leaning.flank(free, self.side, facing);
         // θ_T = θ_0 − s ξ on either gear.
         let wanted = self.tangent + PI + self.side.sense() * self.mate(roll);
-        reduced(wanted - flank)
+        wrap_angle(wanted - flank)
     }
 
     /// Turns of the locked and the free flank of a step from the mating's locked tooth, rad.
@@ -432,9 +433,4 @@ fn corner(roll: f64, [least, most]: [f64; 2], ends: [[f64; 2]; 2]) -> Option<(us
     } else {
         None
     }
-}
-
-/// `angle` within ±π.
-fn reduced(angle: f64) -> f64 {
-    angle - 2.0 * PI * (angle / (2.0 * PI)).round()
 }

@@ -5,11 +5,8 @@ use crate::gear::Side;
 
 /// The poses of a simulation.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum SweepPlan {
     /// A right-flank and a left-flank pose of each mating at each fraction of a pitch.
     Matings {

@@ -125,8 +125,7 @@ impl Scatters {
 
     /// Whether anything along the face scatters.
     pub fn vary_along_face(&self) -> bool {
-        let vary = |gear: &GearScatter| gear.lead.is_some() || gear.wobble.is_some();
-        vary(&self.wheel) || vary(&self.pinion) || self.lean.iter().any(Option::is_some)
+        self.wheel.lead.is_some() || self.pinion.lead.is_some() || self.lean()
     }
 
     /// Whether an axis of teeth leans in some assembly.

@@ -33,6 +33,5 @@ mod random;
 #[path = "../common/random_pair.rs"]
 #[allow(dead_code)] // its twin tests use the rest
 mod random_pair;
-mod straight_sided;
 mod witnesses;
 mod witnesses_extremes;

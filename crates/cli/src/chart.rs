@@ -158,7 +158,7 @@ impl DrawnChart {
         }
         let course = &course.clone().with_cycle(&analysis.extremes.each);
         let cycle = in_unit(print_verdict(&analysis), unit);
-        let heading = heading(&study.title, &cycle);
+        let heading = Heading::alone(&study.title, &cycle);
         let (name, chart) = match args.kind {
             Kind::Difference => {
                 let chart = chart::difference(&heading, course, study.tolerance_um);
@@ -202,7 +202,7 @@ impl DrawnChart {
         let unproven = curve.unproven + whole.as_ref().map_or(0, Analysis::unproven);
         let cycle = whole.as_ref().map(print_verdict).unwrap_or_default();
         let cycle = in_unit(cycle, unit);
-        let heading = heading(&study.title, &cycle);
+        let heading = Heading::alone(&study.title, &cycle);
         Ok(DrawnChart {
             svg: chart::distance(unit, &heading, &curve, &by_distance(&all, &[]))?.svg,
             file: format!("chart_distance_{wheel}_{pinion}{}.svg", suffix(unit)),
@@ -225,7 +225,7 @@ impl DrawnChart {
         };
         let inspection = Inspection::of(gear);
         Ok(DrawnChart {
-            svg: chart::inspection(&heading(&study.title, ""), name, &inspection)?.svg,
+            svg: chart::inspection(&Heading::alone(&study.title, ""), name, &inspection)?.svg,
             file: format!("chart_inspection_{name}.svg"),
             agrees: true,
         })
@@ -271,7 +271,7 @@ impl DrawnChart {
             found.material.words()
         );
         Ok(DrawnChart {
-            svg: chart::field(&heading(&title, &subtitle), &field)?.svg,
+            svg: chart::field(&Heading::alone(&title, &subtitle), &field)?.svg,
             file: format!("chart_field_a{a}_{}.svg", found.material.name()),
             agrees: all_proven(found.unproven),
         })
@@ -311,14 +311,6 @@ fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
     let first = maps.into_iter().next();
     let none = || Error::usage("no pose with a backlash was found to map from");
     first.map(|map| map.svg).ok_or_else(none)
-}
-
-fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
-    Heading {
-        prefix: "chart",
-        title,
-        subtitle,
-    }
 }
 
 /// Words on the cycle's extremes. They are in µm, so a picture of angles has none.

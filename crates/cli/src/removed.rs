@@ -3,36 +3,29 @@
 use crate::error::Error;
 use std::ffi::OsString;
 
-/// A removed command or option.
-struct Removed {
-    command: &'static str,
-    /// The option, with a space and its value where only that value is gone. Empty: the whole command.
-    option: &'static str,
-    /// The successor, as an instruction or a fact.
-    instead: &'static str,
-}
-
-const GONE: [Removed; 4] = [
-    Removed {
-        command: "export",
-        option: "",
-        instead: "gearlash check PAIR --format json has the least and greatest backlash of every run",
-    },
-    Removed {
-        command: "merge",
-        option: "",
-        instead: "gearlash tolerance PAIR --from-rows 'rows-*.csv' gives the statistics of the rows of several runs",
-    },
-    Removed {
-        command: "tolerance",
-        option: "--shard",
-        instead: "gearlash tolerance PAIR --first N --assemblies M --rows FILE.csv computes a range of assemblies",
-    },
-    Removed {
-        command: "match",
-        option: "--shard",
-        instead: "gearlash match compares all gears in one run; gearlash.dask in Python uses several machines",
-    },
+/// Commands and options, and their successors as instructions or facts. An option has a space and its value where only that value is gone;
+/// it is empty for a whole command.
+const GONE: [(&str, &str, &str); 4] = [
+    (
+        "export",
+        "",
+        "gearlash check PAIR --format json has the least and greatest backlash of every run",
+    ),
+    (
+        "merge",
+        "",
+        "gearlash tolerance PAIR --from-rows 'rows-*.csv' gives the statistics of the rows of several runs",
+    ),
+    (
+        "tolerance",
+        "--shard",
+        "gearlash tolerance PAIR --first N --assemblies M --rows FILE.csv computes a range of assemblies",
+    ),
+    (
+        "match",
+        "--shard",
+        "gearlash match compares all gears in one run; gearlash.dask in Python uses several machines",
+    ),
 ];
 
 /// The error of a command line that uses a removed command or option; `words` begin with the program's name.
@@ -41,11 +34,11 @@ pub(super) fn error(words: &[OsString]) -> Option<Error> {
     let words: Vec<String> = words.map(|word| word.replacen('=', " ", 1)).collect();
     let command = words.iter().find(|word| !word.starts_with('-'))?;
     let all = words.join(" ") + " ";
-    let removed = GONE.iter().find(|removed| {
-        removed.command == command && all.contains(format!(" {} ", removed.option).trim_start())
+    let (_, option, instead) = GONE.iter().find(|(of, option, _)| {
+        of == command && all.contains(format!(" {option} ").trim_start())
     })?;
-    let what = format!("{} {}", removed.command, removed.option);
-    let (what, instead) = (what.trim_end(), removed.instead);
+    let what = format!("{command} {option}");
+    let what = what.trim_end();
     Some(Error::Usage(format!("gearlash {what} is gone: {instead}")))
 }
 
@@ -68,10 +61,10 @@ mod tests {
 
     #[test]
     fn every_entry_is_found_by_its_own_words() {
-        for removed in GONE {
-            let line = format!("gearlash {} {} pair.toml", removed.command, removed.option);
+        for (command, option, instead) in GONE {
+            let line = format!("gearlash {command} {option} pair.toml");
             let text = message(&line.replace("  ", " ")).unwrap();
-            assert!(text.ends_with(removed.instead), "{text}");
+            assert!(text.ends_with(instead), "{text}");
         }
     }
 }

@@ -17,14 +17,6 @@ use pyo3::prelude::*;
 
 const METHOD: Method = Method::Exact { certify: true };
 
-fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
-    Heading {
-        prefix: "chart",
-        title,
-        subtitle,
-    }
-}
-
 /// The contact at one pose; for helical gears in the section where the pose's flank touches.
 #[pyfunction]
 pub fn snapshot(
@@ -67,7 +59,7 @@ pub fn over_teeth(
     let course = course.ok_or("the pair asks for no poses")?;
     let course = course.with_cycle(&analysis.extremes.each);
     let cycle = extremes_in_short(&analysis.verdict());
-    let heading = heading(&study.title, &cycle);
+    let heading = Heading::alone(&study.title, &cycle);
     let drawn = if difference {
         chart::difference(&heading, &course, study.tolerance_um)
     } else {
@@ -105,7 +97,7 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Ou
     let in_short = |analysis: &Analysis| extremes_in_short(&analysis.verdict());
     let cycle = searched.as_ref().map(in_short).unwrap_or_default();
     let outcomes = by_distance(&all, &[]);
-    let heading = heading(&study.title, &cycle);
+    let heading = Heading::alone(&study.title, &cycle);
     Ok(chart::distance(BacklashUnit::Um, &heading, &curve, &outcomes)?.svg)
 }
 
@@ -114,6 +106,6 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Ou
 pub fn inspection(gear: &Gear, material: Option<&str>) -> Outcome<String> {
     let (_, as_built) = gear.as_built(material)?;
     let inspection = Inspection::of(as_built);
-    let heading = heading(&gear.title, "");
+    let heading = Heading::alone(&gear.title, "");
     Ok(chart::inspection(&heading, gear.entry.name, &inspection)?.svg)
 }

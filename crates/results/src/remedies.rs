@@ -152,9 +152,6 @@ fn sentence(reason: NoRemedy) -> &'static str {
         NoRemedy::Drawn => {
             "The thickness is not changed: one gear is drawn and the other given by its data."
         }
-        NoRemedy::NotGenerated => {
-            "The thickness is not changed: a gear has flanks that are no generated involutes."
-        }
         NoRemedy::NoDistance => "No centre distance was found that is enough.",
         NoRemedy::NoThickness(Gears::Both) => {
             "No thickness of both gears was found that is enough."

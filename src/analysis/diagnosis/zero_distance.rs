@@ -3,7 +3,7 @@
 use crate::analytic::limits;
 use crate::contact::{PairAtDistance, reach};
 use crate::error::Error;
-use crate::numeric::rank;
+use crate::numeric::{rank, try_bisect};
 use crate::pair::{GearPair, Mating};
 
 /// Width of the bracket of a centre distance, mm: a tenth of the tolerance of a met limit. The rounding of `j_bn` is a
@@ -186,15 +186,8 @@ fn middle_of_jam(
             inside = outside;
             outside += sense * STRIDE;
         }
-        while (outside - inside).abs() > PITCHES {
-            let middle = 0.5 * (inside + outside);
-            if play(middle)? == f64::NEG_INFINITY {
-                inside = middle
-            } else {
-                outside = middle
-            }
-        }
-        Ok(inside)
+        let jams = |place| Ok::<_, Error>(play(place)? == f64::NEG_INFINITY);
+        Ok(try_bisect(inside, outside, PITCHES, jams)?[0])
     };
     Ok(0.5 * (end(1.0)? + end(-1.0)?))
 }

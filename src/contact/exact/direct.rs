@@ -151,7 +151,7 @@ impl DirectSolver {
     ) -> Option<DirectSolver> {
         let locked_gear = assembly.gear(assembly.locked());
         let free_gear = assembly.gear(assembly.free());
-        if !(locked_gear.is_generated() && free_gear.is_generated()) {
+        if locked_gear.is_modified() || free_gear.is_modified() {
             return None;
         }
         let setting = Setting {

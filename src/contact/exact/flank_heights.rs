@@ -20,7 +20,7 @@ pub(super) struct FlankHeights {
 }
 
 impl FlankHeights {
-    /// The table of an involute with or without deviations; `None` for other curves and for flanks with edges.
+    /// The table of an involute with or without deviations; `None` for flanks with edges.
     pub fn new(flank: &Part) -> Option<FlankHeights> {
         let (low, high) = flank.range();
         let mut heights = FlankHeights {

@@ -1,6 +1,6 @@
 //! Flanks that are not convex, in pieces between the knots and turning points of their deviation: each piece curves to one side.
 
-use crate::contact::gap::{Boxes, Rectangle};
+use crate::contact::gap::{Rectangle, Tree};
 use crate::gear::{Part, PartCurve, smooth};
 use nalgebra::Complex;
 
@@ -12,7 +12,7 @@ const LEAST_PIECES: f64 = 32.0;
 pub(super) struct FlankPieces {
     /// Rolls of their ends.
     pub ends: Vec<(f64, f64)>,
-    pub boxes: Boxes,
+    pub boxes: Tree<Rectangle>,
 }
 
 impl FlankPieces {
@@ -43,7 +43,7 @@ impl FlankPieces {
         };
         let round = |ends: &(f64, f64)| Rectangle::new(curve, *ends, point);
         FlankPieces {
-            boxes: Boxes::new(&ends.iter().map(round).collect::<Vec<Rectangle>>()),
+            boxes: Tree::new(&ends.iter().map(round).collect::<Vec<Rectangle>>()),
             ends,
         }
     }

@@ -112,13 +112,9 @@ impl Helical {
             sections.push((0.0, plane.clone()));
         }
         sections.sort_by_cached_key(|section| rank(section.0.abs()));
-        let base_pitch = assembly
-            .gear(Member::Wheel)
-            .gear()
-            .basic_data()
-            .base_pitch();
+        let wheel = assembly.gear(Member::Wheel).gear().basic_data();
         let path = shortest_path(assembly);
-        let short = path < SHORTEST * base_pitch;
+        let short = path < SHORTEST * wheel.base_pitch();
         let mut edges = Edges::new(assembly, &plane.right, short);
         let base = assembly.gear(assembly.free()).gear().base_radius();
         let most_moved = most_moved(assembly);
@@ -129,7 +125,7 @@ impl Helical {
             0.0
         };
         if let Some(solver) = plane.solver.as_ref().filter(|_| !assembly.is_modified())
-            && let Some(spread) = spread_on_line(plane, path - moved, base_pitch)
+            && let Some(spread) = spread_on_line(plane, path - moved, wheel.base_pitch())
         {
             let deepest = [solver.proof.locked_fillet, solver.proof.free_fillet];
             let spread = (spread + moved / base, assembly.most_shift());
@@ -440,25 +436,16 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
 
 /// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
 fn most_moved(assembly: &GearPair) -> f64 {
-    let wound = assembly
-        .gear(Member::Wheel)
-        .gear()
-        .basic_data()
-        .base_helix_angle()
-        .tan();
+    let wheel = assembly.gear(Member::Wheel).gear().basic_data();
+    let wound = wheel.base_helix_angle().tan();
     let of_gear = |member| {
         let gear = assembly.gear(member);
-        let teeth = if gear.has_one_lead() {
-            1
-        } else {
-            assembly.teeth(member)
-        };
         let flanks = Side::BOTH.into_iter().flat_map(|side| {
             let range = move |tooth| {
                 let curve = gear.lead_curve(side, tooth);
                 curve.map_or(0.0, |curve| curve.range())
             };
-            (1..=teeth).map(range)
+            gear.teeth_by_lead().map(range)
         });
         let profiles = Side::BOTH
             .into_iter()
@@ -475,16 +462,13 @@ fn most_moved(assembly: &GearPair) -> f64 {
 fn most_lead(assembly: &GearPair, side: Side) -> f64 {
     let of_gear = |member| {
         let gear = assembly.gear(member);
-        let teeth = if gear.has_one_lead() {
-            1
-        } else {
-            assembly.teeth(member)
-        };
         let most = |tooth| {
             let [_, most] = gear.lead_bounds(side, tooth, assembly.face())[0];
             most - gear.lead(side, tooth, 0.0)
         };
-        (1..=teeth).map(most).fold(f64::NEG_INFINITY, f64::max)
+        gear.teeth_by_lead()
+            .map(most)
+            .fold(f64::NEG_INFINITY, f64::max)
     };
     of_gear(Member::Wheel) + of_gear(Member::Pinion)
 }

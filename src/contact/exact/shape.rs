@@ -42,7 +42,7 @@ pub(in crate::contact) struct HalfToothShape {
     pub tilt: f64,
     /// Its flank in pieces, computed when first needed.
     pieces: OnceLock<Box<FlankPieces>>,
-    /// Its table of heights, computed when first needed; `None` with edges or without an involute.
+    /// Its table of heights, computed when first needed; `None` with edges.
     heights: OnceLock<Option<Box<FlankHeights>>>,
 }
 
@@ -89,7 +89,7 @@ impl HalfToothShape {
         self.pieces.get_or_init(|| Box::new(FlankPieces::new(part)))
     }
 
-    /// The table of heights of its flank; `None` with edges or without an involute.
+    /// The table of heights of its flank; `None` with edges.
     pub(super) fn flank_heights(&self) -> Option<&FlankHeights> {
         let part = self.part(ProfilePart::Involute);
         let heights = || FlankHeights::new(part).map(Box::new);
@@ -117,8 +117,7 @@ impl HalfToothShape {
     pub fn is_undeviating(&self, roll: f64) -> bool {
         match &self.part(ProfilePart::Involute).curve {
             PartCurve::Modified(flank) => flank.deviation().at(roll) == 0.0,
-            PartCurve::Involute(_) => true,
-            _ => false,
+            _ => true,
         }
     }
 

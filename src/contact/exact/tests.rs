@@ -1,6 +1,7 @@
 //! Hard pairs: extremes end within their counted effort, and say so.
 
 use super::ExactKernel;
+use super::extremes::End;
 use crate::contact::effort::Effort;
 use crate::gear::{AsBuilt, Deviations, Face, GearDesign, Hand};
 use crate::pair::{GearPair, Mating};
@@ -37,7 +38,8 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
         let effort = Effort::of_extremes(&pair);
         let matings = u64::from(teeth[0] * teeth[1]);
         let over = (Mating::FIRST, matings);
-        let found = kernel.extremes_within(&pair, over, 1e-6, &effort).unwrap();
+        let found = kernel.extremes_of(&pair, over, 1e-6, &effort, &End::BOTH);
+        let found = found.unwrap();
         let used = effort.used();
         assert!(2 * effort.left() >= used, "{teeth:?}: {used}");
         for extreme in [found.least, found.greatest].into_iter().flatten() {

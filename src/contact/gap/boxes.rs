@@ -46,35 +46,6 @@ impl Rectangle {
         }
     }
 
-    /// The rectangle around two consecutive ones.
-    fn round(one: &Rectangle, other: &Rectangle) -> Rectangle {
-        let between = other.along * other.middle - one.along * one.middle;
-        let distance = between.norm();
-        let along = if distance > 0.0 {
-            between / distance
-        } else {
-            one.along
-        };
-        let each = [one, other].map(|it| {
-            let turned = along.conj() * it.along;
-            (turned * it.middle, it.extents(turned))
-        });
-        let [(a, b), (c, d)] = each;
-        let least = [
-            (a.re - b[0]).min(c.re - d[0]),
-            (a.im - b[1]).min(c.im - d[1]),
-        ];
-        let most = [
-            (a.re + b[0]).max(c.re + d[0]),
-            (a.im + b[1]).max(c.im + d[1]),
-        ];
-        Rectangle {
-            along,
-            middle: C::new(least[0] + most[0], least[1] + most[1]) * 0.5,
-            half: [0.5 * (most[0] - least[0]), 0.5 * (most[1] - least[1])],
-        }
-    }
-
     /// Half of its extents along two axes, with its length in the direction `along`, mm.
     #[inline]
     fn extents(&self, along: C) -> [f64; 2] {
@@ -192,36 +163,68 @@ impl Rectangle {
     }
 }
 
-/// Rectangles around the pieces of a path in order, and around runs of pieces, as a tree.
-#[derive(Debug, Clone)]
-pub(in crate::contact) struct Boxes(Vec<Run>);
+/// A shape around a piece of a path, or around a run of pieces.
+pub(in crate::contact) trait Bounding: Copy {
+    /// Pieces of a run that is not divided.
+    const FEWEST: usize;
 
-/// A run of pieces.
-#[derive(Debug, Clone)]
-struct Run {
-    rectangle: Rectangle,
-    /// Its first piece, and its number of pieces.
-    first: u32,
-    count: u32,
+    /// The shape around two consecutive ones.
+    fn round(&self, other: &Self) -> Self;
 }
+
+impl Bounding for Rectangle {
+    const FEWEST: usize = 1;
+
+    fn round(&self, other: &Rectangle) -> Rectangle {
+        let between = other.along * other.middle - self.along * self.middle;
+        let distance = between.norm();
+        let along = if distance > 0.0 {
+            between / distance
+        } else {
+            self.along
+        };
+        let each = [self, other].map(|it| {
+            let turned = along.conj() * it.along;
+            (turned * it.middle, it.extents(turned))
+        });
+        let [(a, b), (c, d)] = each;
+        let least = [
+            (a.re - b[0]).min(c.re - d[0]),
+            (a.im - b[1]).min(c.im - d[1]),
+        ];
+        let most = [
+            (a.re + b[0]).max(c.re + d[0]),
+            (a.im + b[1]).max(c.im + d[1]),
+        ];
+        Rectangle {
+            along,
+            middle: C::new(least[0] + most[0], least[1] + most[1]) * 0.5,
+            half: [0.5 * (most[0] - least[0]), 0.5 * (most[1] - least[1])],
+        }
+    }
+}
+
+/// Shapes around the pieces of a path in order, and around runs of pieces, as a tree.
+#[derive(Debug, Clone)]
+pub(in crate::contact) struct Tree<S>(Vec<(S, Inside)>);
 
 /// The content of a run.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) enum Inside {
-    /// One piece.
-    Piece(usize),
+    /// The pieces from the first number to before the second; a rectangle has one.
+    Pieces([usize; 2]),
     /// Two runs.
     Runs([usize; 2]),
 }
 
-impl Boxes {
-    /// The tree over pieces in these rectangles, in order.
-    pub fn new(pieces: &[Rectangle]) -> Boxes {
-        let mut runs = Vec::with_capacity(2 * pieces.len());
+impl<S: Bounding> Tree<S> {
+    /// The tree over pieces in these shapes, in order.
+    pub fn new(pieces: &[S]) -> Tree<S> {
+        let mut runs = Vec::with_capacity(4 * pieces.len() / (S::FEWEST + 1));
         if !pieces.is_empty() {
             add(&mut runs, pieces, 0);
         }
-        Boxes(runs)
+        Tree(runs)
     }
 
     /// The run of all pieces, if there are any.
@@ -229,44 +232,39 @@ impl Boxes {
         (!self.0.is_empty()).then_some(0)
     }
 
-    /// The rectangle of a run.
+    /// The shape around a run.
     #[inline]
-    pub fn rectangle(&self, run: usize) -> &Rectangle {
-        &self.0[run].rectangle
+    pub fn shape(&self, run: usize) -> &S {
+        &self.0[run].0
     }
 
     /// The content of a run.
     #[inline]
     pub fn inside(&self, run: usize) -> Inside {
-        let Run { first, count, .. } = self.0[run];
-        match count {
-            1 => Inside::Piece(first as usize),
-            // The first half follows its run, which has twice as many runs as pieces, less one.
-            _ => Inside::Runs([run + 1, run + 2 * (count as usize / 2)]),
-        }
+        self.0[run].1
     }
 
-    /// The rectangles of all runs.
-    pub fn rectangles(&self) -> impl Iterator<Item = &Rectangle> {
-        self.0.iter().map(|run| &run.rectangle)
+    /// The shapes around all runs.
+    pub fn shapes(&self) -> impl Iterator<Item = &S> {
+        self.0.iter().map(|(shape, _)| shape)
     }
 }
 
 /// Adds the run of these pieces, followed by its content.
-fn add(runs: &mut Vec<Run>, pieces: &[Rectangle], first: u32) -> Rectangle {
+fn add<S: Bounding>(runs: &mut Vec<(S, Inside)>, pieces: &[S], first: usize) -> S {
     let place = runs.len();
-    runs.push(Run {
-        rectangle: pieces[0],
-        first,
-        count: pieces.len() as u32,
-    });
-    let (one, other) = pieces.split_at(pieces.len() / 2);
-    if !one.is_empty() {
-        let middle = first + one.len() as u32;
-        let parts = [(one, first), (other, middle)].map(|(part, from)| add(runs, part, from));
-        runs[place].rectangle = Rectangle::round(&parts[0], &parts[1]);
-    }
-    runs[place].rectangle
+    runs.push((pieces[0], Inside::Pieces([first, first + pieces.len()])));
+    let shape = if pieces.len() <= S::FEWEST {
+        let rest = pieces[1..].iter();
+        rest.fold(pieces[0], |round, piece| round.round(piece))
+    } else {
+        let (one, other) = pieces.split_at(pieces.len() / 2);
+        let round = add(runs, one, first);
+        runs[place].1 = Inside::Runs([place + 1, runs.len()]);
+        round.round(&add(runs, other, first + one.len()))
+    };
+    runs[place].0 = shape;
+    shape
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ mod boxes;
 mod branch;
 mod paths;
 
-pub(super) use boxes::{Boxes, Inside, Rectangle};
+pub(super) use boxes::{Bounding, Inside, Rectangle, Tree};
 pub(super) use branch::{Arc, CurveContact, MOST_NODES, greatest};
 pub(super) use paths::{Path, PathSearch, PlacedRun};
 

@@ -3,7 +3,7 @@
 //! Pairs of runs are taken depth first at the greatest gap so far, starting with the deepest penetration. After the first descent that gap
 //! is near the contact. A pair is dropped if its runs share no radius, or if the locked one is behind the free one.
 
-use super::boxes::{Boxes, Inside, Rectangle};
+use super::boxes::{Inside, Rectangle, Tree};
 use super::{Arc, C, CurveContact, MOST_NODES, Origin, greatest, turn};
 
 /// Distance below the origin of gaps, rad, from which rectangles rule nothing out. The gap of a pair within 120° (see
@@ -23,7 +23,7 @@ const SHORT: f64 = 0.5;
 /// Pieces in order at their positions in a pose, from the free gear's axis.
 pub(in crate::contact) trait Path<'a> {
     /// The rectangles around its pieces.
-    fn boxes(&self) -> &Boxes;
+    fn boxes(&self) -> &Tree<Rectangle>;
     /// A run at its position.
     fn put(&self, run: usize) -> PlacedRun;
     /// One of its pieces.
@@ -166,7 +166,7 @@ impl<'a> PathSearch<'a> {
             }
             let [one, other] = self.runs(pair.runs);
             let inside = (locked_boxes.inside(one.run), free_boxes.inside(other.run));
-            if let (Inside::Piece(piece), Inside::Piece(mate)) = inside {
+            if let (Inside::Pieces([piece, _]), Inside::Pieces([mate, _])) = inside {
                 best = self.pieces(locked.arc(piece), free.arc(mate))?.or(best);
                 continue;
             }
@@ -174,7 +174,7 @@ impl<'a> PathSearch<'a> {
             let lengths = [one, other].map(|run| run.rectangle.length());
             let parts = |inside, mate, [own, other]: [f64; 2]| match inside {
                 Inside::Runs(runs)
-                    if matches!(mate, Inside::Piece(_)) || !(own < SHORT * other) =>
+                    if matches!(mate, Inside::Pieces(_)) || !(own < SHORT * other) =>
                 {
                     Some(runs)
                 }

@@ -25,7 +25,7 @@ use crate::contact::exact::{
 };
 use crate::contact::gap::{C, dot, turn};
 use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
-use crate::gear::{ProfilePart, Side};
+use crate::gear::{AsBuilt, ProfilePart, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
 use std::iter;
@@ -112,8 +112,8 @@ impl Prover {
             let fillet = shapes[k].part(ProfilePart::Fillet);
             is_reached[k].then(|| Hollow::new(fillet, shapes[k].pitch_radius, mirrored))
         };
-        let is_other = |k: usize| !gears[k].is_generated() || gears[k].is_modified();
-        let beyond = (0..2).any(is_other).then_some("a flank is no involute");
+        let is_modified = gears.into_iter().any(AsBuilt::is_modified);
+        let beyond = is_modified.then_some("a flank is no involute");
         Prover {
             kernel: kernel.clone(),
             roots: [0, 1].map(|k| nearest - tips[1 - k] < rooted[k]),

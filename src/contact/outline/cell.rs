@@ -287,7 +287,7 @@ impl SideCell<'_> {
             0 => {
                 let Frame { centre, direction } = self.frames[0];
                 let boxes = self.teeth[0].boxes(teeth[0]);
-                boxes.rectangle(run).placed(centre, direction)
+                boxes.shape(run).placed(centre, direction)
             }
             _ => *self.still[teeth[1] as usize - 1].rectangle(run),
         };
@@ -314,7 +314,7 @@ impl SideCell<'_> {
         match node.within {
             Within::Run(run) => Some(match self.teeth[gear].boxes(tooth).inside(run) {
                 Inside::Runs(runs) => runs.map(|run| Some(self.run(gear, teeth, run))),
-                Inside::Piece(piece) => {
+                Inside::Pieces([piece, _]) => {
                     let it = &self.teeth[gear].half(tooth).pieces[piece];
                     let (low, high) = it.range();
                     // About the axis an arc has one radius, on which only its clockwise end can touch.

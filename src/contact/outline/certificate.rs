@@ -4,9 +4,9 @@
 //! within both chordal errors of each other. At a slightly more closed rotation one pair must touch. The certificate uses nothing of the
 //! search but its answer: no gap, no rectangles, no slopes.
 
-use super::discs::{Disc, Discs, Inside};
+use super::discs::Disc;
 use super::teeth::{Frame, SideTeeth};
-use crate::contact::gap::{C, PlacedCurve};
+use crate::contact::gap::{C, Inside, PlacedCurve, Tree};
 use crate::contact::parry::closest;
 use crate::gear::PartCurve;
 use crate::outline::HalfPiece;
@@ -62,7 +62,7 @@ impl Chord {
 #[derive(Debug)]
 struct CutHalf {
     chords: Vec<Chord>,
-    discs: Discs,
+    discs: Tree<Disc>,
 }
 
 /// One side of both gears in chords: every half tooth, locked and free.
@@ -82,7 +82,7 @@ impl CutSide {
                     radius: 0.5 * (chord.ends[1] - chord.ends[0]).norm() + chord.error,
                 };
                 CutHalf {
-                    discs: Discs::new(&chords.iter().map(round).collect::<Vec<Disc>>()),
+                    discs: Tree::new(&chords.iter().map(round).collect::<Vec<Disc>>()),
                     chords,
                 }
             };
@@ -305,7 +305,7 @@ impl<'a> Witness<'a> {
         ];
         let circles = mates.map(|(middle, radius)| Disc { middle, radius });
         let placed = |which: usize, run: usize| {
-            let Disc { middle, radius } = *discs[which].disc(run);
+            let Disc { middle, radius } = *discs[which].shape(run);
             let Frame { centre, direction } = frames[which];
             Disc {
                 middle: centre + direction * middle,
@@ -327,9 +327,12 @@ impl<'a> Witness<'a> {
                 continue;
             }
             match [0, 1].map(|which: usize| discs[which].inside(runs[which])) {
-                [Inside::Chords(own), Inside::Chords(mates)] => {
-                    let own: Vec<Seen> = self.seen(0, locked, frames[0], own).collect();
-                    let mut mates = self.seen(1, free_tooth, frames[1], mates);
+                [
+                    Inside::Pieces([from, to]),
+                    Inside::Pieces([mate_from, mate_to]),
+                ] => {
+                    let own: Vec<Seen> = self.seen(0, locked, frames[0], from..to).collect();
+                    let mut mates = self.seen(1, free_tooth, frames[1], mate_from..mate_to);
                     if !mates
                         .all(|mate| own.iter().all(|own| self.stretches_clear(own, &mate, left)))
                     {
@@ -338,7 +341,7 @@ impl<'a> Witness<'a> {
                 }
                 // The greater one is divided, if possible.
                 [Inside::Runs(parts), other]
-                    if own.radius >= mate.radius || matches!(other, Inside::Chords(_)) =>
+                    if own.radius >= mate.radius || matches!(other, Inside::Pieces(_)) =>
                 {
                     open.extend(parts.map(|part| [part, runs[1]]));
                 }

@@ -1,12 +1,8 @@
-//! A tree of discs around runs of the chords of a half tooth. It saves the certificate of outlines from examining every chord.
+//! Discs around runs of the chords of a half tooth. A tree of them saves the certificate of outlines from examining every chord.
 //!
 //! An outline can have tens of thousands of segments per tooth, and without the tree each pair of segments would be examined.
 
-use crate::contact::gap::C;
-use std::ops::Range;
-
-/// Chords of a run that is not divided (tuned: for fewer the tree takes longer than the chords).
-const FEWEST: usize = 8;
+use crate::contact::gap::{Bounding, C};
 
 /// Rounding of a disc around two others, per greatest length: a dozen operations.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -25,6 +21,11 @@ impl Disc {
         let within = self.radius + other.radius;
         (self.middle - other.middle).norm_sqr() > within * within
     }
+}
+
+impl Bounding for Disc {
+    /// Tuned: for fewer chords the tree takes longer than the chords.
+    const FEWEST: usize = 8;
 
     /// The least disc around both.
     fn round(&self, other: &Disc) -> Disc {
@@ -45,120 +46,41 @@ impl Disc {
     }
 }
 
-/// Discs around the chords of a path in order, and around runs of them.
-#[derive(Debug)]
-pub(super) struct Discs(Vec<Run>);
-
-#[derive(Debug)]
-struct Run {
-    disc: Disc,
-    /// Its first chord, and its number of chords.
-    first: u32,
-    count: u32,
-    /// The second of its two runs, the first of which follows it; 0 if it is not divided.
-    second: u32,
-}
-
-/// The content of a run.
-#[derive(Debug, PartialEq)]
-pub(super) enum Inside {
-    /// These chords.
-    Chords(Range<usize>),
-    /// Two runs.
-    Runs([usize; 2]),
-}
-
-impl Discs {
-    /// The tree over the discs of chords, in order.
-    pub fn new(chords: &[Disc]) -> Discs {
-        let mut runs = Vec::with_capacity(chords.len() / 2);
-        if !chords.is_empty() {
-            add(&mut runs, chords, 0);
-        }
-        Discs(runs)
-    }
-
-    /// The run of all chords, if there are any.
-    pub fn whole(&self) -> Option<usize> {
-        (!self.0.is_empty()).then_some(0)
-    }
-
-    /// The disc around a run.
-    #[inline]
-    pub fn disc(&self, run: usize) -> &Disc {
-        &self.0[run].disc
-    }
-
-    /// The content of a run.
-    #[inline]
-    pub fn inside(&self, run: usize) -> Inside {
-        let Run {
-            first,
-            count,
-            second,
-            ..
-        } = self.0[run];
-        match second {
-            0 => Inside::Chords(first as usize..(first + count) as usize),
-            _ => Inside::Runs([run + 1, second as usize]),
-        }
-    }
-}
-
-/// Adds the run of these chords, followed by its content.
-fn add(runs: &mut Vec<Run>, chords: &[Disc], first: u32) -> Disc {
-    let place = runs.len();
-    runs.push(Run {
-        disc: chords[0],
-        first,
-        count: chords.len() as u32,
-        second: 0,
-    });
-    let disc = if chords.len() <= FEWEST {
-        let rest = chords[1..].iter();
-        rest.fold(chords[0], |round, chord| round.round(chord))
-    } else {
-        let (one, other) = chords.split_at(chords.len() / 2);
-        let round = add(runs, one, first);
-        runs[place].second = runs.len() as u32;
-        round.round(&add(runs, other, first + one.len() as u32))
-    };
-    runs[place].disc = disc;
-    disc
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::gap::{Inside, Tree};
+    use std::ops::Range;
 
-    /// Every run's disc contains those of all its chords, and the undivided runs have each chord once, in order.
+    fn chords_of(discs: &Tree<Disc>, run: usize) -> Range<usize> {
+        match discs.inside(run) {
+            Inside::Pieces([from, to]) => from..to,
+            Inside::Runs([one, other]) => {
+                let (one, other) = (chords_of(discs, one), chords_of(discs, other));
+                assert_eq!(one.end, other.start);
+                one.start..other.end
+            }
+        }
+    }
+
+    /// Every run's disc contains those of all its chords, and the runs have each chord once, in order.
     #[test]
     fn a_run_is_round_all_its_chords() {
-        assert_eq!(Discs::new(&[]).whole(), None);
+        assert_eq!(Tree::<Disc>::new(&[]).whole(), None);
         for count in [1u32, 8, 9, 100] {
             let chords = (0..count).map(|k| Disc {
                 middle: C::from_polar(30.0 + (0.7 * f64::from(k)).sin(), 0.02 * f64::from(k)),
                 radius: 0.3 + 0.2 * (1.9 * f64::from(k)).cos(),
             });
             let chords: Vec<Disc> = chords.collect();
-            let discs = Discs::new(&chords);
-            let (mut open, mut seen) = (vec![discs.whole().unwrap()], Vec::new());
-            while let Some(run) = open.pop() {
-                let all = &discs.0[run];
-                let own = all.first as usize..(all.first + all.count) as usize;
-                for chord in &chords[own.clone()] {
-                    let off = (chord.middle - all.disc.middle).norm() + chord.radius;
-                    assert!(off <= all.disc.radius + 1e-12, "{count} {run}");
-                }
-                match discs.inside(run) {
-                    Inside::Chords(range) => {
-                        assert_eq!(range, own);
-                        seen.extend(range);
-                    }
-                    Inside::Runs([one, other]) => open.extend([other, one]),
+            let discs = Tree::new(&chords);
+            assert_eq!(chords_of(&discs, discs.whole().unwrap()), 0..chords.len());
+            for (run, disc) in discs.shapes().enumerate() {
+                for chord in &chords[chords_of(&discs, run)] {
+                    let off = (chord.middle - disc.middle).norm() + chord.radius;
+                    assert!(off <= disc.radius + 1e-12, "{count} {run}");
                 }
             }
-            assert_eq!(seen, (0..chords.len()).collect::<Vec<_>>());
         }
     }
 }

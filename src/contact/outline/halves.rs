@@ -1,13 +1,13 @@
 //! Half teeth of outlines as paths.
 
 use super::teeth::{Frame, SideTeeth};
-use crate::contact::gap::{Arc, Boxes, Path, PlacedRun, Rectangle};
+use crate::contact::gap::{Arc, Path, PlacedRun, Rectangle, Tree};
 use crate::outline::HalfPiece;
 
 /// A locked half tooth at its position in a pose.
 pub(super) struct LockedHalf<'a> {
     pieces: &'a [HalfPiece],
-    boxes: &'a Boxes,
+    boxes: &'a Tree<Rectangle>,
     frame: Frame,
 }
 
@@ -23,14 +23,14 @@ impl<'a> LockedHalf<'a> {
 
 impl<'a> Path<'a> for LockedHalf<'a> {
     #[inline]
-    fn boxes(&self) -> &Boxes {
+    fn boxes(&self) -> &Tree<Rectangle> {
         self.boxes
     }
 
     #[inline]
     fn put(&self, run: usize) -> PlacedRun {
         let Frame { centre, direction } = self.frame;
-        PlacedRun::new(run, self.boxes.rectangle(run).placed(centre, direction))
+        PlacedRun::new(run, self.boxes.shape(run).placed(centre, direction))
     }
 
     fn arc(&self, piece: usize) -> Arc<'a> {
@@ -41,7 +41,7 @@ impl<'a> Path<'a> for LockedHalf<'a> {
 /// A free half tooth at rotation 0.
 #[derive(Debug)]
 pub(super) struct FreeHalf<'a> {
-    boxes: Boxes,
+    boxes: Tree<Rectangle>,
     arcs: Vec<Arc<'a>>,
     runs: Vec<PlacedRun>,
 }
@@ -50,7 +50,7 @@ impl<'a> FreeHalf<'a> {
     pub fn new(teeth: &SideTeeth<'a>, tooth: u32, still: Frame) -> FreeHalf<'a> {
         let pieces = teeth.half(tooth).pieces.iter().enumerate();
         let boxes = teeth.boxes(tooth).clone();
-        let runs = boxes.rectangles().enumerate().map(|(run, rectangle)| {
+        let runs = boxes.shapes().enumerate().map(|(run, rectangle)| {
             PlacedRun::new(run, rectangle.placed(still.centre, still.direction))
         });
         FreeHalf {
@@ -72,7 +72,7 @@ impl FreeHalf<'_> {
 
 impl<'a> Path<'a> for FreeHalf<'a> {
     #[inline]
-    fn boxes(&self) -> &Boxes {
+    fn boxes(&self) -> &Tree<Rectangle> {
         &self.boxes
     }
 

@@ -407,13 +407,13 @@ impl SideKernel<'_> {
             let pieces = &self.locked.half(tooth).pieces;
             let mut open: Vec<usize> = boxes.whole().into_iter().collect();
             while let Some(run) = open.pop() {
-                let placed = boxes.rectangle(run).placed(frame.centre, frame.direction);
+                let placed = boxes.shape(run).placed(frame.centre, frame.direction);
                 if placed.squares().0 >= radius * radius {
                     continue;
                 }
                 match boxes.inside(run) {
                     Inside::Runs(runs) => open.extend(runs),
-                    Inside::Piece(name) => {
+                    Inside::Pieces([name, _]) => {
                         let (low, high) = pieces[name].range();
                         if nearest(&frame.placed(&pieces[name]), low, high, radius) {
                             return true;

@@ -1,6 +1,6 @@
 //! The teeth of one side of an outline, and their positions in a frame.
 
-use crate::contact::gap::{Arc, Boxes, C, PlacedCurve, Rectangle};
+use crate::contact::gap::{Arc, C, PlacedCurve, Rectangle, Tree};
 use crate::gear::Side;
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear};
 
@@ -13,7 +13,7 @@ pub(super) struct SideTeeth<'a> {
     /// Sign with which tooth numbers increase in this frame.
     ascending: i64,
     /// Rectangles around the pieces of each half tooth.
-    boxes: Vec<Boxes>,
+    boxes: Vec<Tree<Rectangle>>,
 }
 
 impl<'a> SideTeeth<'a> {
@@ -24,7 +24,7 @@ impl<'a> SideTeeth<'a> {
             let pieces = gear.half(side, tooth).pieces.iter();
             let round =
                 |piece: &HalfPiece| Rectangle::new(&piece.curve, piece.range(), |t| piece.point(t));
-            Boxes::new(&pieces.map(round).collect::<Vec<Rectangle>>())
+            Tree::new(&pieces.map(round).collect::<Vec<Rectangle>>())
         });
         SideTeeth {
             gear,
@@ -44,7 +44,7 @@ impl<'a> SideTeeth<'a> {
     }
 
     /// Rectangles around the pieces of a half tooth.
-    pub fn boxes(&self, tooth: u32) -> &Boxes {
+    pub fn boxes(&self, tooth: u32) -> &Tree<Rectangle> {
         &self.boxes[tooth as usize - 1]
     }
 

@@ -17,15 +17,12 @@ use nalgebra::{Point2, Vector2};
 
 /// One of the four parts of a half tooth. Parameters are those of the usual curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ProfilePart {
     /// Tip land or its corner. Parameter: angle past the tooth's centre line, rad.
     Tip,
-    /// The flank, an involute. Parameter: roll `ξ`, rad. A straight flank has this name too.
+    /// The flank, an involute. Parameter: roll `ξ`, rad.
     Involute,
     /// Generated fillet. Parameter: `γ`, see [`super::Fillet`], rad.
     Fillet,

@@ -1,7 +1,7 @@
 use super::*;
 use crate::gear::{AsBuilt, Deviations, Face, GearDesign, Hand, Modification, Relief, Side, Trace};
 
-/// All kinds of curves, those of helical gears and a straight flank included.
+/// All kinds of curves, those of helical gears and a straight line included.
 fn parts() -> Vec<(String, Part)> {
     let mut parts = Vec::new();
     let mut gears = Vec::new();
@@ -15,16 +15,15 @@ fn parts() -> Vec<(String, Part)> {
         assert_eq!(gear.is_undercut(), teeth == 9);
         gears.push((format!("{teeth} at {helix}°"), gear));
     }
-    let straight = GearDesign::plain(44, 2.0).gear();
-    let straight = straight.with_straight_flanks(0.02, 0.05).unwrap();
-    gears.push(("straight".to_owned(), straight));
     for (which, gear) in &gears {
         let all = ProfilePart::ALL.into_iter();
         parts.extend(all.map(|part| (format!("{which} {}", part.name()), gear.part(part).clone())));
     }
     let circle = |convex| PartCurve::Circle(Circle::new(Point2::new(30.0, 2.0), 4.0, convex));
     let cubic = |points: [[f64; 2]; 4]| PartCurve::Cubic(Cubic::new(points.map(Point2::from)));
+    let line = Line::new(Point2::new(39.5, -2.0), Point2::new(46.0, -0.9));
     for (what, curve, ends) in [
+        ("line", PartCurve::Line(line), [6.5, 0.0]),
         ("convex arc", circle(true), [0.3, 1.4]),
         ("concave arc", circle(false), [3.0, 2.0]),
         (

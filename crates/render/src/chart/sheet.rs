@@ -68,6 +68,17 @@ pub struct Heading<'a> {
     pub subtitle: &'a str,
 }
 
+impl<'a> Heading<'a> {
+    /// The heading of a chart alone in its file.
+    pub fn alone(title: &'a str, subtitle: &'a str) -> Heading<'a> {
+        Heading {
+            prefix: "chart",
+            title,
+            subtitle,
+        }
+    }
+}
+
 /// A complete chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {

@@ -21,7 +21,7 @@ pub(super) fn bounds(course: &Course, width: f64, of: &[End]) -> Result<[Proof; 
         let (wheel, pinion) = (wheels.0[which].clone(), pinions.0[which].clone());
         let pair = assembly.with_gears(wheel, pinion, assembly.center_distance())?;
         let over = (course.first, course.matings);
-        ExactKernel::new(&pair).extremes_within(&pair, over, width, course.effort)
+        ExactKernel::new(&pair).extremes_of(&pair, over, width, course.effort, &End::BOTH)
     };
     let per_radian = course.per_radian();
     let least = if of.contains(&End::Least) {

@@ -60,54 +60,8 @@ impl ExactKernel {
         matings: u64,
         width: f64,
     ) -> Result<Extremes, Error> {
-        self.extremes_within(
-            assembly,
-            (first, matings),
-            width,
-            &Effort::of_extremes(assembly),
-        )
-    }
-
-    /// The extremes within a part ([`PARTS_OF_EFFORT`]) of the budget `effort`.
-    ///
-    /// # Errors
-    /// As [`ExactKernel::extremes`].
-    pub(crate) fn extremes_within(
-        &self,
-        assembly: &GearPair,
-        over: (Mating, u64),
-        width: f64,
-        effort: &Effort,
-    ) -> Result<Extremes, Error> {
-        self.extremes_of(assembly, over, width, effort, &End::BOTH)
-    }
-
-    /// [`ExactKernel::extremes_within`] without the least; it stops at the first pose that is out of mesh.
-    ///
-    /// # Errors
-    /// As [`ExactKernel::extremes`].
-    pub(crate) fn greatest(
-        &self,
-        assembly: &GearPair,
-        over: (Mating, u64),
-        width: f64,
-        effort: &Effort,
-    ) -> Result<Extremes, Error> {
-        self.extremes_of(assembly, over, width, effort, &[End::Greatest])
-    }
-
-    /// [`ExactKernel::extremes_within`] without the greatest; it stops at the first jammed pose.
-    ///
-    /// # Errors
-    /// As [`ExactKernel::extremes`].
-    pub(crate) fn least(
-        &self,
-        assembly: &GearPair,
-        over: (Mating, u64),
-        width: f64,
-        effort: &Effort,
-    ) -> Result<Extremes, Error> {
-        self.extremes_of(assembly, over, width, effort, &[End::Least])
+        let effort = &Effort::of_extremes(assembly);
+        self.extremes_of(assembly, (first, matings), width, effort, &End::BOTH)
     }
 
     /// Whether a quick test shows that no tip reaches a fillet or a root at any pose of this kernel's `assembly`, or at any greater centre
@@ -131,7 +85,8 @@ impl ExactKernel {
         self.stops_before_far_flanks(&course, &table, f64::INFINITY) && !table.has_dips()
     }
 
-    /// The extremes `of` a cycle, with a part of `effort`; other ends are `None`.
+    /// The extremes `of` a cycle, within a part ([`PARTS_OF_EFFORT`]) of the budget `effort`; other ends are `None`. A search for the least
+    /// alone stops at the first jammed pose, one for the greatest alone at the first pose that is out of mesh.
     ///
     /// # Errors
     /// As [`ExactKernel::extremes`].

@@ -5,7 +5,7 @@ use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_pieces::FlankPieces;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
-use crate::contact::gap::{Arc, Boxes, Path, PathSearch, PlacedRun};
+use crate::contact::gap::{Arc, Path, PathSearch, PlacedRun, Rectangle, Tree};
 use crate::gear::ProfilePart;
 
 /// Effort of the bounds of heights, in nodes (tuned: about 10 µs, with or without a result).
@@ -26,13 +26,13 @@ impl<'a> FlankPath<'a> {
 
 impl<'a> Path<'a> for FlankPath<'a> {
     #[inline]
-    fn boxes(&self) -> &Boxes {
+    fn boxes(&self) -> &Tree<Rectangle> {
         &self.pieces.boxes
     }
 
     #[inline]
     fn put(&self, run: usize) -> PlacedRun {
-        let rectangle = self.pieces.boxes.rectangle(run);
+        let rectangle = self.pieces.boxes.shape(run);
         let placed = rectangle.placed(self.half.centre, self.half.direction);
         PlacedRun::new(run, placed)
     }

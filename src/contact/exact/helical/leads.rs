@@ -764,16 +764,18 @@ impl<'a> AlongFace<'a> {
     /// where the teeth do not face each other.
     ///
     /// Leaning axes bend it the other way where a contact leaves the line: its height begins to move at another rate. So both ends of the
-    /// window are followed, each up to the middle.
+    /// window are followed, each up to the middle, and each outwards from beyond it.
     fn greatest(&self, pair: &PairOfTeeth, [from, to]: [f64; 2]) -> Option<Look> {
         let beside = BESIDE * (to - from);
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = pair.window.map(inside);
-        let low = self.look(pair, start)?;
+        let middle = 0.5 * (start + end);
+        let play = self.play_of_ends();
+        let low = self.look(pair, (start + play).min(middle))?;
         let high = if end == start {
             low
         } else {
-            self.look(pair, end)?
+            self.look(pair, (end - play).max(middle))?
         };
         if low.rate > 0.0 && high.rate < 0.0 && self.is_plain() && self.leaning.is_none() {
             // On the line of action the gap is a function of the sum of both leads alone.
@@ -790,7 +792,7 @@ impl<'a> AlongFace<'a> {
             }
         }
         let middle = if self.leaning.is_some() && start < end {
-            self.look(pair, 0.5 * (start + end))?
+            self.look(pair, middle)?
         } else if low.rate > 0.0 {
             high
         } else {
@@ -806,8 +808,31 @@ impl<'a> AlongFace<'a> {
         } else {
             (middle.rate >= 0.0).then(|| self.between(middle, high, |b| self.look(pair, b)))
         };
-        let found = left.into_iter().chain(right);
+        let beyond = [(low, start - play, from), (high, end + play, to)].map(|(end, b, border)| {
+            let outwards = (border - middle.b).signum();
+            if play == 0.0 || end.rate * outwards >= 0.0 {
+                return None;
+            }
+            let outer = self.look(pair, inside(b))?;
+            (outer.rate * outwards > 0.0).then(|| self.outwards(pair, outer, border, beside))
+        });
+        let found = left
+            .into_iter()
+            .chain(right)
+            .chain(beyond.into_iter().flatten());
         found.reduce(|one, other| if other.gap > one.gap { other } else { one })
+    }
+
+    /// Bound on how far leads and leans move the ends of a window of leaning axes, mm; 0 for parallel axes, where the gap has no bend there.
+    fn play_of_ends(&self) -> f64 {
+        let turned = self.bounds.most_moved * self.per_moved();
+        match self.leaning {
+            Some(_) if self.twists[0] != 0.0 => {
+                let twist = self.twists[0].abs().min(self.twists[1].abs());
+                (turned / twist).max(2.0 * NEIGHBOUR)
+            }
+            _ => 0.0,
+        }
     }
 
     /// The greatest gap of a step outwards from `last`, from which it rises to a maximum or up to the `border`.

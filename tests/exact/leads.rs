@@ -268,6 +268,11 @@ fn random_pairs_against_dense_sections() {
         (1, 762, false),
         // The pair nearest to the line of centres changes beside the tightest place.
         (7, 58, false),
+        // Tightest inside of a line at whose end the gap of leaning axes begins to rise again.
+        (41, 67, false),
+        (41, 322, false),
+        // The leads rise most just beyond the end of a line, where a tip is passed.
+        (41, 347, false),
     ];
     let mut compared = [0; 2];
     for (seed, index, profiled) in leads.chain(hard).chain(profiles) {

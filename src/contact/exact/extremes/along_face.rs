@@ -260,7 +260,7 @@ impl<'a> SideCell<'a> {
             let line = [0, 1].map(|k| bend - self.over.ends[k].room(found[k].gap));
             pairs.push((step, found, line));
         }
-        // Those first that are far from tips: they are likely to be tightest.
+        // Pairs far from their tips are likely to be tightest. They come first.
         let passed = |(_, found, _): &(i64, [Separation; 2], [f64; 2])| {
             let beyond =
                 |k: usize| found[0].rolls()[k].max(found[1].rolls()[k]) - self.tip_rolls()[k];
@@ -275,7 +275,7 @@ impl<'a> SideCell<'a> {
                 continue;
             }
             let simple = [0, 1].map(|k| pair.simple(k, pair.face));
-            // What it leaves open counts where it is more than others leave.
+            // Its open rest counts as far as it exceeds that of the others.
             let more = pair.at_fillet(pair.face) + (pair.open - open).max(0.0);
             if (0..2).all(|k| line[k] + simple[k] + more <= most[k]) {
                 continue;
@@ -750,7 +750,7 @@ impl<'a> PairOverFace<'a> {
         more.sum::<f64>() / self.arms[0]
     }
 
-    /// Bound on the rotation at an end of the cell, rad; that of `floor` where it is lower.
+    /// Bound on the rotation at an end of the cell, rad, or `floor` if that is greater.
     fn greatest(&self, end: usize, floor: f64) -> f64 {
         let along = |arm: f64| {
             let parabola = self.leaning[end].map(|factor| factor * arm);
@@ -790,7 +790,7 @@ impl<'a> PairOverFace<'a> {
         self.tips.iter().map(hollow).sum()
     }
 
-    /// Bound of `Σ δ(b)` and a parabola, mm, less the room of the tips, over the face; `floor` where it is no more.
+    /// Bound of `Σ δ(b)` and a parabola, mm, less the room of the tips, over the face, or `floor` if that is greater.
     fn greatest_along(&self, parabola: [f64; 3], floor: f64) -> f64 {
         let [from, to] = self.face;
         let [at_0, rate, curve] = parabola;

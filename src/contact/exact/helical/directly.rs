@@ -15,7 +15,7 @@ use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member, Pose};
 
-/// Poses of a pitch in which teeth on the line of action are sought; with a contact ratio above 1 most have them.
+/// Number of poses of a pitch in which teeth on the line of action are sought. With a contact ratio above 1 most poses have them.
 const POSES: u32 = 8;
 
 /// The data of a pair whose sections need no search.

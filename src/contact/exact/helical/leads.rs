@@ -36,7 +36,7 @@ const BESIDE: f64 = 1e-7;
 /// Rounds to the section with a height of a leaning gear: the lean's square is left.
 const ROUNDS_OF_HEIGHTS: usize = 2;
 
-/// Places no farther apart than that, mm, are one: a rate between knots is taken a little beside them.
+/// Distance, mm, within which two places are the same. A rate between knots is taken a little beside them.
 const AT_KNOT: f64 = 1e-6;
 
 /// Distance of the sections beside each other, mm, that give the rate of leaning axes.
@@ -778,7 +778,7 @@ impl<'a> AlongFace<'a> {
             self.look(pair, (end - play).max(middle))?
         };
         if low.rate > 0.0 && high.rate < 0.0 && self.is_plain() && self.leaning.is_none() {
-            // On the line of action the gap is a function of the sum of both leads alone.
+            // The gap of a pair on the line of action is a function of the sum of both leads alone.
             let base = self.bases()[1];
             let leads = |b: f64| {
                 let [locked, free] = pair.teeth.jets(b);

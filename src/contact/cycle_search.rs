@@ -39,6 +39,9 @@ const MOST_EFFORT: u64 = 10_000_000;
 /// Part of the best cell's half width down to which poses beside the best one are examined.
 const POLISHED: f64 = 1e-6;
 
+/// Limit of rounds of poses beside the best one. Some 25 are usual.
+const MOST_ROUNDS: u32 = 64;
+
 /// Values that differ by less, rad, are equal: rounding of different platforms.
 const EQUAL: f64 = 1e-12;
 
@@ -221,7 +224,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         }
     }
 
-    /// Adds poses beside the best one, nearer once neither of both is better.
+    /// Examines a pose on either side of the best one, at half the distance once neither is better.
     fn polish(&self, cells: &mut Vec<Cell>, end: End) {
         let valued = cells.iter().filter(|cell| cell.value(end).is_some());
         let order = |a: &&Cell, b: &&Cell| a.value(end).partial_cmp(&b.value(end));
@@ -230,7 +233,10 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             return;
         };
         let (mut apart, least) = (0.5 * best.half, best.half * POLISHED);
-        while apart > least {
+        for _ in 0..MOST_ROUNDS {
+            if apart <= least {
+                break;
+            }
             let from = best.pitches;
             let beside = parallel::map([-apart, apart], |by| self.look(from + by, 0.0, &[]));
             for pose in beside {

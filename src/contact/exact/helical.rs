@@ -397,8 +397,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
     /// Examines the places at which leads make a pair tightest, on the side of `problem`.
     fn along_leads(&mut self, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
-        let posed = helical.plane.posed(problem, pose);
-        let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
+        let (posed, nominal) = helical.posed(problem, pose);
         let known = self.over.beyond(side);
         let floor = known.map_or(f64::NEG_INFINITY, |known| nominal - side.sense() * known);
         let along = helical.along_face(&posed, nominal, self.effort);
@@ -412,8 +411,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
     /// Examines the places at which profile deviations make a pair tightest, on the side of `problem`. Each round is at the gap of the last.
     fn along_profiles(&mut self, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
-        let posed = helical.plane.posed(problem, pose);
-        let nominal = reduced(reduced(-side.sense() * pose.free_rotation()) - posed.rotation(0.0));
+        let (posed, nominal) = helical.posed(problem, pose);
         for round in 1..=MOST_ROUNDS_OF_PROFILES {
             let Some(beyond) = self.over.beyond(side).filter(|_| !self.over.is_solid()) else {
                 return Ok(());

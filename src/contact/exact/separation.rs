@@ -128,24 +128,15 @@ impl Separation {
     /// The pair at `step` with endless involutes, which touch on the line of action, found from about the gap `near`. Without a line nothing
     /// bounds the gap.
     pub fn endless(posed: &PosedFlanks, step: i64, near: f64) -> Separation {
-        Separation::endless_turned(posed, step, near, [0.0; 2])
-    }
-
-    /// Like [`Separation::endless`], with the locked and the free tooth turned by `turns`, rad, about their own centres.
-    pub fn endless_turned(
-        posed: &PosedFlanks,
-        step: i64,
-        near: f64,
-        turns: [f64; 2],
-    ) -> Separation {
         let start = Start {
             beta: f64::NAN,
             gap: near,
         };
-        Separation::endless_from(posed, step, turns, &start)
+        Separation::endless_from(posed, step, [0.0; 2], &start)
     }
 
-    /// Like [`Separation::endless_turned`], found from a line that may be that of another pair or section.
+    /// Like [`Separation::endless`], with the locked and the free tooth turned by `turns`, rad, about their own centres. The line to search from
+    /// may be that of another pair or section.
     pub fn endless_beside(
         posed: &PosedFlanks,
         step: i64,
@@ -351,19 +342,18 @@ impl Separation {
 
     /// Room that involutes with ends have more than endless ones where these have `rolls` on the line of action, mm.
     pub fn room(&self, rolls: [f64; 2], ends: [[f64; 2]; 2]) -> f64 {
-        let room = |k: usize| {
-            let arc = Arc {
-                base: self.arcs[k].base,
-                form: ends[k][0],
-                tip: ends[k][1],
-            };
-            let slight = |angle: f64| {
-                let turned = slightly_turned(angle);
-                (turned.im, turned.re)
-            };
-            arc.base * (rolls[k] - arc.support_by(rolls[k], slight)[0])
+        self.room_of(0, rolls[0], ends[0]) + self.room_of(1, rolls[1], ends[1])
+    }
+
+    /// The share of the locked (0) or the free involute (1) in [`Separation::room`].
+    pub fn room_of(&self, k: usize, roll: f64, [form, tip]: [f64; 2]) -> f64 {
+        let base = self.arcs[k].base;
+        let arc = Arc { base, form, tip };
+        let slight = |angle: f64| {
+            let turned = slightly_turned(angle);
+            (turned.im, turned.re)
         };
-        room(0) + room(1)
+        base * (roll - arc.support_by(roll, slight)[0])
     }
 
     /// Whether a roll is within `play` of the form circle, or below it.

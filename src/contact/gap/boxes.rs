@@ -211,7 +211,7 @@ pub(in crate::contact) struct Tree<S>(Vec<(S, Inside)>);
 /// The content of a run.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) enum Inside {
-    /// The pieces from the first number to before the second; a rectangle has one.
+    /// Pieces `from..to`; one piece in a tree of rectangles.
     Pieces([usize; 2]),
     /// Two runs.
     Runs([usize; 2]),

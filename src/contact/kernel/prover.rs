@@ -239,6 +239,14 @@ struct Pair<'a> {
     tops: [Convex<'a>; 2],
 }
 
+/// The separation of the tops of a pair.
+struct TopsApart {
+    apart: Apart,
+    /// Its direction, rad, and the supports of both tops in it.
+    nu: f64,
+    supports: [Support; 2],
+}
+
 /// The ends of the pieces of a pair along the direction that keeps its tops apart.
 struct Along {
     n: C,
@@ -504,10 +512,10 @@ impl<'a> Proving<'a> {
         let nu = held.normal.im.atan2(held.normal.re);
         for step in self.posed.steps_of_whole_teeth() {
             let pair = self.pair(step, rotation, turned);
-            let (apart, nu, supports) = self.tops_apart(&pair, (nu, held.normal))?;
-            self.fillets_apart(&pair, apart, (nu, supports))?;
+            let tops = self.tops_apart(&pair, (nu, held.normal))?;
+            self.fillets_apart(&pair, &tops)?;
             for owner in 0..2 {
-                self.root_apart(&pair, owner, nu)?;
+                self.root_apart(&pair, owner, tops.nu)?;
             }
             if self.looks > MOST_LOOKS {
                 return Err("too many directions were tried");
@@ -516,37 +524,42 @@ impl<'a> Proving<'a> {
         Ok(())
     }
 
-    /// Proves that the tops of a pair are apart; returns their separation, its direction, rad, and their supports in it.
-    fn tops_apart(
-        &mut self,
-        pair: &Pair,
-        (nu, n): (f64, C),
-    ) -> Result<(Apart, f64, [Support; 2]), NotProven> {
+    /// Proves that the tops of a pair are apart, first by the direction `n = e^{iν}`.
+    fn tops_apart(&mut self, pair: &Pair, (nu, n): (f64, C)) -> Result<TopsApart, NotProven> {
         let need = self.prover.need;
         let [locked, free] = &pair.tops;
         self.looks += 1;
         let supports = pair.at.supports(locked, free, nu, n);
         let here = pair.at.room_of(&supports, n);
-        let proven = if pair.at.stays(here.room, here.arm, need) {
-            (Apart::Direction(n), nu, supports)
+        let tops = if pair.at.stays(here.room, here.arm, need) {
+            TopsApart {
+                apart: Apart::Direction(n),
+                nu,
+                supports,
+            }
         } else {
             let apart = pair.at.separated(locked, free, nu, need, &mut self.looks);
             let apart = apart.ok_or("two teeth are not shown to be apart")?;
             let (Apart::Direction(n) | Apart::OutOfReach(n)) = apart;
             let nu = n.im.atan2(n.re);
-            (apart, nu, pair.at.supports(locked, free, nu, n))
+            let supports = pair.at.supports(locked, free, nu, n);
+            TopsApart {
+                apart,
+                nu,
+                supports,
+            }
         };
-        self.tell_apart(pair.step, TOPS, proven.0);
-        Ok(proven)
+        self.tell_apart(pair.step, TOPS, tops.apart);
+        Ok(tops)
     }
 
     /// Proves that the fillets of a pair are apart from the mate: by the separation of the tops if it suffices, otherwise each by itself.
-    fn fillets_apart(
-        &mut self,
-        pair: &Pair,
-        apart: Apart,
-        (nu, supports): (f64, [Support; 2]),
-    ) -> Result<(), NotProven> {
+    fn fillets_apart(&mut self, pair: &Pair, tops: &TopsApart) -> Result<(), NotProven> {
+        let &TopsApart {
+            apart,
+            nu,
+            supports,
+        } = tops;
         let prover = self.prover;
         let [near, free] = &prover.hollows;
         if near.is_none() && free.is_none() {

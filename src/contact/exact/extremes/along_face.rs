@@ -275,7 +275,7 @@ impl<'a> SideCell<'a> {
                 continue;
             }
             let simple = [0, 1].map(|k| pair.simple(k, pair.face));
-            // Its open rest counts as far as it exceeds that of the others.
+            // What it leaves open must be covered by `most`, unless another pair leaves as much open.
             let more = pair.at_fillet(pair.face) + (pair.open - open).max(0.0);
             if (0..2).all(|k| line[k] + simple[k] + more <= most[k]) {
                 continue;
@@ -556,11 +556,12 @@ impl<'a> PairOverFace<'a> {
         let shapes = [&problem.locked.shape, &problem.free.shape];
         let twists = cell.twists();
         // Between the ends a roll leaves its chord by less than the eccentricities turn the line.
-        let turned = teeth.teeth.map(|(gear, tooth)| {
+        // A gap of the free gear turns by the leads of both, over either base circle.
+        let ranges = teeth.teeth.map(|(gear, tooth)| {
             let own = gear.lead_curve(problem.side, tooth);
-            own.map_or(0.0, |curve| curve.range()) / gear.gear().base_radius()
+            own.map_or(0.0, |curve| curve.range())
         });
-        let turned = turned[0] + turned[1];
+        let turned = (ranges[0] + ranges[1]) / shapes[0].base.min(shapes[1].base);
         let plays = cell.over.plays();
         // The line turns by less than a fifth of the gears, as [`Over::plays`] allows.
         let off = if cell.over.side.off == [0.0; 2] {
@@ -830,7 +831,7 @@ impl<'a> PairOverFace<'a> {
         self.tips.iter().map(of).sum()
     }
 
-    /// The bound between two knots, or a lower value if it is no more than `floor`.
+    /// The bound between two knots. It is not refined once it is no more than `floor`.
     fn greatest_between(
         &self,
         [at_0, rate, curve]: [f64; 3],
@@ -887,7 +888,7 @@ impl<'a> PairOverFace<'a> {
     }
 }
 
-/// Bound of a parabola between two places; it has the factors of the powers.
+/// Bound of the parabola with these coefficients, the constant first, between two places.
 fn greatest_of([at_0, rate, curve]: [f64; 3], part: [f64; 2]) -> f64 {
     let [one, other] = part.map(|b| rate * b + curve * b * b);
     // It rises above its chord by a quarter of the square of its width at most.

@@ -77,8 +77,8 @@ impl Helical {
             let places = poses.find_map(|pose| {
                 let (posed, nominal) = self.posed(problem, &pose);
                 let along = self.along_face(&posed, nominal, &effort);
-                let is_on = along.is_on_line_of_action();
-                is_on.then(|| self.places_of_leads(&along, &posed, nominal, f64::NEG_INFINITY))
+                along.tightest_on_line()?;
+                Some(self.places_of_leads(&along, &posed, nominal, f64::NEG_INFINITY))
             });
             let [b] = places?.0[..] else {
                 return None;
@@ -93,7 +93,11 @@ impl Helical {
     }
 
     /// The teeth of a side of the measuring plane, and the gap at the nominal rotation.
-    fn posed<'a>(&self, problem: &'a FlankProblem, pose: &Pose) -> (PosedFlanks<'a>, f64) {
+    pub(super) fn posed<'a>(
+        &self,
+        problem: &'a FlankProblem,
+        pose: &Pose,
+    ) -> (PosedFlanks<'a>, f64) {
         let posed = self.plane.posed(problem, pose);
         let nominal = reduced(-problem.side.sense() * pose.free_rotation());
         (posed, reduced(nominal - posed.rotation(0.0)))
@@ -154,13 +158,15 @@ impl Helical {
         };
         let (posed, nominal) = self.posed(problem, pose);
         let along = self.along_face(&posed, nominal, effort);
+        let gap_at = |beyond: f64| nominal - side.sense() * beyond;
         if let Some((b, there)) = &directly.one_place[side.index()]
-            && along.is_on_line_of_action()
+            && let Some(tightest) = along.tightest_on_line()
         {
             let here = pose.in_section(assembly, *b);
             let at = self.plane.posed(there, &here);
             let contact = self.plane.contact(&at, &directly.solver, effort)?;
-            return take(*b, &here, contact).map(|_| ());
+            let gap = gap_at(take(*b, &here, contact)?);
+            return (gap <= tightest + problem.tie).then_some(());
         }
         // The radius of a far corner is less than one and a half base radii.
         let moved = 2.0 * self.bounds.most_moved + assembly.most_shift();
@@ -180,7 +186,7 @@ impl Helical {
         // Fillets are searched only for what exceeds a known contact.
         let floor = if self.bounds.in_fillets {
             let [from, to] = assembly.face();
-            nominal - side.sense() * section(0f64.clamp(from, to))?
+            gap_at(section(0f64.clamp(from, to))?)
         } else {
             f64::NEG_INFINITY
         };
@@ -189,7 +195,7 @@ impl Helical {
             section(b)?;
         }
         // Without a place that is tight, or with a contact tighter than those of `places`, sections are searched.
-        let gap = nominal - side.sense() * over.beyond(side)?;
+        let gap = gap_at(over.beyond(side)?);
         (gap <= tightest + problem.tie + self.left_out).then_some(())
     }
 }

@@ -291,29 +291,35 @@ impl<'a> AlongFace<'a> {
         (places, best)
     }
 
-    /// Whether a pair that is on the line of action over the whole face is the tightest one of spur gears with one lead each. All such pairs
-    /// are tightest at one place, whatever the pose. A pair beyond an end of an involute is no tighter than endless involutes, less the room
-    /// of that end.
-    pub fn is_on_line_of_action(&self) -> bool {
+    /// For spur gears with one lead each: a bound of the tightest gap, if the tightest pair is on the line of action over the whole face. All
+    /// such pairs are tightest at one place, whatever the pose. `None` if another pair may be tightest: it is no tighter than endless involutes,
+    /// less the room of the ends that it has passed.
+    pub fn tightest_on_line(&self) -> Option<f64> {
         let turned = self.bounds.most_moved * self.per_moved();
-        let turning = self.bases()[1] + self.posed.problem.free_off.norm();
+        let bases = self.bases();
+        let low = self.ends[1][0];
+        let turning = bases[1] * (1.0 + low * low).sqrt() + self.posed.problem.free_off.norm();
         let (mut on, mut beside) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         for step in self.posed.steps_over([0.0; 2]) {
             let pair = self.endless(step);
             if self.are_on_arcs(pair.rolls, turned) {
                 on = on.max(pair.gap);
-            } else {
-                let nearer = [0, 1].map(|k| {
-                    let [low, high] = self.ends[k];
-                    let roll = pair.rolls[k];
-                    let onto = roll.clamp(low, high);
-                    onto + (roll - onto).signum() * ((roll - onto).abs() - turned).max(0.0)
-                });
-                let room = self.first.room(nearer, self.ends);
-                beside = beside.max(pair.gap - room / turning);
+                continue;
             }
+            // Leads turn a tooth to either side. The room is least at an end of what they turn.
+            let room = [0, 1].map(|k| {
+                let of = |roll: f64| self.first.room_of(k, roll, self.ends[k]);
+                of(pair.rolls[k] - turned).min(of(pair.rolls[k] + turned))
+            });
+            let room = room[0] + room[1];
+            if room < 0.0 {
+                return None;
+            }
+            beside = beside.max(pair.gap - room / turning);
         }
-        self.is_plain() && self.first.touches && on > beside + self.posed.problem.tie
+        let is_on = self.is_plain() && self.first.touches;
+        let leads = self.of_moves(self.bounds.most_lead[self.posed.problem.side.index()]);
+        (is_on && on > beside + self.posed.problem.tie).then_some(on + leads)
     }
 
     /// Whether no touch is beside the involutes and their ends.
@@ -763,35 +769,28 @@ impl<'a> AlongFace<'a> {
     /// The greatest gap of a step over a stretch in which it is concave, found from the part of the stretch nearest to its window. `None`
     /// where the teeth do not face each other.
     ///
-    /// Leaning axes bend it the other way where a contact leaves the line: its height begins to move at another rate. So both ends of the
-    /// window are followed, each up to the middle, and each outwards from beyond it.
+    /// Leaning axes bend it the other way where a contact leaves the line: its height begins to move at another rate. So it is followed from a
+    /// little inside each end of the window to the middle, and from a little outside each end outwards.
     fn greatest(&self, pair: &PairOfTeeth, [from, to]: [f64; 2]) -> Option<Look> {
         let beside = BESIDE * (to - from);
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = pair.window.map(inside);
-        let middle = 0.5 * (start + end);
+        if let Some(b) = self.where_leads_are_greatest(pair, [start, end]) {
+            return self.look(pair, b);
+        }
+        // An end of the window outside of the stretch is no end of the line.
         let play = self.play_of_ends();
-        let low = self.look(pair, (start + play).min(middle))?;
-        let high = if end == start {
+        let play_at = |own: f64, end: f64| if own == end { play } else { 0.0 };
+        let plays = [play_at(pair.window[0], start), play_at(pair.window[1], end)];
+        let middle = 0.5 * (start + end);
+        let inner = [(start + plays[0]).min(middle), (end - plays[1]).max(middle)];
+        let low = self.look(pair, inner[0])?;
+        let high = if inner[1] == inner[0] {
             low
         } else {
-            self.look(pair, (end - play).max(middle))?
+            self.look(pair, inner[1])?
         };
-        if low.rate > 0.0 && high.rate < 0.0 && self.is_plain() && self.leaning.is_none() {
-            // The gap of a pair on the line of action is a function of the sum of both leads alone.
-            let base = self.bases()[1];
-            let leads = |b: f64| {
-                let [locked, free] = pair.teeth.jets(b);
-                let [gap, rate] = [0, 1].map(|k| (locked[k] + free[k]) / base);
-                Some(Look { b, gap, rate })
-            };
-            let b = self.between(leads(start)?, leads(end)?, leads).b;
-            let rolls = self.rolls_at(self.endless(pair.step).rolls, b);
-            if self.are_on_arcs(rolls, self.bounds.most_moved * self.per_moved()) {
-                return self.look(pair, b);
-            }
-        }
-        let middle = if self.leaning.is_some() && start < end {
+        let middle = if self.leaning.is_some() && inner[0] < inner[1] {
             self.look(pair, middle)?
         } else if low.rate > 0.0 {
             high
@@ -808,22 +807,41 @@ impl<'a> AlongFace<'a> {
         } else {
             (middle.rate >= 0.0).then(|| self.between(middle, high, |b| self.look(pair, b)))
         };
-        let beyond = [(low, start - play, from), (high, end + play, to)].map(|(end, b, border)| {
-            let outwards = (border - middle.b).signum();
-            if play == 0.0 || end.rate * outwards >= 0.0 {
-                return None;
-            }
-            let outer = self.look(pair, inside(b))?;
-            (outer.rate * outwards > 0.0).then(|| self.outwards(pair, outer, border, beside))
+        let ends = [(start, -plays[0], from), (end, plays[1], to)];
+        let beyond = ends.map(|(end, play, border)| {
+            let outer = (play != 0.0).then(|| self.look(pair, inside(end + play)));
+            let outer = outer.flatten().filter(|outer| outer.rate * play > 0.0);
+            outer.map(|outer| self.outwards(pair, outer, border, beside))
         });
-        let found = left
-            .into_iter()
-            .chain(right)
-            .chain(beyond.into_iter().flatten());
+        let found = left.into_iter().chain(right);
+        let found = found.chain(beyond.into_iter().flatten());
         found.reduce(|one, other| if other.gap > one.gap { other } else { one })
     }
 
-    /// Bound on how far leads and leans move the ends of a window of leaning axes, mm; 0 for parallel axes, where the gap has no bend there.
+    /// The place between two others at which the sum of both leads is greatest, if that is inside of them and the teeth are on the line of action
+    /// there. The gap of a pair on the line is a function of that sum alone.
+    fn where_leads_are_greatest(&self, pair: &PairOfTeeth, [start, end]: [f64; 2]) -> Option<f64> {
+        if !self.is_plain() || self.leaning.is_some() {
+            return None;
+        }
+        let base = self.bases()[1];
+        let leads = |b: f64| {
+            let [locked, free] = pair.teeth.jets(b);
+            let [gap, rate] = [0, 1].map(|k| (locked[k] + free[k]) / base);
+            Look { b, gap, rate }
+        };
+        let (low, high) = (leads(start), leads(end));
+        if !(low.rate > 0.0 && high.rate < 0.0) {
+            return None;
+        }
+        let b = self.between(low, high, |b| Some(leads(b))).b;
+        let rolls = self.rolls_at(self.endless(pair.step).rolls, b);
+        let is_on = self.are_on_arcs(rolls, self.bounds.most_moved * self.per_moved());
+        is_on.then_some(b)
+    }
+
+    /// Bound on how far leads and leans move the ends of a window of leaning helical gears, mm. It is 0 for parallel axes, where the gap has no
+    /// bend there, and for spur gears, whose windows end with the face.
     fn play_of_ends(&self) -> f64 {
         let turned = self.bounds.most_moved * self.per_moved();
         match self.leaning {

@@ -39,7 +39,7 @@ pub const MOST_POSES: u64 = 500_000;
 
 /// Divisor of a verdict's effort for a live answer (tuned: every example that a verdict proves is proven, and one without a proof takes
 /// 10 ms).
-const LIVE_PARTS: u64 = 75;
+const LIVE_PARTS: u64 = 80;
 
 /// Receives steps begun, steps in all and the stage; a break ends the work.
 pub type OnStep = dyn Fn(u64, u64, &str) -> ControlFlow<()> + Sync;

@@ -37,7 +37,7 @@ use crate::contact::exact::{Doubt, End, ExactKernel};
 use crate::contact::gap::dot;
 use crate::contact::lost_motion::Contact;
 use crate::gear::{AsBuilt, Side};
-use crate::numeric::bisect;
+use crate::numeric::{bisect, rank};
 use crate::pair::{FacingTeeth, GearPair, Mating, Member, Pose};
 use std::ops::Range;
 
@@ -266,7 +266,7 @@ impl<'a> SideCell<'a> {
                 |k: usize| found[0].rolls()[k].max(found[1].rolls()[k]) - self.tip_rolls()[k];
             beyond(0).max(beyond(1))
         };
-        pairs.sort_by(|one, other| passed(one).total_cmp(&passed(other)));
+        pairs.sort_by_cached_key(|pair| rank(passed(pair)));
         for (step, found, line) in pairs {
             let pair = PairOverFace::new(self, step, &found)?;
             let [from, to] = pair.face;

@@ -83,8 +83,8 @@ impl Helical {
             let [b] = places?.0[..] else {
                 return None;
             };
-            let section = self.plane.turned(&assembly.section(b));
-            Some((b, section.side(problem.side).clone()))
+            let plane = self.plane.side(problem.side);
+            Some((b, plane.turned(&assembly.section(b))))
         });
         if let Some(directly) = &mut self.directly {
             directly.one_place = found;

@@ -295,7 +295,7 @@ impl<'a> AlongFace<'a> {
     /// such pairs are tightest at one place, whatever the pose. `None` if another pair may be tightest: it is no tighter than endless involutes,
     /// less the room of the ends that it has passed.
     pub fn tightest_on_line(&self) -> Option<f64> {
-        let turned = self.bounds.most_moved * self.per_moved();
+        let turned = self.most_turned();
         let bases = self.bases();
         let low = self.ends[1][0];
         let turning = bases[1] * (1.0 + low * low).sqrt() + self.posed.problem.free_off.norm();
@@ -364,7 +364,7 @@ impl<'a> AlongFace<'a> {
     /// A gap that one of `pairs` reaches: that of the tightest on the line of action somewhere on the face, without what its leads may take.
     fn level(&self, pairs: &[EndlessPair]) -> f64 {
         // Leads and leans change rolls by less.
-        let play = 2.0 * self.bounds.most_moved * self.per_moved();
+        let play = 2.0 * self.most_turned();
         let gaps = pairs.iter().filter_map(|pair| {
             let [from, to] = pair.window;
             let middle = self.rolls_at(pair.rolls, 0.5 * (from + to));
@@ -464,6 +464,11 @@ impl<'a> AlongFace<'a> {
     fn per_moved(&self) -> f64 {
         let bases = self.bases();
         1.0 / bases[0] + 1.0 / bases[1]
+    }
+
+    /// Bound on the turn of both teeth of any pair by leads, leans and profile deviations, rad.
+    fn most_turned(&self) -> f64 {
+        self.bounds.most_moved * self.per_moved()
     }
 
     /// Base radii of the locked and the free gear, mm.
@@ -836,14 +841,14 @@ impl<'a> AlongFace<'a> {
         }
         let b = self.between(low, high, |b| Some(leads(b))).b;
         let rolls = self.rolls_at(self.endless(pair.step).rolls, b);
-        let is_on = self.are_on_arcs(rolls, self.bounds.most_moved * self.per_moved());
+        let is_on = self.are_on_arcs(rolls, self.most_turned());
         is_on.then_some(b)
     }
 
     /// Bound on how far leads and leans move the ends of a window of leaning helical gears, mm. It is 0 for parallel axes, where the gap has no
     /// bend there, and for spur gears, whose windows end with the face.
     fn play_of_ends(&self) -> f64 {
-        let turned = self.bounds.most_moved * self.per_moved();
+        let turned = self.most_turned();
         match self.leaning {
             Some(_) if self.twists[0] != 0.0 => {
                 let twist = self.twists[0].abs().min(self.twists[1].abs());

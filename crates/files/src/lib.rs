@@ -61,6 +61,7 @@ mod tolerance_table;
 mod traces;
 mod unit_slips;
 mod unknown_key;
+mod xml;
 
 use check::Checked;
 use node::Node;

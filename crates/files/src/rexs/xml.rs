@@ -4,28 +4,19 @@
 
 use super::document::{Attribute, Component, Document, Relation, shown, text_of};
 use crate::error::Problem;
+use crate::xml;
 use roxmltree::Node;
 use std::str::FromStr;
 
-/// Most elements and texts of a file of 16 MiB. A gearbox with its results has a hundred thousand.
-const MAX_NODES: u32 = 4_000_000;
 const AGAIN: &str = "export the file again";
 
 /// Parses `text`.
 /// Errors: the fault and its line.
 pub fn read(text: &str) -> Result<Document, Problem> {
-    let settings = roxmltree::ParsingOptions {
-        nodes_limit: MAX_NODES,
-        ..roxmltree::ParsingOptions::default()
-    };
-    let parsed = roxmltree::Document::parse_with_options(text, settings).map_err(|error| {
-        let at = error.pos();
-        let place = format!("line {} column {}", at.row, at.col);
-        Problem::at(
-            &place,
-            format!("not XML: {}", shown(&error.to_string())),
-            AGAIN,
-        )
+    let parsed = xml::parse(text).map_err(|fault| {
+        let place = format!("line {} column {}", fault.line, fault.column);
+        let reason = format!("not XML: {}", shown(&fault.reason));
+        Problem::at(&place, reason, AGAIN)
     })?;
     let model = parsed.root_element();
     if model.tag_name().name() != "model" {

@@ -14,7 +14,8 @@ use super::pieces::Pieces;
 use super::text::{Lines, decode};
 use super::{DrawingError, Options};
 use crate::characters::cut;
-use roxmltree::{Document, Node};
+use crate::xml;
+use roxmltree::Node;
 use std::collections::HashMap;
 use std::fmt::Display;
 use std::str::FromStr;
@@ -24,7 +25,6 @@ const XLINK: &str = "http://www.w3.org/1999/xlink";
 const NAMESPACE: &str = "http://www.w3.org/2000/svg";
 /// Groups in groups: drawing programs nest a dozen.
 const DEEPEST: usize = 200;
-const MAX_NODES: u32 = 4_000_000;
 const PLAIN: &str = "save it as plain SVG with absolute paths";
 
 const NOT_DRAWN: [&str; 19] = [
@@ -56,19 +56,13 @@ const UNSUPPORTED: [&str; 3] = ["clip-path", "mask", "transform-origin"];
 /// Adds what the file draws to `pieces`.
 pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
     let text = decode(bytes)?;
-    let settings = roxmltree::ParsingOptions {
-        nodes_limit: MAX_NODES,
-        ..roxmltree::ParsingOptions::default()
-    };
-    let document = Document::parse_with_options(&text, settings).map_err(|error| {
-        let place = format!("line {}", error.pos().row);
-        let help = match error {
-            roxmltree::Error::DtdDetected => {
-                "delete the line <!DOCTYPE …>, or save it as plain SVG"
-            }
-            _ => "export it again as SVG",
+    let document = xml::parse(&text).map_err(|fault| {
+        let help = if fault.has_dtd {
+            "delete the line <!DOCTYPE …>, or save it as plain SVG"
+        } else {
+            "export it again as SVG"
         };
-        DrawingError::at(place, error.to_string(), help)
+        DrawingError::at(format!("line {}", fault.line), fault.reason, help)
     })?;
     let root = document.root_element();
     let with_id = root

@@ -10,7 +10,6 @@ use crate::progress::Progress;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::{Settings, gauge, gauge_outline, pin_sizes, pose_count};
 use gearlash::gear::AsBuilt;
-use gearlash_files::spec::GearSpec;
 use gearlash_files::{GearEntry, GearsFile};
 use gearlash_render::gauge::{charts, page, text};
 use gearlash_results::gauge::{
@@ -97,18 +96,16 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
         args.results.folder(&file.stem, &file.sources, own)?
     };
 
-    let settings = |spec: &GearSpec| Settings {
-        span_teeth: args.span_teeth.or(spec.thickness.span_teeth()),
-        pin: args.pin_mm.or(spec.thickness.pin_mm()),
+    let given = Settings {
+        span_teeth: args.span_teeth,
+        pin: args.pin_mm,
         ball: args.ball_mm,
         master_teeth: args.master_teeth,
         steps_per_pitch: args.steps_per_pitch,
-        face: spec.face().unwrap_or_default(),
-        evaluation: spec.evaluation_radii(),
-        lead_range: spec.lead.as_ref().and_then(|lead| lead.range_mm),
+        ..Settings::default()
     };
     let poses = chosen.iter().map(|(_, _, source)| match source {
-        GearSource::Data(as_built, spec) => pose_count(as_built, &settings(spec)),
+        GearSource::Data(as_built, spec) => pose_count(as_built, &spec.gauge_settings(given)),
         GearSource::Drawn(_) => 0,
     });
     let progress = Progress::of(poses.sum(), "poses");
@@ -122,7 +119,8 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
             material,
             gauged: match source {
                 GearSource::Data(as_built, spec) => {
-                    gauge(as_built, &settings(spec), &more, &|| progress.tick())?
+                    let settings = spec.gauge_settings(given);
+                    gauge(as_built, &settings, &more, &|| progress.tick())?
                 }
                 GearSource::Drawn(outline) => gauge_outline(outline, args.span_teeth, args.pin_mm),
             },

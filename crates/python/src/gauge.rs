@@ -39,16 +39,14 @@ pub fn gauge(
         }
     }
     let spec = &gear.spec;
-    let settings = Settings {
-        span_teeth: span_teeth.or(spec.thickness.span_teeth()),
-        pin: pin_mm.or(spec.thickness.pin_mm()),
+    let settings = spec.gauge_settings(Settings {
+        span_teeth,
+        pin: pin_mm,
         ball: ball_mm,
         master_teeth,
         steps_per_pitch,
-        evaluation: spec.evaluation_radii(),
-        face: spec.face().unwrap_or_default(),
-        lead_range: spec.lead.as_ref().and_then(|lead| lead.range_mm),
-    };
+        ..Settings::default()
+    });
     let gauged = work(py, threads, |tick| {
         measure(as_built, &settings, &|_| (), tick)
     })?;

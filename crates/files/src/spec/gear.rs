@@ -8,6 +8,7 @@ use super::rules::{
 };
 use super::thickness::ThicknessSpec;
 use super::value::each_value;
+use gearlash::gauge::Settings;
 use gearlash::gear::{BasicRack, Face, GRADES, Hand};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
@@ -104,6 +105,19 @@ impl GearSpec {
     /// Both ends of the teeth, mm from the measuring plane, where they are stated.
     pub fn face(&self) -> Option<[f64; 2]> {
         Some(self.face_mm?.map(|end| self.scale() * end))
+    }
+
+    /// The choices of a gauge: those `given`, and what the gear states where they leave a choice.
+    pub fn gauge_settings(&self, given: Settings) -> Settings {
+        let range = self.lead.as_ref().and_then(|lead| lead.range_mm);
+        Settings {
+            span_teeth: given.span_teeth.or(self.thickness.span_teeth()),
+            pin: given.pin.or(self.thickness.pin_mm()),
+            face: self.face().unwrap_or_default(),
+            evaluation: self.evaluation_radii(),
+            lead_range: range.map(|range| range.map(|height| self.scale() * height)),
+            ..given
+        }
     }
 
     /// Both ends of the teeth as stated, mm over the measuring plane away from the reference face, that of the reference face first.

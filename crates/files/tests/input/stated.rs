@@ -1,6 +1,7 @@
 //! Other ways to state the same gear: each is compared with the one in mm, in the normal section, by an allowance.
 
 use super::*;
+use gearlash::gauge::{Settings, gauge};
 use gearlash::gear::AsBuilt;
 use gearlash::gear::involute::inv;
 use std::f64::consts::FRAC_PI_2;
@@ -167,5 +168,30 @@ fn a_drawn_gear_is_scaled() {
     let (stated, scaled) = (read(RUNOUT), read(&format!("{RUNOUT}scale = 1.01")));
     for (stated, scaled) in stated.into_iter().zip(scaled) {
         assert!((scaled - 1.01 * stated).abs() < 1e-9, "{stated} {scaled}");
+    }
+}
+
+/// Heights of the evaluation range, and the slope over it, are those of the gear as scaled.
+#[test]
+fn a_gauge_evaluates_leads_over_the_scaled_range() {
+    let keys = "scale = 0.5\nface_width_mm = 20\nlead = { range_mm = [2, 17], slope_um = 12 }\n";
+    let file = wheel(keys);
+    let spec = file.spec.wheel.data().unwrap();
+    let settings = spec.gauge_settings(Settings::default());
+    let gauged = gauge(wheels(&file)[0], &settings, &|_| (), &|| {
+        ControlFlow::Continue(())
+    });
+    let read = gauged.unwrap().along_face.unwrap();
+    assert_eq!(
+        read.sections
+            .iter()
+            .map(|section| section.height)
+            .collect::<Vec<_>>(),
+        [1.0, 4.75, 8.5]
+    );
+    // 12 µm over the range of 15 mm, halved; plus = growth from the reference face.
+    let leads = read.own.unwrap();
+    for trace in leads.flanks.iter().flat_map(|flank| &flank.shapes) {
+        assert!((trace.slope.abs() - 6e-3).abs() < 1e-6, "{trace:?}");
     }
 }

@@ -84,7 +84,7 @@ impl CyclePair for OutlinePair {
     }
 
     fn deviate(&self) -> [bool; 2] {
-        Member::BOTH.map(|member| self.gear(member).unlikeness().is_none())
+        Member::BOTH.map(|member| !self.gear(member).tooth_classes().is_one())
     }
 }
 
@@ -614,12 +614,11 @@ pub fn extremes_of_phase(
 
 /// The cycle of a pair with a drawn gear: its first mating, and the number of distinct ones.
 fn cycle_of_outlines(pair: &OutlinePair, (first, distinct): (Mating, u64)) -> OutlineCycle {
-    let unlike = Member::BOTH.map(|member| pair.gear(member).unlikeness());
     OutlineCycle {
         first,
         distinct,
         matings: hunting_pitches(pair),
-        unlike: unlike.into_iter().flatten().sum(),
+        classes: [pair.locked(), pair.free()].map(|member| pair.gear(member).tooth_classes()),
     }
 }
 

@@ -13,6 +13,7 @@ use crate::numeric::rank;
 use crate::pair::Mating;
 use crate::parallel;
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
 /// Cells a pitch to begin with (tuned).
 const CELLS_A_PITCH: u64 = 4;
@@ -99,6 +100,12 @@ pub(super) trait CycleCells: Sync {
     /// The mating `pitches` after the first pose.
     fn mating(&self, pitches: f64) -> Mating;
 
+    /// The teeth that can meet in the cell of half the width `half`, pitches, about `pitches`, each by the first tooth that it equals. Cells
+    /// with equal lists at equal fractions of a pitch are equal. `None` where this is not known.
+    fn likeness(&self, _pitches: f64, _half: f64) -> Option<Vec<u32>> {
+        None
+    }
+
     /// The cell of half the width `half`, pitches, about `pitches`: the pose in its middle, and its bounds for `ends`. `width`, rad, is how wide
     /// bounds may be in the end.
     fn look(&self, pitches: f64, half: f64, ends: &[End], width: f64) -> Cell;
@@ -166,12 +173,17 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         }
     }
 
-    /// The cells to begin with.
+    /// The cells to begin with, the first of equal ones.
     fn begin(&self, ends: &[End]) -> Vec<Cell> {
         let pitches = self.distinct;
         let count = (CELLS_A_PITCH * pitches).min(MOST_CELLS.max(pitches.min(2 * MOST_CELLS)));
         let apart = pitches as f64 / count as f64;
+        let mut seen = HashSet::new();
         let each = (0..count).map(|k| ((k as f64 + 0.5) * apart, 0.5 * apart));
+        let each = each.filter(|&(at, half)| {
+            let likeness = self.cells.likeness(at, half);
+            likeness.is_none_or(|teeth| seen.insert((rank(at.fract()), teeth)))
+        });
         parallel::map(each, |(at, half)| self.look(at, half, ends))
     }
 

@@ -1,4 +1,4 @@
-//! Whether all teeth of an outline are equal, so that one of them stands for all.
+//! Which teeth of an outline are equal, so that one of them stands for the others.
 
 use super::gear::OutlineGear;
 use super::half::{HalfOutline, HalfPiece};
@@ -6,42 +6,80 @@ use crate::gear::{PartCurve, Side};
 use nalgebra::{Complex, Point2};
 use std::f64::consts::FRAC_PI_2;
 
-/// Greatest distance of equal teeth, mm: two such gears change a backlash by a hundredth of a micrometre.
+/// Greatest distance of a tooth from the first one that it equals, mm: two such gears change a backlash by a hundredth of a micrometre.
 const EQUAL: f64 = 2e-6;
 
-impl OutlineGear {
-    /// The greatest distance, mm, between tooth 1 and another tooth at its even place; `None` where teeth are not equal, or the gear is eccentric.
-    ///
-    /// Their curves have to be of the same kinds in the same order.
-    pub(crate) fn unlikeness(&self) -> Option<f64> {
-        if self.eccentricity() > 0.0 {
-            return None;
-        }
-        let mut most: f64 = 0.0;
-        for side in Side::BOTH {
-            let first = self.half(side, 1);
-            for tooth in 2..=self.teeth() {
-                // The left side is mirrored.
-                let angle = -side.sense() * self.tooth_angle(f64::from(tooth));
-                let turn = Complex::from_polar(1.0, angle);
-                most = most.max(apart(first, self.half(side, tooth), turn)?);
-                if most > EQUAL {
-                    return None;
-                }
-            }
-        }
-        Some(most)
+/// The classes of equal teeth of a gear.
+#[derive(Debug, Clone)]
+pub(crate) struct ToothClasses {
+    /// Of each tooth: the first tooth that it equals, at even places.
+    first: Vec<u32>,
+    /// Bound on the distance between two teeth of a class, mm.
+    pub apart: f64,
+}
+
+impl ToothClasses {
+    /// The first tooth that `tooth` equals.
+    pub fn first(&self, tooth: u32) -> u32 {
+        self.first[tooth as usize - 1]
+    }
+
+    /// Whether all teeth are of one class.
+    pub fn is_one(&self) -> bool {
+        self.first.iter().all(|&first| first == 1)
     }
 }
 
-/// A bound on the distance between a half tooth turned by `turn` and another one; `None` where the kinds of their curves differ.
+impl OutlineGear {
+    /// The classes of teeth that are equal at their even places. Each tooth of an eccentric gear is a class of its own.
+    ///
+    /// The curves of equal teeth are of the same kinds in the same order.
+    pub(crate) fn tooth_classes(&self) -> ToothClasses {
+        let mut firsts: Vec<u32> = Vec::new();
+        let mut most: f64 = 0.0;
+        let first = (1..=self.teeth()).map(|tooth| {
+            let equal = firsts
+                .iter()
+                .find_map(|&first| Some((first, self.equal_within(first, tooth)?)));
+            let (first, apart) = equal.unwrap_or((tooth, 0.0));
+            if first == tooth {
+                firsts.push(tooth);
+            }
+            most = most.max(apart);
+            first
+        });
+        ToothClasses {
+            first: first.collect(),
+            // Both are that far from the first one.
+            apart: 2.0 * most,
+        }
+    }
+
+    /// A bound on the distance between two teeth at their even places, mm; `None` where they are not equal.
+    fn equal_within(&self, one: u32, other: u32) -> Option<f64> {
+        if self.eccentricity() > 0.0 {
+            return None;
+        }
+        let between = self.tooth_angle(f64::from(other)) - self.tooth_angle(f64::from(one));
+        let sides = Side::BOTH.map(|side| {
+            // The left side is mirrored.
+            let turn = Complex::from_polar(1.0, -side.sense() * between);
+            apart(self.half(side, one), self.half(side, other), turn)
+        });
+        let [right, left] = sides;
+        Some(right?.max(left?))
+    }
+}
+
+/// A bound on the distance between a half tooth turned by `turn` and another one, up to [`EQUAL`]; `None` where they are not equal.
 fn apart(one: &HalfOutline, other: &HalfOutline, turn: Complex<f64>) -> Option<f64> {
     if one.pieces.len() != other.pieces.len() {
         return None;
     }
     let mut pieces = one.pieces.iter().zip(&other.pieces);
     pieces.try_fold(0.0, |most: f64, (one, other)| {
-        Some(most.max(pieces_apart(one, other, turn)?))
+        let apart = pieces_apart(one, other, turn)?;
+        (apart <= EQUAL).then(|| most.max(apart))
     })
 }
 

@@ -64,4 +64,5 @@ pub use pair::OutlinePair;
 pub use path::PathSegment;
 pub use placed_gear::PlacedGear;
 
+pub(crate) use alike::ToothClasses;
 pub(crate) use half::{HalfOutline, HalfPiece};

@@ -7,7 +7,7 @@
 
 use super::{C, dot};
 use crate::gear::PartCurve;
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A rectangle.
 #[derive(Debug, Clone, Copy)]
@@ -61,6 +61,20 @@ impl Rectangle {
             middle: at,
             half: [0.0; 2],
         }
+    }
+
+    /// Least and greatest angle of its points about the origin, rad from +x; `None` unless all are within a quarter turn.
+    pub fn angles(&self) -> Option<[f64; 2]> {
+        let [length, width] = self.half;
+        let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
+        let corners =
+            corners.map(|(l, w)| self.along * (self.middle + C::new(l * length, w * width)));
+        let angles = corners.map(C::arg);
+        let [least, most] = [
+            angles.iter().copied().fold(PI, f64::min),
+            angles.iter().copied().fold(-PI, f64::max),
+        ];
+        (-FRAC_PI_2 < least && most < FRAC_PI_2).then_some([least, most])
     }
 
     /// Its length, mm.

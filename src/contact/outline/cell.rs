@@ -205,7 +205,7 @@ impl SideCell<'_> {
                 if ascent.looked > MOST_PAIRS {
                     return false;
                 }
-                match self.apart(&pair, ascent) {
+                match self.apart(&pair, ascent, is_flat) {
                     Apart::Yes => continue 'pairs,
                     Apart::Above(Some(need)) if is_small || is_flat && need <= self.fine => {
                         ascent.level += need + 1e-3 * self.fine;
@@ -227,8 +227,8 @@ impl SideCell<'_> {
         true
     }
 
-    /// Whether a line divides two rectangles at the level, or their radii do.
-    fn apart(&self, [locked, free]: &[Node; 2], ascent: &mut Ascent) -> Apart {
+    /// Whether a line divides two rectangles at the level, or their radii do. The rise is found only where it is needed.
+    fn apart(&self, [locked, free]: &[Node; 2], ascent: &mut Ascent, needs_rise: bool) -> Apart {
         let (locked, free) = (&locked.rectangle, &free.rectangle);
         let size = self.size();
         let (squares, mates) = (self.squares(locked), free.squares());
@@ -267,11 +267,15 @@ impl SideCell<'_> {
             };
             let u = along * 1f64.copysign(dot(along, centre));
             let n = C::i() * u;
+            let under = -free.farthest(turned.conj() * -n);
+            // What overlaps in the middle of the cell overlaps.
+            if !needs_rise && locked.farthest(n) > under {
+                continue;
+            }
             let arm = -free.farthest(turned.conj() * -u);
             if !(arm > 0.0 && self.farthest(locked, -u) < 0.0) {
                 continue;
             }
-            let under = -free.farthest(turned.conj() * -n);
             let over = self.farthest(locked, n) - under + ROUNDING * size;
             if over <= 0.0 {
                 ascent.drawn = ascent.drawn.max((over + self.bound) / arm);

@@ -11,7 +11,7 @@ use crate::contact::cycle_search::{Cell, CycleCells, CycleSearch};
 use crate::contact::effort::Effort;
 use crate::contact::exact::{Doubt, End, Extremes};
 use crate::contact::gap::{C, turn};
-use crate::outline::OutlinePair;
+use crate::outline::{OutlinePair, ToothClasses};
 use crate::pair::Mating;
 
 /// Greatest rate of a contact over the ratio of the teeth. The ratio itself replaces greater rates.
@@ -21,7 +21,7 @@ const FASTEST: f64 = 4.0;
 const A_UNIT: u64 = 2;
 
 /// A mesh cycle.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct OutlineCycle {
     /// Where it begins.
     pub first: Mating,
@@ -29,8 +29,8 @@ pub(crate) struct OutlineCycle {
     pub distinct: u64,
     /// All of its matings.
     pub matings: u64,
-    /// How far a tooth of a gear whose teeth count as equal may lie from the next one, mm; of both gears together.
-    pub unlike: f64,
+    /// Equal teeth, of the locked and the free gear.
+    pub classes: [ToothClasses; 2],
 }
 
 impl OutlineKernel<'_> {
@@ -73,6 +73,19 @@ impl CycleCells for OutlineCells<'_> {
         self.cycle.first.onward(self.pair, pitches)
     }
 
+    fn likeness(&self, pitches: f64, half: f64) -> Option<Vec<u32>> {
+        let (pair, mating) = (self.pair, self.mating(pitches));
+        let half = half * pair.gear(pair.locked()).pitch();
+        let [locked, free] = &self.cycle.classes;
+        let sides = self.kernel.sides.iter();
+        let facing = sides.flat_map(|side| {
+            let (rotation, _) = side.locked_frame(pair, &mating);
+            side.facing(pair, &mating, rotation, half)
+        });
+        let classes = facing.flat_map(|teeth| [locked.first(teeth[0]), free.first(teeth[1])]);
+        Some(classes.collect())
+    }
+
     fn look(&self, pitches: f64, half: f64, ends: &[End], wanted: f64) -> Cell {
         let (kernel, pair) = (self.kernel, self.pair);
         let mating = self.mating(pitches);
@@ -98,7 +111,7 @@ impl CycleCells for OutlineCells<'_> {
         let cells = [0, 1].map(|side: usize| {
             let meeting = meetings[side].as_ref();
             let mut cell = kernel.sides[side].cell(pair, &mating, meeting, width, wanted);
-            cell.bound += self.cycle.unlike;
+            cell.bound += self.cycle.classes.iter().map(|of| of.apart).sum::<f64>();
             cell
         });
         let drift = (cells[0].rate - cells[1].rate).abs() * width;

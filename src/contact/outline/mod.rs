@@ -275,13 +275,12 @@ impl SideKernel<'_> {
         let there = rotation - self.side.sense() * gear.tooth_angle(tooth);
         let there = there - TAU * (there / TAU).round();
         let lens = lens_half(gear.reach(), mate.reach(), pair.center_distance()).unwrap_or(0.0);
-        // One tooth and a half on either side: its own width, and teeth off their even places by less than half a pitch.
-        let far = lens + 1.5 * pitch;
+        let [least, greatest] = self.locked.around;
         // Never more than once round.
         let most = (i64::from(gear.teeth()) - 1) / 2;
         let window = |there: f64| {
-            let first = ((-far - there) / pitch).ceil() as i64;
-            let last = ((far - there) / pitch).floor() as i64;
+            let first = ((-lens - greatest - there) / pitch).ceil() as i64;
+            let last = ((lens - least - there) / pitch).floor() as i64;
             let middle = (-there / pitch).round() as i64;
             (first.max(middle - most), last.min(middle + most))
         };

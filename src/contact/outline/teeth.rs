@@ -1,8 +1,11 @@
 //! The teeth of one side of an outline, and their positions in a frame.
 
-use crate::contact::gap::{Arc, C, PlacedCurve, Rectangle, Tree};
+use crate::contact::gap::{Arc, C, PlacedCurve, Rectangle, Tree, turn};
 use crate::gear::Side;
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear};
+
+/// Pitches on either side of its even place that a tooth with long rectangles covers: its own width, and less than half a pitch off its place.
+const WIDEST: f64 = 1.5;
 
 /// One side of a gear's teeth, in the frame of the side.
 #[derive(Debug)]
@@ -14,28 +17,42 @@ pub(super) struct SideTeeth<'a> {
     ascending: i64,
     /// Rectangles around the pieces of each half tooth.
     boxes: Vec<Tree<Rectangle>>,
+    /// Least and greatest angle, rad, of points of a half tooth from its even place, about the axis.
+    pub around: [f64; 2],
 }
 
 impl<'a> SideTeeth<'a> {
     pub fn new(gear: &'a OutlineGear, side: Side) -> SideTeeth<'a> {
         let mirror = -side.sense();
         let displacement = gear.displacement();
+        let displacement = if mirror > 0.0 {
+            displacement
+        } else {
+            displacement.conj()
+        };
+        let mut around = [0.0, 0.0];
         let boxes = (1..=gear.teeth()).map(|tooth| {
             let pieces = gear.half(side, tooth).pieces.iter();
             let round =
                 |piece: &HalfPiece| Rectangle::new(&piece.curve, piece.range(), |t| piece.point(t));
-            Tree::new(&pieces.map(round).collect::<Vec<Rectangle>>())
+            let shapes: Vec<Rectangle> = pieces.map(round).collect();
+            let back = turn(-mirror * gear.tooth_angle(f64::from(tooth)));
+            for shape in &shapes {
+                let angles = shape.placed(back * displacement, back).angles();
+                let [least, greatest] =
+                    angles.unwrap_or([-WIDEST, WIDEST].map(|it| it * gear.pitch()));
+                around = [least.min(around[0]), greatest.max(around[1])];
+            }
+            Tree::new(&shapes)
         });
+        let boxes: Vec<Tree<Rectangle>> = boxes.collect();
         SideTeeth {
             gear,
             side,
-            displacement: if mirror > 0.0 {
-                displacement
-            } else {
-                displacement.conj()
-            },
+            displacement,
             ascending: (mirror * gear.face().ascending()) as i64,
-            boxes: boxes.collect(),
+            boxes,
+            around,
         }
     }
 

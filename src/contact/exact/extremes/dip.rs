@@ -301,3 +301,40 @@ struct Corner {
 fn length(vector: C) -> f64 {
     vector.norm_sqr().sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::course::Course;
+    use super::*;
+    use crate::contact::{Effort, ExactKernel};
+    use crate::gear::{Deviations, Face, GearDesign};
+    use crate::pair::{GearPair, Mating};
+
+    /// A corner leaves its tangent by no more than its second-order bound, and by more than a tenth of it. Source: the corner of other poses.
+    #[test]
+    fn a_corner_stays_within_its_second_order_bound() {
+        let built = |z, face| GearDesign::plain(z, 1.0).built(face, &Deviations::default());
+        let pair = GearPair::new(built(20, Face::Front), built(60, Face::Back), 40.05).unwrap();
+        let kernel = ExactKernel::new(&pair);
+        let effort = Effort::endless();
+        let course = Course::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+        let dips: Vec<&Dip> = course.sides.iter().flat_map(|side| &side.dips).collect();
+        assert!(!dips.is_empty());
+        for dip in dips {
+            let line = Line::new(C::from(40.05), dip.locked.base + dip.free.base).unwrap();
+            let line = (40.05, line);
+            let play = 0.03;
+            let mut most = 0.0f64;
+            for off in [-0.8, -0.3, 0.0, 0.4, 0.9] {
+                let at = dip.middle + off * dip.half;
+                let corner = dip.corner(at, play, &line);
+                for part in [-1.0, -0.5, 0.5, 1.0] {
+                    let there = dip.corner(at + part * play, 0.0, &line);
+                    let left = there.point - corner.point - corner.velocity * (part * play);
+                    most = most.max(length(left) / corner.jolt);
+                }
+            }
+            assert!((0.1..=1.0).contains(&most), "{:?}: {most}", dip.tip);
+        }
+    }
+}

@@ -22,7 +22,7 @@
 //! A displacement across the line of centres turns it. That is another pose of the cycle, but for the turn of the lean, of the second order.
 
 use crate::error::GearError;
-use crate::pair::{GearPair, Member, lens_half};
+use crate::pair::{FaceDeviation, GearPair, Member, lens_half};
 use std::f64::consts::PI;
 
 /// Bearings of both gears together, whose clearance differs from one end of the shafts to the other.
@@ -210,7 +210,10 @@ impl Axes {
         let b = self.stillest(pair.face());
         let [x, y] = pair.lean().map(|lean| lean * b);
         let distance = (pair.center_distance() + x).hypot(y) + self.reach(b);
-        pair.section(b).at(distance)
+        // The teeth of gears that lean miss each other in a single section.
+        pair.section(b)
+            .without(&[FaceDeviation::Wobble])
+            .at(distance)
     }
 
     /// Bound on the further lost motion of a section of `pair` by the heights of its contacts, mm along the base tangent.

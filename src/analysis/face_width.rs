@@ -82,7 +82,7 @@ impl<'a> FaceExtreme<'a> {
 }
 
 /// The extremes of `study` over parts of its common face, from one section to the whole face (`full` is its result); empty for a pair
-/// whose sections are all equal.
+/// whose sections are all equal. Where axes lean, the narrowest part is a quarter of the face: single sections of such gears miss each other.
 ///
 /// The parts are nested about the middle of the common face, like narrower gears in the same place; the measuring plane
 /// stays fixed. A wider part never has more play.
@@ -101,7 +101,7 @@ pub fn over_widths(
     let [from, to] = study.face;
     let middle = 0.5 * (from + to);
     let mut widths = Vec::new();
-    for step in 0..WIDTHS - 1 {
+    for step in narrowest(study)..WIDTHS - 1 {
         let part = f64::from(step) / f64::from(WIDTHS - 1);
         let face = [from, to].map(|end| middle + (end - middle) * part);
         // Without bearing clearance.
@@ -122,10 +122,15 @@ pub fn over_widths(
     Ok(widths)
 }
 
+/// The number of the narrowest width.
+fn narrowest(study: &Study) -> u32 {
+    u32::from(study.leans())
+}
+
 /// Number of searches of [`over_widths`] over the runs of a study.
 pub(super) fn searches(study: &Study) -> u64 {
     if study.varies_along_face() {
-        u64::from(WIDTHS - 1)
+        u64::from(WIDTHS - 1 - narrowest(study))
     } else {
         0
     }

@@ -285,6 +285,11 @@ impl Study {
         self.has_pair(GearPair::deviates_along_face)
     }
 
+    /// Whether axes lean, or may.
+    pub fn leans(&self) -> bool {
+        self.open_lean != [0.0; 2] || self.has_pair(GearPair::leans)
+    }
+
     fn has_pair(&self, is: fn(&GearPair) -> bool) -> bool {
         let pairs = self.center_distances.first().map(|a| self.pairs(*a));
         let mut pairs = pairs.into_iter().flatten().flatten();

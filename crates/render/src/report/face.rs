@@ -38,11 +38,17 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
 
 fn widths(page: &Page) -> Markup {
     let widths = &page.report.analysis.widths;
-    let one_section = widths.first();
-    let columns = columns(
-        "face width mm:n | from … to mm:w | least:n w | more than in one section:n w | proof | greatest:n w | more than in one section:n w | proof",
-    );
-    let rows = widths.iter().map(|at| row(at, one_section));
+    let narrowest = widths.first();
+    let is_section = narrowest.is_some_and(|at| at.width() == 0.0);
+    let than = if is_section {
+        "in one section"
+    } else {
+        "narrowest"
+    };
+    let columns = columns(&format!(
+        "face width mm:n | from … to mm:w | least:n w | more than {than}:n w | proof | greatest:n w | more than {than}:n w | proof"
+    ));
+    let rows = widths.iter().map(|at| row(at, narrowest));
     html! {
         p {
             @if page.report.pair.study.deviates_along_face() {
@@ -60,13 +66,15 @@ fn widths(page: &Page) -> Markup {
             (Table::new("What the face width costs", html! {
                 "What the face width costs: " (symbol("j", "wt")) ", µm, least and greatest over the whole mesh cycle, all centre distances and "
                 "materials. The parts of the face hold each other, cut about the middle of the common face as a narrower gear in the same place would be; teeth, "
-                "pitch and high tooth stay stated in the measuring plane, z = 0. Width 0 is one section; two values are a bracket."
+                "pitch and high tooth stay stated in the measuring plane, z = 0."
+                @if is_section { " Width 0 is one section." }
+                " Two values are a bracket."
             }, columns, rows))
         }
     }
 }
 
-fn row(at: &AtWidth, one_section: Option<&AtWidth>) -> Vec<Markup> {
+fn row(at: &AtWidth, narrowest: Option<&AtWidth>) -> Vec<Markup> {
     let [from, to] = at.face.map(|end| trimmed(end, 0, 3));
     let none = if at.each.iter().any(|run| run.status == Status::Jammed) {
         "jammed"
@@ -75,17 +83,17 @@ fn row(at: &AtWidth, one_section: Option<&AtWidth>) -> Vec<Markup> {
     };
     let mut row = cells![trimmed(at.width(), 0, 3), format!("{from} … {to}")];
     for end in [AtWidth::least, AtWidth::greatest] {
-        row.extend(extreme(end(at), one_section.and_then(end), none));
+        row.extend(extreme(end(at), narrowest.and_then(end), none));
     }
     row
 }
 
-/// Value, difference from that in one section, and whether it is proven; if not, both ends of the proven bracket.
-fn extreme(here: Option<FaceExtreme>, one_section: Option<FaceExtreme>, none: &str) -> Vec<Markup> {
+/// Value, difference from that in the narrowest face, and whether it is proven; if not, both ends of the proven bracket.
+fn extreme(here: Option<FaceExtreme>, narrowest: Option<FaceExtreme>, none: &str) -> Vec<Markup> {
     let Some(here) = here else {
         return cells!["–", "", none];
     };
-    let both = one_section.filter(|one| one.holds() && here.holds());
+    let both = narrowest.filter(|one| one.holds() && here.holds());
     let more = match both {
         Some(one) if one.doubtful.is_none() && here.doubtful.is_none() => {
             um(Some(here.found - one.found), 2)

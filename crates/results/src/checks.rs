@@ -6,7 +6,7 @@ use crate::layout::{Screen, Tone};
 use crate::notes::{self, drawn_notes};
 use crate::remedies::RemedyRecords;
 use crate::run::{contact_count, extremes, verdict_record};
-use crate::verdict::{distinct, heading, lines, short_title};
+use crate::verdict::{self, distinct, heading, lines, short_title};
 use gearlash::analysis::backlash_map::{BacklashCell, BacklashMap};
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap, MapCell};
 use gearlash::analysis::verdict::Verdict;
@@ -113,7 +113,7 @@ pub fn checked(
         (diagnosis::Verdict::Unproven, doubt)
     };
     let mut cases = vec![
-        Case::new(VERDICT, state, lines.to_string()),
+        Case::new(VERDICT, state, verdict::message(verdict, &lines)),
         Case::new("poses", proof, of_poses.to_owned()),
     ];
     cases.extend(check_cases(diagnosis));

@@ -5,7 +5,7 @@ use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
 use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::{PoseRow, doubts};
 use crate::run::{extremes, verdict_record};
-use crate::verdict::lines;
+use crate::verdict::{lines, message};
 use gearlash::analysis::compare::{ComparedPose, Summary, Verdict};
 use gearlash::analysis::diagnosis::{self, CheckName};
 use gearlash::analysis::extremes::RunExtremes;
@@ -114,7 +114,11 @@ impl ComparedPair<'_> {
             passes: agrees && kept,
             cases: vec![
                 Case::new("formulas", failed(agrees, is_unproven), formulas),
-                Case::new(VERDICT, failed(kept, kept_unproven), lines.to_string()),
+                Case::new(
+                    VERDICT,
+                    failed(kept, kept_unproven),
+                    message(&verdict, &lines),
+                ),
             ],
             warnings: self.file.warnings.clone(),
             remarks: self.file.remarks.clone(),

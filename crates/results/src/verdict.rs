@@ -587,6 +587,14 @@ fn teeth(pose: &ComparedPose) -> Option<String> {
     ))
 }
 
+/// The lines of `verdict` as the message of a failure: of a pair that assembles, the limits that it violates come first.
+pub(crate) fn message(verdict: &Verdict, lines: &VerdictLines) -> String {
+    let violated = verdict.unmet.iter().map(limit);
+    let violated = violated.filter(|_| verdict.assembles() == Some(true));
+    let lines = lines.lines();
+    violated.chain(lines).collect::<Vec<String>>().join("\n")
+}
+
 /// The sentences that qualify the extremes, the most important first.
 fn sentences(verdict: &Verdict) -> Vec<String> {
     let mut sentences: Vec<String> = Vec::new();
@@ -636,8 +644,11 @@ fn limit(unmet: &Unmet) -> String {
     };
     let found = match unmet.found {
         None => "no value".to_owned(),
-        Some([low, high]) if unmet.is_missed => shown(if unmet.is_max { high } else { low }),
-        Some(bracket) => bracket.map(shown).join(" … "),
+        Some(bracket) => {
+            let mut ends = bracket.map(shown).to_vec();
+            ends.dedup();
+            ends.join(" … ")
+        }
     };
     let whether = if unmet.is_missed {
         "not met"

@@ -218,7 +218,12 @@ fn model(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<u8, Error> {
         None => only_readable_stage(&file),
     };
     if let (Err(why), Some(_)) = (&chosen, &args.output) {
-        return Err(Error::Usage(format!("{name}: {why}")));
+        let reasons = file.stages.iter().filter_map(|stage| {
+            let reason = stage.pair.as_ref().err()?;
+            Some(format!("; stage {}: {reason}", stage.id))
+        });
+        let reasons: String = reasons.collect();
+        return Err(Error::Usage(format!("{name}: {why}{reasons}")));
     }
     let is_stdout = |output: &PathBuf| output.as_path() == Path::new("-");
     if !args.output.as_ref().is_some_and(is_stdout) {
@@ -244,7 +249,7 @@ fn only_readable_stage(file: &RexsFile) -> Result<&RexsPair, String> {
     let mut pairs = stages.filter_map(|stage| stage.pair.as_ref().ok());
     match (pairs.next(), pairs.next()) {
         (Some(pair), None) => Ok(pair),
-        (None, _) => Err("No stage can be read; each reason stands above.".to_owned()),
+        (None, _) => Err("No stage can be read".to_owned()),
         _ => Err("Several stages can be read: choose one with --stage ID.".to_owned()),
     }
 }

@@ -68,6 +68,7 @@ impl CyclePair for OutlinePair {
             found,
             assembles_from,
             meshes_to: None,
+            effort: 0,
             face_loss: None,
         })
     }
@@ -116,6 +117,7 @@ impl CyclePair for GearPair {
                 meshes_to,
                 face_loss: None,
                 found: all.found,
+                effort: effort.used(),
                 poses: all.poses,
             });
         }
@@ -126,6 +128,7 @@ impl CyclePair for GearPair {
             poses: vec![cycle.poses_of(&found, assembles_from)],
             assembles_from,
             meshes_to: cycle.meshes_to(self, &found, 0.0, (&greatest, effort))?,
+            effort: effort.used(),
             face_loss: None,
             found,
         })
@@ -133,7 +136,23 @@ impl CyclePair for GearPair {
 
     fn end(&self, cycle: &Planned, is_least: bool, effort: &Effort) -> Result<Extremes, Error> {
         if cycle.open_lean != [0.0; 2] {
-            return Ok(cycle.with(self.clone().into()).search()?.found);
+            let ends: &[End] = if is_least {
+                &[End::Least]
+            } else {
+                &[End::Greatest]
+            };
+            let whole = Effort::of_extremes(self).left();
+            let parts = AXES * whole / (effort.left() / PARTS_OF_REST).max(1);
+            let there = Planned {
+                alone: Some(Alone {
+                    ends,
+                    parts: parts.max(1),
+                }),
+                ..cycle.with(self.clone().into())
+            };
+            let searched = there.search()?;
+            effort.spend(searched.effort);
+            return Ok(searched.found);
         }
         if is_open(self) {
             return Ok(cycle.any_direction(self, effort)?.found);
@@ -156,6 +175,12 @@ impl CyclePair for GearPair {
         Member::BOTH.map(|one| self.gear(one).centred().has_different_teeth())
     }
 }
+
+/// Places of open axes that are searched, about.
+const AXES: u64 = 8;
+
+/// Parts of the remaining effort of which one search of open axes takes one (tuned).
+const PARTS_OF_REST: u64 = 4;
 
 /// A run and the start of its cycle.
 #[derive(Clone)]
@@ -189,6 +214,8 @@ pub(super) struct Alone {
 
 /// Extremes of a cycle, and their poses: least, greatest, lost.
 pub(super) struct Searched {
+    /// Units of effort used.
+    pub effort: u64,
     pub found: Extremes,
     pub poses: Vec<Directed>,
     pub assembles_from: Option<AssemblesFrom>,
@@ -358,6 +385,7 @@ impl Planned {
             None => None,
         };
         Ok(Searched {
+            effort: every().map(|one| one.effort).sum(),
             face_loss,
             found: Extremes {
                 matings: possible.first().map_or(0, |one| one.found.matings),
@@ -480,6 +508,12 @@ impl Planned {
         effort: &Effort,
     ) -> Result<Extremes, Error> {
         cycle_pair(pair).end(self, is_least, effort)
+    }
+
+    /// Effort of a change of `assembly` that meets the requirements: as much as one verdict may take.
+    pub fn effort_of_remedy(&self, assembly: &GearPair) -> Effort {
+        let places = if self.open_lean == [0.0; 2] { 1 } else { AXES };
+        Effort::new(places * Effort::of_extremes(assembly).left())
     }
 
     /// Effort of the search of `assembly`.

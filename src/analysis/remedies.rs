@@ -9,7 +9,7 @@ use super::assembles_from::threshold;
 use super::cycles::{Planned, plans, proven_width};
 use super::extremes::RunExtremes;
 use super::requirement::{Limits, Quantity};
-use super::study::Study;
+use super::study::{Material, Study};
 use super::verdict::Verdict;
 use crate::contact::{Effort, Status};
 use crate::error::Error;
@@ -158,7 +158,7 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     let plans = plans(study)?;
     let pair = &plans[worst].run.assembly;
     let effort = || match pair.data() {
-        Some(pair) => Effort::of_extremes(pair),
+        Some(pair) => plans[worst].effort_of_remedy(pair),
         // Each search of a drawn pair has its own.
         None => Effort::endless(),
     };
@@ -492,7 +492,17 @@ impl Search<'_> {
             let Some(pair) = moved(planned, at) else {
                 return Ok(false);
             };
-            for sign in [self.sign, -self.sign] {
+            // Thicker teeth contain thinner ones: the thickest have the least backlash, the thinnest the greatest.
+            let decides = |sign: &f64| {
+                let decisive = if *sign > 0.0 {
+                    Material::Most
+                } else {
+                    Material::Least
+                };
+                let is_other = |plan: &Planned| plan.run.material != decisive;
+                !is_other(planned) || self.plans.iter().all(is_other)
+            };
+            for sign in [self.sign, -self.sign].into_iter().filter(decides) {
                 let search = Search { sign, ..*self };
                 if effort.is_nearly_spent() || search.room(planned, &pair, effort)? < 0.0 {
                     return Ok(false);

@@ -125,9 +125,10 @@ pub(super) struct CycleSearch<'a, T> {
 }
 
 impl<T: CycleCells> CycleSearch<'_, T> {
-    /// The extremes `ends`, in brackets of the wanted width where no more effort is needed than a search may spend.
-    pub fn extremes(&self, ends: &[End]) -> Extremes {
+    /// The extremes `ends`, in brackets of the wanted width where no more effort is needed than a search may spend, and the effort used.
+    pub fn extremes(&self, ends: &[End]) -> (Extremes, u64) {
         let cells = self.begin(ends);
+        let mut used: u64 = cells.iter().map(|cell| cell.effort).sum();
         let lost = [Status::Jammed, Status::NoContact].map(|status| {
             let lost = cells.iter().find(|cell| cell.status == status);
             lost.map(|cell| self.cells.mating(cell.pitches))
@@ -139,7 +140,9 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                 return None;
             }
             let mut cells = cells.clone();
-            let closed = self.close(&mut cells, end);
+            let effort = Effort::new(MOST_EFFORT);
+            let closed = self.close(&mut cells, end, &effort);
+            used += effort.used();
             self.polish(&mut cells, end);
             let found = self.extreme(&cells, end, closed);
             all.extend(cells);
@@ -164,13 +167,14 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         } else {
             Status::Unproven
         };
-        Extremes {
+        let found = Extremes {
             matings: self.matings,
             status,
             least: least.filter(|_| jammed.is_none()),
             greatest: greatest.filter(|_| unmeshed.is_none()),
             lost: jammed.or(unmeshed),
-        }
+        };
+        (found, used)
     }
 
     /// The cells to begin with, the first of equal ones.
@@ -188,8 +192,8 @@ impl<T: CycleCells> CycleSearch<'_, T> {
     }
 
     /// Divides cells until none of them may be better than the best pose by the wanted width. Returns whether the effort sufficed.
-    fn close(&self, cells: &mut Vec<Cell>, end: End) -> bool {
-        let (width, effort) = (ENOUGH * self.width, Effort::new(MOST_EFFORT));
+    fn close(&self, cells: &mut Vec<Cell>, end: End, effort: &Effort) -> bool {
+        let width = ENOUGH * self.width;
         let values = |cells: &[Cell], best: f64| {
             let values = cells.iter().filter_map(|cell| cell.value(end));
             values.fold(best, f64::min)

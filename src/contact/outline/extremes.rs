@@ -55,7 +55,7 @@ impl OutlineKernel<'_> {
             width: width / radius,
             radius,
         };
-        search.extremes(ends)
+        search.extremes(ends).0
     }
 }
 

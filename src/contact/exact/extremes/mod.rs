@@ -210,7 +210,9 @@ impl ExactKernel {
             width: width / course.per_radian(),
             radius: course.per_radian(),
         };
-        search.extremes(of)
+        let (found, used) = search.extremes(of);
+        course.effort.spend(used);
+        found
     }
 
     /// Whether only involutes, their ends and tip lands can touch, and corners on fillets, and pairs of helical teeth have line contact.

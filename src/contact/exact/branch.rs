@@ -4,7 +4,7 @@ use super::candidate::CandidateContact;
 use super::curves::{Curves, SearchExhausted};
 use super::placed::Placed;
 use super::shape::C;
-use crate::contact::gap::{Arc, Origin, greatest};
+use crate::contact::gap::{Arc, Origin, PlacedCurve, greatest};
 use crate::gear::{ProfilePart, smooth};
 
 /// The greatest gap of two half teeth over `curves`, if it exceeds `floor`. The nodes used are subtracted from `nodes_left`.
@@ -16,21 +16,29 @@ pub(super) fn search(
     curves: Curves,
     nodes_left: &mut usize,
 ) -> Result<Option<CandidateContact>, SearchExhausted> {
-    let mut frees = Vec::with_capacity(ProfilePart::ALL.len());
-    for curve in ProfilePart::ALL {
+    let frees = ProfilePart::ALL.into_iter().filter_map(|curve| {
         let wanted = curves.0.iter().any(|row| row[curve as usize]);
-        if let Some(range) = wanted.then(|| free_range(free, curve)).flatten() {
-            frees.extend(stretches(free, curve, range).map(|arc| (curve as usize, arc)));
-        }
-    }
+        let range = wanted.then(|| free_range(free, curve)).flatten()?;
+        Some((curve, range, free.around(curve)))
+    });
+    let frees: Vec<_> = frees.collect();
+    let [_, room] = locked.rounding(free);
     let mut nodes = Vec::new();
     for (curve, row) in ProfilePart::ALL.into_iter().zip(curves.0) {
         if row == [false; 4] || !locked.has(curve) {
             continue;
         }
-        for arc in stretches(locked, curve, locked.range(curve)) {
-            let free_arcs = frees.iter().filter(|(curve, _)| row[*curve]);
-            nodes.extend(free_arcs.map(|(_, free)| (arc, *free)));
+        let around = locked.around(curve);
+        let mates = frees.iter().filter(|(mate, _, other)| {
+            // Without a common radius there is no gap.
+            row[*mate as usize] && around.meets(other, room)
+        });
+        let mates = mates.flat_map(|&(mate, range, _)| arcs(free.curve(mate), mate, range));
+        let mates: Vec<Arc> = mates.collect();
+        if !mates.is_empty() {
+            for arc in arcs(locked.curve(curve), curve, locked.range(curve)) {
+                nodes.extend(mates.iter().map(|mate| (arc, *mate)));
+            }
         }
     }
     let part = |name: usize| ProfilePart::ALL[name];
@@ -47,12 +55,11 @@ pub(super) fn search(
 }
 
 /// A curve between two parameters, cut at its edges.
-fn stretches<'a>(
-    placed: &Placed<'a>,
+pub(super) fn arcs<'a>(
+    on: PlacedCurve<'a>,
     curve: ProfilePart,
     (low, high): (f64, f64),
 ) -> impl Iterator<Item = Arc<'a>> + use<'a> {
-    let on = placed.curve(curve);
     let arc = move |(low, high)| Arc::new(on, curve as usize, low, high);
     smooth(on.curve.edges(), low, high).map(arc)
 }

@@ -4,18 +4,21 @@
 //! land: in gears of three or four teeth, and with its own tip on a tooth that points sideways ([`FarFlanks`]). The far flank is the mirror
 //! image of the near one, turned so that its tip corner is the far corner.
 
+use super::branch::arcs;
 use super::candidate::CandidateContact;
 use super::corner::{least_flank_radius, tip_arm};
 use super::curves::SearchExhausted;
 use super::flank_problem::PosedFlanks;
 use super::placed::Placed;
 use super::search::SideRequest;
+use super::shape::C;
 use super::tightest::Touching;
 use crate::contact::body::FarFlanks;
 use crate::contact::gap::{
-    Arc, CurveContact, CurvePoint, MOST_NODES, PlacedCurve, common_normal, greatest,
+    Arc, CurveContact, CurvePoint, LEAST_LEVEL, MOST_NODES, PlacedCurve, common_normal, greatest,
+    turn,
 };
-use crate::gear::{ProfilePart, smooth};
+use crate::gear::ProfilePart;
 
 /// Parts of a far half tooth that can touch. Its tip land belongs to the near half tooth, too.
 const FAR_PARTS: [ProfilePart; 2] = [ProfilePart::Involute, ProfilePart::Fillet];
@@ -49,7 +52,8 @@ pub(super) fn with_far_flanks(
         }
         let floor = (tightest.greatest + posed.problem.tie).max(request.floor);
         if let Some(candidate) =
-            far_contact(posed, step, floor, request).map_err(|lost| (step, lost))?
+            far_contact(posed, step, (floor, tightest.candidate.normal), request)
+                .map_err(|lost| (step, lost))?
         {
             tightest = Touching {
                 step,
@@ -76,11 +80,12 @@ pub(super) fn is_sideways(posed: &PosedFlanks, step: i64) -> bool {
     tip_arm(&mirrored) <= 0.0 && least_flank_radius(&mirrored) * (1.0 - 1e-9) <= reach
 }
 
-/// The greatest gap of a step's free half tooth and the locked tooth's far half, if it exceeds `floor`.
+/// The greatest gap of a step's free half tooth and the locked tooth's far half, if it exceeds `floor`. Curves without
+/// a common radius have no gap, and those that a line with the unit `normal` divides at `floor` no greater one.
 pub(super) fn far_contact(
     posed: &PosedFlanks,
     step: i64,
-    floor: f64,
+    (floor, normal): (f64, C),
     request: SideRequest,
 ) -> Result<Option<CandidateContact>, SearchExhausted> {
     let (locked, free) = (posed.locked(step), posed.free(step));
@@ -91,22 +96,27 @@ pub(super) fn far_contact(
         direction,
         ..locked.curve(part)
     };
-    let mates = FREE_PARTS.iter().flat_map(|&part| {
-        let (low, high) = free.range(part);
-        let ends = smooth(free.shape.curve(part).edges(), low, high);
-        let free = &free;
-        ends.map(move |(low, high)| Arc::new(free.curve(part), part as usize, low, high))
-    });
-    let mates: Vec<Arc> = mates.collect();
+    let origin = posed.origin_of(step);
+    let [room, square_room] = locked.rounding(&free);
+    let turned = origin.direction.conj() * turn(floor);
+    // Further below, a gap could count as one a turn above.
+    let is_known = floor - origin.about >= LEAST_LEVEL;
+    let mates = FREE_PARTS.map(|part| (part, free.around(part)));
     let mut nodes = Vec::new();
-    for part in FAR_PARTS {
-        let (low, high) = shape.range(part);
-        for (low, high) in smooth(shape.curve(part).edges(), low, high) {
-            let arc = Arc::new(far(part), part as usize, low, high);
-            nodes.extend(mates.iter().map(|mate| (arc, *mate)));
+    for (part, own) in FAR_PARTS.into_iter().zip(shape.around()) {
+        let around = own.mirrored().placed(locked.centre, direction);
+        let mates = mates.iter().filter(|(_, mate)| {
+            around.meets(mate, square_room)
+                && !(is_known && around.is_behind(mate, turned, normal, room))
+        });
+        let mates = mates.flat_map(|&(mate, _)| arcs(free.curve(mate), mate, free.range(mate)));
+        let mates: Vec<Arc> = mates.collect();
+        if !mates.is_empty() {
+            for arc in arcs(far(part), part, shape.range(part)) {
+                nodes.extend(mates.iter().map(|mate| (arc, *mate)));
+            }
         }
     }
-    let origin = posed.origin_of(step);
     let most = request.effort.left().min(MOST_NODES as u64) as usize;
     let mut left = most;
     let part = |name: usize| ProfilePart::ALL[name];

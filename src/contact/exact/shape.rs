@@ -5,7 +5,8 @@
 
 use super::flank_heights::FlankHeights;
 use super::flank_pieces::FlankPieces;
-use crate::gear::{Fillet, Part, PartCurve, Profile, ProfilePart, involute};
+use crate::contact::gap::{Bounding, Rectangle};
+use crate::gear::{Fillet, Part, PartCurve, Profile, ProfilePart, involute, smooth};
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
@@ -44,6 +45,8 @@ pub(in crate::contact) struct HalfToothShape {
     pieces: OnceLock<Box<FlankPieces>>,
     /// Its table of heights, computed when first needed; `None` with edges.
     heights: OnceLock<Option<Box<FlankHeights>>>,
+    /// Rectangles around involute and fillet, computed when first needed.
+    around: OnceLock<[Rectangle; 2]>,
 }
 
 impl HalfToothShape {
@@ -70,6 +73,7 @@ impl HalfToothShape {
             tilt: 0.0,
             pieces: OnceLock::new(),
             heights: OnceLock::new(),
+            around: OnceLock::new(),
         };
         if let PartCurve::Modified(flank) = &profile.part(ProfilePart::Involute).curve {
             let (low, high) = shape.range(ProfilePart::Involute);
@@ -94,6 +98,26 @@ impl HalfToothShape {
         let part = self.part(ProfilePart::Involute);
         let heights = || FlankHeights::new(part).map(Box::new);
         self.heights.get_or_init(heights).as_deref()
+    }
+
+    /// Rectangles around involute and fillet.
+    pub(super) fn around(&self) -> &[Rectangle; 2] {
+        self.around.get_or_init(|| {
+            [ProfilePart::Involute, ProfilePart::Fillet].map(|part| {
+                let (low, high) = self.range(part);
+                let pieces = smooth(self.curve(part).edges(), low, high);
+                // A short stretch has a narrow rectangle.
+                let stretches = pieces.flat_map(|(low, high)| {
+                    let at = move |k: u32| low + (high - low) * f64::from(k) / 8.0;
+                    (0..8).map(move |k| (at(k), at(k + 1)))
+                });
+                let around = |(low, high)| {
+                    Rectangle::new(self.curve(part), (low, high), |t| self.at(part, t).point)
+                };
+                let all = stretches.map(around).reduce(|all, one| all.round(&one));
+                all.expect("a part has at least one piece")
+            })
+        })
     }
 
     /// One of its parts.

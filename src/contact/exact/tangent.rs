@@ -17,6 +17,7 @@ use super::flank_problem::PosedFlanks;
 use super::line::Line;
 use super::shape::C;
 use super::tightest::TightestContacts;
+use crate::contact::gap::dot;
 use crate::gear::ProfilePart;
 
 /// Step, rad, after which one more ends in rounding.
@@ -40,17 +41,29 @@ impl PosedFlanks<'_> {
         if !eccentric && !self.is_on_involute(self.roll_on(&start)) {
             return;
         }
+        // As `B` moves by up to `2e`, a line turns by at most that over its least length.
+        let moved = 2.0 * self.problem.free_off.norm_sqr().sqrt();
+        let base = free_shape.base;
+        let nearest = (start.between.norm_sqr().sqrt() - moved).max(base);
+        let turned = moved / ((nearest - base) * (nearest + base)).sqrt();
         for step in self.steps() {
+            let locked = self.locked(step);
+            let (far, corner) = (locked.far, locked.shape.corners()[0].1);
+            let is_past = |normal: C, turned: f64| {
+                let along = dot(normal, locked.direction) + turned;
+                along * locked.shape.tip_radius < far.re.min(corner.re)
+            };
+            if is_past(normal(&start, base), turned) {
+                continue;
+            }
             let Some(found) = self.tangent(step, &start, eccentric) else {
                 continue;
             };
             if !self.is_on_involute(found.roll) || !tightest_contacts.admits(found.gap) {
                 continue;
             }
-            let locked = self.locked(step);
-            let (far, corner) = (locked.far, locked.shape.corners()[0].1);
             let seen = found.normal * locked.direction.conj();
-            if seen.re * locked.shape.tip_radius < far.re.min(corner.re) {
+            if is_past(found.normal, 0.0) {
                 continue;
             }
             let (far, corner) = locked.range(ProfilePart::Tip);
@@ -110,13 +123,16 @@ impl PosedFlanks<'_> {
                 return None;
             }
         }
-        let along = C::new(base, line.length) / line.between.norm_sqr();
-        // The involute's normal is −iE, the land's the opposite.
-        let e = line.between * along;
         Some(Tangent {
             gap,
             roll: self.roll_on(&line),
-            normal: C::new(-e.im, e.re),
+            normal: normal(&line, base),
         })
     }
+}
+
+/// The land's normal at the end of a tangent to the free base circle. The involute's normal there is −iE, the land's the opposite.
+fn normal(line: &Line, base: f64) -> C {
+    let e = line.between * (C::new(base, line.length) / line.between.norm_sqr());
+    C::i() * e
 }

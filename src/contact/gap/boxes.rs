@@ -119,16 +119,29 @@ impl Rectangle {
         }
     }
 
+    /// Its mirror image in the x axis.
+    pub fn mirrored(&self) -> Rectangle {
+        Rectangle {
+            along: self.along.conj(),
+            middle: self.middle.conj(),
+            half: self.half,
+        }
+    }
+
     /// Bounds of the squares of its points' distances from the origin, mm².
     #[inline]
     pub fn squares(&self) -> (f64, f64) {
         let [length, width] = self.half;
-        let middle = self.middle.norm_sqr();
-        let sway = 2.0 * (length * self.middle.re.abs() + width * self.middle.im.abs());
-        (
-            middle - sway,
-            middle + sway + length * length + width * width,
-        )
+        let (along, across) = (self.middle.re.abs(), self.middle.im.abs());
+        let nearest = C::new((along - length).max(0.0), (across - width).max(0.0));
+        let farthest = C::new(along + length, across + width);
+        (nearest.norm_sqr(), farthest.norm_sqr())
+    }
+
+    /// Whether its points and those of another rectangle can have one radius, with `room`, mm², for the rounding of their squares.
+    pub fn meets(&self, other: &Rectangle, room: f64) -> bool {
+        let (own, other) = (self.squares(), other.squares());
+        own.0 <= other.1 + room && other.0 <= own.1 + room
     }
 
     /// Whether its points are within 15° of its centre, seen from the origin.
@@ -144,6 +157,20 @@ impl Rectangle {
     pub fn is_near(&self, free: &Rectangle, turned: C) -> bool {
         let seen = self.along.conj() * turned * free.along * free.middle;
         self.is_narrow() && free.is_narrow() && dot(self.middle, seen) >= 0.0
+    }
+
+    /// Whether it is behind a free rectangle that is turned by `turned`, across a line with the unit `normal` out of this one and with `room`, mm.
+    /// The points of both are within 60° of the line's direction, so within 120° of each other.
+    pub fn is_behind(&self, free: &Rectangle, turned: C, normal: C, room: f64) -> bool {
+        let along = -C::i() * normal;
+        let is_ahead = |one: &Rectangle, along: C| {
+            let least = -one.farthest(-along);
+            least > 0.0 && 4.0 * least * least >= one.squares().1
+        };
+        let back = turned.conj();
+        self.farthest(normal) + free.farthest(-normal * back) + room <= 0.0
+            && is_ahead(self, along)
+            && is_ahead(free, along * back)
     }
 
     /// Penetration, mm, into a free rectangle that is turned by `turned` and moved `room` nearer. It is measured across

@@ -6,7 +6,7 @@ mod paths;
 
 pub(super) use boxes::{Bounding, Inside, Rectangle, Tree};
 pub(super) use branch::{Arc, CurveContact, MOST_NODES, greatest};
-pub(super) use paths::{Path, PathSearch, PlacedRun};
+pub(super) use paths::{LEAST_LEVEL, Path, PathSearch, PlacedRun, ROUNDING};
 
 use crate::gear::PartCurve;
 use nalgebra::Complex;

@@ -8,11 +8,11 @@ use super::{Arc, C, CurveContact, MOST_NODES, Origin, greatest, turn};
 
 /// Distance below the origin of gaps, rad, from which rectangles rule nothing out. The gap of a pair within 120° (see
 /// [`Rectangle::is_near`]) could be more than half a turn below the origin there, and count as one a turn above.
-const LEAST_LEVEL: f64 = -1.0;
+pub(in crate::contact) const LEAST_LEVEL: f64 = -1.0;
 
 /// Rounding of placed rectangles, per greatest length. Positions are within 16 ε ([`super::rounding`]); their
 /// projections and radii add as much.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(in crate::contact) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Pairs of runs that take the time of one node (tuned: about 0.1 µs each, with up to four pairs from its division).
 const PAIRS_A_NODE: usize = 4;

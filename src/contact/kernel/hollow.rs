@@ -412,6 +412,17 @@ impl At {
         if self.stays_off_chord(stretch, off, need) {
             return Some(OffStretch::Apart(Apart::Direction(normal)));
         }
+        let chord = Convex::Chord(stretch.points);
+        let (locked, free) = match owner {
+            0 => (&chord, mate),
+            _ => (mate, &chord),
+        };
+        let nu = facing.arg();
+        let across = self.room(locked, free, nu, facing);
+        let sag = self.sag_along(owner, stretch, Apart::Direction(facing));
+        if self.stays(across.room - sag, across.arm, need) {
+            return Some(OffStretch::Apart(Apart::Direction(facing)));
+        }
         if self.is_off_tangents((owner, hollow), stretch, mate, need) {
             let (_, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
             return Some(OffStretch::Tangents(self.out_of_locked(owner, normal)));
@@ -421,31 +432,31 @@ impl At {
         if nearest.is_some_and(|(_, stays)| stays) {
             return None;
         }
-        let chord = Convex::Chord(stretch.points);
-        let (locked, free) = match owner {
-            0 => (&chord, mate),
-            _ => (mate, &chord),
-        };
-        let nu = facing.arg();
-        let start = if off.room >= self.room(locked, free, nu, facing).room {
+        let start = if off.room >= across.room {
             normal.arg()
         } else {
             nu
         };
         let apart = self.separated(locked, free, start, need, looks)?;
+        let sag = self.sag_along(owner, stretch, apart);
+        let apart = if sag == 0.0 {
+            apart
+        } else {
+            self.separated(locked, free, start, need + sag, looks)?
+        };
+        Some(OffStretch::Apart(apart))
+    }
+
+    /// The distance, mm, by which a stretch of gear `owner` can reach further than its chord where this keeps the chord off a mate.
+    fn sag_along(&self, owner: usize, stretch: &Stretch, apart: Apart) -> f64 {
         let back = self.directions[owner].conj();
-        let is_of_curve = match apart {
+        let is_of_chord = match apart {
             Apart::Direction(n) if owner == 1 => stretch.reaches_no_further(-n * back),
             // The disc in which a free chord turns is not that of its curve.
             Apart::OutOfReach(_) if owner == 1 => false,
             Apart::Direction(n) | Apart::OutOfReach(n) => stretch.reaches_no_further(n * back),
         };
-        let apart = if is_of_curve {
-            apart
-        } else {
-            self.separated(locked, free, start, need + stretch.sag, looks)?
-        };
-        Some(OffStretch::Apart(apart))
+        if is_of_chord { 0.0 } else { stretch.sag }
     }
 
     /// Whether the tangents of all points of a stretch keep `mate` off.

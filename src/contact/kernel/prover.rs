@@ -23,7 +23,7 @@ use crate::contact::Effort;
 use crate::contact::exact::{
     ExactKernel, FlankProblem, HalfToothShape, Placed, PosedFlanks, Section, reduced,
 };
-use crate::contact::gap::{C, dot, turn};
+use crate::contact::gap::{C, PlacedCurve, dot, turn};
 use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
 use crate::gear::{AsBuilt, ProfilePart, Side};
 use crate::pair::{GearPair, Member, Pose};
@@ -888,8 +888,26 @@ fn depth_of(own: C, half: &Placed, beyond: f64) -> f64 {
 /// Polar angle of the fillet at a radius; it rises with the parameter.
 fn fillet_angle(shape: &HalfToothShape, radius: f64) -> f64 {
     let (mut low, mut high) = shape.range(ProfilePart::Fillet);
+    let own = PlacedCurve {
+        curve: shape.curve(ProfilePart::Fillet),
+        mirrored: false,
+        centre: C::ZERO,
+        direction: C::ONE,
+    };
+    // Newton's method leaves a few units in the last place to bisection.
+    let near = own.invert(radius, [low, high], high);
+    for end in [-4.0, 4.0].map(|by| near + by * f64::EPSILON * near.abs()) {
+        if end > low && end < high && shape.radius(ProfilePart::Fillet, end) < radius {
+            low = end;
+        } else if end > low && end < high {
+            high = end;
+        }
+    }
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
+        if !(low < middle && middle < high) {
+            break;
+        }
         if shape.radius(ProfilePart::Fillet, middle) < radius {
             low = middle
         } else {

@@ -432,8 +432,15 @@ mod tests {
                                 effort: &effort,
                                 floor,
                             };
-                            let found = far_contact(flanks, step, floor, request);
-                            found.unwrap().is_some()
+                            let found = |normal| {
+                                let found = far_contact(flanks, step, (floor, normal), request);
+                                found.unwrap().map(|found| found.gap)
+                            };
+                            // No line is known to divide the two along x.
+                            let gap = found(C::ONE);
+                            let normals = (1..8).map(|k| C::cis(0.4 * f64::from(k)));
+                            assert!(normals.map(found).all(|other| other == gap), "{teeth:?}");
+                            gap.is_some()
                         };
                         let floor = line.gap - later.unwrap();
                         assert!(!is_before(floor + 1e-9), "{teeth:?}, pair {k}, step {step}");

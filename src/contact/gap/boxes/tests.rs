@@ -58,7 +58,7 @@ fn one_round_two_is_as_small_as_its_direction_allows() {
 fn no_point_is_nearer_or_farther_than_the_bounds() {
     let radial = rectangle(0.4, C::from_polar(10.0, 0.4), [2.0, 0.0]);
     let (low, high) = radial.squares();
-    assert!((low - 60.0).abs() < 1e-12 && (high - 144.0).abs() < 1e-12);
+    assert!((low - 64.0).abs() < 1e-12 && (high - 144.0).abs() < 1e-12);
     for it in some() {
         let (low, high) = it.squares();
         for point in points(&it) {
@@ -111,4 +111,42 @@ fn a_rectangle_behind_is_clockwise_at_every_radius() {
     }
     let wide = rectangle(0.0, C::new(20.0, 0.0), [6.0, 0.0]);
     assert!(!a.is_near(&b, C::cis(2.0)) && !a.is_near(&wide, C::ONE));
+}
+
+/// A rectangle is behind another one across a line exactly if the line divides their points, and then at every radius.
+#[test]
+fn a_rectangle_behind_a_line_is_clockwise_at_every_radius() {
+    let (mut behind, mut not) = (0, 0);
+    for (one, other) in some()
+        .iter()
+        .flat_map(|one| some().into_iter().map(move |other| (one, other)))
+    {
+        for (turn, normal) in [(0.0, 1.2), (0.05, 1.6), (0.3, 2.0)] {
+            let [turned, normal] = [turn, normal].map(C::cis);
+            let free: Vec<C> = points(&other).iter().map(|p| turned * p).collect();
+            let locked = points(one);
+            let reach = |points: &[C]| points.iter().map(|p| dot(*p, normal)).collect::<Vec<f64>>();
+            let most = reach(&locked).into_iter().fold(f64::MIN, f64::max);
+            let least = reach(&free).into_iter().fold(f64::MAX, f64::min);
+            let is_behind = one.is_behind(&other, turned, normal, 1e-9);
+            assert_eq!(is_behind, most + 1e-9 <= least, "{most} {least}");
+            if !is_behind {
+                not += 1;
+                continue;
+            }
+            behind += 1;
+            for p in &locked {
+                for q in free.iter().filter(|q| (q.norm() - p.norm()).abs() < 1e-3) {
+                    assert!((q * p.conj()).im > -1e-3 * 21.0, "{p} {q}");
+                }
+            }
+        }
+    }
+    assert!(behind > 1000 && not > 1000, "{behind} {not}");
+    // Nothing is known of points far aside of the line's direction.
+    let [a, b] = [0.0, 3.0].map(|y| rectangle(0.0, C::new(20.0, y), [1.0, 0.5]));
+    assert!(a.is_behind(&b, C::ONE, C::i(), 0.0) && !b.is_behind(&a, C::ONE, C::i(), 0.0));
+    let aside = C::cis(1.2);
+    let [a, b] = [a, b].map(|it| it.placed(C::ZERO, aside));
+    assert!(!a.is_behind(&b, C::ONE, C::i(), 0.0));
 }

@@ -3,7 +3,7 @@
 //! `cargo run --release --example measured_pair`
 
 use gearlash::gear::{AsBuilt, BasicGearData, Face, GearDesign, Side};
-use gearlash::metrology::{Measurements, RunoutStatement, ThicknessStatement, Toleranced};
+use gearlash::metrology::{Measurements, Runout, RunoutStatement, ThicknessStatement, Toleranced};
 use gearlash::pair::{GearPair, Mating};
 use std::error::Error;
 
@@ -12,10 +12,10 @@ fn gear(face: Face, mm: f64, total_um: f64, high: f64) -> Result<AsBuilt, Box<dy
     let (teeth, mm, high_tooth) = (6, Toleranced::Single(mm), Some(high));
     let mut sheet = Measurements::nominal(design, face);
     sheet.thickness = ThicknessStatement::Span { teeth, mm };
-    sheet.runout = RunoutStatement::Total {
+    sheet.runout = RunoutStatement::Total(Runout {
         total_um,
         high_tooth,
-    };
+    });
     let measured = sheet.measure().map_err(|errors| errors[0].clone())?;
     Ok(measured.as_built.most().clone())
 }

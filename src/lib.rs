@@ -27,14 +27,14 @@
 //!
 //! ```
 //! use gearlash::gear::{AsBuilt, BasicGearData, Face, GearDesign};
-//! use gearlash::metrology::{Measurements, RunoutStatement, ThicknessStatement, Toleranced};
+//! use gearlash::metrology::{Measurements, Runout, RunoutStatement, ThicknessStatement, Toleranced};
 //! use gearlash::pair::{GearPair, Mating};
 //!
 //! let design = GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?);
 //! let gear = |face, mm, total_um| -> Result<AsBuilt, Box<dyn std::error::Error>> {
 //!     let measured = Measurements {
 //!         thickness: ThicknessStatement::Span { teeth: 6, mm: Toleranced::Single(mm) },
-//!         runout: RunoutStatement::Total { total_um, high_tooth: Some(7.0) },
+//!         runout: RunoutStatement::Total(Runout { total_um, high_tooth: Some(7.0) }),
 //!         ..Measurements::nominal(design, face)
 //!     };
 //!     let gear = measured.measure().map_err(|errors| errors[0].clone())?;

@@ -1,9 +1,11 @@
-//! The centre distance from which a pair assembles: where the least backlash of its whole mesh cycle is 0.
+//! The centre distances between which a pair works: from the one at which the least backlash of its whole mesh cycle is 0, up to the one
+//! above which tips pass each other somewhere in the cycle.
 //!
 //! Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root can be bracketed. A secant leads to it, or a
 //! tangent if one end has no value. At each distance the matings that were tightest before are tested first. The whole
 //! cycle is searched only if none of them interferes.
 
+use crate::analytic::InvolutePair;
 use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, Status,
 };
@@ -18,75 +20,93 @@ const DISTANCE_WIDTH: f64 = 1e-6;
 /// Limit of steps (about ten are usual; bisection alone would need this many).
 const STEPS: usize = 60;
 
-/// The centre distance from which a pair assembles.
+/// A centre distance at which a pair begins or ceases to work over its whole mesh cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AssemblesFrom {
-    /// A distance at which some pose interferes, mm.
+pub struct Threshold {
+    /// A distance below it, mm.
     pub low: f64,
-    /// A distance at which none does, mm.
+    /// A distance above it, mm.
     pub high: f64,
     /// The reason why it is unproven.
     pub doubt: Option<Doubt>,
-    /// The tightest mating there.
+    /// A pose that does not work on the side where the pair does not: the tightest, or one out of mesh.
     pub mating: Mating,
 }
 
-impl AssemblesFrom {
-    /// The centre distance from which `assembly` assembles. Its least `j_wt` over `matings` pitches from `first` on is
-    /// `least`, mm, or `None` if a pose is jammed. The search goes from its own centre distance to tips that pass each
-    /// other, within the budget `effort`. At other distances its least is found to within `width`, mm.
-    ///
-    /// # Errors
-    /// None for a pair with a kernel at each distance.
-    pub(super) fn new(
-        assembly: &GearPair,
-        over: (Mating, u64),
-        least: Option<f64>,
-        width: f64,
-        effort: &Effort,
-    ) -> Result<Option<AssemblesFrom>, Error> {
-        let gear = |member| assembly.gear(member);
-        let reach = gear(Member::Wheel).reach() + gear(Member::Pinion).reach();
-        let per_mm = |at: f64| {
-            let at = assembly.at(at).ok();
-            at.map_or(f64::NAN, |at| 2.0 * at.operating_pressure_angle().tan())
-        };
-        let kernel = ExactKernel::new(assembly);
-        let mut tight: Vec<Mating> = Vec::new();
-        let value = |at: f64| -> Result<Option<(f64, Option<Extreme>)>, Error> {
-            let pair = assembly.at(at)?;
-            let kernel = kernel.at(&pair);
-            if let Some(there) = interference(&kernel, &pair, &tight)? {
-                return Ok(Some((there, None)));
-            }
-            let there = kernel.extremes_of(&pair, over, width, effort, &[End::Least])?;
-            let least = there.least;
-            tight.extend(there.lost.or(least.map(|least| least.mating)));
-            // Without a proof the attained value counts.
-            let value = least.map(|least| {
-                if least.is_proven() {
-                    least.low
-                } else {
-                    least.high
-                }
-            });
-            Ok(Some((value.unwrap_or(f64::NEG_INFINITY), least)))
-        };
-        let between = [assembly.center_distance(), reach];
-        let below = least.unwrap_or(f64::NEG_INFINITY);
-        let Some((low, high, Some(least))) = threshold(between, below, per_mm, value, effort)?
-        else {
-            return Ok(None);
-        };
-        Ok(Some(AssemblesFrom {
-            low,
-            high,
-            doubt: least
-                .doubt
-                .or((high - low > DISTANCE_WIDTH).then_some(Doubt::Effort)),
-            mating: least.mating,
-        }))
+impl Threshold {
+    /// This distance, increased by `by`, mm.
+    pub(super) fn farther(self, by: f64) -> Threshold {
+        Threshold {
+            low: self.low + by,
+            high: self.high + by,
+            ..self
+        }
     }
+
+    /// The greatest of these, by its upper end.
+    pub(super) fn farthest(each: impl Iterator<Item = Threshold>) -> Option<Threshold> {
+        each.reduce(|one, other| if other.high > one.high { other } else { one })
+    }
+
+    /// The least of these, by its lower end.
+    pub(super) fn nearest(each: impl Iterator<Item = Threshold>) -> Option<Threshold> {
+        each.reduce(|one, other| if other.low < one.low { other } else { one })
+    }
+}
+
+/// The centre distance from which `assembly` assembles. Its least `j_wt` over `matings` pitches from `first` on is
+/// `least`, mm, or `None` if a pose is jammed. The search goes from its own centre distance to tips that pass each
+/// other, within the budget `effort`. At other distances its least is found to within `width`, mm.
+///
+/// # Errors
+/// None for a pair with a kernel at each distance.
+pub(super) fn assembles_from(
+    assembly: &GearPair,
+    over: (Mating, u64),
+    least: Option<f64>,
+    width: f64,
+    effort: &Effort,
+) -> Result<Option<Threshold>, Error> {
+    let gear = |member| assembly.gear(member);
+    let reach = gear(Member::Wheel).reach() + gear(Member::Pinion).reach();
+    let per_mm = |at: f64| {
+        let at = assembly.at(at).ok();
+        at.map_or(f64::NAN, |at| 2.0 * at.operating_pressure_angle().tan())
+    };
+    let kernel = ExactKernel::new(assembly);
+    let mut tight: Vec<Mating> = Vec::new();
+    let value = |at: f64| -> Result<Option<(f64, Option<Extreme>)>, Error> {
+        let pair = assembly.at(at)?;
+        let kernel = kernel.at(&pair);
+        if let Some(there) = interference(&kernel, &pair, &tight)? {
+            return Ok(Some((there, None)));
+        }
+        let there = kernel.extremes_of(&pair, over, width, effort, &[End::Least])?;
+        let least = there.least;
+        tight.extend(there.lost.or(least.map(|least| least.mating)));
+        // Without a proof the attained value counts.
+        let value = least.map(|least| {
+            if least.is_proven() {
+                least.low
+            } else {
+                least.high
+            }
+        });
+        Ok(Some((value.unwrap_or(f64::NEG_INFINITY), least)))
+    };
+    let between = [assembly.center_distance(), reach];
+    let below = least.unwrap_or(f64::NEG_INFINITY);
+    let Some((low, high, Some(least))) = threshold(between, below, per_mm, value, effort)? else {
+        return Ok(None);
+    };
+    Ok(Some(Threshold {
+        low,
+        high,
+        doubt: least
+            .doubt
+            .or((high - low > DISTANCE_WIDTH).then_some(Doubt::Effort)),
+        mating: least.mating,
+    }))
 }
 
 /// The threshold at which a rising `value` becomes 0 or more. The results are a place, mm, where it is below 0, a place where it is not, and
@@ -162,82 +182,80 @@ const MOST_TIGHTEST: u32 = 40;
 /// Times a distance is raised by what the bracket of the least leaves open: the least grows by half of it or more.
 const MOST_RAISED: u32 = 6;
 
-impl AssemblesFrom {
-    /// The distance from which a pair with a drawn gear assembles. `found` are the extremes at its own distance. `None` if it
-    /// interferes until tips pass each other, is out of mesh, or has no extremes there.
-    ///
-    /// The tightest pose gives a distance. If another pose interferes there, it is the tightest pose of the next round.
-    ///
-    /// # Errors
-    /// None of a pair that was read.
-    pub(super) fn of_outlines(
-        kernel: &OutlineKernel,
-        pair: &OutlinePair,
-        cycle: &OutlineCycle,
-        found: &Extremes,
-    ) -> Result<Option<AssemblesFrom>, Error> {
-        let tightest = |found: &Extremes| match (found.status, found.least) {
-            (Status::Jammed, _) => found.lost,
-            (_, Some(least)) if least.found < 0.0 => Some(least.mating),
-            _ => None,
+/// The distance from which a pair with a drawn gear assembles. `found` are the extremes at its own distance. `None` if it
+/// interferes until tips pass each other, is out of mesh, or has no extremes there.
+///
+/// The tightest pose gives a distance. If another pose interferes there, it is the tightest pose of the next round.
+///
+/// # Errors
+/// None of a pair that was read.
+pub(super) fn assembles_from_of_outlines(
+    kernel: &OutlineKernel,
+    pair: &OutlinePair,
+    cycle: &OutlineCycle,
+    found: &Extremes,
+) -> Result<Option<Threshold>, Error> {
+    let tightest = |found: &Extremes| match (found.status, found.least) {
+        (Status::Jammed, _) => found.lost,
+        (_, Some(least)) if least.found < 0.0 => Some(least.mating),
+        _ => None,
+    };
+    let farthest = Member::BOTH.map(|member| pair.gear(member).reach());
+    let farthest: f64 = farthest.iter().sum();
+    let mut floor = pair.center_distance();
+    let Some(mut tight) = tightest(found) else {
+        return Ok(None);
+    };
+    for _ in 0..MOST_TIGHTEST {
+        let interferes_at = |distance: f64| -> Result<bool, Error> {
+            let there = pair.at(distance)?;
+            let found = kernel.lost_motion_at(&there, &tight);
+            let status = found.map_or(Status::Unproven, |found| found.status());
+            Ok(matches!(status, Status::Interference | Status::Jammed))
         };
-        let farthest = Member::BOTH.map(|member| pair.gear(member).reach());
-        let farthest: f64 = farthest.iter().sum();
-        let mut floor = pair.center_distance();
-        let Some(mut tight) = tightest(found) else {
+        // In growing steps, so that it is the nearest such place and not one where tips pass each other.
+        let (mut low, mut step) = (floor, FIRST_STEP);
+        while low + step <= farthest && interferes_at(low + step)? {
+            (low, step) = (low + step, 2.0 * step);
+        }
+        if low + step > farthest {
             return Ok(None);
-        };
-        for _ in 0..MOST_TIGHTEST {
-            let interferes_at = |distance: f64| -> Result<bool, Error> {
-                let there = pair.at(distance)?;
-                let found = kernel.lost_motion_at(&there, &tight);
-                let status = found.map_or(Status::Unproven, |found| found.status());
-                Ok(matches!(status, Status::Interference | Status::Jammed))
-            };
-            // In growing steps, so that it is the nearest such place and not one where tips pass each other.
-            let (mut low, mut step) = (floor, FIRST_STEP);
-            while low + step <= farthest && interferes_at(low + step)? {
-                (low, step) = (low + step, 2.0 * step);
-            }
-            if low + step > farthest {
+        }
+        let [low, mut high] = try_bisect(low, low + step, DISTANCE_WIDTH_DRAWN, interferes_at)?;
+        // A greater distance makes up for the width of the bracket.
+        let (mut there, mut raised) = (pair.at(high)?, 0);
+        let least = loop {
+            let width = 0.5 * DISTANCE_WIDTH_DRAWN;
+            let found = kernel.extremes(&there, cycle, &[End::Least], width);
+            if found.status == Status::NoContact {
                 return Ok(None);
             }
-            let [low, mut high] = try_bisect(low, low + step, DISTANCE_WIDTH_DRAWN, interferes_at)?;
-            // A greater distance makes up for the width of the bracket.
-            let (mut there, mut raised) = (pair.at(high)?, 0);
-            let least = loop {
-                let width = 0.5 * DISTANCE_WIDTH_DRAWN;
-                let found = kernel.extremes(&there, cycle, &[End::Least], width);
-                if found.status == Status::NoContact {
-                    return Ok(None);
-                }
-                if let Some(next) = tightest(&found) {
-                    tight = next;
-                    break None;
-                }
-                let Some(least) = found.least else {
-                    return Ok(None);
-                };
-                if least.low >= 0.0 || !least.low.is_finite() || raised == MOST_RAISED {
-                    break Some(least);
-                }
-                raised += 1;
-                high = there.center_distance() - 2.0 * least.low;
-                there = pair.at(high)?;
-            };
-            floor = there.center_distance();
-            if let Some(least) = least {
-                let is_free = least.low >= 0.0;
-                return Ok(Some(AssemblesFrom {
-                    low,
-                    high: floor,
-                    doubt: (!is_free).then_some(least.doubt.unwrap_or(Doubt::Effort)),
-                    mating: tight,
-                }));
+            if let Some(next) = tightest(&found) {
+                tight = next;
+                break None;
             }
+            let Some(least) = found.least else {
+                return Ok(None);
+            };
+            if least.low >= 0.0 || !least.low.is_finite() || raised == MOST_RAISED {
+                break Some(least);
+            }
+            raised += 1;
+            high = there.center_distance() - 2.0 * least.low;
+            there = pair.at(high)?;
+        };
+        floor = there.center_distance();
+        if let Some(least) = least {
+            let is_free = least.low >= 0.0;
+            return Ok(Some(Threshold {
+                low,
+                high: floor,
+                doubt: (!is_free).then_some(least.doubt.unwrap_or(Doubt::Effort)),
+                mating: tight,
+            }));
         }
-        Ok(None)
     }
+    Ok(None)
 }
 
 /// The least `j_wt` of `matings`, mm, if it is negative: −∞ if one is jammed; `None` if none interferes.
@@ -260,4 +278,84 @@ fn interference(
         }
     }
     Ok((least < 0.0).then_some(least))
+}
+
+/// Width of the bracket, mm. A tip leaves its mate at some speed, so a narrower one has no meaning.
+const MESH_WIDTH: f64 = 1e-5;
+
+/// Limit of steps: bisection of a range of 10 m alone.
+const MESH_STEPS: usize = 40;
+
+/// The distance up to which `assembly` is in mesh, which is out of mesh at a pose according to `found`. `search` finds the greatest over the whole cycle at
+/// another distance, within the budget `effort`. `None` if the pair is not in mesh at its distance without backlash either.
+///
+/// # Errors
+/// As `search`.
+pub(super) fn meshes_to(
+    assembly: &GearPair,
+    found: &Extremes,
+    search: &dyn Fn(&GearPair, &ExactKernel) -> Result<Extremes, Error>,
+    effort: &Effort,
+) -> Result<Option<Threshold>, Error> {
+    let (Some(nearest), Some(mut lost)) =
+        (InvolutePair::of(assembly).center_distance(0.0), found.lost)
+    else {
+        return Ok(None);
+    };
+    let (mut low, mut high, mut doubt) = (nearest, assembly.center_distance(), None);
+    let mut apart = vec![lost];
+    let mut at = low;
+    let kernel = ExactKernel::new(assembly);
+    for _ in 0..MESH_STEPS {
+        if !(low < high) {
+            return Ok(None);
+        }
+        if effort.is_nearly_spent() {
+            doubt = doubt.or(Some(Doubt::Effort));
+            break;
+        }
+        let pair = assembly.at(at)?;
+        let kernel = kernel.at(&pair);
+        if let Some(mating) = first_out_of_mesh(&pair, &kernel, &apart)? {
+            (high, lost) = (at, mating);
+        } else {
+            let there = search(&pair, &kernel)?;
+            match there.greatest {
+                None => {
+                    high = at;
+                    lost = there.lost.unwrap_or(lost);
+                    apart.extend(there.lost);
+                }
+                Some(greatest) => {
+                    low = at;
+                    doubt = greatest.doubt;
+                }
+            }
+        }
+        if high - low <= MESH_WIDTH {
+            break;
+        }
+        at = 0.5 * (low + high);
+    }
+    Ok((high > nearest).then_some(Threshold {
+        low,
+        high,
+        mating: lost,
+        doubt,
+    }))
+}
+
+/// The first of `matings` at which the pair is out of mesh.
+fn first_out_of_mesh(
+    pair: &GearPair,
+    kernel: &ExactKernel,
+    matings: &[Mating],
+) -> Result<Option<Mating>, Error> {
+    for mating in matings {
+        let found = kernel.lost_motion_at(pair, *mating)?;
+        if found.is_some_and(|found| found.status() == Status::NoContact) {
+            return Ok(Some(*mating));
+        }
+    }
+    Ok(None)
 }

@@ -5,10 +5,9 @@
 //! tilt of the normals. If a tip corner, an undercut edge or a fillet touches, a real pair has less backlash than the formula says. That is
 //! a separate finding: the formula does not apply to this pair.
 
-use crate::analysis::simulate::Run;
-use crate::analysis::study::Study;
+use crate::analysis::study::{Run, Study};
 use crate::analytic::{Analytic, evaluate};
-use crate::contact::{ContactClass, ContactKind, LostMotion, PoseResult, Status, first_least};
+use crate::contact::{ContactClass, ContactKind, LostMotion, PoseResult, Status};
 use crate::gear::Side;
 use crate::outline::AssembledPair;
 use crate::pair::GearPair;
@@ -43,18 +42,6 @@ impl Verdict {
         Verdict::Above,
         Verdict::Unproven,
     ];
-
-    /// The verdict in words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Verdict::Agrees => "agrees",
-            Verdict::Nothing => "nothing to compare",
-            Verdict::OffLine => "off-line contact",
-            Verdict::Below => "below the formula",
-            Verdict::Above => "above the formula",
-            Verdict::Unproven => "unproven",
-        }
-    }
 }
 
 /// A pose with its analytic values. Lengths in mm, all as `j_wt`.
@@ -99,9 +86,9 @@ impl ComparedPose {
 /// A run with its analytic values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedRun {
-    /// The simulated run; its poses are moved to `poses`.
+    /// The run.
     pub run: Run,
-    /// In order.
+    /// Its poses, in order.
     pub poses: Vec<ComparedPose>,
 }
 
@@ -111,27 +98,6 @@ impl ComparedRun {
         self.poses
             .iter()
             .filter(|pose| pose.simulated.is_unproven())
-    }
-
-    /// The run in numbers.
-    pub fn summary(&self) -> Summary {
-        let mut tally = SummaryTally::default();
-        self.poses.iter().for_each(|pose| tally.add(pose));
-        tally.summary()
-    }
-
-    /// The poses with the least and the greatest backlash; among those within their error bounds, the first.
-    pub fn extremes(&self) -> Option<(&ComparedPose, &ComparedPose)> {
-        let first = |sign: f64| {
-            first_least(self.poses.iter().filter_map(|pose| {
-                Some((
-                    pose,
-                    pose.simulated.backlash? * sign,
-                    pose.simulated.error_bound?,
-                ))
-            }))
-        };
-        Some((first(1.0)?, first(-1.0)?))
     }
 }
 
@@ -159,75 +125,8 @@ pub struct Summary {
     pub off_line_of_action: Option<f64>,
 }
 
-/// A [`Summary`] of poses that arrive one by one.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct SummaryTally {
-    /// Without the mean.
-    summary: Summary,
-    /// Sum and number of the values.
-    sum: Option<(f64, usize)>,
-}
-
-impl SummaryTally {
-    /// Adds the next pose.
-    pub(crate) fn add(&mut self, pose: &ComparedPose) {
-        let join = |known: &mut Option<f64>, value: Option<f64>, of: fn(f64, f64) -> f64| {
-            *known = known.iter().copied().chain(value).reduce(of);
-        };
-        let result = &pose.simulated;
-        let off = |formula: Option<f64>| Some((result.backlash? - formula?).abs());
-        let summary = &mut self.summary;
-        summary.unproven += usize::from(pose.verdict == Verdict::Unproven);
-        for end in [0, 1] {
-            summary.unproven_ends[end] += usize::from(result.is_end_unproven(end));
-        }
-        summary.polygon_checked += usize::from(result.polygon_checked);
-        join(&mut summary.min, result.backlash, f64::min);
-        join(&mut summary.max, result.backlash, f64::max);
-        if let Some(backlash) = result.backlash {
-            let (sum, count) = self.sum.unwrap_or((-0.0, 0));
-            self.sum = Some((sum + backlash, count + 1));
-        }
-        let [near, far] = result.range();
-        join(&mut summary.with_clearance[0], near, f64::min);
-        join(&mut summary.with_clearance[1], far, f64::max);
-        join(&mut summary.off_involute, off(pose.involute), f64::max);
-        let off_line_of_action = off(pose.line_of_action);
-        join(
-            &mut summary.off_line_of_action,
-            off_line_of_action,
-            f64::max,
-        );
-    }
-
-    /// Summary of the poses.
-    pub(crate) fn summary(&self) -> Summary {
-        Summary {
-            mean: self.sum.map(|(sum, count)| sum / count as f64),
-            ..self.summary
-        }
-    }
-}
-
-/// Adds the analytic values to `runs` and judges them with `tolerance_um`.
-pub fn compare(runs: Vec<Run>, tolerance_um: f64) -> Vec<ComparedRun> {
-    let of_run = |mut run: Run| {
-        let poses = std::mem::take(&mut run.poses).into_iter();
-        let poses = poses.map(|result| compared(&run.assembly, result, tolerance_um));
-        ComparedRun {
-            poses: poses.collect(),
-            run,
-        }
-    };
-    runs.into_iter().map(of_run).collect()
-}
-
 /// A pose of `assembly` with its analytic values, judged with `tolerance_um`. A drawn pair has none.
-pub(crate) fn compared(
-    assembly: &AssembledPair,
-    result: PoseResult,
-    tolerance_um: f64,
-) -> ComparedPose {
+pub fn compared(assembly: &AssembledPair, result: PoseResult, tolerance_um: f64) -> ComparedPose {
     let Some(assembly) = assembly.data() else {
         return result.into();
     };

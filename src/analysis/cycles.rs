@@ -1,12 +1,11 @@
 //! The mesh cycles of a study, and the search of each: at its centre distance, and at both ends of the bearing clearance.
 
-use super::assembles_from::AssemblesFrom;
+use super::assembles_from::{Threshold, assembles_from, assembles_from_of_outlines, meshes_to};
 use super::axes::{Axes, Axis, BearingEnds};
-use super::directions::{self, AnyDirection, Directed, Search, is_open};
+use super::directions::{self, AnyDirection, Directed, Poses, Search, is_open};
 use super::face_loss::FaceLoss;
-use super::meshes_to::MeshesTo;
 use super::phases::{phase, phase_count};
-use super::study::{RunPlan, Study};
+use super::study::{Run, RunPlan, Study};
 use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, PROVEN_WIDTH,
     PROVEN_WIDTH_DRAWN, Status,
@@ -33,7 +32,7 @@ trait CyclePair {
     fn search(&self, cycle: &Planned) -> Result<Searched, Error>;
 
     /// One end of `cycle` for this pair, in place of the pair of the cycle.
-    fn end(&self, cycle: &Planned, is_least: bool, effort: &Effort) -> Result<Extremes, Error>;
+    fn end(&self, cycle: &Planned, end: End, effort: &Effort) -> Result<Extremes, Error>;
 
     /// The extremes over these matings and all directions of a runout without one, in brackets of about `width` mm.
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error>;
@@ -61,10 +60,10 @@ impl CyclePair for OutlinePair {
         let found = kernel.extremes(self, &over, cycle.ends(), PROVEN_WIDTH_DRAWN);
         let assembles_from = match cycle.alone {
             Some(_) => None,
-            None => AssemblesFrom::of_outlines(&kernel, self, &over, &found)?,
+            None => assembles_from_of_outlines(&kernel, self, &over, &found)?,
         };
         Ok(Searched {
-            poses: vec![cycle.poses_of(&found, assembles_from)],
+            poses: cycle.poses_of(&found, assembles_from),
             found,
             assembles_from,
             meshes_to: None,
@@ -73,10 +72,9 @@ impl CyclePair for OutlinePair {
         })
     }
 
-    fn end(&self, cycle: &Planned, is_least: bool, _: &Effort) -> Result<Extremes, Error> {
+    fn end(&self, cycle: &Planned, end: End, _: &Effort) -> Result<Extremes, Error> {
         let over = cycle_of_outlines(self, cycle.over());
-        let ends = [End::of(is_least)];
-        Ok(OutlineKernel::new(self).extremes(self, &over, &ends, PROVEN_WIDTH_DRAWN))
+        Ok(OutlineKernel::new(self).extremes(self, &over, &[end], PROVEN_WIDTH_DRAWN))
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
@@ -96,50 +94,52 @@ impl CyclePair for GearPair {
 
     fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
         let effort = &cycle.effort(self);
-        let greatest = |pair: &GearPair, kernel: &ExactKernel| {
-            kernel.extremes_of(pair, cycle.over(), WIDTH, effort, &[End::Greatest])
+        let all = if is_open(self) {
+            cycle.any_direction(self, effort)?
+        } else {
+            let found = ExactKernel::new(self).extremes_of(
+                self,
+                cycle.over(),
+                WIDTH,
+                effort,
+                cycle.ends(),
+            )?;
+            AnyDirection {
+                poses: Poses::default(),
+                ends: [Some((self.clone(), found)), Some((self.clone(), found))],
+                off: 0.0,
+                found,
+            }
         };
-        if is_open(self) {
-            let all = cycle.any_direction(self, effort)?;
-            let [near, far] = &all.ends;
-            let assembles_from = match near {
-                Some((near, nearest)) => cycle.assembles_from(near, nearest, all.off, effort)?,
-                None => None,
-            };
-            let meshes_to = match far {
-                Some((far, farthest)) => {
-                    cycle.meshes_to(far, farthest, all.off, (&greatest, effort))?
-                }
-                None => None,
-            };
-            return Ok(Searched {
-                assembles_from,
-                meshes_to,
-                face_loss: None,
-                found: all.found,
-                effort: effort.used(),
-                poses: all.poses,
-            });
-        }
-        let kernel = ExactKernel::new(self);
-        let found = kernel.extremes_of(self, cycle.over(), WIDTH, effort, cycle.ends())?;
-        let assembles_from = cycle.assembles_from(self, &found, 0.0, effort)?;
+        let [near, far] = &all.ends;
+        let from = near.as_ref().map(|(near, nearest)| {
+            let from = cycle.assembles_from(near, nearest, effort)?;
+            Ok::<_, Error>(from.map(|from| from.farther(all.off)))
+        });
+        let to = far.as_ref().map(|(far, farthest)| {
+            let to = cycle.meshes_to(far, farthest, effort)?;
+            Ok::<_, Error>(to.map(|to| to.farther(-all.off)))
+        });
+        let assembles_from = from.transpose()?.flatten();
         Ok(Searched {
-            poses: vec![cycle.poses_of(&found, assembles_from)],
+            poses: if is_open(self) {
+                all.poses
+            } else {
+                cycle.poses_of(&all.found, assembles_from)
+            },
             assembles_from,
-            meshes_to: cycle.meshes_to(self, &found, 0.0, (&greatest, effort))?,
+            meshes_to: to.transpose()?.flatten(),
             effort: effort.used(),
             face_loss: None,
-            found,
+            found: all.found,
         })
     }
 
-    fn end(&self, cycle: &Planned, is_least: bool, effort: &Effort) -> Result<Extremes, Error> {
+    fn end(&self, cycle: &Planned, end: End, effort: &Effort) -> Result<Extremes, Error> {
         if cycle.open_lean != [0.0; 2] {
-            let ends: &[End] = if is_least {
-                &[End::Least]
-            } else {
-                &[End::Greatest]
+            let ends: &[End] = match end {
+                End::Least => &[End::Least],
+                End::Greatest => &[End::Greatest],
             };
             let whole = Effort::of_extremes(self).left();
             let parts = AXES * whole / (effort.left() / PARTS_OF_REST).max(1);
@@ -157,8 +157,7 @@ impl CyclePair for GearPair {
         if is_open(self) {
             return Ok(cycle.any_direction(self, effort)?.found);
         }
-        let ends = [End::of(is_least)];
-        ExactKernel::new(self).extremes_of(self, cycle.over(), WIDTH, effort, &ends)
+        ExactKernel::new(self).extremes_of(self, cycle.over(), WIDTH, effort, &[end])
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
@@ -185,7 +184,7 @@ const PARTS_OF_REST: u64 = 4;
 /// A run and the start of its cycle.
 #[derive(Clone)]
 pub(super) struct Planned {
-    pub run: RunPlan,
+    pub run: Run,
     first: Mating,
     /// Number of distinct matings.
     distinct: u64,
@@ -212,14 +211,14 @@ pub(super) struct Alone {
     pub parts: u64,
 }
 
-/// Extremes of a cycle, and their poses: least, greatest, lost.
+/// Extremes of a cycle.
 pub(super) struct Searched {
     /// Units of effort used.
     pub effort: u64,
     pub found: Extremes,
-    pub poses: Vec<Directed>,
-    pub assembles_from: Option<AssemblesFrom>,
-    pub meshes_to: Option<MeshesTo>,
+    pub poses: Poses,
+    pub assembles_from: Option<Threshold>,
+    pub meshes_to: Option<Threshold>,
     pub face_loss: Option<FaceLoss>,
 }
 
@@ -247,31 +246,14 @@ pub(super) fn worse(one: Status, other: Status) -> Status {
 }
 
 impl Searched {
-    /// The pose at this place in the list of poses.
-    fn pose(&self, index: usize) -> Option<Directed> {
-        let poses = self.poses.iter().flat_map(|poses| {
-            let matings = poses.matings.iter();
-            matings.map(|mating| (poses.assembly.clone(), *mating))
-        });
-        let (assembly, mating) = poses.into_iter().nth(index)?;
-        Some(Directed {
-            assembly,
-            matings: vec![mating],
-        })
-    }
-
-    /// One end of the bearing clearance of `pair`: the least, or the greatest.
-    fn end(&self, pair: &AssembledPair, is_least: bool) -> SearchedEnd {
-        let found = &self.found;
-        let extreme = extreme_of(found, is_least);
-        // The least comes first.
-        let before = !is_least && found.least.is_some();
-        let pose = self.pose(usize::from(before)).filter(|_| extreme.is_some());
-        let assembly = pose.as_ref().map(|pose| pose.assembly.clone());
+    /// One end of the bearing clearance of `pair`.
+    fn end(&self, pair: &AssembledPair, end: End) -> SearchedEnd {
+        let pose = self.poses[end as usize].clone();
+        let assembly = pose.as_ref().map_or(pair, |pose| &pose.assembly);
         SearchedEnd {
-            assembly: assembly.unwrap_or_else(|| pair.clone()),
-            status: found.status,
-            extreme,
+            assembly: assembly.clone(),
+            status: self.found.status,
+            extreme: self.found.at(end),
             pose,
         }
     }
@@ -316,44 +298,38 @@ impl Planned {
             .fold(Status::Clear, worse);
         let is_lost = |one: &&Searched| one.found.lost.is_some() && one.found.status == status;
         let lost = possible.iter().find(is_lost);
-        let lost = lost.and_then(|one| {
-            let before =
-                usize::from(one.found.least.is_some()) + usize::from(one.found.greatest.is_some());
-            one.pose(before)
-        });
-        let mut poses = Vec::new();
-        let mut best = |is_least: bool, hidden: Status| {
-            let better = |one: &f64, other: &f64| (one < other) == is_least && one != other;
-            let mut best: Option<(Extreme, Directed)> = None;
-            for one in possible.iter().filter(|_| status != hidden) {
-                let Some(extreme) = extreme_of(&one.found, is_least) else {
-                    continue;
-                };
-                if best
-                    .as_ref()
-                    .is_none_or(|(best, _)| better(&extreme.found, &best.found))
-                {
-                    let before = !is_least && one.found.least.is_some();
-                    best = one.pose(usize::from(before)).map(|pose| (extreme, pose));
+        let lost = lost.and_then(|one| one.poses[2].clone());
+        let best = |end: End, hidden: Status| {
+            let each = possible.iter().filter(|_| status != hidden);
+            let each = each.filter_map(|one| {
+                let pose = one.poses[end as usize].as_ref()?;
+                Some((one.found.at(end)?, pose))
+            });
+            let worse = |one: f64, other: f64| end.sign() * other < end.sign() * one;
+            let best = each.reduce(|best, one| {
+                if worse(best.0.found, one.0.found) {
+                    one
+                } else {
+                    best
                 }
-            }
-            let (extreme, pose) = best?;
-            poses.push(pose);
-            Some(extreme)
+            });
+            best.map(|(extreme, pose)| (extreme, pose.clone())).unzip()
         };
-        let (least, greatest) = (best(true, Status::Jammed), best(false, Status::NoContact));
+        let (least, least_pose) = best(End::Least, Status::Jammed);
+        let (greatest, greatest_pose) = best(End::Greatest, Status::NoContact);
         let low = every().map(|one| one.found.least.map_or(f64::NEG_INFINITY, |least| least.low));
-        let possible_ends = |is_least: bool| {
-            let found = possible.iter().map(|one| &one.found);
-            found.filter_map(move |found| extreme_of(found, is_least))
+        let possible_ends = |end: End| {
+            possible
+                .iter()
+                .filter_map(move |one: &Searched| one.found.at(end))
         };
-        let high = possible_ends(true).map(|least| least.high);
+        let high = possible_ends(End::Least).map(|least| least.high);
         let least = least.map(|extreme| Extreme {
             low: low.fold(f64::INFINITY, f64::min) - slack,
             high: high.fold(f64::INFINITY, f64::min),
             ..extreme
         });
-        let low = possible_ends(false).map(|greatest| greatest.low);
+        let low = possible_ends(End::Greatest).map(|greatest| greatest.low);
         let low = low.fold(f64::NEG_INFINITY, f64::max);
         let greatest = match greatest {
             Some(extreme) => Some(Extreme {
@@ -369,7 +345,6 @@ impl Planned {
                 .or((!extreme.is_proven()).then_some(Doubt::Axes)),
             ..extreme
         };
-        poses.extend(lost.clone());
         let from = possible.iter().filter_map(|one| one.assembles_from);
         let to = possible.iter().filter_map(|one| one.meshes_to);
         let value = |one: &Searched| one.found.least.map_or(f64::INFINITY, |least| least.found);
@@ -392,12 +367,11 @@ impl Planned {
                 status,
                 least: least.map(doubted),
                 greatest: greatest.map(doubted),
-                lost: lost.and_then(|pose| pose.matings.first().copied()),
+                lost: lost.as_ref().map(|pose| pose.mating),
             },
-            poses,
-            assembles_from: from
-                .reduce(|one, other| if other.high > one.high { other } else { one }),
-            meshes_to: to.reduce(|one, other| if other.low < one.low { other } else { one }),
+            poses: [least_pose, greatest_pose, lost, None],
+            assembles_from: Threshold::farthest(from),
+            meshes_to: Threshold::nearest(to),
         })
     }
 
@@ -407,7 +381,7 @@ impl Planned {
         let radii = [pair, &section].map(|pair| pair.operating_pitch_radius(pair.free()));
         let effort = self.effort(&section);
         let cycle = self.stated(section);
-        let found = cycle.end(&cycle.run.assembly, false, &effort)?;
+        let found = cycle.end(&cycle.run.assembly, End::Greatest, &effort)?;
         let high = found
             .greatest
             .map_or(f64::INFINITY, |greatest| greatest.high);
@@ -428,7 +402,7 @@ impl Planned {
     /// This cycle of another pair with the same teeth.
     fn with(&self, assembly: AssembledPair) -> Planned {
         Planned {
-            run: RunPlan {
+            run: Run {
                 assembly,
                 ..self.run.clone()
             },
@@ -453,19 +427,21 @@ impl Planned {
         let without = |kinds: &[FaceDeviation]| {
             let pair = pair.without(kinds);
             let effort = &self.effort(&pair);
-            Ok(held(&self.end(&pair.into(), true, effort)?))
+            Ok(held(&self.end(&pair.into(), End::Least, effort)?))
         };
         FaceLoss::new(|kind| pair.has(kind), held(found), without).map(Some)
     }
 
     /// The poses of `found`, and the binding pose at the distance from which the pair assembles. Checks that search distances use the latter.
-    fn poses_of(&self, found: &Extremes, from: Option<AssemblesFrom>) -> Directed {
-        let extremes = [found.least, found.greatest].into_iter().flatten();
-        let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
-        Directed {
-            assembly: self.run.assembly.clone(),
-            matings: matings.chain(from.map(|from| from.mating)).collect(),
-        }
+    fn poses_of(&self, found: &Extremes, from: Option<Threshold>) -> Poses {
+        let [least, greatest] = End::BOTH.map(|end| found.at(end).map(|extreme| extreme.mating));
+        let matings = [least, greatest, found.lost, from.map(|from| from.mating)];
+        matings.map(|mating| {
+            Some(Directed {
+                assembly: self.run.assembly.clone(),
+                mating: mating?,
+            })
+        })
     }
 
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them further apart by it. Backlash grows with the distance,
@@ -476,22 +452,22 @@ impl Planned {
         {
             let axes = Axes::new(pair, self.open_lean, self.bearing_ends);
             let searched = self.over_axes(&axes, pair)?;
-            return Ok([true, false].map(|is_least| searched.end(&self.run.assembly, is_least)));
+            return Ok(End::BOTH.map(|end| searched.end(&self.run.assembly, end)));
         }
         Ok([
-            self.at_end(-clearance, true)?,
-            self.at_end(clearance, false)?,
+            self.at_end(-clearance, End::Least)?,
+            self.at_end(clearance, End::Greatest)?,
         ])
     }
 
-    fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
+    fn at_end(&self, farther: f64, end: End) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
         let (ends, parts) = (self.ends(), self.parts());
         let there = Planned {
             alone: Some(Alone { ends, parts }),
             ..self.with(assembly.at(assembly.center_distance() + farther)?)
         };
-        let end = there.search()?.end(&there.run.assembly, is_least);
+        let end = there.search()?.end(&there.run.assembly, end);
         if self.open_lean != [0.0; 2] {
             return Ok(end);
         }
@@ -501,13 +477,8 @@ impl Planned {
     }
 
     /// The extremes of `pair` over the cycle and over all open leans of its axes. The one that is not asked for may be missing.
-    pub fn end(
-        &self,
-        pair: &AssembledPair,
-        is_least: bool,
-        effort: &Effort,
-    ) -> Result<Extremes, Error> {
-        cycle_pair(pair).end(self, is_least, effort)
+    pub fn end(&self, pair: &AssembledPair, end: End, effort: &Effort) -> Result<Extremes, Error> {
+        cycle_pair(pair).end(self, end, effort)
     }
 
     /// Effort of a change of `assembly` that meets the requirements: as much as one verdict may take.
@@ -541,14 +512,13 @@ impl Planned {
         any_direction(pair, self.over(), self.ends(), WIDTH, effort)
     }
 
-    /// The distance from which `pair`, with the result `found`, assembles, increased by `farther`, mm.
+    /// The distance from which `pair`, with the result `found`, assembles.
     fn assembles_from(
         &self,
         pair: &GearPair,
         found: &Extremes,
-        farther: f64,
         effort: &Effort,
-    ) -> Result<Option<AssemblesFrom>, Error> {
+    ) -> Result<Option<Threshold>, Error> {
         let least = found.least.map(|least| least.low);
         let is_clear = least.is_some_and(|least| least >= 0.0);
         if self.alone.is_some() || found.status == Status::NoContact || is_clear {
@@ -558,43 +528,34 @@ impl Planned {
         let own = &self.effort(pair);
         let is_short = !pair.varies_along_face() && ExactKernel::new(pair).is_direct();
         let effort = if is_short { own } else { effort };
-        let from = AssemblesFrom::new(pair, self.over(), least, 0.1 * WIDTH, effort)?;
-        Ok(from.map(|from| AssemblesFrom {
-            low: from.low + farther,
-            high: from.high + farther,
-            ..from
-        }))
+        assembles_from(pair, self.over(), least, 0.1 * WIDTH, effort)
     }
 
-    /// The distance up to which `pair`, with the result `found`, is in mesh, reduced by `nearer`, mm.
+    /// The distance up to which `pair`, with the result `found`, is in mesh.
     fn meshes_to(
         &self,
         pair: &GearPair,
         found: &Extremes,
-        nearer: f64,
-        (search, effort): (&Search<'_>, &Effort),
-    ) -> Result<Option<MeshesTo>, Error> {
+        effort: &Effort,
+    ) -> Result<Option<Threshold>, Error> {
         if self.alone.is_some() || found.status != Status::NoContact {
             return Ok(None);
         }
-        let to = MeshesTo::new(pair, found, search, effort)?;
-        Ok(to.map(|to| MeshesTo {
-            low: to.low - nearer,
-            high: to.high - nearer,
-            ..to
-        }))
+        let greatest = |pair: &GearPair, kernel: &ExactKernel| {
+            kernel.extremes_of(pair, self.over(), WIDTH, effort, &[End::Greatest])
+        };
+        meshes_to(pair, found, &greatest, effort)
     }
 }
 
 /// Every centre distance and material in every assembly phase of the study: those of its listed matings, or all.
 pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
-    let runs = study.runs()?;
     let mut plans: Vec<Planned> = Vec::new();
-    for run in runs {
+    for RunPlan { run, matings } in study.runs()? {
         let mut phases: Vec<u32> = if study.all_phases {
             (1..=phase_count(&run.assembly)).collect()
         } else {
-            let matings = run.matings.iter();
+            let matings = matings.iter();
             matings.map(|mating| phase(&run.assembly, mating)).collect()
         };
         phases.sort_unstable();
@@ -615,10 +576,7 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
             let own = (count > 1).then_some((first.wheel_tooth, first.pinion_tooth));
             plans.push(Planned {
                 phase: run.phase.or(own),
-                run: RunPlan {
-                    matings: Vec::new(),
-                    ..run.clone()
-                },
+                run: run.clone(),
                 first,
                 distinct,
                 differ,
@@ -666,30 +624,14 @@ fn any_direction(
 ) -> Result<AnyDirection, Error> {
     // The bracket contains that of a search and the effect of the direction.
     let width = 0.4 * width;
-    let one = |pair: &GearPair, kernel: &ExactKernel, end| {
-        kernel.extremes_of(pair, over, width, effort, &[end])
-    };
-    let least: &Search = &|pair, kernel| one(pair, kernel, End::Least);
-    let greatest: &Search = &|pair, kernel| one(pair, kernel, End::Greatest);
-    directions::extremes(
-        pair,
-        ends.contains(&End::Least).then_some(least),
-        ends.contains(&End::Greatest).then_some(greatest),
-    )
+    let search: &Search =
+        &|pair, kernel, end| kernel.extremes_of(pair, over, width, effort, &[end]);
+    directions::extremes(pair, ends, search)
 }
 
 /// The mating of wheel tooth 1 that names an assembly phase.
 fn first_of_phase(pinion_tooth: u32) -> Mating {
     Mating::at(1, pinion_tooth, Side::Right)
-}
-
-/// The least or the greatest of `found`.
-fn extreme_of(found: &Extremes, is_least: bool) -> Option<Extreme> {
-    if is_least {
-        found.least
-    } else {
-        found.greatest
-    }
 }
 
 /// lcm(z_1, z_2).
@@ -705,13 +647,8 @@ pub(crate) fn phases_differ(assembly: &AssembledPair) -> bool {
 
 /// Number of distinct matings; after them every deviation of both gears recurs.
 pub(super) fn distinct(assembly: &AssembledPair) -> u64 {
-    distinct_of(cycle_pair(assembly).deviate(), assembly)
-}
-
-/// Matings that differ where wheel and pinion have unlike teeth as stated.
-fn distinct_of(unlike: [bool; 2], assembly: &impl ToothNumbers) -> u64 {
     let teeth = |member| u64::from(assembly.teeth(member));
-    match unlike {
+    match cycle_pair(assembly).deviate() {
         [true, true] => hunting_pitches(assembly),
         [true, false] => teeth(Member::Wheel),
         [false, true] => teeth(Member::Pinion),

@@ -22,7 +22,7 @@
 //! The lean of a shaft stays in the picture: turned back by `ψ`, the pinion leans by another vector, which differs by at most `|ψ|` times the
 //! lean. This moves its sections by that over the face, and their height by that times the tip radius.
 
-use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, Status, is_proven};
+use crate::contact::{Doubt, End, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, Status, is_proven};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Side};
 use crate::outline::AssembledPair;
@@ -41,20 +41,22 @@ const LARGEST_SHARE: f64 = 0.25;
 const NEAREST: f64 = 1e-6;
 
 /// A search for one extreme of a pair.
-pub(super) type Search<'a> = dyn Fn(&GearPair, &ExactKernel) -> Result<Extremes, Error> + 'a;
+pub(super) type Search<'a> = dyn Fn(&GearPair, &ExactKernel, End) -> Result<Extremes, Error> + 'a;
 
-/// Poses, and their pair with its high teeth at the worst place.
+/// A pose, and its pair with its high teeth at the worst place.
 #[derive(Debug, Clone)]
 pub(super) struct Directed {
     pub assembly: AssembledPair,
-    pub matings: Vec<Mating>,
+    pub mating: Mating,
 }
+
+/// The least, the greatest and the lost pose of a cycle, and the binding one at the distance from which the pair assembles.
+pub(super) type Poses = [Option<Directed>; 4];
 
 /// Extremes over all directions.
 pub(super) struct AnyDirection {
     pub found: Extremes,
-    /// The least, the greatest and the lost pose.
-    pub poses: Vec<Directed>,
+    pub poses: Poses,
     /// The pair without its open eccentricities: at the centre distance less their sum, with its least; at the distance plus their sum,
     /// with its greatest. `None` where an end is not searched.
     pub ends: [Option<(GearPair, Extremes)>; 2],
@@ -77,54 +79,53 @@ fn open_eccentricity(gear: &AsBuilt) -> f64 {
     }
 }
 
-/// Extremes of `assembly`; `least` and `greatest`, if they are wanted, find those of a pair without a runout of unknown direction.
+/// The extremes `ends` of `assembly`; `search` finds one of a pair without a runout of unknown direction.
 pub(super) fn extremes(
     assembly: &GearPair,
-    least: Option<&Search<'_>>,
-    greatest: Option<&Search<'_>>,
+    ends: &[End],
+    search: &Search<'_>,
 ) -> Result<AnyDirection, Error> {
     // Neither a distance nor a direction changes a tooth.
     let kernel = ExactKernel::new(assembly);
-    let end = |facing: bool, search: Option<_>| {
-        let end = search.map(|search| End::new(assembly, &kernel, facing, search));
-        end.transpose()
+    let facing = |end: End| {
+        let wanted = ends.contains(&end);
+        let facing = wanted.then(|| Facing::new(assembly, &kernel, end, search));
+        facing.transpose()
     };
-    let (near, far) = (end(true, least)?, end(false, greatest)?);
-    let status_of = |end: &Option<End>| end.as_ref().map(|end| end.found.status);
+    let (near, far) = (facing(End::Least)?, facing(End::Greatest)?);
+    let status_of = |end: &Option<Facing>| end.as_ref().map(|end| end.found.status);
     let status = match (status_of(&near), status_of(&far)) {
         (Some(Status::Jammed), _) => Status::Jammed,
         (_, Some(Status::NoContact)) => Status::NoContact,
         (one, other) => one.or(other).unwrap_or(Status::Unproven),
     };
-    let bounded = |end: &Option<End>, of: fn(&Extremes) -> Option<Extreme>| match end {
-        Some(end) => end.bounded(of(&end.found)),
-        None => Ok(None),
-    };
-    let [least, greatest] = [
-        bounded(&near, |found| found.least)?,
-        bounded(&far, |found| found.greatest)?,
-    ];
+    let bounded = |end: &Option<Facing>| end.as_ref().map_or(Ok(None), Facing::bounded);
+    let (least, greatest) = (bounded(&near)?, bounded(&far)?);
     let losing = match status {
         Status::Jammed => &near,
         _ => &far,
     };
-    let lost = losing.as_ref().and_then(|end| {
-        let mating = end.found.lost?;
-        Some(end.directed(mating, None))
-    });
+    let lost = losing
+        .as_ref()
+        .and_then(|end| Some(end.directed(end.found.lost?, None)));
     let lost = lost.transpose()?;
+    let pose = |(assembly, mating): &(GearPair, Mating)| Directed {
+        assembly: assembly.clone().into(),
+        mating: *mating,
+    };
+    let of_extreme = |found: &Option<(Extreme, GearPair)>| {
+        let (extreme, assembly) = found.as_ref()?;
+        Some(pose(&(assembly.clone(), extreme.mating)))
+    };
     let matings = near.iter().chain(&far).map(|end| end.found.matings).next();
     let open = Member::BOTH.map(|member| open_eccentricity(assembly.gear(member)));
-    let poses = [least.as_ref(), greatest.as_ref()].into_iter().flatten();
-    let poses = poses.map(|(extreme, assembly)| (assembly, extreme.mating));
-    let poses = poses.chain(lost.iter().map(|(assembly, mating)| (assembly, *mating)));
     Ok(AnyDirection {
-        poses: poses
-            .map(|(assembly, mating)| Directed {
-                assembly: assembly.clone().into(),
-                matings: vec![mating],
-            })
-            .collect(),
+        poses: [
+            of_extreme(&least),
+            of_extreme(&greatest),
+            lost.as_ref().map(pose),
+            None,
+        ],
         found: Extremes {
             matings: matings.unwrap_or(0),
             status,
@@ -137,18 +138,12 @@ pub(super) fn extremes(
     })
 }
 
-/// `j_wt` of a pose, mm, and its error bound.
-struct Attained {
-    low: f64,
-    high: f64,
-    found: f64,
-}
-
-/// All high teeth towards the mate, or away from it.
-struct End<'a> {
+/// All high teeth towards the mate for the least, or away from it for the greatest.
+struct Facing<'a> {
     assembly: &'a GearPair,
     /// Its kernel.
     kernel: &'a ExactKernel,
+    end: End,
     /// `e` of the free gear, mm: behind its axis, or before it.
     off: f64,
     centred: GearPair,
@@ -157,15 +152,14 @@ struct End<'a> {
     search: &'a Search<'a>,
 }
 
-impl<'a> End<'a> {
+impl<'a> Facing<'a> {
     fn new(
         assembly: &'a GearPair,
         kernel: &'a ExactKernel,
-        facing: bool,
+        end: End,
         search: &'a Search<'a>,
-    ) -> Result<End<'a>, Error> {
-        let sign = if facing { 1.0 } else { -1.0 };
-        let off = |member| sign * open_eccentricity(assembly.gear(member));
+    ) -> Result<Facing<'a>, Error> {
+        let off = |member| end.sign() * open_eccentricity(assembly.gear(member));
         let gear = |member| assembly.gear(member).centred();
         let (wheel, pinion) = (gear(Member::Wheel), gear(Member::Pinion));
         let wanted = assembly.center_distance() - off(Member::Wheel) - off(Member::Pinion);
@@ -173,13 +167,14 @@ impl<'a> End<'a> {
         // Involutes have no contact at a lesser distance: a result there bounds nothing unless it jams.
         let distance = wanted.max(base * (1.0 + NEAREST));
         let centred = assembly.with_gears(wheel, pinion, distance)?;
-        let mut found = search(&centred, &kernel.at(&centred))?;
+        let mut found = search(&centred, &kernel.at(&centred), end)?;
         if let Some(least) = found.least.as_mut().filter(|_| wanted < distance) {
             (least.low, least.doubt) = (f64::NEG_INFINITY, Some(Doubt::Unbounded));
         }
-        Ok(End {
+        Ok(Facing {
             assembly,
             kernel,
+            end,
             off: off(assembly.free()),
             found,
             centred,
@@ -187,29 +182,23 @@ impl<'a> End<'a> {
         })
     }
 
-    /// The bracket of `extreme` of the centred pair, converted to the assembly; and the pair, with its high teeth where the extreme is attained.
-    fn bounded(&self, extreme: Option<Extreme>) -> Result<Option<(Extreme, GearPair)>, Error> {
-        let Some(mut extreme) = extreme else {
+    /// The bracket of the extreme of the centred pair, converted to the assembly; and the pair, with its high teeth where the extreme is attained.
+    fn bounded(&self) -> Result<Option<(Extreme, GearPair)>, Error> {
+        let Some(mut extreme) = self.found.at(self.end) else {
             return Ok(None);
         };
         let free = self.assembly.free();
         let radius = self.centred.operating_pitch_radius(free);
         let share = self.off / radius;
         let angle = |j_wt: f64| j_wt / radius / (1.0 + share);
-        let is_least = self.found.least == Some(extreme);
         let mut supposed = None;
         if self.off != 0.0
             && let Some([right, left]) = self.contacts(extreme.mating)?
         {
             let turn = left - right;
             let turned = self.with_left_flanks_on(turn)?;
-            let found = (self.search)(&turned, &ExactKernel::new(&turned))?;
-            let other = if is_least {
-                found.least
-            } else {
-                found.greatest
-            };
-            if let Some(other) = other {
+            let found = (self.search)(&turned, &ExactKernel::new(&turned), self.end)?;
+            if let Some(other) = found.at(self.end) {
                 (extreme, supposed) = (other, Some(turn.abs()));
             }
         }
@@ -232,32 +221,31 @@ impl<'a> End<'a> {
         let contacts = self.contacts(extreme.mating)?;
         let (assembly, mating) = self.directed(extreme.mating, contacts)?;
         let per_radian = assembly.operating_pitch_radius(free);
-        let [low, high] = [ends[0] - slack, ends[1] + slack].map(|end| end * per_radian);
+        let is_beyond = share.abs() > LARGEST_SHARE;
+        let [mut low, mut high] = if is_beyond {
+            [f64::NEG_INFINITY, f64::INFINITY]
+        } else {
+            [ends[0] - slack, ends[1] + slack].map(|end| end * per_radian)
+        };
+        let mut found = angle(extreme.found) * per_radian;
         let kernel = self.kernel.at(&assembly);
         let seen = kernel.lost_motion_at(&assembly, mating)?;
-        let seen = seen.and_then(|found| found.angle().zip(found.error()));
-        let seen = seen.map(|(angle, error)| Attained {
-            low: (angle - error) * per_radian,
-            high: (angle + error) * per_radian,
-            found: angle * per_radian,
-        });
-        let (low, high) = if share.abs() > LARGEST_SHARE {
-            (f64::NEG_INFINITY, f64::INFINITY)
-        } else {
-            (low, high)
-        };
-        let (low, high, found) = match (seen, is_least) {
-            (Some(seen), true) => (low.min(seen.low), seen.high, seen.found),
-            (Some(seen), false) => (seen.low, high.max(seen.high), seen.found),
-            (None, _) => (low, high, angle(extreme.found) * per_radian),
-        };
+        // The attained value bounds the other end.
+        if let Some((angle, error)) = seen.and_then(|seen| seen.angle().zip(seen.error())) {
+            let attained = [angle - error, angle + error].map(|end| end * per_radian);
+            found = angle * per_radian;
+            [low, high] = match self.end {
+                End::Least => [low.min(attained[0]), attained[1]],
+                End::Greatest => [attained[0], high.max(attained[1])],
+            };
+        }
         let is_wide = !is_proven(low, high, PROVEN_WIDTH);
         let bounded = Extreme {
             low,
             high,
             found,
             mating,
-            doubt: if share.abs() > LARGEST_SHARE {
+            doubt: if is_beyond {
                 Some(Doubt::Unbounded)
             } else {
                 extreme.doubt.or(is_wide.then_some(Doubt::SecondOrder))

@@ -6,17 +6,16 @@
 //! [`super::verdict`] draws the conclusions. The checks in the verdict use the evidence of poses (`diagnosis::PoseEvidence`), so that poses
 //! need not be kept. `failed_checks` runs only the checks whose outcome is not yet known, `diagnose` all.
 
-use super::assembles_from::AssemblesFrom;
-use super::compare::{ComparedPose, ComparedRun, compare};
+use super::assembles_from::Threshold;
+use super::compare::{ComparedPose, ComparedRun};
 use super::cycles::{
     Alone, Planned, Searched, SearchedEnd, distinct, hunting_pitches, plans, worse,
 };
 use super::directions::{Directed, is_open};
 use super::face_loss::FaceLoss;
-use super::meshes_to::MeshesTo;
 use super::phases::phase_count;
 use super::simulate::simulate_plans;
-use super::study::{Material, RunPlan, Study};
+use super::study::{Material, Run, RunPlan, Study};
 use crate::contact::{Doubt, End, Extreme, Method, Status, is_proven};
 use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
@@ -48,9 +47,9 @@ pub struct RunExtremes {
     /// A pose that is jammed or out of mesh.
     pub lost: Option<PairPose>,
     /// For a pair that does not assemble: the centre distance from which it does. `None` if there is none up to tips that pass each other.
-    pub assembles_from: Option<AssemblesFrom>,
+    pub assembles_from: Option<Threshold>,
     /// For a pair out of mesh: the centre distance up to which it is in mesh.
-    pub meshes_to: Option<MeshesTo>,
+    pub meshes_to: Option<Threshold>,
     /// Loss of the least by deviations along the face; `None` for a pair without any.
     pub face_loss: Option<FaceLoss>,
     /// Extremes with the axes moved together and apart by the bearing clearance; `None` without clearance.
@@ -91,9 +90,7 @@ pub struct CycleExtremes {
 impl CycleExtremes {
     /// The greatest loss by deviations along the face of the runs at a centre distance, mm, of a material; `None` without any.
     pub fn face_loss(&self, center_distance: f64, material: Material) -> Option<FaceLoss> {
-        let here = |run: &&RunExtremes| {
-            (run.assembly.center_distance(), run.material) == (center_distance, material)
-        };
+        let here = |run: &&RunExtremes| run.place() == (center_distance, material);
         let runs = self.each.iter().filter(here);
         let losses = runs.filter_map(|run| run.face_loss);
         losses.reduce(|one, other| if other.all > one.all { other } else { one })
@@ -126,20 +123,20 @@ pub struct RunExtreme {
     pub pose: ComparedPose,
 }
 
-impl PairPose {
-    fn of(run: &ComparedRun) -> impl Iterator<Item = PairPose> + '_ {
+/// The next poses of `runs`, in order.
+fn poses(runs: &[ComparedRun]) -> impl Iterator<Item = PairPose> + '_ {
+    runs.iter().flat_map(|run| {
         run.poses.iter().map(|pose| PairPose {
             assembly: run.run.assembly.clone(),
             pose: pose.clone(),
         })
-    }
+    })
 }
 
 impl BearingEnd {
-    /// The extremes there; its pose is in the next of `runs`.
-    fn new<'a>(end: &SearchedEnd, runs: &mut impl Iterator<Item = &'a ComparedRun>) -> BearingEnd {
-        let run = end.pose.as_ref().and_then(|_| runs.next());
-        let pose = run.and_then(|run| PairPose::of(run).next());
+    /// The extremes there; the pose, if any, is the next of `poses`.
+    fn new(end: &SearchedEnd, poses: &mut impl Iterator<Item = PairPose>) -> BearingEnd {
+        let pose = end.pose.as_ref().and_then(|_| poses.next());
         let found = end.extreme.zip(pose);
         BearingEnd {
             assembly: end.assembly.clone(),
@@ -182,16 +179,13 @@ impl RunExtremes {
     fn new(
         planned: &Planned,
         searched: &Searched,
-        runs: &[ComparedRun],
+        poses: &mut impl Iterator<Item = PairPose>,
         bearings: Option<BearingPlay>,
     ) -> RunExtremes {
-        let mut poses = runs.iter().flat_map(PairPose::of);
-        let mut one = |extreme: Option<Extreme>| {
-            let extreme = extreme?;
-            Some(RunExtreme::new(extreme, poses.next()?))
-        };
         let found = &searched.found;
-        let (least, greatest) = (one(found.least), one(found.greatest));
+        let of_each = searched.poses.each_ref();
+        let [least, greatest, lost, _] = of_each.map(|own| own.as_ref().and_then(|_| poses.next()));
+        let one = |(extreme, pose)| RunExtreme::new(extreme, pose);
         RunExtremes {
             material: planned.run.material,
             assembly: planned.run.assembly.clone(),
@@ -199,13 +193,38 @@ impl RunExtremes {
             covers: planned.covers(),
             matings: hunting_pitches(&planned.run.assembly),
             status: found.status,
-            least,
-            greatest,
-            lost: found.lost.and_then(|_| poses.next()),
+            least: found.least.zip(least).map(one),
+            greatest: found.greatest.zip(greatest).map(one),
+            lost,
             assembles_from: searched.assembles_from,
             meshes_to: searched.meshes_to,
             face_loss: searched.face_loss,
             bearings,
+        }
+    }
+
+    /// Its centre distance, mm, and its material.
+    pub(super) fn place(&self) -> (f64, Material) {
+        (self.assembly.center_distance(), self.material)
+    }
+
+    /// The least or the greatest.
+    pub(super) fn at(&self, end: End) -> Option<&RunExtreme> {
+        match end {
+            End::Least => self.least.as_ref(),
+            End::Greatest => self.greatest.as_ref(),
+        }
+    }
+
+    /// The least with the axes pressed together, or the greatest with them pulled apart, and their pair. Without bearing clearance, as [`RunExtremes::at`].
+    pub(super) fn with_play(&self, end: End) -> (&AssembledPair, Option<&RunExtreme>) {
+        let moved = self.bearings.as_ref().map(|play| match end {
+            End::Least => &play.pressed,
+            End::Greatest => &play.apart,
+        });
+        match moved {
+            Some(moved) => (&moved.assembly, moved.extreme.as_ref()),
+            None => (&self.assembly, self.at(end)),
         }
     }
 
@@ -307,48 +326,52 @@ fn of_plans(
     let found = found
         .into_iter()
         .collect::<Result<Vec<(Searched, Option<[SearchedEnd; 2]>)>, Error>>()?;
-    let pose_plan = |planned: &Planned, poses: &Directed| RunPlan {
-        assembly: poses.assembly.clone(),
-        matings: poses.matings.clone(),
-        ..planned.run.clone()
-    };
     let all = || plans.iter().zip(&found);
-    let poses = all().flat_map(|(planned, (searched, _))| {
-        let each = searched.poses.iter();
-        each.map(|poses| pose_plan(planned, poses))
+    let own = all().flat_map(|(planned, (searched, _))| {
+        let poses: Vec<&Directed> = searched.poses.iter().flatten().collect();
+        // Those of one pair share a run.
+        let runs = poses.chunk_by(|one, other| one.assembly == other.assembly);
+        runs.map(|poses| pose_plan(planned, poses))
+            .collect::<Vec<_>>()
     });
     let at_ends = all().flat_map(|(planned, (_, ends))| {
         let each = ends.iter().flatten();
-        each.filter_map(|end| Some(pose_plan(planned, end.pose.as_ref()?)))
+        each.filter_map(|end| Some(pose_plan(planned, &[end.pose.as_ref()?])))
     });
     let simulated = |study: &Study, plans: Vec<RunPlan>| {
         let on = || ControlFlow::Continue(());
-        let runs = simulate_plans(study, plans, method.of_extremes(), &on)?;
-        Ok::<_, Error>(compare(runs, study.tolerance_um))
+        simulate_plans(study, plans, method.of_extremes(), &on)
     };
-    let runs = simulated(study, poses.collect())?;
+    let runs = simulated(study, own.collect())?;
     // There the bearings have no further play.
     let without_play = Study {
         bearing_clearance: 0.0,
         ..study.clone()
     };
     let runs_at_ends = simulated(&without_play, at_ends.collect())?;
-    let mut at_ends = runs_at_ends.iter();
-    let mut rest = &runs[..];
+    let (mut own, mut at_ends) = (poses(&runs), poses(&runs_at_ends));
     let each = all().map(|(planned, (searched, ends))| {
-        let (own, others) = rest.split_at(searched.poses.len());
-        rest = others;
         let bearings = ends.as_ref().map(|[near, far]| BearingPlay {
             clearance: study.bearing_clearance,
             pressed: BearingEnd::new(near, &mut at_ends),
             apart: BearingEnd::new(far, &mut at_ends),
         });
-        RunExtremes::new(planned, searched, own, bearings)
+        RunExtremes::new(planned, searched, &mut own, bearings)
     });
-    Ok(CycleExtremes {
-        each: each.collect(),
-        runs,
-    })
+    let each = each.collect();
+    drop(own);
+    Ok(CycleExtremes { each, runs })
+}
+
+/// The `poses` of one pair in the run of `planned`.
+fn pose_plan(planned: &Planned, poses: &[&Directed]) -> RunPlan {
+    RunPlan {
+        run: Run {
+            assembly: poses[0].assembly.clone(),
+            ..planned.run.clone()
+        },
+        matings: poses.iter().map(|pose| pose.mating).collect(),
+    }
 }
 
 /// Number of runs of [`extremes`], which is its number of ticks.

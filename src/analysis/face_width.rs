@@ -2,7 +2,7 @@
 
 use super::extremes::{RunExtreme, RunExtremes, extremes};
 use super::study::Study;
-use crate::contact::Method;
+use crate::contact::{End, Method};
 use crate::error::{Error, Tick};
 
 /// Widths between one section and the full face, both included.
@@ -25,14 +25,12 @@ impl AtWidth {
 
     /// The least `j_wt` of all runs; `None` if a run is jammed.
     pub fn least(&self) -> Option<FaceExtreme<'_>> {
-        let least = |a: f64, b: f64| a <= b;
-        FaceExtreme::of(self.each.iter().map(|run| run.least.as_ref()), least)
+        FaceExtreme::of(&self.each, End::Least)
     }
 
     /// The greatest `j_wt` of all runs; `None` if a run is out of mesh.
     pub fn greatest(&self) -> Option<FaceExtreme<'_>> {
-        let greatest = |a: f64, b: f64| a >= b;
-        FaceExtreme::of(self.each.iter().map(|run| run.greatest.as_ref()), greatest)
+        FaceExtreme::of(&self.each, End::Greatest)
     }
 }
 
@@ -50,15 +48,13 @@ pub struct FaceExtreme<'a> {
 }
 
 impl<'a> FaceExtreme<'a> {
-    /// The run that is `before` all others.
-    fn of(
-        runs: impl Iterator<Item = Option<&'a RunExtreme>>,
-        before: fn(f64, f64) -> bool,
-    ) -> Option<FaceExtreme<'a>> {
-        let runs: Vec<&RunExtreme> = runs.collect::<Option<_>>()?;
+    /// The least, or the greatest, of `runs`.
+    fn of(runs: &'a [RunExtremes], end: End) -> Option<FaceExtreme<'a>> {
+        let runs: Vec<&RunExtreme> = runs.iter().map(|run| run.at(end)).collect::<Option<_>>()?;
         let first = |value: fn(&RunExtreme) -> f64| {
             let values = runs.iter().map(|run| value(run));
-            values.reduce(|a, b| if before(a, b) { a } else { b })
+            let is_first = |a: f64, b: f64| end.sign() * a <= end.sign() * b;
+            values.reduce(|a, b| if is_first(a, b) { a } else { b })
         };
         let doubtful = runs.iter().filter(|run| !run.is_proven());
         Some(FaceExtreme {

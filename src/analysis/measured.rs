@@ -162,10 +162,8 @@ pub fn bands(
 ) -> Bands {
     let is_wanted = |pose: &&ComparedPose| wanted(pose.simulated.pose.mating());
     Bands::of(study, |material| {
-        let run = runs.iter().find(|compared| {
-            compared.run.material == material
-                && compared.run.assembly.center_distance() == center_distance
-        });
+        let here = (center_distance, material);
+        let run = runs.iter().find(|run| run.run.place() == here);
         let mut means = Means::default();
         let poses = run.into_iter().flat_map(|run| &run.poses);
         for pose in poses.filter(is_wanted) {

@@ -14,7 +14,6 @@ pub mod extremes;
 pub mod face_loss;
 pub mod face_width;
 pub mod measured;
-pub mod meshes_to;
 pub mod outcome;
 pub mod phases;
 pub mod remedies;
@@ -27,7 +26,7 @@ pub mod verdict;
 pub mod without_play;
 
 use self::backlash_map::BacklashMap;
-use self::compare::{ComparedRun, compare};
+use self::compare::ComparedRun;
 use self::curves::{Field, OverDistance};
 use self::diagnosis::{CheckName, Diagnosis, PoseEvidence, failed_checks};
 use self::extremes::CycleExtremes;
@@ -197,10 +196,7 @@ impl<'a> Analysis<'a> {
         let [runs, revolution] = if plan.revolution {
             curves::with_revolution(study, method, tick)?
         } else {
-            [
-                compare(simulate(study, method, tick)?, study.tolerance_um),
-                Vec::new(),
-            ]
+            [simulate(study, method, tick)?, Vec::new()]
         };
         let mut analysis = Analysis {
             study,
@@ -235,8 +231,6 @@ impl<'a> Analysis<'a> {
                 let curve = curves::over_distance(study, followed, cycle, method, tick)?;
                 analysis.over_distance.push(curve);
             }
-        }
-        if plan.curves {
             analysis.maps = BacklashMap::of_study(study, &analysis.extremes.each, tick)?;
         }
         if plan.curves && plan.extremes && study.varies_along_face() {

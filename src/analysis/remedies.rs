@@ -11,7 +11,7 @@ use super::extremes::RunExtremes;
 use super::requirement::{Limits, Quantity};
 use super::study::{Material, Study};
 use super::verdict::Verdict;
-use crate::contact::{Effort, Status};
+use crate::contact::{Effort, End, Status};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Deviations, thickness};
 use crate::outline::{AssembledPair, OutlinePair};
@@ -522,9 +522,9 @@ impl Search<'_> {
             .filter_map(|(quantity, limits)| Some((*quantity, limit(limits)?)))
             .collect();
         let bound = |pair: &AssembledPair| -> Result<f64, Error> {
-            let found = planned.end(pair, !is_max, effort)?;
-            let end = if is_max { found.greatest } else { found.least };
-            Ok(end.map_or(
+            let end = if is_max { End::Greatest } else { End::Least };
+            let found = planned.end(pair, end, effort)?.at(end);
+            Ok(found.map_or(
                 f64::NEG_INFINITY,
                 |end| if is_max { -end.high } else { end.low },
             ))

@@ -1,35 +1,23 @@
 //! Simulation of every run of a study.
 
-use crate::analysis::study::{Material, RunPlan, Study};
-use crate::contact::{CutPair, Method, PoseResult, sweep_blocks};
+use super::compare::{ComparedPose, ComparedRun, compared};
+use super::study::{Material, RunPlan, Study};
+use crate::contact::{CutPair, Method, sweep_blocks};
 use crate::error::{Error, Tick};
-use crate::outline::AssembledPair;
+use crate::parallel;
 
-/// One centre distance, material and, where they are run apart, assembly phase.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Run {
-    /// Which end of the thickness tolerances.
-    pub material: Material,
-    /// The gears at this centre distance.
-    pub assembly: AssembledPair,
-    /// Wheel and pinion tooth that name the assembly phase.
-    pub phase: Option<(u32, u32)>,
-    /// Results of the poses, in order.
-    pub poses: Vec<PoseResult>,
-}
-
-/// Simulates every run of `study` by `method`, and keeps every pose (half a kilobyte each). For many poses see
+/// Simulates every run of `study` by `method`, compares its poses and keeps them (half a kilobyte each). For many poses see
 /// [`crate::analysis::tally::simulate_by_blocks`].
 ///
 /// `tick` is called as each pose begins, from any thread; a break ends the work.
 ///
 /// # Errors
 /// [`Error::Interrupted`]. A lost contact or a failed certificate leaves its pose [`crate::contact::Unproven`].
-pub fn simulate(study: &Study, method: Method, tick: &Tick) -> Result<Vec<Run>, Error> {
+pub fn simulate(study: &Study, method: Method, tick: &Tick) -> Result<Vec<ComparedRun>, Error> {
     simulate_plans(study, study.runs()?, method, tick)
 }
 
-/// Simulates `plans` with the gears, clearance and chord of `study`; else as [`simulate`].
+/// Simulates `plans` with the gears, clearance, chord and tolerance of `study`; else as [`simulate`].
 ///
 /// # Errors
 /// As [`simulate`].
@@ -38,51 +26,50 @@ pub fn simulate_plans(
     plans: Vec<RunPlan>,
     method: Method,
     tick: &Tick,
-) -> Result<Vec<Run>, Error> {
-    let mut runs: Vec<Run> = Vec::new();
-    each_block::<Error>(study, plans, method, tick, &mut |block| {
-        if block.first {
-            runs.push(Run {
-                material: block.material,
-                assembly: block.assembly.clone(),
-                phase: block.phase,
-                poses: Vec::with_capacity(block.of),
-            });
-        }
-        if let Some(run) = runs.last_mut() {
-            run.poses.extend(block.poses);
-        }
-        Ok(())
-    })?;
+) -> Result<Vec<ComparedRun>, Error> {
+    let mut runs: Vec<ComparedRun> = Vec::new();
+    each_block::<Error>(
+        study,
+        plans,
+        method,
+        study.tolerance_um,
+        tick,
+        &mut |block| {
+            if block.is_first {
+                runs.push(ComparedRun {
+                    run: block.plan.run.clone(),
+                    poses: Vec::with_capacity(block.plan.matings.len()),
+                });
+            }
+            if let Some(run) = runs.last_mut() {
+                run.poses.extend(block.poses);
+            }
+            Ok(())
+        },
+    )?;
     Ok(runs)
 }
 
-/// Some poses of one run, with their results.
-pub struct Block<'a> {
-    /// As [`Run::material`].
-    pub material: Material,
-    /// As [`Run::assembly`].
-    pub assembly: &'a AssembledPair,
-    /// As [`Run::phase`].
-    pub phase: Option<(u32, u32)>,
-    /// The results in order, after those of the previous block; empty for a run without poses.
-    pub poses: Vec<PoseResult>,
-    /// How many poses the run has.
-    pub of: usize,
+/// Some poses of one run.
+pub(super) struct Block<'a> {
+    pub plan: &'a RunPlan,
+    /// The poses in order, after those of the previous block; empty for a run without poses.
+    pub poses: Vec<ComparedPose>,
     /// Whether the run begins.
-    pub first: bool,
+    pub is_first: bool,
     /// Whether it ends.
-    pub last: bool,
+    pub is_last: bool,
 }
 
-/// As [`simulate_plans`], its poses delivered to `take` block by block, so that they need not be kept.
+/// As [`simulate_plans`], its poses compared within `tolerance_um` and delivered to `take` block by block, so that they need not be kept.
 ///
 /// # Errors
 /// As [`simulate`], and of `take`.
-pub fn each_block<E: From<Error>>(
+pub(super) fn each_block<E: From<Error>>(
     study: &Study,
     plans: Vec<RunPlan>,
     method: Method,
+    tolerance_um: f64,
     tick: &Tick,
     take: &mut dyn FnMut(Block) -> Result<(), E>,
 ) -> Result<(), E> {
@@ -94,39 +81,31 @@ pub fn each_block<E: From<Error>>(
         })
     };
     let cuts = [Material::Most, Material::Least, Material::AsMeasured].map(|m| (m, cut(m)));
-    for plan in plans {
-        let of = plan.matings.len();
-        let block = |poses, done| Block {
-            material: plan.material,
-            assembly: &plan.assembly,
-            phase: plan.phase,
-            first: done == 0,
-            last: false,
-            of,
-            poses,
-        };
-        if of == 0 {
-            let empty = block(Vec::new(), 0);
+    for plan in &plans {
+        let (assembly, matings) = (&plan.run.assembly, &plan.matings);
+        let mut done = 0;
+        let mut each = |poses: Vec<_>| {
+            let is_first = done == 0;
+            done += poses.len();
             take(Block {
-                last: true,
-                ..empty
-            })?;
-            continue;
-        }
-        let (clearance, mut done) = (study.bearing_clearance, 0);
-        let each = &mut |poses: Vec<PoseResult>| {
-            let found = poses.len();
-            let next = block(poses, done);
-            done += found;
-            take(Block {
-                last: done == of,
-                ..next
+                plan,
+                poses: parallel::map(poses, |found| compared(assembly, found, tolerance_um)),
+                is_first,
+                is_last: done == matings.len(),
             })
         };
-        let cut = cuts.iter().find(|(material, _)| *material == plan.material);
-        let cut = cut.and_then(|(_, cut)| cut.as_ref());
-        let (assembly, matings) = (&plan.assembly, &plan.matings);
-        sweep_blocks(assembly, cut, method, matings, clearance, tick, each)?;
+        if matings.is_empty() {
+            each(Vec::new())?;
+            continue;
+        }
+        let cut = cuts
+            .iter()
+            .find(|(material, _)| *material == plan.run.material);
+        let (cut, clearance) = (
+            cut.and_then(|(_, cut)| cut.as_ref()),
+            study.bearing_clearance,
+        );
+        sweep_blocks(assembly, cut, method, matings, clearance, tick, &mut each)?;
     }
     Ok(())
 }

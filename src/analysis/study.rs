@@ -111,15 +111,29 @@ pub struct Study {
     pub notes: [GearNotes; 2],
 }
 
-/// One run: a pair as assembled, and its matings.
+/// One centre distance, material and, where they are run apart, assembly phase.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Which end of the thickness tolerances.
+    pub material: Material,
+    /// The gears at this centre distance.
+    pub assembly: AssembledPair,
+    /// Wheel and pinion tooth that name the assembly phase.
+    pub phase: Option<(u32, u32)>,
+}
+
+impl Run {
+    /// Its centre distance, mm, and its material.
+    pub(super) fn place(&self) -> (f64, Material) {
+        (self.assembly.center_distance(), self.material)
+    }
+}
+
+/// A run and its matings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunPlan {
-    /// The thickness.
-    pub material: Material,
-    /// The pair.
-    pub assembly: AssembledPair,
-    /// Wheel and pinion tooth that name the assembly phase, if phases are run separately.
-    pub phase: Option<(u32, u32)>,
+    /// The run.
+    pub run: Run,
     /// The matings, in order.
     pub matings: Vec<Mating>,
 }
@@ -359,23 +373,22 @@ impl Study {
         for &a in &self.center_distances {
             let rows = measured.remove(&a.to_bits()).unwrap_or_default();
             for (material, assembly) in self.pairs(a)? {
-                let parts = match &self.sweep {
-                    Some(plan) => plan.parts(),
-                    None => Vec::new(),
-                };
-                let mut add = |phase, matings| {
-                    runs.push(RunPlan {
+                let plan = |phase, matings| RunPlan {
+                    run: Run {
                         material,
                         assembly: assembly.clone(),
                         phase,
-                        matings,
-                    });
+                    },
+                    matings,
                 };
-                if self.sweep.is_none() {
-                    add(None, rows.clone());
-                }
-                for (phase, plan) in parts {
-                    add(phase, plan.matings(&assembly));
+                match &self.sweep {
+                    None => runs.push(plan(None, rows.clone())),
+                    Some(sweep) => {
+                        let parts = sweep.parts().into_iter();
+                        runs.extend(
+                            parts.map(|(phase, part)| plan(phase, part.matings(&assembly))),
+                        );
+                    }
                 }
             }
         }

@@ -3,16 +3,13 @@
 //! A pose takes half a kilobyte of memory and 4 kB of result, and runs have up to ten million. So poses are processed
 //! block by block ([`simulate_by_blocks`]), and memory does not grow with their number.
 
-use crate::analysis::compare::{
-    ComparedPose, ComparedRun, Summary, SummaryTally, Verdict, compared,
-};
+use crate::analysis::compare::{ComparedPose, ComparedRun, Summary, Verdict};
 use crate::analysis::diagnosis::PoseEvidence;
 use crate::analysis::simulate::each_block;
-use crate::analysis::study::{Material, Study};
+use crate::analysis::study::{Material, Run, Study};
 use crate::contact::{BLOCK, FirstLeast, Method, MethodAgreement, Status};
 use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
-use crate::parallel;
 use std::convert::Infallible;
 
 /// Limit of poses that a study keeps for a table (tuned: the height of a screen).
@@ -54,22 +51,25 @@ pub struct RunTally {
     pub evidence: Option<PoseEvidence>,
     verdicts: [usize; Verdict::ALL.len()],
     valued: usize,
-    summary: SummaryTally,
+    /// Without the mean.
+    summary: Summary,
+    /// Sum of the values, mm.
+    sum: f64,
     least: FirstLeast<ComparedPose>,
     greatest: FirstLeast<ComparedPose>,
     worst: Option<(ComparedPose, f64)>,
+    keep: KeepLimits,
 }
 
 impl RunTally {
-    /// The tally of a run before its first pose.
-    fn new(material: Material, assembly: AssembledPair, phase: Option<(u32, u32)>) -> RunTally {
+    /// The tally of `run` before its first pose.
+    fn new(run: &Run, keep: KeepLimits) -> RunTally {
+        let data = run.assembly.data();
         RunTally {
-            evidence: assembly
-                .data()
-                .map(|pair| PoseEvidence::new(pair, material)),
-            material,
-            assembly,
-            phase,
+            evidence: data.map(|pair| PoseEvidence::new(pair, run.material)),
+            material: run.material,
+            assembly: run.assembly.clone(),
+            phase: run.phase,
             poses: 0,
             compared: 0,
             compared_off_line: 0,
@@ -82,21 +82,27 @@ impl RunTally {
             agreement: MethodAgreement::default(),
             verdicts: [0; Verdict::ALL.len()],
             valued: 0,
-            summary: SummaryTally::default(),
+            summary: Summary::default(),
+            sum: -0.0,
             least: FirstLeast::default(),
             greatest: FirstLeast::default(),
             worst: None,
+            keep,
         }
     }
 
+    fn add_block<E>(&mut self, poses: &[ComparedPose], take: &mut Take<E>) -> Result<(), E> {
+        poses.iter().for_each(|pose| self.add(pose));
+        take(Piece::Poses(self, poses))
+    }
+
     /// Adds the next pose.
-    fn add(&mut self, pose: &ComparedPose, keep: KeepLimits) {
+    fn add(&mut self, pose: &ComparedPose) {
         let result = &pose.simulated;
         self.poses += 1;
         self.compared += usize::from(pose.has_both());
         self.compared_off_line += usize::from(pose.has_both() && pose.verdict == Verdict::OffLine);
         self.verdicts[pose.verdict as usize] += 1;
-        self.valued += usize::from(result.backlash.is_some());
         self.interfering += usize::from(result.interferes());
         match result.status() {
             Status::Jammed => self.jammed += 1,
@@ -105,18 +111,18 @@ impl RunTally {
         }
         if result.is_unproven() {
             self.unproven += 1;
-            if self.first_unproven.len() < keep.unproven {
+            if self.first_unproven.len() < self.keep.unproven {
                 self.first_unproven.push(pose.clone());
             }
         }
-        if keep.listed {
+        if self.keep.listed {
             self.listed.push(pose.clone());
         }
         self.agreement.add(result);
         if let Some(evidence) = &mut self.evidence {
             evidence.add(pose);
         }
-        self.summary.add(pose);
+        self.summarise(pose);
         if let (Some(backlash), Some(bound)) = (result.backlash, result.error_bound) {
             self.least.add(backlash, bound, || pose.clone());
             self.greatest.add(-backlash, bound, || pose.clone());
@@ -128,6 +134,33 @@ impl RunTally {
                 self.worst = Some((pose.clone(), difference));
             }
         }
+    }
+
+    /// Adds the next pose to the summary.
+    fn summarise(&mut self, pose: &ComparedPose) {
+        let join = |known: &mut Option<f64>, value: Option<f64>, of: fn(f64, f64) -> f64| {
+            *known = known.iter().copied().chain(value).reduce(of);
+        };
+        let result = &pose.simulated;
+        let off = |formula: Option<f64>| Some((result.backlash? - formula?).abs());
+        if let Some(backlash) = result.backlash {
+            self.sum += backlash;
+            self.valued += 1;
+        }
+        let summary = &mut self.summary;
+        summary.unproven += usize::from(pose.verdict == Verdict::Unproven);
+        for end in [0, 1] {
+            summary.unproven_ends[end] += usize::from(result.is_end_unproven(end));
+        }
+        summary.polygon_checked += usize::from(result.polygon_checked);
+        join(&mut summary.min, result.backlash, f64::min);
+        join(&mut summary.max, result.backlash, f64::max);
+        let [near, far] = result.range();
+        join(&mut summary.with_clearance[0], near, f64::min);
+        join(&mut summary.with_clearance[1], far, f64::max);
+        join(&mut summary.off_involute, off(pose.involute), f64::max);
+        let off_line_of_action = &mut summary.off_line_of_action;
+        join(off_line_of_action, off(pose.line_of_action), f64::max);
     }
 
     /// Number of poses with this verdict.
@@ -163,9 +196,8 @@ impl RunTally {
 
     /// Variation of backlash over the run, greatest minus least, mm; `None` if a pose has no backlash.
     pub fn variation(&self) -> Option<f64> {
-        let summary = self.summary();
         let whole = self.valued == self.poses;
-        whole.then_some(summary.max? - summary.min?)
+        whole.then_some(self.summary.max? - self.summary.min?)
     }
 
     /// Simulated minus model 3, mm, of the pose where its amount is largest.
@@ -176,10 +208,13 @@ impl RunTally {
 
     /// The run in numbers.
     pub fn summary(&self) -> Summary {
-        self.summary.summary()
+        Summary {
+            mean: (self.valued > 0).then(|| self.sum / self.valued as f64),
+            ..self.summary
+        }
     }
 
-    /// As [`ComparedRun::extremes`].
+    /// The poses with the least and the greatest backlash; among those within their error bounds, the first.
     pub fn extremes(&self) -> Option<(&ComparedPose, &ComparedPose)> {
         Some((self.least.first()?, self.greatest.first()?))
     }
@@ -193,12 +228,20 @@ struct KeepLimits {
 }
 
 impl KeepLimits {
-    /// For the next run, after `done`, of a study of `poses`, which may keep `unproven` of them.
-    fn of(poses: usize, unproven: usize, done: &[RunTally]) -> KeepLimits {
+    /// For a study of `poses`, which may keep `unproven` of them.
+    fn new(poses: u64, unproven: usize) -> KeepLimits {
+        KeepLimits {
+            listed: poses <= MOST_LISTED as u64,
+            unproven,
+        }
+    }
+
+    /// For the next run, after `done`.
+    fn after(self, done: &[RunTally]) -> KeepLimits {
         let kept: usize = done.iter().map(|run| run.first_unproven.len()).sum();
         KeepLimits {
-            listed: poses <= MOST_LISTED,
-            unproven: unproven.saturating_sub(kept),
+            unproven: self.unproven.saturating_sub(kept),
+            ..self
         }
     }
 }
@@ -220,22 +263,19 @@ pub enum Piece<'a> {
     End(&'a RunTally),
 }
 
+/// Receives the pieces of runs in order; its error ends the work.
+type Take<'a, E> = dyn FnMut(Piece) -> Result<(), E> + 'a;
+
 /// [`simulate_by_blocks`] for `runs` that already exist.
-pub fn whole<E>(
-    runs: &[ComparedRun],
-    take: &mut dyn FnMut(Piece) -> Result<(), E>,
-) -> Result<Vec<RunTally>, E> {
-    let poses = runs.iter().map(|run| run.poses.len()).sum();
+pub fn whole<E>(runs: &[ComparedRun], take: &mut Take<E>) -> Result<Vec<RunTally>, E> {
+    let poses: usize = runs.iter().map(|run| run.poses.len()).sum();
+    let keep = KeepLimits::new(poses as u64, MOST_UNPROVEN);
     let mut done = Vec::with_capacity(runs.len());
-    for ComparedRun { run, poses: of_run } in runs {
-        let keep = KeepLimits::of(poses, MOST_UNPROVEN, &done);
-        let mut tally = RunTally::new(run.material, run.assembly.clone(), run.phase);
+    for ComparedRun { run, poses } in runs {
+        let mut tally = RunTally::new(run, keep.after(&done));
         take(Piece::Begin(&tally))?;
-        for block in of_run.chunks(BLOCK) {
-            for pose in block {
-                tally.add(pose, keep);
-            }
-            take(Piece::Poses(&tally, block))?;
+        for block in poses.chunks(BLOCK) {
+            tally.add_block(block, take)?;
         }
         take(Piece::End(&tally))?;
         done.push(tally);
@@ -256,36 +296,25 @@ pub fn simulate_by_blocks<E: From<Error>>(
     tolerance_um: f64,
     unproven: usize,
     tick: &Tick,
-    take: &mut dyn FnMut(Piece) -> Result<(), E>,
+    take: &mut Take<E>,
 ) -> Result<Vec<RunTally>, E> {
-    let poses = study.pose_count();
-    let mut done: Vec<RunTally> = Vec::new();
-    let mut current: Option<(RunTally, KeepLimits)> = None;
+    let keep = KeepLimits::new(study.pose_count(), unproven);
+    let mut runs: Vec<RunTally> = Vec::new();
     let plans = study.runs()?;
-    each_block::<E>(study, plans, method, tick, &mut |block| {
-        if block.first {
-            let run = RunTally::new(block.material, block.assembly.clone(), block.phase);
-            take(Piece::Begin(&run))?;
-            let poses = usize::try_from(poses).unwrap_or(usize::MAX);
-            current = Some((run, KeepLimits::of(poses, unproven, &done)));
+    each_block::<E>(study, plans, method, tolerance_um, tick, &mut |block| {
+        if block.is_first {
+            let tally = RunTally::new(&block.plan.run, keep.after(&runs));
+            take(Piece::Begin(&tally))?;
+            runs.push(tally);
         }
-        let Some((run, keep)) = &mut current else {
+        let Some(tally) = runs.last_mut() else {
             return Ok(());
         };
-        let poses = parallel::map(block.poses, |result| {
-            compared(&run.assembly, result, tolerance_um)
-        });
-        for pose in &poses {
-            run.add(pose, *keep);
-        }
-        take(Piece::Poses(run, &poses))?;
-        if block.last
-            && let Some((run, _)) = current.take()
-        {
-            take(Piece::End(&run))?;
-            done.push(run);
+        tally.add_block(&block.poses, take)?;
+        if block.is_last {
+            take(Piece::End(tally))?;
         }
         Ok(())
     })?;
-    Ok(done)
+    Ok(runs)
 }

@@ -1,14 +1,13 @@
 //! The verdict: whether a pair assembles over its whole mesh cycle, and whether it meets its requirements.
 
-use super::assembles_from::AssemblesFrom;
+use super::assembles_from::Threshold;
 use super::compare::ComparedPose;
 use super::diagnosis::{self, CheckName};
 use super::extremes::{RunExtreme, RunExtremes, WIDTH};
-use super::meshes_to::MeshesTo;
 use super::requirement::{Quantity, Requirements};
 use super::study::Study;
 use super::uncertainty::Uncertainty;
-use crate::contact::Status;
+use crate::contact::{End, Status};
 use crate::outline::AssembledPair;
 use crate::pair::Member;
 
@@ -212,48 +211,21 @@ impl<'a> Verdict<'a> {
     }
 
     /// The distance from which all runs assemble, among those that do not; `None` if one never does.
-    pub fn assembles_from(&self) -> Option<AssemblesFrom> {
+    pub fn assembles_from(&self) -> Option<Threshold> {
         let failing = self
             .runs
             .iter()
             .filter(|run| run.assembles() == Some(false) && run.status != Status::NoContact);
         let from = failing.map(|run| run.assembles_from);
-        from.collect::<Option<Vec<AssemblesFrom>>>()?
-            .into_iter()
-            .reduce(|a, b| if b.high > a.high { b } else { a })
+        Threshold::farthest(from.collect::<Option<Vec<_>>>()?.into_iter())
     }
 
     /// The distance up to which all runs are in mesh, among those out of mesh; `None` if one never is.
-    pub fn meshes_to(&self) -> Option<MeshesTo> {
+    pub fn meshes_to(&self) -> Option<Threshold> {
         let runs = self.runs.iter();
         let apart = runs.filter(|run| run.status == Status::NoContact);
         let to = apart.map(|run| run.meshes_to);
-        to.collect::<Option<Vec<MeshesTo>>>()?
-            .into_iter()
-            .reduce(|a, b| if b.low < a.low { b } else { a })
-    }
-}
-
-/// The value of a quantity at its least or greatest in a run.
-struct FoundEnd {
-    /// Its bracket; `None` without a value.
-    pub bracket: Option<[f64; 2]>,
-    /// Whether the bracket covers every pose.
-    pub holds: bool,
-    /// Whether a pose attains a value inside the bracket.
-    pub is_attained: bool,
-    /// Whether the value includes the bearing clearance.
-    pub with_play: bool,
-}
-
-impl FoundEnd {
-    /// Distance of each end of the bracket past `limit`, the worse end first.
-    fn beyond(&self, limit: f64, is_max: bool) -> [f64; 2] {
-        match self.bracket {
-            None => [f64::INFINITY; 2],
-            Some([low, high]) if is_max => [high - limit, low - limit],
-            Some([low, high]) => [limit - low, limit - high],
-        }
+        Threshold::nearest(to.collect::<Option<Vec<_>>>()?.into_iter())
     }
 }
 
@@ -273,21 +245,8 @@ fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
     });
     let worst = |(quantity, limit, is_max): (Quantity, Option<f64>, bool)| {
         let limit = limit?;
-        let each = runs.iter().filter_map(|run| {
-            let end = end(quantity, run, is_max);
-            let [most, least] = end.beyond(limit, is_max);
-            let is_missed = end.is_attained && least > 0.0;
-            let is_kept = end.holds && most <= 0.0;
-            let unmet = Unmet {
-                quantity,
-                limit,
-                is_max,
-                found: end.bracket,
-                is_missed,
-                with_play: end.with_play,
-            };
-            (!is_kept).then_some((unmet, most))
-        });
+        let each = runs.iter();
+        let each = each.filter_map(|run| unmet_by(run, quantity, limit, is_max));
         let key = |(unmet, most): &(Unmet, f64)| (unmet.is_missed, *most);
         each.max_by(|one, other| {
             let ((missed, most), (other_missed, other_most)) = (key(one), key(other));
@@ -299,29 +258,37 @@ fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
     unmet
 }
 
-/// The least or the greatest of a quantity over a run. With bearing clearance the axes are pressed together, or pulled apart.
-fn end(quantity: Quantity, run: &RunExtremes, is_max: bool) -> FoundEnd {
-    let (assembly, extreme) = match (&run.bearings, is_max) {
-        (Some(play), true) => (&play.apart.assembly, play.apart.extreme.as_ref()),
-        (Some(play), false) => (&play.pressed.assembly, play.pressed.extreme.as_ref()),
-        (None, true) => (&run.assembly, run.greatest.as_ref()),
-        (None, false) => (&run.assembly, run.least.as_ref()),
+/// The limit of a quantity that `run` does not keep, and the distance of the worse end of its bracket past the limit; `None` if it keeps it. With
+/// bearing clearance the axes are pressed together, or pulled apart.
+fn unmet_by(
+    run: &RunExtremes,
+    quantity: Quantity,
+    limit: f64,
+    is_max: bool,
+) -> Option<(Unmet, f64)> {
+    let (assembly, extreme) = run.with_play(if is_max { End::Greatest } else { End::Least });
+    // The radial clearance needs no contact.
+    let extreme = extreme.filter(|_| quantity != Quantity::RadialClearance);
+    let j_wt = match quantity {
+        Quantity::RadialClearance => Some([0.0; 2]),
+        _ => extreme.map(|found| [found.low, found.high]),
     };
-    let with_play = run.bearings.is_some();
-    if quantity == Quantity::RadialClearance {
-        // It needs no contact.
-        return FoundEnd {
-            bracket: quantity.bracket(assembly, [0.0; 2], is_max),
-            holds: true,
-            is_attained: true,
-            with_play,
-        };
-    }
-    FoundEnd {
-        bracket: extreme
-            .and_then(|found| quantity.bracket(assembly, [found.low, found.high], is_max)),
-        holds: extreme.is_none_or(RunExtreme::holds),
-        is_attained: extreme.is_none_or(|extreme| extreme.pose.simulated.found.is_ok()),
-        with_play,
-    }
+    let found = j_wt.and_then(|j_wt| quantity.bracket(assembly, j_wt, is_max));
+    let [most, least] = match found {
+        None => [f64::INFINITY; 2],
+        Some([low, high]) if is_max => [high - limit, low - limit],
+        Some([low, high]) => [limit - low, limit - high],
+    };
+    // Whether a pose attains a value inside the bracket, and whether the bracket covers every pose.
+    let is_attained = extreme.is_none_or(|extreme| extreme.pose.simulated.found.is_ok());
+    let holds = extreme.is_none_or(RunExtreme::holds);
+    let unmet = Unmet {
+        quantity,
+        limit,
+        is_max,
+        found,
+        is_missed: is_attained && least > 0.0,
+        with_play: run.bearings.is_some(),
+    };
+    (!(holds && most <= 0.0)).then_some((unmet, most))
 }

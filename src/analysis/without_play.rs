@@ -42,7 +42,7 @@ pub fn tips_on_roots(study: &Study) -> Result<Option<f64>, Error> {
     let runs = study.runs()?;
     Ok(runs.first().map(|run| {
         let [wheel, pinion] =
-            Member::BOTH.map(|member| PlacedGear::new(&run.assembly, member, 0.0).radii());
+            Member::BOTH.map(|member| PlacedGear::new(&run.run.assembly, member, 0.0).radii());
         (wheel[0] + pinion[1]).max(pinion[0] + wheel[1])
     }))
 }

@@ -6,7 +6,7 @@
 use super::Unmeasured;
 use super::spread::{ends, mean, range};
 use super::workpiece::Workpiece;
-use crate::gear::{Flank, Pitch, PitchAxis, Side};
+use crate::gear::{AsBuilt, Flank, Pitch, PitchAxis, Side};
 use nalgebra::{Point2, UnitComplex, Vector2};
 
 /// Pitch deviation of both flanks of a gear, read on the measuring circle.
@@ -102,6 +102,28 @@ struct Crossings {
     error: f64,
 }
 
+/// The intersection of the flank on `side` of `tooth` in a `section` of the gear with the measuring circle about `axis`: its polar angle about
+/// the circle's centre from the undisturbed centre line of the tooth, rad, the error as an arc, mm, and the place from the gear's own centre.
+/// `None` off the flank.
+pub(super) fn crossing(
+    work: &Workpiece,
+    section: &AsBuilt,
+    (side, tooth): (Side, u32),
+    axis: PitchAxis,
+) -> Option<(f64, f64, Point2<f64>)> {
+    let displacement = match axis {
+        PitchAxis::Own => Vector2::zeros(),
+        PitchAxis::Datum => section.displacement(0.0),
+    };
+    let along = UnitComplex::new(-section.tooth_angle(f64::from(tooth)));
+    let centre = Point2::from(along * -displacement);
+    let turn = UnitComplex::new(section.flank_offset(side, tooth));
+    let (at, error) = work.crossing(side, tooth, turn.inverse() * centre, radius(work))?;
+    let point = turn * at;
+    let arm = point - centre;
+    Some((arm.y.atan2(arm.x), error, point))
+}
+
 /// Reads the pitch of both flanks about `axis`.
 pub(super) fn pitch(work: &Workpiece, axis: PitchAxis) -> Result<PitchReadings, Unmeasured> {
     let crossings = crossings(work, axis)?;
@@ -142,29 +164,19 @@ fn radius(work: &Workpiece) -> f64 {
 
 fn crossings(work: &Workpiece, axis: PitchAxis) -> Result<Crossings, Unmeasured> {
     let gear = work.as_built;
-    let displacement = match axis {
-        PitchAxis::Own => Vector2::zeros(),
-        PitchAxis::Datum => gear.displacement(0.0),
-    };
     let mut found = Crossings {
         angles: [Vec::new(), Vec::new()],
         error: 0.0,
     };
     for tooth in 1..=gear.gear().basic_data().teeth() {
-        // From the tooth's undisturbed centre line.
-        let along = UnitComplex::new(-gear.tooth_angle(f64::from(tooth)));
-        let centre = Point2::from(along * -displacement);
         for (side, angles) in Side::BOTH.into_iter().zip(&mut found.angles) {
-            let turn = work.turn(side, tooth, 0.0);
-            let crossing = work.crossing(side, tooth, turn.inverse() * centre, radius(work));
-            let Some((at, error)) = crossing else {
+            let Some((angle, error, _)) = crossing(work, gear, (side, tooth), axis) else {
                 return Err(Unmeasured(format!(
                     "the reference circle of {} mm does not cross the involute of tooth {tooth}",
                     2.0 * radius(work)
                 )));
             };
-            let arm = turn * at - centre;
-            angles.push(arm.y.atan2(arm.x));
+            angles.push(angle);
             found.error = found.error.max(error);
         }
     }

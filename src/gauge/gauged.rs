@@ -13,10 +13,11 @@ use super::root::{RootReading, root};
 use super::runout::{RunoutReadings, runout};
 use super::seat::seats;
 use super::span::{Spans, spans};
-use super::stated::{Readings, StatedThickness, stated};
+use super::stated::{StatedThickness, stated};
 use super::workpiece::Workpiece;
 use crate::error::{Error, Tick};
 use crate::gear::{AsBuilt, Gear, PitchAxis, ProfilePart, involute, thickness as formula};
+use crate::numeric::bisect;
 
 /// The choices of a measurement. `None` selects a default that depends on the gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -112,14 +113,7 @@ pub fn gauge(
     let pins = seats(&work, pin).and_then(|seats| pins(&work, pin, seats));
     let ball = settings.ball.unwrap_or(pin);
     let runout = runout(&work, ball);
-    let roll = roll(
-        gear,
-        settings.master_teeth,
-        settings.steps_per_pitch,
-        settings.face,
-        more,
-        tick,
-    )?;
+    let roll = roll(gear, settings, more, tick)?;
     let diameters = [
         pins.as_ref().ok().map(|p| p.diameter),
         runout.as_ref().ok().map(|r| r.diameter),
@@ -128,15 +122,7 @@ pub fn gauge(
     let pitch_datum = pitch(&work, PitchAxis::Datum);
     let (thickness, root) = (thickness(&work), root(&work));
     Ok(Gauged {
-        stated: stated(
-            gear,
-            &Readings {
-                spans: &spans,
-                thickness: &thickness,
-                pitch: &pitch_own,
-                root: &root,
-            },
-        ),
+        stated: stated(gear, &spans, &thickness, &pitch_own, &root),
         grades: grades(
             gear.gear().basic_data(),
             [&pitch_datum, &pitch_own].into_iter().flatten(),
@@ -187,11 +173,10 @@ pub fn profiles(
 /// A gear outside the validity of the grades' formulas.
 pub fn graded(gear: &AsBuilt, ball: Option<f64>) -> Result<Vec<GradedReading>, Unmeasured> {
     let work = Workpiece::new(gear);
-    let pitches = [PitchAxis::Datum, PitchAxis::Own].map(|axis| pitch(&work, axis));
     let runout = runout(&work, ball.unwrap_or(usual_pin(gear.gear())));
     grades(
         gear.gear().basic_data(),
-        pitches.iter().flatten(),
+        pitches(gear).iter(),
         runout.as_ref().ok(),
     )
 }
@@ -199,8 +184,8 @@ pub fn graded(gear: &AsBuilt, ball: Option<f64>) -> Result<Vec<GradedReading>, U
 /// The least and greatest pin diameters, mm, that touch the involutes of every space of `gear` and protrude from it.
 /// They are searched around the usual pin and rounded inwards to 0.01 mm. `None`: the usual pin does not touch them.
 pub fn pin_sizes(gear: &AsBuilt) -> Option<[f64; 2]> {
-    /// Sufficient for 0.001 of a diameter.
-    const HALVINGS: usize = 12;
+    /// Width of the bracket of an end, as a part of a step: 12 halvings, sufficient for 0.001 of a diameter.
+    const WIDTH: f64 = 1.0 / 4095.0;
     let work = Workpiece::new(gear);
     let fits = |pin| {
         seats(&work, pin).is_ok_and(|seats| {
@@ -222,15 +207,7 @@ pub fn pin_sizes(gear: &AsBuilt) -> Option<[f64; 2]> {
             }
             (inner, outer) = (outer, outer * factor);
         }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (inner + outer);
-            if fits(middle) {
-                inner = middle;
-            } else {
-                outer = middle;
-            }
-        }
-        inner
+        bisect(inner, outer, WIDTH * (outer - inner).abs(), fits)[0]
     };
     Some([
         (100.0 * end(0.5)).ceil() / 100.0,

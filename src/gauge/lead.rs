@@ -10,13 +10,14 @@
 
 use super::Unmeasured;
 use super::eccentricity::{Eccentricity, eccentricity};
+use super::flanks::crossing;
 use super::profile::{FlankTraces, TraceReading, evaluate, off_flank};
 use super::runout::{RunoutReadings, runout};
 use super::span::{Spans, spans};
 use super::workpiece::Workpiece;
 use crate::gear::{AsBuilt, Flank, Hand, Lead, PitchAxis};
 use crate::parallel;
-use nalgebra::{Point2, UnitComplex, Vector2};
+use nalgebra::{UnitComplex, Vector2};
 
 /// Points over the face, and over the evaluation range.
 const POINTS: usize = 41;
@@ -246,16 +247,10 @@ fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings
     let mut flank = |own: Flank| {
         let sense = gear.face().seen_from_front(own).sense();
         let read = parallel::map(1..=teeth, |tooth| {
-            let stylus = Stylus {
-                work: &work,
-                own,
-                tooth,
-                axis,
-            };
-            let (start, _) = stylus.turn(gear)?;
+            let (start, _) = turn(&work, gear, (own, tooth), axis)?;
             let mut worst = 0.0;
             let deviations = sections.iter().map(|section| {
-                let (turn, error) = stylus.turn(section)?;
+                let (turn, error) = turn(&work, section, (own, tooth), axis)?;
                 worst = f64::max(worst, 2.0 * error);
                 // Material of the further turn, along the base tangent.
                 Some(sense * (turn - start) * gear.gear().base_radius())
@@ -300,45 +295,25 @@ fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings
     })
 }
 
-/// The stylus on one flank.
-struct Stylus<'a> {
-    work: &'a Workpiece<'a>,
-    own: Flank,
-    tooth: u32,
+/// Angle of the own flank of `tooth` on the reference circle in a section, rad, from the tooth's undisturbed centre line, and its error as an
+/// arc, mm; `None` off the flank.
+fn turn(
+    work: &Workpiece,
+    section: &AsBuilt,
+    (own, tooth): (Flank, u32),
     axis: PitchAxis,
-}
-
-impl Stylus<'_> {
-    /// Angle of the flank on the reference circle in a section, rad, from the tooth's undisturbed centre line, and its error as an arc, mm;
-    /// `None` off the flank.
-    fn turn(&self, section: &AsBuilt) -> Option<(f64, f64)> {
-        let data = section.gear().basic_data();
-        let (radius, tooth) = (data.reference_radius(), self.tooth);
-        let side = section.face().seen_from_front(self.own);
-        let along = UnitComplex::new(-section.tooth_angle(f64::from(tooth)));
-        let turn = UnitComplex::new(section.flank_offset(side, tooth));
-        let is_datum = self.axis == PitchAxis::Datum;
-        let centre = if is_datum {
-            Point2::from(along * -section.displacement(0.0))
-        } else {
-            Point2::origin()
-        };
-        let (at, error) = self
-            .work
-            .crossing(side, tooth, turn.inverse() * centre, radius)?;
-        let point = turn * at;
-        let arm = point - centre;
-        let angle = arm.y.atan2(arm.x);
-        let rise = if is_datum {
+) -> Option<(f64, f64)> {
+    let side = section.face().seen_from_front(own);
+    let (angle, error, point) = crossing(work, section, (side, tooth), axis)?;
+    let rise = match axis {
+        PitchAxis::Own => 0.0,
+        PitchAxis::Datum => {
+            let along = UnitComplex::new(-section.tooth_angle(f64::from(tooth)));
             (along * section.lean(0.0)).dot(&point.coords)
-        } else {
-            0.0
-        };
-        let lead = section.lead(side, tooth, rise) - section.lead(side, tooth, 0.0);
-        let base = section.gear().base_radius();
-        Some((
-            angle + data.twist() * rise + side.sense() * lead / base,
-            error,
-        ))
-    }
+        }
+    };
+    let lead = section.lead(side, tooth, rise) - section.lead(side, tooth, 0.0);
+    let gear = section.gear();
+    let tilted = angle + gear.basic_data().twist() * rise;
+    Some((tilted + side.sense() * lead / gear.base_radius(), error))
 }

@@ -48,6 +48,11 @@ pub use seat::Seat;
 pub use span::{Span, Spans};
 pub use stated::StatedThickness;
 
+/// The tooth `steps` ascending numbers after `tooth` of `teeth`.
+fn after(teeth: u32, tooth: u32, steps: u32) -> u32 {
+    (tooth - 1 + steps) % teeth + 1
+}
+
 /// The reason why a gauge has no reading on this gear. It is a result, not a fault: the other gauges still measure.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{0}")]

@@ -8,10 +8,10 @@
 //! the helix through the centre of a ball. It touches where that ball does, and its middle has the ball's distance from the axis. Pins
 //! slide along their spaces until they are opposite each other. So the anvils measure `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
 
-use super::Unmeasured;
 use super::seat::{Seat, check_standing_out};
 use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
+use super::{Unmeasured, after};
 use nalgebra::Point2;
 
 /// One dimension over pins.
@@ -97,7 +97,7 @@ fn over_two(
     apart: impl Fn(Point2<f64>, Point2<f64>) -> f64,
 ) -> Vec<OverPins> {
     let one = |tooth: u32| {
-        let opposite = (tooth - 1 + teeth / 2) % teeth + 1;
+        let opposite = after(teeth, tooth, teeth / 2);
         let ((one, one_error), (other, other_error)) = (at(tooth), at(opposite));
         OverPins {
             tooth,
@@ -117,15 +117,14 @@ pub(super) fn over(
     rounding: f64,
     at: impl Fn(u32) -> (Point2<f64>, f64),
 ) -> (Vec<OverPins>, Vec<OverPins>) {
-    let after = |tooth: u32, steps: u32| (tooth - 1 + steps) % teeth + 1;
     let apart = |one: Point2<f64>, other: Point2<f64>| (one - other).norm();
     let two = over_two(teeth, diameter, rounding, &at, apart);
     let three = (1..=teeth)
         .filter(|_| !teeth.is_multiple_of(2))
         .map(|tooth| {
-            let opposite = after(tooth, teeth / 2);
+            let opposite = after(teeth, tooth, teeth / 2);
             let (one, error) = at(tooth);
-            let pair = [opposite, after(opposite, 1)].map(&at);
+            let pair = [opposite, after(teeth, opposite, 1)].map(&at);
             let along = (pair[1].0 - pair[0].0).normalize();
             OverPins {
                 tooth,

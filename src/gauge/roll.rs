@@ -3,10 +3,10 @@
 //! The centre distance `a''` of each pose is the one at which the exact kernel finds no lost motion, bracketed to 1e-10 mm. Poses an even
 //! part of a pitch apart give the curve. More poses are added where extremes are possible (see [`super::roll_extremes`]).
 
-use super::Unmeasured;
 use super::master::master;
 use super::roll_extremes::{DeviationCurve, RollPose, RollRange, RollSample, bracketed};
 use super::spread::{ends, mean};
+use super::{Settings, Unmeasured};
 use crate::analytic::InvolutePair;
 use crate::contact::{Contact, LostMotion, PairAtDistance, PoseClass};
 use crate::error::{Error, Tick};
@@ -27,21 +27,13 @@ pub struct Roll {
     pub poses: Vec<RollPose>,
     /// Additional poses for the extremes, in the order of the revolution.
     pub between: Vec<RollPose>,
-    total: RollRange,
-    tooth_to_tooth: RollRange,
+    /// `F_i''`: range of `a''` over the revolution.
+    pub total: RollRange,
+    /// `f_i''`: greatest range of `a''` within one pitch (360°/z).
+    pub tooth_to_tooth: RollRange,
 }
 
 impl Roll {
-    /// `F_i''`: range of `a''` over the revolution.
-    pub fn total(&self) -> RollRange {
-        self.total
-    }
-
-    /// `f_i''`: greatest range of `a''` within one pitch (360°/z).
-    pub fn tooth_to_tooth(&self) -> RollRange {
-        self.tooth_to_tooth
-    }
-
     /// Greatest bound on the error of a pose, mm.
     pub fn reading_error(&self) -> f64 {
         let poses = self.poses.iter().chain(&self.between);
@@ -60,16 +52,15 @@ impl Roll {
     }
 }
 
-/// Rolls `gear` through one revolution over its `face`. `tick` is called as each pose begins, `more` with the number of further poses.
+/// Rolls `gear` through one revolution over its face. `tick` is called as each pose begins, `more` with the number of further poses.
 pub(super) fn roll(
     gear: &AsBuilt,
-    master_teeth: Option<u32>,
-    steps_per_pitch: u32,
-    face: [f64; 2],
+    settings: &Settings,
     more: &dyn Fn(usize),
     tick: &Tick,
 ) -> Result<Result<Roll, Unmeasured>, Error> {
-    let master = match master(gear, master_teeth) {
+    let steps_per_pitch = settings.steps_per_pitch;
+    let master = match master(gear, settings.master_teeth) {
         Ok(master) => master,
         Err(reason) => return Ok(Err(reason)),
     };
@@ -85,7 +76,7 @@ pub(super) fn roll(
     };
     let mate = AsBuilt::perfect(master.clone(), towards);
     let assembly = GearPair::with_locked(gear.clone(), mate, guess, Member::Wheel)?;
-    let assembly = assembly.with_face(face)?;
+    let assembly = assembly.with_face(settings.face)?;
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
     let bench = PairAtDistance::new(&assembly);
@@ -99,7 +90,7 @@ pub(super) fn roll(
         steps_per_pitch: steps_per_pitch as usize,
         step: gear.gear().basic_data().angular_pitch() / f64::from(steps_per_pitch),
     };
-    let Some(rolled) = bracketed(&curve, more, &take)? else {
+    let Some((poses, between, ranges)) = bracketed(&curve, more, &take)? else {
         return Ok(Err(Unmeasured(
             "no centre distance brings the gear and the master together without play".to_owned(),
         )));
@@ -107,10 +98,10 @@ pub(super) fn roll(
     Ok(Ok(Roll {
         master,
         steps_per_pitch,
-        poses: rolled.even,
-        between: rolled.between,
-        total: rolled.total,
-        tooth_to_tooth: rolled.tooth_to_tooth,
+        poses,
+        between,
+        total: ranges.total,
+        tooth_to_tooth: ranges.tooth_to_tooth,
     }))
 }
 

@@ -79,14 +79,6 @@ pub(super) struct RollSample {
     pub touched: [Option<[(u32, ToothPlace); 2]>; 2],
 }
 
-/// The poses of a test, and its ranges.
-pub(super) struct Bracketed {
-    pub even: Vec<RollPose>,
-    pub between: Vec<RollPose>,
-    pub total: RollRange,
-    pub tooth_to_tooth: RollRange,
-}
-
 /// A piece between two neighbouring poses.
 struct Piece {
     /// Places of its ends.
@@ -107,14 +99,14 @@ impl Piece {
 }
 
 /// Takes the even poses of `curve` with `take` (step, part of a step beyond it), and as many more as its ranges need.
-/// `more` is called with the number of each further round.
+/// `more` is called with the number of each further round. The results are the even poses, the others, and the ranges.
 ///
 /// `None` if a pose has no distance.
 pub(super) fn bracketed(
     curve: &DeviationCurve,
     more: &dyn Fn(usize),
     take: &(dyn Fn(usize, f64) -> Result<Option<RollSample>, Error> + Sync),
-) -> Result<Option<Bracketed>, Error> {
+) -> Result<Option<(Vec<RollPose>, Vec<RollPose>, Ranges)>, Error> {
     let mut samples: BTreeMap<u64, RollSample> = BTreeMap::new();
     let mut wanted: Vec<u64> = (0..curve.steps as u64).map(|step| step * PARTS).collect();
     for round in 0.. {
@@ -148,12 +140,7 @@ pub(super) fn bracketed(
             let (even, between): (Vec<_>, Vec<_>) =
                 samples.iter().partition(|(place, _)| *place % PARTS == 0);
             let poses = |list: Vec<(&u64, &RollSample)>| list.iter().map(|(_, s)| s.pose).collect();
-            return Ok(Some(Bracketed {
-                even: poses(even),
-                between: poses(between),
-                total: ranges.total,
-                tooth_to_tooth: ranges.tooth_to_tooth,
-            }));
+            return Ok(Some((poses(even), poses(between), ranges)));
         }
     }
     Ok(None)
@@ -186,9 +173,9 @@ fn pieces(curve: &DeviationCurve, samples: &BTreeMap<u64, RollSample>) -> Vec<Pi
 }
 
 /// Both ranges, and the pieces that leave them uncertain.
-struct Ranges {
-    total: RollRange,
-    tooth_to_tooth: RollRange,
+pub(super) struct Ranges {
+    pub total: RollRange,
+    pub tooth_to_tooth: RollRange,
     /// Whether each piece must be halved, for the one and the other range.
     open: [Vec<bool>; 2],
 }

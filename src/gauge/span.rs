@@ -69,14 +69,9 @@ const MOST_ROCKS: usize = 20;
 
 /// Measures the span over `k` teeth all round.
 pub(super) fn spans(work: &Workpiece, k: u32) -> Result<Spans, Unmeasured> {
-    let basic_data = work.as_built.gear().basic_data();
-    if k == 0 || k > basic_data.teeth() / 2 {
-        return Err(Unmeasured(format!(
-            "a span over {k} of {} teeth: allowed is 1 up to half of them",
-            basic_data.teeth()
-        )));
-    }
-    let readings = parallel::map(1..=basic_data.teeth(), |first| span(work, k, first));
+    let teeth = work.as_built.gear().basic_data().teeth();
+    check_spanned(k, teeth)?;
+    let readings = parallel::map(1..=teeth, |first| span(work, k, first));
     let spans = Spans {
         teeth: k,
         readings: readings.into_iter().collect::<Result<_, _>>()?,
@@ -85,6 +80,16 @@ pub(super) fn spans(work: &Workpiece, k: u32) -> Result<Spans, Unmeasured> {
         None => Ok(spans),
         Some(reason) => Err(Unmeasured(reason)),
     }
+}
+
+/// An error unless `k` of `teeth` can be spanned.
+pub(super) fn check_spanned(k: u32, teeth: u32) -> Result<(), Unmeasured> {
+    if (1..=teeth / 2).contains(&k) {
+        return Ok(());
+    }
+    Err(Unmeasured(format!(
+        "a span over {k} of {teeth} teeth: allowed is 1 up to half of them"
+    )))
 }
 
 /// The reason why `spans` are not valid: a span needs both anvils on involutes between the form circle and the tip corner.

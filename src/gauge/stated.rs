@@ -10,7 +10,7 @@ use super::Unmeasured;
 use super::flanks::{PitchReadings, ThicknessReadings};
 use super::root::RootReading;
 use super::span::Spans;
-use crate::gear::{AsBuilt, Gear, thickness};
+use crate::gear::{AsBuilt, Gear, thickness as formula};
 
 /// The thickness in a gear file. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,21 +30,19 @@ pub enum StatedThickness {
     },
 }
 
-/// The readings for a statement.
-pub(super) struct Readings<'a> {
-    pub spans: &'a Result<Spans, Unmeasured>,
-    pub thickness: &'a Result<ThicknessReadings, Unmeasured>,
-    pub pitch: &'a Result<PitchReadings, Unmeasured>,
-    pub root: &'a Result<RootReading, Unmeasured>,
-}
-
 /// The thickness of `gear` for a gear file, or the reason why none can state it.
 ///
 /// Spans are stated only if reading the file gives the same spans: `k` must have its contact on the involute of a gear of that thickness.
 /// An allowance is that of the involutes, without the contribution of `as_built`'s profiles at the reference circle.
-pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickness, Unmeasured> {
+pub(super) fn stated(
+    as_built: &AsBuilt,
+    spans: &Result<Spans, Unmeasured>,
+    thickness: &Result<ThicknessReadings, Unmeasured>,
+    pitch: &Result<PitchReadings, Unmeasured>,
+    root: &Result<RootReading, Unmeasured>,
+) -> Result<StatedThickness, Unmeasured> {
     let gear = as_built.gear();
-    if let Err(reason) = read.pitch {
+    if let Err(reason) = pitch {
         return Err(reason.clone());
     }
     let (design, basic_data) = (gear.design(), gear.basic_data());
@@ -53,21 +51,21 @@ pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickn
     // Base thickness by the flanks.
     // Anvils on helical teeth touch beside the measuring plane, where leads add to the thickness.
     let has_leads = as_built.has_leads() && basic_data.hand().is_some();
-    let spans = read.spans.as_ref().ok().filter(|_| !has_leads);
-    let by_spans = |spans: &Spans| thickness::base_from_span(basic_data, spans.teeth, spans.mean());
-    let (base, error) = match (read.thickness, spans) {
+    let spans = spans.as_ref().ok().filter(|_| !has_leads);
+    let by_spans = |spans: &Spans| formula::base_from_span(basic_data, spans.teeth, spans.mean());
+    let (base, error) = match (thickness, spans) {
         (Ok(arcs), _) => {
             // A gear file states the normal section.
             let allowance = (arcs.mean() - as_built.arc_of_profiles() - arcs.nominal) * arcs.normal;
-            let base = thickness::base_from_allowance(basic_data, nominal, allowance);
+            let base = formula::base_from_allowance(basic_data, nominal, allowance);
             (base, arcs.error)
         }
         (Err(_), Some(spans)) => (by_spans(spans), spans.error() / cos),
         (Err(reason), None) => return Err(reason.clone()),
     };
-    let allowance = thickness::allowance_from_base(basic_data, nominal, base);
+    let allowance = formula::allowance_from_base(basic_data, nominal, base);
     // Thickness by the root, if it is visible.
-    let beyond = read.root.as_ref().map_or(0.0, |root| {
+    let beyond = root.as_ref().map_or(0.0, |root| {
         let beyond = allowance - (root.thickness - design.nominal_thickness());
         if beyond.abs() <= error + root.thickness_error {
             0.0
@@ -77,14 +75,14 @@ pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickn
     });
     let readable = |base, spans: &Spans| {
         let gear = Gear::new(*design, base);
-        let checked = gear.and_then(|gear| thickness::check_span(&gear, spans.teeth));
+        let checked = gear.and_then(|gear| formula::check_span(&gear, spans.teeth));
         checked.is_ok()
     };
     if spans.is_some_and(|spans| beyond == 0.0 && readable(by_spans(spans), spans)) {
         return Ok(StatedThickness::Spans);
     }
     let allowance = allowance - beyond;
-    let base = thickness::base_from_allowance(basic_data, nominal, allowance);
+    let base = formula::base_from_allowance(basic_data, nominal, allowance);
     Gear::new(*design, base).map_err(|error| Unmeasured(error.to_string()))?;
     Ok(StatedThickness::Allowance {
         allowance,

@@ -242,8 +242,11 @@ impl Fit {
     /// The fit of the pair at the least and, if different, at the greatest distance.
     fn new(pairs: &[GearPair], pinion_tooth: u32, terms: &Terms) -> Result<Fit, Error> {
         let mut found: Option<Outcome> = None;
-        let assembly =
-            |pair: &GearPair| Assembly::new(pair.clone().into(), terms.clearance, pinion_tooth);
+        let assembly = |pair: &GearPair| Assembly {
+            pair: pair.clone().into(),
+            clearance: terms.clearance,
+            phase: pinion_tooth,
+        };
         for pair in pairs {
             let here = assembly(pair).outcome()?;
             found = Some(match found {

@@ -223,18 +223,11 @@ mod tests {
             (35.0, Hand::Left, vec![1, 6, 11, 16]),
         ] {
             let design = GearDesign::plain(20, 3.0).helical(beta, hand);
-            let (total_um, high_tooth) = (14.0, Some(4.5));
-            let runout = Runout {
-                total_um,
-                high_tooth,
-            };
+            let runout = Runout::new(14.0, 4.5);
             let probed = Probed::new(&design, &runout);
             let t = direction(&design.basic_data, 9.25) * LEAN;
             let leads = Flank::BOTH.map(|flank| lead(&probed, flank, &teeth, t));
-            let stated = RunoutStatement::Total {
-                total_um,
-                high_tooth,
-            };
+            let stated = RunoutStatement::Total(runout);
             let (found, own) = separate(&design, &leads, &stated).unwrap();
             assert!((found.lean - LEAN).abs() < 1e-9, "{beta}: {}", found.lean);
             assert!((found.tooth - 9.25).abs() < 1e-4, "{beta}: {}", found.tooth);

@@ -4,7 +4,9 @@ use super::error::MeasurementError;
 use super::finding::{Eccentricity, Finding, FittedReadings, FlankKnowledge, RunoutContradiction};
 use super::thickness_statement::Toleranced;
 use crate::error::GearError;
-use crate::gear::{BasicGearData, Deviations, Gear, Probe, RunoutFit, RunoutReadings, thickness};
+use crate::gear::{
+    BasicGearData, Deviations, Gear, Probe, RunoutFit, RunoutReadings, range, thickness,
+};
 
 /// A statement of the radial runout.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -12,13 +14,8 @@ pub enum RunoutStatement {
     /// No runout.
     #[default]
     None,
-    /// Radial runout `F_r`, twice the eccentricity.
-    Total {
-        /// `F_r`, µm.
-        total_um: f64,
-        /// The tooth (fractional, `1 ≤ … < z + 1`) with the highest reading; `None` if unknown.
-        high_tooth: Option<f64>,
-    },
+    /// Radial runout, twice the eccentricity.
+    Total(Runout),
     /// Readings all round.
     Readings(ProbeReadings),
 }
@@ -51,10 +48,7 @@ impl ProbeReadings {
 
     /// Greatest minus least reading, µm.
     pub fn range_um(&self) -> f64 {
-        let mm = self.mm();
-        let greatest = mm.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let least = mm.iter().copied().fold(f64::INFINITY, f64::min);
-        1000.0 * (greatest - least).max(0.0)
+        1000.0 * range(&self.mm())
     }
 }
 
@@ -71,20 +65,8 @@ impl RunoutStatement {
     pub(super) fn runout(&self) -> Runout {
         match self {
             RunoutStatement::None => Runout::default(),
-            RunoutStatement::Total {
-                total_um,
-                high_tooth,
-            } => Runout {
-                total_um: *total_um,
-                high_tooth: *high_tooth,
-            },
-            RunoutStatement::Readings(readings) => {
-                let total_um = readings.range_um();
-                Runout {
-                    total_um,
-                    high_tooth: (total_um > 0.0).then_some(1.0),
-                }
-            }
+            RunoutStatement::Total(runout) => *runout,
+            RunoutStatement::Readings(readings) => Runout::new(readings.range_um(), 1.0),
         }
     }
 
@@ -96,10 +78,10 @@ impl RunoutStatement {
         };
         match self {
             RunoutStatement::None => Ok(()),
-            RunoutStatement::Total {
+            RunoutStatement::Total(Runout {
                 total_um,
                 high_tooth,
-            } => {
+            }) => {
                 require(*total_um >= 0.0, "runout (µm)", *total_um, "0 or more")?;
                 let (tooth, teeth) = (high_tooth.unwrap_or(1.0), f64::from(basic_data.teeth()));
                 let allowed = "1 up to, but not including, the number of teeth + 1";
@@ -122,14 +104,13 @@ impl RunoutStatement {
 pub struct Runout {
     /// `F_r = 2 e`, µm.
     pub total_um: f64,
-    /// The high tooth; `None` if unknown.
+    /// The tooth (fractional, `1 ≤ … < z + 1`) with the highest reading; `None` if unknown.
     pub high_tooth: Option<f64>,
 }
 
 impl Runout {
-    /// The runout of an eccentricity, mm, fitted to readings.
-    pub(super) fn fitted(eccentricity: f64, high_tooth: f64) -> Runout {
-        let total_um = 2000.0 * eccentricity;
+    /// The runout `F_r`, µm, towards a tooth, if it is above 0.
+    pub(super) fn new(total_um: f64, high_tooth: f64) -> Runout {
         Runout {
             total_um,
             high_tooth: (total_um > 0.0).then_some(high_tooth),

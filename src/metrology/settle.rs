@@ -56,28 +56,24 @@ impl StatedTooth<'_> {
     ) -> Result<Toleranced<AsBuilt>, MeasurementError> {
         gears.try_map(|gear| {
             AsBuilt::new(gear.clone(), face, deviations).map_err(|error| {
-                let thickness_alone = Deviations {
+                let fails = |alone| AsBuilt::new(gear.clone(), face, &alone).is_err();
+                let none = Deviations::default;
+                let Deviations {
+                    profiles, leads, ..
+                } = deviations.clone();
+                let cause = if !fails(Deviations {
                     pitch: None,
                     ..deviations.clone()
-                };
-                let profiles_alone = Deviations {
-                    profiles: deviations.profiles.clone(),
-                    ..Deviations::default()
-                };
-                let leads_alone = Deviations {
-                    leads: deviations.leads.clone(),
-                    ..Deviations::default()
-                };
-                let by_spans = matches!(self.statement, ThicknessStatement::SpanReadings { .. });
-                let profiles = AsBuilt::new(gear.clone(), face, &profiles_alone);
-                let cause = match AsBuilt::new(gear.clone(), face, &thickness_alone) {
-                    Err(_) if profiles.is_err() => DeviationCause::Profile,
-                    Err(_) if AsBuilt::new(gear.clone(), face, &leads_alone).is_err() => {
-                        DeviationCause::Lead
-                    }
-                    Err(_) if by_spans => DeviationCause::Spans,
-                    Err(_) => DeviationCause::PerTooth,
-                    Ok(_) => DeviationCause::Pitch,
+                }) {
+                    DeviationCause::Pitch
+                } else if fails(Deviations { profiles, ..none() }) {
+                    DeviationCause::Profile
+                } else if fails(Deviations { leads, ..none() }) {
+                    DeviationCause::Lead
+                } else if matches!(self.statement, ThicknessStatement::SpanReadings { .. }) {
+                    DeviationCause::Spans
+                } else {
+                    DeviationCause::PerTooth
                 };
                 MeasurementError::Deviations {
                     error,
@@ -269,7 +265,7 @@ fn fitted(
         return Ok(None);
     };
     let fit = ReadingsFit::new(readings, gears.most(), known)?;
-    *runout = Runout::fitted(fit.fit.eccentricity, fit.fit.high_tooth);
+    *runout = Runout::new(2000.0 * fit.fit.eccentricity, fit.fit.high_tooth);
     runout.check(gears)?;
     Ok(Some(fit))
 }

@@ -72,7 +72,7 @@ impl Wobble {
             lean: lean.norm(),
             tooth: tooth(lean),
         };
-        (Runout::fitted(centre.norm(), tooth(centre)), wobble)
+        (Runout::new(2000.0 * centre.norm(), tooth(centre)), wobble)
     }
 
     /// The wobble of a gear whose shoulder of this diameter, mm, machined with the teeth, runs out by `at.total_um` in all. `is_far`: it looks away

@@ -8,9 +8,12 @@ use crate::outline::AssembledPair;
 /// One pair as assembled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assembly {
-    pair: AssembledPair,
-    clearance: f64,
-    phase: u32,
+    /// The pair.
+    pub pair: AssembledPair,
+    /// Radial play of both bearings together, mm.
+    pub clearance: f64,
+    /// The pinion tooth whose right flank meets that of wheel tooth 1.
+    pub phase: u32,
 }
 
 /// How an assembly ends.
@@ -68,37 +71,6 @@ pub struct Outcome {
 }
 
 impl Assembly {
-    pub(crate) fn new(pair: AssembledPair, clearance: f64, phase: u32) -> Assembly {
-        Assembly {
-            pair,
-            clearance,
-            phase,
-        }
-    }
-
-    /// The pair.
-    pub fn pair(&self) -> &AssembledPair {
-        &self.pair
-    }
-
-    /// Radial play of both bearings together, mm.
-    pub fn clearance(&self) -> f64 {
-        self.clearance
-    }
-
-    /// The pinion tooth whose right flank meets that of wheel tooth 1.
-    pub fn phase(&self) -> u32 {
-        self.phase
-    }
-
-    /// The same pair assembled in another phase.
-    pub(super) fn in_phase(&self, phase: u32) -> Assembly {
-        Assembly {
-            phase,
-            ..self.clone()
-        }
-    }
-
     /// The pair with its least and that with its greatest backlash: the axes as near, and as far apart, as the bearings
     /// allow. `None` if one of them is impossible.
     pub(crate) fn ends(&self) -> Option<[AssembledPair; 2]> {

@@ -16,7 +16,7 @@
 use super::factor::Factor;
 use super::members::Population;
 use super::sample::chunks;
-use super::spread::{Overflow, TENTHS_NM_PER_MM, tenths};
+use super::spread::{Overflow, tenths};
 use super::stream::{Draw, Run};
 use crate::error::{Error, Tick};
 use crate::parallel;
@@ -284,11 +284,4 @@ pub fn contributions(
         }
     }
     Ok(sums.map(|groups| Contributions::of(&groups, factors)))
-}
-
-impl Estimate {
-    /// Whether `value` differs by no more than `errors` standard errors and the rounding of lengths.
-    pub fn admits(&self, value: f64, errors: f64) -> bool {
-        (self.value - value).abs() <= errors * self.error + 1.0 / TENTHS_NM_PER_MM
-    }
 }

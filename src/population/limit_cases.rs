@@ -1,9 +1,10 @@
 //! Classic tolerance analysis: the worst case and the root sum of squares.
 
 use super::assembly::Assembly;
+use super::factor::Factor;
 use super::members::{Population, displaced};
 use super::scatter::Scatter;
-use super::scatters::{GearScatter, LeadScatter, Scatters, phase_count};
+use super::scatters::{GearScatter, LeadScatter, phase_count};
 use crate::analysis::extremes::phases_differ;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Deviations, Flank, Lead};
@@ -27,36 +28,23 @@ pub struct LimitCases {
     pub root_sum_of_squares: [Option<f64>; 2],
 }
 
-/// A quantity at a limit, all others at their mean.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum SingleFactor {
-    Thickness(Member),
-    Runout(Member),
-    Pitch(Member),
-    PerTooth(Member),
-    Distance,
-    Play,
-    Lead(Member),
-    Wobble(Member),
-    Lean,
-}
-
-const EACH: [SingleFactor; 15] = [
-    SingleFactor::Thickness(Member::Wheel),
-    SingleFactor::Thickness(Member::Pinion),
-    SingleFactor::Runout(Member::Wheel),
-    SingleFactor::Runout(Member::Pinion),
-    SingleFactor::Pitch(Member::Wheel),
-    SingleFactor::Pitch(Member::Pinion),
-    SingleFactor::PerTooth(Member::Wheel),
-    SingleFactor::PerTooth(Member::Pinion),
-    SingleFactor::Distance,
-    SingleFactor::Play,
-    SingleFactor::Lead(Member::Wheel),
-    SingleFactor::Lead(Member::Pinion),
-    SingleFactor::Wobble(Member::Wheel),
-    SingleFactor::Wobble(Member::Pinion),
-    SingleFactor::Lean,
+/// The quantities that have limits.
+const EACH: [Factor; 15] = [
+    Factor::Thickness(Member::Wheel),
+    Factor::Thickness(Member::Pinion),
+    Factor::Runout(Member::Wheel),
+    Factor::Runout(Member::Pinion),
+    Factor::Pitch(Member::Wheel),
+    Factor::Pitch(Member::Pinion),
+    Factor::PerTooth(Member::Wheel),
+    Factor::PerTooth(Member::Pinion),
+    Factor::CenterDistance,
+    Factor::BearingPlay,
+    Factor::Lead(Member::Wheel),
+    Factor::Lead(Member::Pinion),
+    Factor::Wobble(Member::Wheel),
+    Factor::Wobble(Member::Pinion),
+    Factor::Misalignment,
 ];
 
 /// Ends of the face, +1 away from the viewer, where leads and axes at their limits tighten right and left flanks. 0: slopes and axes are at their means.
@@ -109,19 +97,21 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
     {
         return Ok(None);
     }
-    let both = |of: &dyn Fn(SingleFactor) -> bool| {
+    let both = |of: &dyn Fn(Factor) -> bool| {
         let less = case(population, of, Towards::Less)?.0;
         Ok::<_, Error>([less, case(population, of, Towards::More)?.1])
     };
     let mean = both(&|_| false)?;
     let mut squares = [Some(0.0); 2];
     let mut thickness = [[Some(0.0); 2]; 2];
-    for alone in EACH.into_iter().filter(|alone| alone.scatters(scatters)) {
+    let varies = |one: &Factor| scatters.varies(*one, population.pair());
+    // Each with all others at their mean.
+    for alone in EACH.into_iter().filter(varies) {
         let moved = both(&|one| one == alone)?;
         for end in 0..2 {
             let change = moved[end].zip(mean[end]).map(|(moved, mean)| moved - mean);
-            if let SingleFactor::Thickness(member) = alone {
-                thickness[usize::from(member == Member::Pinion)][end] = change;
+            if let Factor::Thickness(member) = alone {
+                thickness[member as usize][end] = change;
             }
             squares[end] = squares[end]
                 .zip(change)
@@ -149,32 +139,17 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
     }))
 }
 
-impl SingleFactor {
-    fn scatters(self, scatters: &Scatters) -> bool {
-        match self {
-            SingleFactor::Thickness(member) => scatters.of(member).thickness.is_some(),
-            SingleFactor::Runout(member) => scatters.of(member).runout.is_some(),
-            SingleFactor::Pitch(member) => scatters.of(member).pitch.is_some(),
-            SingleFactor::PerTooth(member) => scatters.of(member).per_tooth.is_some(),
-            SingleFactor::Distance => scatters.center_distance.is_some(),
-            SingleFactor::Play => scatters.bearing_play.is_some(),
-            SingleFactor::Lead(member) => scatters.of(member).lead.is_some(),
-            SingleFactor::Wobble(member) => scatters.of(member).wobble.is_some(),
-            SingleFactor::Lean => scatters.lean.iter().any(Option::is_some),
-        }
-    }
-}
-
 /// Least and greatest with the quantities `at_limit` at their limit and all others at their mean, over the possible phases.
 fn case(
     population: &Population,
-    at_limit: &dyn Fn(SingleFactor) -> bool,
+    at_limit: &dyn Fn(Factor) -> bool,
     towards: Towards,
 ) -> Result<(Option<f64>, Option<f64>), Error> {
     let scatters = population.scatters();
-    let of_face = |one: &SingleFactor| matches!(one, SingleFactor::Lead(_) | SingleFactor::Lean);
+    let of_face = |one: &Factor| matches!(one, Factor::Lead(_) | Factor::Misalignment);
     let mut of_face = EACH.into_iter().filter(of_face);
-    let count = if of_face.any(|one| one.scatters(scatters) && at_limit(one)) {
+    let varies = |one| scatters.varies(one, population.pair());
+    let count = if of_face.any(|one| varies(one) && at_limit(one)) {
         FACE_ENDS.len()
     } else {
         1
@@ -186,13 +161,16 @@ fn case(
         return Ok((None, None));
     };
     let in_phases = assemblies.iter().flat_map(|assembly| {
-        let pair = assembly.pair();
+        let pair = &assembly.pair;
         let phases = if scatters.phase && phases_differ(pair) {
             1..=phase_count(pair)
         } else {
-            assembly.phase()..=assembly.phase()
+            assembly.phase..=assembly.phase
         };
-        phases.map(|phase| assembly.in_phase(phase))
+        phases.map(|phase| Assembly {
+            phase,
+            ..assembly.clone()
+        })
     });
     let each = parallel::map(in_phases, |assembly: Assembly| assembly.outcome());
     let each = each.into_iter().collect::<Result<Vec<_>, _>>()?;
@@ -206,7 +184,7 @@ fn case(
 
 fn assembly(
     population: &Population,
-    at_limit: &dyn Fn(SingleFactor) -> bool,
+    at_limit: &dyn Fn(Factor) -> bool,
     towards: Towards,
     ends: [f64; 2],
 ) -> Result<Assembly, Error> {
@@ -216,16 +194,16 @@ fn assembly(
         Towards::Less => [1, 0],
         Towards::More => [0, 1],
     };
-    let of = |scatter: &Option<Scatter>, alone: SingleFactor, side: usize| match scatter {
+    let of = |scatter: &Option<Scatter>, alone: Factor, side: usize| match scatter {
         None => 0.0,
         Some(scatter) if at_limit(alone) => scatter.limits()[side],
         Some(scatter) => scatter.mean(),
     };
     let gear = |pair: &GearPair, member: Member| {
         let (own, scatter) = (pair.gear(member), scatters.of(member));
-        let thicker = of(&scatter.thickness, SingleFactor::Thickness(member), less);
-        let each = of(&scatter.per_tooth, SingleFactor::PerTooth(member), less);
-        let pitch = if at_limit(SingleFactor::Pitch(member)) {
+        let thicker = of(&scatter.thickness, Factor::Thickness(member), less);
+        let each = of(&scatter.per_tooth, Factor::PerTooth(member), less);
+        let pitch = if at_limit(Factor::Pitch(member)) {
             pitch_limit(scatter, own) * if towards == Towards::Less { 1.0 } else { -1.0 }
         } else {
             0.0
@@ -241,33 +219,33 @@ fn assembly(
         };
         let mut gear = own.varied(thicker, &further)?;
         if let Some(lead) = &scatter.lead {
-            let limit = at_limit(SingleFactor::Lead(member)).then_some((towards, ends));
+            let limit = at_limit(Factor::Lead(member)).then_some((towards, ends));
             gear = gear.with_further_leads(&lead_limit(lead, &gear, limit))?;
         }
-        let is_worst = towards == Towards::Less && at_limit(SingleFactor::Wobble(member));
+        let is_worst = towards == Towards::Less && at_limit(Factor::Wobble(member));
         let wobble = scatter.wobble.as_ref().map(|wobble| {
             let lean = if is_worst { wobble.limits()[1] } else { 0.0 };
-            [lean, leaning_tooth(pair, population.phase(), member)]
+            [lean, leaning_tooth(pair, population.phase, member)]
         });
         displaced(gear, wobble, |gear| match &scatter.runout {
-            Some(runout) if at_limit(SingleFactor::Runout(member)) => {
+            Some(runout) if at_limit(Factor::Runout(member)) => {
                 gear.with_runout_of_any_direction(0.5 * runout.limits()[1])
             }
             Some(_) => gear.with_runout(0.0, 1.0),
             None => Ok(gear),
         })
     };
-    let farther = of(&scatters.center_distance, SingleFactor::Distance, more);
+    let farther = of(&scatters.center_distance, Factor::CenterDistance, more);
     let distance = population.pair().center_distance() + farther;
     let play = match &scatters.bearing_play {
-        Some(play) if at_limit(SingleFactor::Play) => play.limits()[1],
+        Some(play) if at_limit(Factor::BearingPlay) => play.limits()[1],
         Some(play) => play.mean(),
-        None => population.clearance(),
+        None => population.clearance,
     };
     // Axes that are nearer at the far end tighten it on both flanks, those with the pinion's far end at +y on right flanks.
     let senses = [-ends[0], ends[0]];
     let leaning = [0, 1].map(|k| match &scatters.lean[k] {
-        Some(lean) if at_limit(SingleFactor::Lean) && ends[0] != 0.0 => {
+        Some(lean) if at_limit(Factor::Misalignment) && ends[0] != 0.0 => {
             lean.limits()[usize::from(senses[k] > 0.0)]
         }
         Some(lean) => lean.mean(),
@@ -283,7 +261,11 @@ fn assembly(
         }
         None => population.pair().at(distance)?,
     };
-    Ok(Assembly::new(pair, play, population.phase()))
+    Ok(Assembly {
+        pair,
+        clearance: play,
+        phase: population.phase,
+    })
 }
 
 /// Leads of right and left flanks at their means, or at a limit with material at these ends of the face.

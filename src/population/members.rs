@@ -17,8 +17,10 @@ use crate::pair::{GearPair, Member};
 pub struct Population {
     pair: AssembledPair,
     scatters: Scatters,
-    clearance: f64,
-    phase: u32,
+    /// Clearance of both bearings if none scatters, mm.
+    pub(super) clearance: f64,
+    /// The pinion tooth that meets wheel tooth 1 if the phase does not scatter.
+    pub(super) phase: u32,
     factors: Vec<Factor>,
 }
 
@@ -88,16 +90,6 @@ impl Population {
         &self.scatters
     }
 
-    /// Clearance of both bearings if none scatters, mm.
-    pub(super) fn clearance(&self) -> f64 {
-        self.clearance
-    }
-
-    /// The pinion tooth that meets wheel tooth 1 if the phase does not scatter.
-    pub(super) fn phase(&self) -> u32 {
-        self.phase
-    }
-
     /// The quantities that scatter independently, in a fixed order.
     pub fn factors(&self) -> &[Factor] {
         &self.factors
@@ -134,7 +126,11 @@ impl Population {
                 Ok(scatter.displace_outline(gear, member, &stream)?)
             })?,
         };
-        Ok(Assembly::new(pair, play.unwrap_or(self.clearance), phase))
+        Ok(Assembly {
+            pair,
+            clearance: play.unwrap_or(self.clearance),
+            phase,
+        })
     }
 
     /// Two gears like those of `pair` at this distance.

@@ -67,37 +67,36 @@ pub enum ScatterError {
     Empty,
 }
 
+/// `error` unless `holds`.
+fn require(holds: bool, error: ScatterError) -> Result<(), ScatterError> {
+    if holds { Ok(()) } else { Err(error) }
+}
+
 fn finite(numbers: &[f64]) -> Result<(), ScatterError> {
     let all = numbers.iter().all(|number| number.is_finite());
-    all.then_some(()).ok_or(ScatterError::NotFinite)
+    require(all, ScatterError::NotFinite)
 }
 
 fn ordered(low: f64, high: f64) -> Result<(), ScatterError> {
     finite(&[low, high])?;
-    let right = low <= high;
-    right
-        .then_some(())
-        .ok_or(ScatterError::Limits { low, high })
+    require(low <= high, ScatterError::Limits { low, high })
 }
 
 fn positive(what: &'static str, value: f64) -> Result<(), ScatterError> {
     finite(&[value])?;
-    let right = value > 0.0;
-    right
-        .then_some(())
-        .ok_or(ScatterError::NotPositive { what, value })
+    require(value > 0.0, ScatterError::NotPositive { what, value })
 }
 
 fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), ScatterError> {
     ordered(low, high)?;
     finite(&[value])?;
-    let right = (low..=high).contains(&value);
-    right.then_some(()).ok_or(ScatterError::Outside {
+    let outside = ScatterError::Outside {
         what,
         value,
         low,
         high,
-    })
+    };
+    require((low..=high).contains(&value), outside)
 }
 
 impl Scatter {

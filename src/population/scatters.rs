@@ -134,57 +134,48 @@ impl Scatters {
         wobbles.contains(&true) || self.lean.iter().any(Option::is_some)
     }
 
+    /// The quantities that scatter independently in the assemblies of `pair`.
     pub(super) fn factors(&self, pair: &AssembledPair) -> Vec<Factor> {
-        let scatters = |scatter: &Option<Scatter>| {
+        let correlated = self.varies(Factor::Thicknesses, pair);
+        let is_own = |one: &Factor| {
+            let is_part = correlated && matches!(one, Factor::Thickness(_));
+            !is_part && self.varies(*one, pair)
+        };
+        Factor::ALL.into_iter().filter(is_own).collect()
+    }
+
+    /// Whether `factor` differs between the assemblies of `pair`.
+    pub(super) fn varies(&self, factor: Factor, pair: &AssembledPair) -> bool {
+        let varies = |scatter: &Option<Scatter>| {
             let scatter = scatter.as_ref();
             scatter.is_some_and(|scatter| !scatter.is_fixed())
         };
-        let mut factors = Vec::new();
-        let correlated = self.thickness_correlation != 0.0;
-        if correlated {
-            factors.push(Factor::Thicknesses);
+        match factor {
+            Factor::Thicknesses => self.thickness_correlation != 0.0,
+            Factor::Thickness(member) => varies(&self.of(member).thickness),
+            Factor::Runout(member) => {
+                let of = self.of(member);
+                // A runout without direction can have any.
+                let is_open = |gear: &AsBuilt| gear.any_direction() && gear.eccentricity() > 0.0;
+                let open = match &of.gears {
+                    Some(gears) => gears.iter().any(is_open),
+                    None => pair.data().is_some_and(|pair| is_open(pair.gear(member))),
+                };
+                of.runout.is_some() || open
+            }
+            Factor::Pitch(member) => self.of(member).pitch.is_some(),
+            Factor::PerTooth(member) => varies(&self.of(member).per_tooth),
+            Factor::Lead(member) => {
+                let lead = self.of(member).lead.as_ref();
+                lead.is_some_and(|lead| varies(&lead.slope) || varies(&lead.crowning))
+            }
+            Factor::Wobble(member) => self.of(member).wobble.is_some(),
+            Factor::Gear(member) => self.of(member).gears.is_some(),
+            Factor::CenterDistance => varies(&self.center_distance),
+            Factor::Misalignment => self.lean.iter().any(varies),
+            Factor::BearingPlay => varies(&self.bearing_play),
+            Factor::Phase => self.phase && phase_count(pair) > 1,
         }
-        for member in Member::BOTH {
-            let of = self.of(member);
-            // A runout without direction can have any.
-            let is_open = |gear: &AsBuilt| gear.any_direction() && gear.eccentricity() > 0.0;
-            let open = match &of.gears {
-                Some(gears) => gears.iter().any(is_open),
-                None => pair.data().is_some_and(|pair| is_open(pair.gear(member))),
-            };
-            let each = [
-                (
-                    !correlated && scatters(&of.thickness),
-                    Factor::Thickness(member),
-                ),
-                (of.runout.is_some() || open, Factor::Runout(member)),
-                (of.pitch.is_some(), Factor::Pitch(member)),
-                (scatters(&of.per_tooth), Factor::PerTooth(member)),
-                (
-                    of.lead
-                        .as_ref()
-                        .is_some_and(|lead| scatters(&lead.slope) || scatters(&lead.crowning)),
-                    Factor::Lead(member),
-                ),
-                (of.wobble.is_some(), Factor::Wobble(member)),
-                (of.gears.is_some(), Factor::Gear(member)),
-            ];
-            factors.extend(
-                each.into_iter()
-                    .filter_map(|(there, one)| there.then_some(one)),
-            );
-        }
-        let rest = [
-            (scatters(&self.center_distance), Factor::CenterDistance),
-            (self.lean.iter().any(scatters), Factor::Misalignment),
-            (scatters(&self.bearing_play), Factor::BearingPlay),
-            (self.phase && phase_count(pair) > 1, Factor::Phase),
-        ];
-        factors.extend(
-            rest.into_iter()
-                .filter_map(|(there, one)| there.then_some(one)),
-        );
-        factors
     }
 }
 
@@ -207,10 +198,8 @@ impl GearScatter {
                 runout: self.runout.clone(),
                 ..GearScatter::default()
             };
-            return match *self == runout_alone {
-                true => Ok(()),
-                false => Err(PopulationError::Drawn),
-            };
+            let is_alone = *self == runout_alone;
+            return is_alone.then_some(()).ok_or(PopulationError::Drawn);
         };
         let Some(gears) = &self.gears else {
             return Ok(());

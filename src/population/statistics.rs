@@ -1,5 +1,6 @@
 //! Statistics of a population from its sums: shares, spread, capability.
 
+use super::assembly::OutcomeKind;
 use super::requirement::Requirement;
 use super::spread::{BIN_TENTHS_NM, Spread, TENTHS_NM_PER_MM};
 use super::tally::Tally;
@@ -99,8 +100,10 @@ impl Statistics {
     /// The statistics of `tally`, whose rows were compared with `requirement`.
     pub fn of(tally: &Tally, requirement: &Requirement) -> Statistics {
         let total = tally.counts.total();
-        let least = SpreadStatistics::of(&tally.least, tally.counts.jammed, 0);
-        let greatest = SpreadStatistics::of(&tally.greatest, 0, tally.counts.no_contact);
+        let [jammed, no_contact] =
+            [OutcomeKind::Jammed, OutcomeKind::NoContact].map(|kind| tally.counts.of(kind));
+        let least = SpreadStatistics::of(&tally.least, jammed, 0);
+        let greatest = SpreadStatistics::of(&tally.greatest, 0, no_contact);
         let positive = |sigma: Option<f64>| sigma.filter(|sigma| *sigma > 0.0);
         let sigmas = [positive(least.sigma), positive(greatest.sigma)];
         let [low, high] = [requirement.min(), requirement.max()];

@@ -13,41 +13,17 @@ pub const STRETCHES: usize = 64;
 
 /// Number of assemblies of each kind.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Counts {
-    /// Backlash at every pose.
-    pub clear: u64,
-    /// Negative backlash at a pose.
-    pub interference: u64,
-    /// Teeth across each other at a pose.
-    pub jammed: u64,
-    /// Out of mesh at a pose.
-    pub no_contact: u64,
-    /// No extreme found.
-    pub unproven: u64,
-    /// Numbers that no gear or no pair has.
-    pub impossible: u64,
-}
+pub struct Counts([u64; OutcomeKind::ALL.len()]);
 
 impl Counts {
     /// All kinds.
     pub fn total(&self) -> u64 {
-        self.clear
-            + self.interference
-            + self.jammed
-            + self.no_contact
-            + self.unproven
-            + self.impossible
+        self.0.iter().sum()
     }
 
-    fn of(&mut self, kind: OutcomeKind) -> &mut u64 {
-        match kind {
-            OutcomeKind::Clear => &mut self.clear,
-            OutcomeKind::Interference => &mut self.interference,
-            OutcomeKind::Jammed => &mut self.jammed,
-            OutcomeKind::NoContact => &mut self.no_contact,
-            OutcomeKind::Unproven => &mut self.unproven,
-            OutcomeKind::Impossible => &mut self.impossible,
-        }
+    /// Number of assemblies of this kind.
+    pub fn of(&self, kind: OutcomeKind) -> u64 {
+        self.0[kind as usize]
     }
 }
 
@@ -99,7 +75,7 @@ impl Tally {
     /// # Errors
     /// [`Overflow`].
     pub fn count(&mut self, row: &Row, total: u64) -> Result<(), Overflow> {
-        *self.counts.of(row.kind) += 1;
+        self.counts.0[row.kind as usize] += 1;
         self.doubtful += u64::from(row.is_doubtful());
         self.below += u64::from(row.is_below);
         self.above += u64::from(row.is_above);

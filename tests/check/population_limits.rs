@@ -44,9 +44,9 @@ fn every_requirement_is_judged_as_the_verdict_of_the_pair_judges_it() {
         let assembly = population.assembly(drawn(3, number)).unwrap();
         let outcome = assembly.outcome().unwrap();
         assert_eq!(outcome.kind, OutcomeKind::Clear);
-        let (pair, play) = (assembly.pair().data().unwrap(), assembly.clearance());
+        let (pair, play) = (assembly.pair.data().unwrap(), assembly.clearance);
         let [near, far] = [-play, play].map(|by| pair.at(pair.center_distance() + by).unwrap());
-        let start = (1, assembly.phase());
+        let start = (1, assembly.phase);
         let study = Study {
             bearing_clearance: play,
             sweep: Some(SweepPlan::wheel_revolution(pair, 1, start)),

@@ -2,7 +2,7 @@
 //! any direction.
 
 use super::*;
-use gearlash::analysis::assembles_from::AssemblesFrom;
+use gearlash::analysis::assembles_from::Threshold;
 use gearlash::analysis::extremes::BearingPlay;
 use gearlash::analysis::verdict::{Requirement, Verdict as CycleVerdict};
 
@@ -14,7 +14,7 @@ fn thin_pair(teeth: [u32; 2], module: f64, shifts: [f64; 2], distance: f64) -> G
 }
 
 /// No pose of 20 000 over the cycle interferes at `high`; one does at `low`.
-fn hold(pair: &GearPair) -> AssemblesFrom {
+fn hold(pair: &GearPair) -> Threshold {
     let from = extremes_of(pair).assembles_from.unwrap();
     assert!(from.high - from.low <= 1e-6, "{from:?}");
     let at = pair.at(from.high).unwrap();

@@ -1,9 +1,8 @@
 //! The verdict over several runs: runs of one pair, with their extremes set by hand.
 
 use super::*;
-use gearlash::analysis::assembles_from::AssemblesFrom;
+use gearlash::analysis::assembles_from::Threshold;
 use gearlash::analysis::extremes::{CoveredPhases, WIDTH, extremes_of_phase, run_count};
-use gearlash::analysis::meshes_to::MeshesTo;
 use gearlash::analysis::verdict::{Requirement, Verdict as Said};
 
 const HIGH: [(f64, f64); 2] = [(0.01, 1.0), (0.02, 3.0)];
@@ -144,7 +143,7 @@ fn the_foremost_run_is_the_first_of_equals() {
 fn distances_are_of_all_runs_that_fail() {
     let run = run();
     let failing = |high: Option<f64>| RunExtremes {
-        assembles_from: high.map(|high| AssemblesFrom {
+        assembles_from: high.map(|high| Threshold {
             low: high - WIDTH,
             high,
             doubt: None,
@@ -153,7 +152,7 @@ fn distances_are_of_all_runs_that_fail() {
         ..with_status(&run, Status::Jammed)
     };
     let apart = |low: Option<f64>| RunExtremes {
-        meshes_to: low.map(|low| MeshesTo {
+        meshes_to: low.map(|low| Threshold {
             mating: Mating::FIRST,
             low,
             high: low + WIDTH,

@@ -29,7 +29,8 @@ fn hard(name: &str) -> Study {
 /// All poses of a pair by one method. That they come to an end at all was once the question.
 fn poses(name: &str, method: Method) -> Vec<PoseResult> {
     let runs = simulate(&hard(name), method, &|| ControlFlow::Continue(())).unwrap();
-    runs.into_iter().flat_map(|run| run.poses).collect()
+    let poses = runs.into_iter().flat_map(|run| run.poses);
+    poses.map(|pose| pose.simulated).collect()
 }
 
 /// Right results of a pair.
@@ -165,7 +166,7 @@ fn polygon_results_are_certified() {
         let coarse = CutPair::for_certificates(wheel, pinion);
         let cut = CutPair::new(wheel, pinion, study.chord);
         for plan in study.runs().unwrap() {
-            let pair = plan.assembly.data().unwrap();
+            let pair = plan.run.assembly.data().unwrap();
             let certifier = Certifier::new(coarse.kernel(pair));
             for mating in &plan.matings {
                 let pose = Pose::new(pair, *mating);
@@ -182,15 +183,15 @@ fn polygon_results_are_certified() {
 fn tips_that_just_meet_5_18() {
     let study = study("grazing/tips_just_meet_5_18.toml");
     let runs = simulate(&study, Method::Both, &|| ControlFlow::Continue(())).unwrap();
-    let pair = runs[0].assembly.data().unwrap();
+    let pair = runs[0].run.assembly.data().unwrap();
     let tips = Member::BOTH.map(|member| pair.gear(member).gear().tip_radius());
     assert!((pair.center_distance() - tips[0] - tips[1]).abs() < 2e-13);
-    let right = &runs[0].poses[0];
+    let right = &runs[0].poses[0].simulated;
     assert!(right.is_unproven(), "{right:?}");
-    let agreement = MethodAgreement::of(&runs[0].poses);
+    let agreement = MethodAgreement::of(runs[0].poses.iter().map(|pose| &pose.simulated));
     assert_eq!((agreement.one_alone, agreement.compared), (1, 1));
     assert!(!agreement.agrees() && agreement.largest == 0.0);
-    let left = &runs[0].poses[1];
+    let left = &runs[0].poses[1].simulated;
     assert_eq!(left.status(), Status::NoContact, "{left:?}");
 }
 

@@ -28,8 +28,8 @@ use gearlash::gear::{
     Spans, Trace, involute, thickness,
 };
 use gearlash::metrology::{
-    Measurements, PitchKind, PitchSense, PitchStatement, ProbeReadings, ReadWith, RunoutStatement,
-    ThicknessStatement, Toleranced,
+    Measurements, PitchKind, PitchSense, PitchStatement, ProbeReadings, ReadWith, Runout,
+    RunoutStatement, ThicknessStatement, Toleranced,
 };
 use gearlash::outline::{OutlineDifference, OutlineGear, OutlineReading, PathSegment, of_gear};
 use gearlash::pair::{GearPair, Member, Pose};

@@ -181,10 +181,10 @@ fn profiles_of_single_teeth_are_no_eccentricity() {
         runout,
         ..Measurements::nominal(shifted(teeth).design, Face::Front)
     };
-    let put_in = with(RunoutStatement::Total {
+    let put_in = with(RunoutStatement::Total(Runout {
         total_um: 20.0,
         high_tooth: Some(6.25),
-    });
+    }));
     let gear = put_in.measure().unwrap();
     let read = measure(gear.as_built.most(), with_ball(5.25));
     let read = read.runout.unwrap();

@@ -56,12 +56,12 @@ fn an_eccentric_gear_moves_by_twice_its_eccentricity() {
             assert!(pose.error < 2e-10);
             near(what, pose.distance, expected, pose.error);
         }
-        let (total, error) = (roll.total(), 2.0 * roll.reading_error());
+        let (total, error) = (roll.total, 2.0 * roll.reading_error());
         near(what, total.found, 2.0 * e, total.missed + error);
         // e cos χ is steepest at χ = π/2: e (cos(π/2 − τ/2) − cos(π/2 + τ/2)) within τ = 2π/z; the second order,
         // −e² sin² χ/(2 a_0), is the same at both ends of that window.
         let within = 2.0 * e * (PI / f64::from(z)).sin();
-        let found = roll.tooth_to_tooth();
+        let found = roll.tooth_to_tooth;
         let slack = error + e * e / (2.0 * a_0) * 0.01;
         let allowed = found.found - slack..=found.found + found.missed + slack;
         assert!(allowed.contains(&within), "{what:?}: {found:?} {within}");
@@ -87,7 +87,7 @@ fn extremes_between_poses_are_bracketed() {
         // Over the even poses alone, which share nothing with the search.
         let ends = |poses: &[RollPose]| ends(poses.iter().map(|pose| pose.distance));
         let [least, most] = ends(&many.poses);
-        let total = few.total();
+        let total = few.total;
         assert!(
             most - least <= total.found + total.missed + error,
             "{total:?}"
@@ -100,7 +100,7 @@ fn extremes_between_poses_are_bracketed() {
             most - least
         });
         let [_, within] = kit::ends(windows);
-        let single = few.tooth_to_tooth();
+        let single = few.tooth_to_tooth;
         let allowed = single.found - 1e-4..=single.found + single.missed + error;
         assert!(allowed.contains(&within), "{within} {single:?}");
         assert!(single.missed <= 2e-5, "z {teeth}: {single:?}");

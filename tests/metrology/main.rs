@@ -13,7 +13,7 @@ use gearlash::gear::{
 use gearlash::metrology::{
     CrossCheck, DeviationCause, EccentricitySource, Finding, Fits, FlankKnowledge, MeasuredGear,
     MeasurementError, Measurements, Outlier, PitchKind, PitchSense, PitchStatement, ProbeReadings,
-    ReadWith, RunoutStatement, StatementRole, ThicknessStatement, Toleranced,
+    ReadWith, Runout, RunoutStatement, StatementRole, ThicknessStatement, Toleranced,
 };
 use gearlash::pair::DesignatedDistance;
 use kit::{inv, near, spur};
@@ -34,10 +34,10 @@ fn design() -> GearDesign {
 }
 
 fn total(total_um: f64, high_tooth: f64) -> RunoutStatement {
-    RunoutStatement::Total {
+    RunoutStatement::Total(Runout {
         total_um,
         high_tooth: Some(high_tooth),
-    }
+    })
 }
 
 /// The deviations of a model: thickness and pitch deviation of each tooth about their means, mm.

@@ -191,10 +191,10 @@ impl Runout {
         match &self.readings {
             Some(readings) => RunoutStatement::Readings(readings.clone()),
             None if total_um == 0.0 && high_tooth.is_none() => RunoutStatement::None,
-            None => RunoutStatement::Total {
+            None => RunoutStatement::Total(metrology::Runout {
                 total_um,
                 high_tooth,
-            },
+            }),
         }
     }
 

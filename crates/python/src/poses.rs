@@ -3,8 +3,7 @@
 use crate::call::work;
 use crate::error::Outcome;
 use crate::pair::{Pair, mating};
-use gearlash::analysis::compare::compare;
-use gearlash::analysis::simulate::Run;
+use gearlash::analysis::compare::compared;
 use gearlash::contact::{Method, PoseResult, sweep_blocks};
 use gearlash::error::{Error, Tick};
 use gearlash::gear::Side;
@@ -27,22 +26,14 @@ pub fn lost_motion(
     distance: Option<f64>,
     material: Option<&str>,
 ) -> Outcome<String> {
-    let (material, assembly) = pair.assembly(distance, material)?;
+    let (_, assembly) = pair.assembly(distance, material)?;
     let mating = mating(&assembly, teeth, left, fraction)?;
     let found = py.detach(|| {
         let pose = assembly.lost_motion(mating)?;
-        let run = Run {
-            material,
-            assembly,
-            phase: None,
-            poses: vec![pose],
-        };
-        let compared = compare(vec![run], pair.study().tolerance_um);
-        let pose = compared[0].poses.first();
-        let assembly = &compared[0].run.assembly;
-        Ok::<_, Error>(pose.map(|pose| pose_json(assembly, pose)))
+        let pose = compared(&assembly, pose, pair.study().tolerance_um);
+        Ok::<_, Error>(pose_json(&assembly, &pose))
     });
-    Ok(found?.ok_or("no pose was found")?)
+    Ok(found?)
 }
 
 /// Centre distance, material, whether poses are proven, and threads: a tuple in Python.

@@ -4,7 +4,7 @@ use crate::column::{Row, Shown, Value, json_text, list, row_type, shown};
 use crate::layout::Screen;
 use gearlash::pair::BacklashUnit;
 use gearlash::population::{
-    CONFIDENCE, Contribution, Contributions, Estimate, LIMIT_SHARE, LIMIT_SIGMAS,
+    CONFIDENCE, Contribution, Contributions, Estimate, LIMIT_SHARE, LIMIT_SIGMAS, OutcomeKind,
     PITCH_LIMIT_SIGMAS, QUANTILES, Share, SpreadStatistics,
 };
 use gearlash_files::characters::plain;
@@ -273,12 +273,12 @@ pub fn json(result: &ToleranceResult) -> String {
             "met": result.is_met(),
         },
         "outcomes": {
-            "clear": counts.clear,
-            "interference": counts.interference,
-            "jammed": counts.jammed,
-            "no_contact": counts.no_contact,
-            "unproven": counts.unproven,
-            "impossible": counts.impossible,
+            "clear": counts.of(OutcomeKind::Clear),
+            "interference": counts.of(OutcomeKind::Interference),
+            "jammed": counts.of(OutcomeKind::Jammed),
+            "no_contact": counts.of(OutcomeKind::NoContact),
+            "unproven": counts.of(OutcomeKind::Unproven),
+            "impossible": counts.of(OutcomeKind::Impossible),
             "bracket_wide": tally.doubtful,
         },
         "confidence": CONFIDENCE,

@@ -4,7 +4,7 @@ use super::scale::Scale;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::extremes::{RunExtreme, RunExtremes};
 use crate::analysis::study::Material;
-use crate::contact::{Contact, PoseResult, Status, first_least};
+use crate::contact::{Contact, End, PoseResult, Status, first_least};
 use crate::gear::Side;
 use crate::pair::Mating;
 
@@ -38,13 +38,12 @@ impl Course {
     #[must_use]
     pub fn with_cycle(mut self, runs: &[RunExtremes]) -> Course {
         let here = |run: &&RunExtremes| run.assembly.center_distance() == self.center_distance;
-        let ends = [(1.0, true), (-1.0, false)].map(|(sign, least)| {
-            let ends = runs.iter().filter(here).filter_map(|run| {
-                let end = if least { &run.least } else { &run.greatest };
-                Some((run.material, end.as_ref()?))
-            });
+        let ends = End::BOTH.map(|end| {
+            let found = |run: &RunExtreme| end.sign() * run.found();
+            let ends = runs.iter().filter(here);
+            let ends = ends.filter_map(|run| Some((run.material, run.at(end)?)));
             ends.reduce(|best, next| {
-                if sign * next.1.found() < sign * best.1.found() {
+                if found(next.1) < found(best.1) {
                     next
                 } else {
                     best
@@ -52,9 +51,8 @@ impl Course {
             })
         });
         self.cycle_um = ends.map(|end| end.map(|(_, extreme)| extreme.found() * 1e3));
-        let own =
-            ends.map(|end| end.and_then(|(material, extreme)| self.place_of(material, extreme)));
-        let [least, greatest] = own;
+        let place = |(material, extreme)| self.place_of(material, extreme);
+        let [least, greatest] = ends.map(|end| end.and_then(place));
         self.least = least.or(self.least);
         self.greatest = greatest.or(self.greatest);
         self

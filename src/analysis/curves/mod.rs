@@ -21,7 +21,7 @@ pub use refined::refined;
 pub use stretches::STRETCH_END;
 pub use tangent::PathLimit;
 
-use crate::analysis::compare::{ComparedRun, compare};
+use crate::analysis::compare::ComparedRun;
 use crate::analysis::simulate::{simulate, simulate_plans};
 use crate::analysis::study::Study;
 use crate::contact::Method;
@@ -42,7 +42,7 @@ const STEPS_PER_PITCH: u32 = 16;
 /// As [`crate::analysis::simulate::simulate`].
 pub fn revolution(study: &Study, method: Method, tick: &Tick) -> Result<Vec<ComparedRun>, Error> {
     let study = with_sweep(study.clone());
-    let right = compare(simulate(&study, method, tick)?, study.tolerance_um);
+    let right = simulate(&study, method, tick)?;
     with_left_flanks(&study, right, method, tick)
 }
 
@@ -55,7 +55,7 @@ pub fn with_revolution(
     method: Method,
     tick: &Tick,
 ) -> Result<[Vec<ComparedRun>; 2], Error> {
-    let own = compare(simulate(study, method, tick)?, study.tolerance_um);
+    let own = simulate(study, method, tick)?;
     let turned = if study.sweeps() {
         with_left_flanks(study, own.clone(), method, tick)?
     } else {
@@ -79,11 +79,11 @@ fn with_left_flanks(
     let mut plans = study.runs()?;
     for plan in &mut plans {
         for mating in &mut plan.matings {
-            *mating = mating.at_flank(&plan.assembly, Side::Left);
+            *mating = mating.at_flank(&plan.run.assembly, Side::Left);
         }
     }
     let left = simulate_plans(study, plans, method, tick)?;
-    for (run, left) in runs.iter_mut().zip(compare(left, study.tolerance_um)) {
+    for (run, left) in runs.iter_mut().zip(left) {
         run.poses.extend(left.poses);
     }
     Ok(runs)

@@ -1,11 +1,10 @@
 //! Backlash of a pose or a mating over the centre distance.
 
 use super::Followed;
-use crate::analysis::compare::compare;
 use crate::analysis::extremes::RunExtremes;
 use crate::analysis::measured::{Bands, bands};
 use crate::analysis::simulate::simulate_plans;
-use crate::analysis::study::{MeasuredRow, RunPlan, Study};
+use crate::analysis::study::{MeasuredRow, Run, RunPlan, Study};
 use crate::contact::{Method, MethodAgreement, Status};
 use crate::error::{Error, GearError, Tick};
 use crate::gear::Side;
@@ -78,20 +77,19 @@ pub fn over_distance(
     for &a in &distances {
         for (material, assembly) in study.pairs(a)? {
             plans.push(RunPlan {
-                material,
                 matings: poses(&assembly, followed, !measured.is_empty())?,
-                assembly,
-                phase: None,
+                run: Run {
+                    material,
+                    assembly,
+                    phase: None,
+                },
             });
         }
     }
     let matings = plans
         .first()
         .map_or(Vec::new(), |plan| plan.matings.clone());
-    let runs = compare(
-        simulate_plans(study, plans, method, tick)?,
-        study.tolerance_um,
-    );
+    let runs = simulate_plans(study, plans, method, tick)?;
     let gap = |a: f64| {
         let here = runs
             .iter()

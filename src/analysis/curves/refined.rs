@@ -9,7 +9,7 @@
 //! 3. The middles of the steps beside a bend, and of those at the edge of a gap, repeatedly: until a point lies within [`FLAT`] of
 //!    the chord of its neighbours, or the step is [`FINEST`].
 
-use crate::analysis::compare::{ComparedPose, ComparedRun, compare};
+use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::extremes::{RunExtreme, RunExtremes};
 use crate::analysis::simulate::simulate_plans;
 use crate::analysis::study::{RunPlan, Study};
@@ -63,13 +63,10 @@ pub fn refined(
         left -= count;
         round += 1;
         let plans = curves.iter().zip(&wanted).map(|(curve, wanted)| RunPlan {
-            material: curve.run.run.material,
-            assembly: curve.run.run.assembly.clone(),
-            phase: curve.run.run.phase,
+            run: curve.run.run.clone(),
             matings: wanted.iter().map(|(_, mating)| *mating).collect(),
         });
         let found = simulate_plans(study, plans.collect(), method, tick)?;
-        let found = compare(found, study.tolerance_um);
         for ((curve, wanted), found) in curves.iter_mut().zip(wanted).zip(found) {
             curve.insert(wanted, found.poses);
         }
@@ -168,10 +165,7 @@ impl<'a> Curve<'a> {
     /// Places and matings of the extremes of `cycle` on this curve.
     fn at_extremes(&self, cycle: &[RunExtremes]) -> Vec<(f64, Mating)> {
         let assembly = self.assembly();
-        let here = cycle.iter().filter(|of| {
-            of.material == self.run.run.material
-                && of.assembly.center_distance() == assembly.center_distance()
-        });
+        let here = cycle.iter().filter(|of| of.place() == self.run.run.place());
         let mut wanted: Vec<(f64, Mating)> = Vec::new();
         for of in here {
             let ends = of.least.iter().chain(&of.greatest);

@@ -70,6 +70,11 @@ impl PoseEvidence {
         Some(evidence)
     }
 
+    /// Its centre distance, mm, and its material.
+    pub(super) fn place(&self) -> (f64, Material) {
+        (self.assembly.center_distance(), self.material)
+    }
+
     /// Adds a pose.
     pub(crate) fn add(&mut self, pose: &ComparedPose) {
         let result = &pose.simulated;
@@ -103,10 +108,8 @@ impl PoseEvidence {
 
     /// Adds the least `j_wt` of the cycle from the poses of `extremes`, if they have any.
     pub(super) fn with_least_of(mut self, extremes: &[ComparedRun]) -> PoseEvidence {
-        let here = (self.assembly.center_distance(), self.material);
-        let place = |run: &&ComparedRun| (run.run.assembly.center_distance(), run.run.material);
-        let poses = extremes.iter().filter(|run| place(run) == here);
-        for run in poses {
+        let here = self.place();
+        for run in extremes.iter().filter(|run| run.run.place() == here) {
             for pose in &run.poses {
                 self.least = least(self.least, pose.simulated.backlash);
                 let assembly = run.run.assembly.data();

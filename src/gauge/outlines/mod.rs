@@ -63,8 +63,3 @@ fn pins(gear: &OutlineGear, diameter: f64) -> Result<Pins, Unmeasured> {
         seats,
     })
 }
-
-/// The tooth `steps` ascending numbers after `tooth`.
-fn after(gear: &OutlineGear, tooth: u32, steps: u32) -> u32 {
-    (tooth - 1 + steps) % gear.teeth() + 1
-}

@@ -5,10 +5,9 @@
 //! distance to the nearest metal, so it passes through none. The half teeth reach to the middle of the root: a pin that
 //! touches no flank first, or the root alone, has no seat.
 
-use super::after;
 use super::place::{Place, Sought, rounding};
 use crate::gauge::seat::check_standing_out;
-use crate::gauge::{Seat, Unmeasured};
+use crate::gauge::{Seat, Unmeasured, after};
 use crate::gear::Flank;
 use crate::outline::OutlineGear;
 use crate::parallel;
@@ -35,7 +34,8 @@ pub(super) fn seats(gear: &OutlineGear, diameter: f64) -> Result<Vec<Seat>, Unme
 fn seat(gear: &OutlineGear, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured> {
     let (face, radius, fine) = (gear.face(), 0.5 * diameter, rounding(gear));
     let ends = [(Flank::Right, 0), (Flank::Left, 1)].map(|(flank, steps)| {
-        let (side, tooth) = (face.seen_from_front(flank), after(gear, tooth, steps));
+        let side = face.seen_from_front(flank);
+        let tooth = after(gear.teeth(), tooth, steps);
         (side, tooth, gear.half(side, tooth))
     });
     let middle = gear.tooth_angle(f64::from(tooth) + 0.5);

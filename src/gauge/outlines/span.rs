@@ -6,9 +6,9 @@
 //! stationary `W` nearest to the direction perpendicular to the middle of the spanned teeth. On involutes that is
 //! anywhere on the plateau, on round flanks the greatest, on flat parallel ones the least.
 
-use super::after;
 use super::place::{Place, Sought, rounding};
-use crate::gauge::{Span, Spans, Unmeasured};
+use crate::gauge::span::check_spanned;
+use crate::gauge::{Span, Spans, Unmeasured, after};
 use crate::gear::{Flank, Side};
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear};
 use crate::parallel;
@@ -30,12 +30,7 @@ const ROCKS: u32 = 32;
 
 /// Measures the span over `k` teeth all round.
 pub(super) fn spans(gear: &OutlineGear, k: u32) -> Result<Spans, Unmeasured> {
-    if k == 0 || k > gear.teeth() / 2 {
-        return Err(Unmeasured(format!(
-            "a span over {k} of {} teeth: allowed is 1 up to half of them",
-            gear.teeth()
-        )));
-    }
+    check_spanned(k, gear.teeth())?;
     let readings = parallel::map(1..=gear.teeth(), |first| {
         Anvils::new(gear, k, first).close()
     });
@@ -85,7 +80,8 @@ impl<'a> Anvils<'a> {
         let depth = gear.tip_radius() - gear.root_radius();
         let reach = gear.root_radius() + REACH * depth;
         let outer = [(Flank::Left, 0), (Flank::Right, k - 1)].map(|(flank, steps)| {
-            let (side, tooth) = (face.seen_from_front(flank), after(gear, first_tooth, steps));
+            let side = face.seen_from_front(flank);
+            let tooth = after(gear.teeth(), first_tooth, steps);
             let half = gear.half(side, tooth);
             Outer {
                 side,

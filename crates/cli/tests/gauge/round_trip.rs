@@ -133,7 +133,7 @@ fn backlash(study: &Study) -> Vec<f64> {
     let go_on = || ControlFlow::Continue(());
     let runs = simulate(study, Method::Exact { certify: false }, &go_on).unwrap();
     let poses = runs.iter().flat_map(|run| &run.poses);
-    poses.map(|pose| pose.backlash.unwrap()).collect()
+    poses.map(|pose| pose.simulated.backlash.unwrap()).collect()
 }
 
 /// The round trip of a pair at these distances; with the readings of a `ball`, mm, in place of the stated runout.

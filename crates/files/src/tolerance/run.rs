@@ -5,7 +5,8 @@ use super::result::{About, ToleranceResult, limits};
 use super::worst::sha256;
 use gearlash::error::Error;
 use gearlash::population::{
-    ContributionsError, Factor, Row, Sample, Scatter, Statistics, Tally, contributions, limit_cases,
+    ContributionsError, Factor, OutcomeKind, Row, Sample, Scatter, Statistics, Tally,
+    contributions, limit_cases,
 };
 use serde_json::json;
 use std::ops::{ControlFlow, Range};
@@ -135,7 +136,10 @@ impl<'a> ToleranceRun<'a> {
 
     /// The error where more assemblies than allowed give no gear, in the rows summed in `tally`.
     pub fn too_many_impossible(&self, tally: &Tally) -> Option<TooManyImpossible> {
-        let (count, share) = (tally.counts.impossible, self.file.tolerance.max_impossible);
+        let (count, share) = (
+            tally.counts.of(OutcomeKind::Impossible),
+            self.file.tolerance.max_impossible,
+        );
         let is_allowed = count as f64 <= share * self.assemblies as f64;
         let first = tally.first_impossible.filter(|_| !is_allowed)?;
         let drawn = self.file.population.assembly(self.sample().draw(first));

@@ -3,7 +3,7 @@
 use super::result::{About, ToleranceResult, in_words};
 use crate::numbers::{rounded, shortest};
 use gearlash::pair::Member;
-use gearlash::population::{Contributions, Factor, Share};
+use gearlash::population::{Contributions, Factor, OutcomeKind, Share};
 
 /// The sentence of `result`: the share that misses the requirement, with its interval, and the main source of the spread.
 ///
@@ -23,10 +23,10 @@ pub fn sentence(result: &ToleranceResult) -> String {
     }
     let counts = &result.tally.counts;
     for (count, what) in [
-        (counts.jammed, "jammed"),
-        (counts.no_contact, "out of mesh"),
-        (counts.impossible, "of no gear"),
-        (counts.unproven, "without a result"),
+        (counts.of(OutcomeKind::Jammed), "jammed"),
+        (counts.of(OutcomeKind::NoContact), "out of mesh"),
+        (counts.of(OutcomeKind::Impossible), "of no gear"),
+        (counts.of(OutcomeKind::Unproven), "without a result"),
         (result.tally.doubtful, "in a wide bracket"),
     ] {
         if count > 0 {

@@ -128,9 +128,9 @@ impl ToleranceFile {
     /// `assembly` as a pair file without the population.
     fn spec_of(&self, assembly: &Assembly, draw: Draw, title: String) -> Option<PairSpec> {
         let own = &self.pair.spec;
-        let pair = assembly.pair();
+        let pair = &assembly.pair;
         let bearings = own.assembly.bearing_clearance_mm;
-        let is_own = bearings.sum_mm() == assembly.clearance();
+        let is_own = bearings.sum_mm() == assembly.clearance;
         let mut spec = own.clone();
         spec.title = title;
         spec.wheel = self.gear_spec(assembly, draw, Member::Wheel)?;
@@ -142,11 +142,11 @@ impl ToleranceFile {
         }
         if !is_own {
             spec.assembly.bearing_clearance_mm =
-                BearingClearanceSpec::of([assembly.clearance(), 0.0]);
+                BearingClearanceSpec::of([assembly.clearance, 0.0]);
         }
         spec.sweep = Some(SweepSpec {
             revolutions: Some(Revolutions::Wheel),
-            start: Some([1, assembly.phase()]),
+            start: Some([1, assembly.phase]),
             ..SweepSpec::default()
         });
         (spec.measured, spec.uncertainty, spec.tolerance) = (None, None, None);
@@ -174,8 +174,8 @@ impl ToleranceFile {
 
     /// A gear as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
     fn gear_spec(&self, assembly: &Assembly, draw: Draw, member: Member) -> Option<EitherGearSpec> {
-        let Some(pair) = assembly.pair().data() else {
-            return Some(self.with_runout(assembly.pair(), member));
+        let Some(pair) = assembly.pair.data() else {
+            return Some(self.with_runout(&assembly.pair, member));
         };
         let gear = pair.gear(member);
         let own = self.pair.spec.data(member)?;

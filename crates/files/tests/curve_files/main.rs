@@ -31,7 +31,7 @@ fn good(made: &Made, keys: &str) -> PairFile {
 fn lost_motion(study: &PairFile) -> Vec<f64> {
     let runs = study.study.runs().unwrap();
     let of = |run: &gearlash::analysis::study::RunPlan| {
-        let pair = run.assembly.data().unwrap();
+        let pair = run.run.assembly.data().unwrap();
         let kernel = ExactKernel::new(pair);
         let motion = |mating| kernel.lost_motion(&Pose::new(pair, mating)).unwrap();
         let angles = run

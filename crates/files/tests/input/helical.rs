@@ -27,7 +27,7 @@ center_distance_mm = 78
 /// A gear as it runs.
 fn built(file: &PairFile, member: Member) -> Gear {
     let run = file.study.runs().unwrap().remove(0);
-    run.assembly.data().unwrap().gear(member).gear().clone()
+    run.run.assembly.data().unwrap().gear(member).gear().clone()
 }
 
 /// The common face is what both have; radii are of the transverse module `m_n/cos β`.
@@ -36,7 +36,7 @@ fn hand_and_face_are_read() {
     let file = study(HELICAL);
     assert_eq!(file.study.face, [-5.0, 15.0]);
     let run = &file.study.runs().unwrap()[0];
-    assert_eq!(run.assembly.data().unwrap().face(), [-5.0, 15.0]);
+    assert_eq!(run.run.assembly.data().unwrap().face(), [-5.0, 15.0]);
     let wheel = built(&file, Member::Wheel);
     let data = wheel.basic_data();
     assert_eq!(data.hand(), Some(Hand::Left));
@@ -98,8 +98,11 @@ fn warm([wheel, pinion, housing]: [f64; 3]) -> String {
 fn a_pair_that_expands_evenly_has_all_its_lengths_times_the_same() {
     let backlash = |text: &str| {
         let run = study(text).study.runs().unwrap().remove(0);
-        let radius = run.assembly.operating_pitch_radius(run.assembly.free());
-        let pair = run.assembly.data().unwrap();
+        let radius = run
+            .run
+            .assembly
+            .operating_pitch_radius(run.run.assembly.free());
+        let pair = run.run.assembly.data().unwrap();
         let kernel = ExactKernel::new(pair);
         let lost = |mating: &Mating| kernel.lost_motion(&Pose::new(pair, *mating)).unwrap();
         let found = run
@@ -126,7 +129,7 @@ fn gears_that_expand_unlike_keep_their_helix_angle() {
     let run = &file.study.runs().unwrap()[0];
     let factors = [1.0 + 40.0 * 11.5e-6, 1.0 + 40.0 * 110e-6];
     let gears = [Member::Wheel, Member::Pinion]
-        .map(|member| run.assembly.data().unwrap().gear(member).gear());
+        .map(|member| run.run.assembly.data().unwrap().gear(member).gear());
     for ((gear, factor), z) in gears.into_iter().zip(factors).zip([20.0, 30.0]) {
         let data = gear.basic_data();
         assert_eq!(data.helix_angle(), f64::to_radians(15.0));
@@ -140,7 +143,7 @@ fn gears_that_expand_unlike_keep_their_helix_angle() {
         );
     }
     // From −5 mm of the pinion, 4 mm off, to 15 mm of the wheel.
-    let face = run.assembly.data().unwrap().face();
+    let face = run.run.assembly.data().unwrap().face();
     let expected = [4.0 * factors[0] - 5.0 * factors[1], 15.0 * factors[0]];
     for (end, expected) in face.iter().zip(expected) {
         assert!((end - expected).abs() < 1e-12, "{end} {expected}");

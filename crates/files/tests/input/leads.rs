@@ -44,7 +44,7 @@ pub(super) fn mating((wheel_tooth, pinion_tooth): (u32, u32), flank: Side) -> Ma
 /// `j_bt` of the first pair at a mating of these teeth, µm.
 pub(super) fn j_bt(file: &PairFile, teeth: (u32, u32), flank: Side) -> f64 {
     let run = &file.study.runs().unwrap()[0];
-    let pair = run.assembly.data().unwrap();
+    let pair = run.run.assembly.data().unwrap();
     let pose = Pose::new(pair, mating(teeth, flank));
     let lost = ExactKernel::new(pair).lost_motion(&pose);
     1e3 * lost.unwrap().angle().unwrap() * pair.gear(Member::Pinion).gear().base_radius()

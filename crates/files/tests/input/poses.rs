@@ -21,14 +21,14 @@ fn matings_of_the_reference_poses() {
             .flat_map(|run| run.matings.iter().map(move |mating| (run, *mating)));
         assert_eq!(ours.clone().count(), reference.len());
         for ((run, mating), reference) in ours.zip(&reference) {
-            let distance = run.assembly.center_distance();
+            let distance = run.run.assembly.center_distance();
             assert_eq!(distance, reference["center_distance_mm"]);
-            assert_eq!(run.material.name(), reference["material"]);
+            assert_eq!(run.run.material.name(), reference["material"]);
             assert_eq!(mating.wheel_tooth, reference["wheel_tooth"]);
             assert_eq!(mating.pinion_tooth, reference["pinion_tooth"]);
             assert_eq!(mating.flank.name(), reference["flank"]);
             assert_eq!(mating.fraction, reference["fraction"]);
-            let rotation = Pose::new(run.assembly.data().unwrap(), mating).locked_rotation();
+            let rotation = Pose::new(run.run.assembly.data().unwrap(), mating).locked_rotation();
             let expected = reference["wheel_rotation_rad"].as_f64().unwrap();
             let turns = (rotation - expected) / TAU;
             assert!(

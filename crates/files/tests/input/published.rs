@@ -12,9 +12,9 @@ fn thickness_over_pins_of_the_86_21_pair() {
     let runs = study.study.runs().unwrap();
     assert_eq!(runs.len(), 3);
     for run in &runs {
-        assert_eq!(run.material, Material::AsMeasured);
+        assert_eq!(run.run.material, Material::AsMeasured);
         for (member, expected) in [(Member::Wheel, -17.830833), (Member::Pinion, -22.195630)] {
-            let gear = run.assembly.data().unwrap().gear(member).gear();
+            let gear = run.run.assembly.data().unwrap().gear(member).gear();
             let nominal = gear.design().nominal_base_thickness();
             let um =
                 1000.0 * allowance_from_base(gear.basic_data(), nominal, gear.base_thickness());

@@ -154,7 +154,7 @@ fn wobble_brings_the_far_end_nearer() {
         // The locked wheel's tooth 1 points at the pinion but for a fifth of a pitch, and the pinion's as much less.
         let file = with_runout(face, name, "");
         let run = &file.study.runs().unwrap()[0];
-        let pair = run.assembly.data().unwrap();
+        let pair = run.run.assembly.data().unwrap();
         let pose = Pose::new(pair, mating((1, 1), Side::Right));
         let gear = pair.gear(member);
         let ascending = gear.face().ascending() * gear.gear().basic_data().angular_pitch();

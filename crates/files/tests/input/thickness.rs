@@ -60,7 +60,7 @@ fn min_and_max_make_least_and_most_material() {
         assert!(base[0] > base[1], "{statement}: {base:?}");
         assert_eq!(most.2, least.2, "the pinion has one thickness");
         let runs = study.study.runs().unwrap();
-        let names: Vec<&str> = runs.iter().map(|run| run.material.name()).collect();
+        let names: Vec<&str> = runs.iter().map(|run| run.run.material.name()).collect();
         assert_eq!(names, ["most", "least"]);
     }
 }

@@ -292,8 +292,8 @@ fn roll_chart(gauged: &GaugedGear, roll: &Roll) -> File {
     let title = format!(
         "roll test with a master of z {} · F_i'' {}, f_i'' {} µm · {}",
         roll.master.basic_data().teeth(),
-        um(roll.total().found, 3),
-        um(roll.tooth_to_tooth().found, 3),
+        um(roll.total.found, 3),
+        um(roll.tooth_to_tooth.found, 3),
         mean_words(mean, gauged.gauged.formula.distance)
     );
     let x = format!("tooth of the gear at the master, one revolution back to 1 · {NUMBERS}");

@@ -69,7 +69,7 @@ fn deviations(read: &Gauged) -> String {
         );
     }
     if let Ok(roll) = &read.roll {
-        let [total, single] = [roll.total(), roll.tooth_to_tooth()].map(|range| {
+        let [total, single] = [roll.total, roll.tooth_to_tooth].map(|range| {
             format!(
                 "{} µm (+ {} at most)",
                 um_ascii(range.found, 3),

@@ -7,7 +7,7 @@ use super::table::{Table, cells, columns, mark};
 use super::{drawings, stated};
 use crate::chart::population::Pictures;
 use gearlash::analysis::diagnosis::Verdict;
-use gearlash::population::{CONFIDENCE, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS};
+use gearlash::population::{CONFIDENCE, GROUPS, LIMIT_SIGMAS, OutcomeKind, PITCH_LIMIT_SIGMAS};
 use gearlash_files::numbers::{rounded, shortest};
 use gearlash_files::spec::GearSpec;
 use gearlash_files::tolerance::{
@@ -261,8 +261,8 @@ fn method(result: &ToleranceResult) -> Markup {
             (collapsed("How the shares and the spread are found", "how the shares and the spread are found", html! {
             p {
                 "Each assembly is drawn by the seed and its number alone. Its least and greatest backlash are proven over every mating and rotation. "
-                (counts.clear) " assemblies are clear, " (counts.interference) " interfere, " (counts.jammed) " are jammed, "
-                (counts.no_contact) " out of mesh, " (counts.unproven) " without a result; " (counts.impossible)
+                (counts.of(OutcomeKind::Clear)) " assemblies are clear, " (counts.of(OutcomeKind::Interference)) " interfere, " (counts.of(OutcomeKind::Jammed)) " are jammed, "
+                (counts.of(OutcomeKind::NoContact)) " out of mesh, " (counts.of(OutcomeKind::Unproven)) " without a result; " (counts.of(OutcomeKind::Impossible))
                 " draws are of no gear. None is left out of the shares."
             }
             p { "Intervals of shares: Clopper and Pearson. Quantiles: to 0.01 µm. Capability: what it says of shares holds of normal populations." }

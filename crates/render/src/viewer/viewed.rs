@@ -2,8 +2,7 @@
 
 use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
-use gearlash::analysis::simulate::Run;
-use gearlash::analysis::study::Material;
+use gearlash::analysis::study::{Material, Run};
 use gearlash::contact::{Status, first_least, worst_pose};
 use gearlash::outline::AssembledPair;
 use std::collections::BTreeSet;
@@ -57,7 +56,6 @@ pub fn run_of(
             material,
             assembly,
             phase,
-            poses: Vec::new(),
         },
         poses: vec![pose],
     }

@@ -85,7 +85,7 @@ fn a_sweep_of_its_own_is_kept() {
     let own = simulate(&study, METHOD, &on).unwrap();
     let runs = revolved(&study);
     let (right, left) = runs[0].poses.split_at(86 * 24);
-    assert!(right.iter().map(|pose| &pose.simulated).eq(&own[0].poses));
+    assert_eq!(right, own[0].poses);
     let flank = |pose: &Pose| pose.mating().flank;
     assert!(
         left.iter()
@@ -242,8 +242,11 @@ fn the_least_of_a_curve_is_that_of_its_assembly() {
     let runs = simulate(&phases, METHOD, &on).unwrap();
     let least = |phase: (u32, u32)| {
         let mut runs = runs.iter();
-        let run = runs.find(|run| run.phase == Some(phase)).unwrap();
-        let backlash = run.poses.iter().map(|pose| 1e3 * pose.backlash.unwrap());
+        let run = runs.find(|run| run.run.phase == Some(phase)).unwrap();
+        let backlash = run
+            .poses
+            .iter()
+            .map(|pose| 1e3 * pose.simulated.backlash.unwrap());
         backlash.fold(f64::INFINITY, f64::min)
     };
     let pair = thick_teeth("");

@@ -7,8 +7,7 @@
 mod outputs;
 mod poses;
 
-use gearlash::analysis::compare::{ComparedRun, compare};
-use gearlash::analysis::simulate::Run;
+use gearlash::analysis::compare::{ComparedRun, compared};
 use gearlash::analysis::study::{RunPlan, Study};
 use gearlash::contact::{CutPair, Method, PoseResult, Unproven, sweep};
 use gearlash::pair::{GearPair, Member};
@@ -70,7 +69,7 @@ impl Case {
         let (pair, other) = (read(pair), read(polygons).study);
         let study = pair.study.clone();
         let plan = study.runs().unwrap().remove(0);
-        let other = other.runs().unwrap().remove(0).assembly;
+        let other = other.runs().unwrap().remove(0).run.assembly;
         let other = other.data().unwrap().clone();
         let cut = CutPair::for_certificates(other.gear(Member::Wheel), other.gear(Member::Pinion));
         Case {
@@ -93,7 +92,7 @@ impl Case {
     }
 
     fn swept(&self, method: Method) -> Vec<PoseResult> {
-        self.swept_as(self.plan.assembly.data().unwrap(), method)
+        self.swept_as(self.plan.run.assembly.data().unwrap(), method)
     }
 
     fn swept_as(&self, pair: &GearPair, method: Method) -> Vec<PoseResult> {
@@ -104,20 +103,20 @@ impl Case {
     /// The poses by a method, each with the result of the exact method there on the pair itself, and on that of the polygons, without
     /// certificates.
     fn beside_exact(&self, method: Method) -> impl Iterator<Item = [PoseResult; 3]> {
-        let [own, other] = [self.plan.assembly.data().unwrap(), &self.other]
+        let [own, other] = [self.plan.run.assembly.data().unwrap(), &self.other]
             .map(|pair| self.swept_as(pair, BELIEVED));
         let poses = self.swept(method).into_iter().zip(own).zip(other);
         poses.map(|((pose, own), other)| [pose, own, other])
     }
 
     fn compared(&self, method: Method) -> Vec<ComparedRun> {
-        let run = Run {
-            material: self.plan.material,
-            assembly: self.plan.assembly.clone(),
-            phase: None,
-            poses: self.swept(method),
-        };
-        compare(vec![run], self.study.tolerance_um)
+        let run = self.plan.run.clone();
+        let tolerance = self.study.tolerance_um;
+        let poses = self.swept(method).into_iter();
+        let poses = poses
+            .map(|pose| compared(&run.assembly, pose, tolerance))
+            .collect();
+        vec![ComparedRun { run, poses }]
     }
 }
 

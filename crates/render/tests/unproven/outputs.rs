@@ -2,7 +2,7 @@
 
 use super::{BELIEVED, CERTIFIED, Case, LOW_TIPS, REVOLUTION, on, unproven};
 use gearlash::analysis::Analysis;
-use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::compare::{ComparedRun, Summary};
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::diagnosis::{self, Diagnosis, diagnose};
 use gearlash::analysis::extremes::CycleExtremes;
@@ -25,11 +25,16 @@ static RUNS: LazyLock<Vec<ComparedRun>> = LazyLock::new(|| LOW_TIPS.compared(CER
 
 /// Poses of [`RUNS`] that are not proven.
 fn count() -> usize {
-    RUNS[0].summary().unproven
+    summary(&RUNS).unproven
 }
 
 fn no_verdict() -> Verdict<'static> {
     Verdict::new(&[], &Vec::new(), None, Vec::new())
+}
+
+/// The first of `runs` in numbers.
+fn summary(runs: &[ComparedRun]) -> Summary {
+    tally(runs)[0].summary()
 }
 
 /// The value of the exact method that would be the least of all, as texts print µm.
@@ -37,7 +42,7 @@ fn doubtful(runs: &[ComparedRun], decimals: usize) -> String {
     let poses = runs[0].poses.iter();
     let doubts = poses.filter_map(|pose| unproven(&pose.simulated)?.exact);
     let least = doubts.reduce(f64::min).unwrap();
-    assert!(least < runs[0].summary().min.unwrap());
+    assert!(least < summary(&runs).min.unwrap());
     format!("{:.decimals$}", least * 1e3)
 }
 
@@ -153,7 +158,7 @@ fn the_table_counts_them_and_takes_none_in() {
         BacklashUnit::Um,
         &Screen::default(),
     );
-    let count = runs[0].summary().unproven;
+    let count = summary(&runs).unproven;
     let words = format!("\nUNPROVEN: {count} of 24 poses.");
     assert!(text.contains(&words), "{text}");
     // The formula, which agrees with it, has a column of its own.
@@ -226,7 +231,7 @@ fn charts(runs: &[ComparedRun]) -> [Chart; 2] {
         chart::revolution(BacklashUnit::Um, &heading, course).unwrap(),
         chart::difference(&heading, course, 0.1).unwrap(),
     ];
-    let words = format!("{} poses unproven, not drawn", runs[0].summary().unproven);
+    let words = format!("{} poses unproven, not drawn", summary(&runs).unproven);
     for chart in &drawn {
         assert!(chart.svg.contains(&words), "{}", chart.svg);
     }
@@ -240,7 +245,7 @@ fn charts_have_a_gap_and_a_caption() {
     points.retain(|point| point.simulated_um.is_none());
     assert_eq!(points.len(), count());
     let least = course.least.unwrap().backlash_um;
-    assert_eq!(Some(least), RUNS[0].summary().min.map(|mm| mm * 1e3));
+    assert_eq!(Some(least), summary(&RUNS).min.map(|mm| mm * 1e3));
     let [revolution, _] = charts(&RUNS);
     assert!(revolution.svg.contains("gaps: unproven"));
     // Texts only: coordinates can contain any digits.
@@ -253,8 +258,8 @@ fn charts_have_a_gap_and_a_caption() {
 #[test]
 fn charts_of_nothing_proven_are_drawn_empty() {
     let runs = Case::far(REVOLUTION).compared(Method::Both);
-    assert_eq!(runs[0].summary().unproven, 160);
-    assert_eq!(runs[0].extremes(), None);
+    assert_eq!(summary(&runs).unproven, 160);
+    assert_eq!(tally(&runs)[0].extremes(), None);
     charts(&runs);
 }
 

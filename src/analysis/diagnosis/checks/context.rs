@@ -23,6 +23,16 @@ pub(super) enum LimitState<T> {
     Found(Searched<T>),
 }
 
+impl<T> LimitState<T> {
+    /// The result of the search; nothing without one.
+    pub fn found(self) -> Searched<T> {
+        match self {
+            LimitState::Found(found) => found,
+            LimitState::Kept | LimitState::Missed => Ok(None),
+        }
+    }
+}
+
 /// The data of checks besides the evidence of poses.
 pub(super) struct SearchedDistances<'a> {
     /// Whether to skip tips that are clear of all roots in any direction.
@@ -87,10 +97,8 @@ impl CheckContext<'_> {
 
     /// Whether the pair assembles over the whole cycle; `None` if that is uncertain or within rounding.
     pub fn assembles(&self, cycle: &CycleExtremes) -> Option<bool> {
-        let distance = self.assembly.center_distance();
-        let runs = cycle.each.iter().filter(|run| {
-            run.material == self.evidence.material && run.assembly.center_distance() == distance
-        });
+        let here = self.evidence.place();
+        let runs = cycle.each.iter().filter(|run| run.place() == here);
         // For all directions of a runout the search follows one of them.
         let beyond = if is_open(self.assembly) {
             10.0 * WIDTH

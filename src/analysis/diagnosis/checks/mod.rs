@@ -11,9 +11,9 @@ mod start;
 use super::check::{Check, CheckName, Verdict};
 use super::clearance::pitches;
 use super::contact_count::ContactCount;
-use super::onset::Onset;
+use super::onset::{Onset, non_involute_onset};
 use super::pose_evidence::PoseEvidence;
-use super::zero_distance::ZeroDistance;
+use super::zero_distance::{ZeroDistance, zero_distance};
 use crate::analysis::compare::ComparedRun;
 use crate::analysis::extremes::CycleExtremes;
 use crate::analysis::study::{Material, RunPlan, Study};
@@ -21,7 +21,7 @@ use crate::contact::ExactKernel;
 use crate::error::{Error, Tick};
 use crate::pair::{GearPair, Member};
 use context::{CheckContext, LimitState, SearchedDistances};
-use start::{Start, distinct, matings_of};
+use start::{Starts, distinct};
 
 pub use start::Searched;
 
@@ -62,8 +62,11 @@ impl Diagnosis {
     /// The checks that fail, each once.
     pub fn failed(&self) -> Vec<CheckName> {
         let mut failed = Vec::new();
-        for group in &self.groups {
-            add_failed(&mut failed, &group.checks);
+        for check in self.groups.iter().flat_map(|group| &group.checks) {
+            let name = check.name();
+            if check.verdict == Verdict::Fail && !failed.contains(&name) {
+                failed.push(name);
+            }
         }
         failed
     }
@@ -74,11 +77,10 @@ pub fn pitch_count(plans: &[RunPlan]) -> usize {
     let of_group = |plans: &[RunPlan]| {
         let first = plans.first();
         let planned = plans.iter().flat_map(|plan| &plan.matings).copied();
-        let pair = first.and_then(|first| first.assembly.data());
+        let pair = first.and_then(|first| first.run.assembly.data());
         pair.map_or(0, |pair| pitches(pair, &distinct(planned)).len())
     };
-    let key = |plan: &RunPlan| (plan.assembly.center_distance(), plan.material);
-    let groups = plans.chunk_by(|one, other| key(one) == key(other));
+    let groups = plans.chunk_by(|one, other| one.run.place() == other.run.place());
     groups
         .map(|plans| Member::BOTH.len() * of_group(plans))
         .sum()
@@ -102,56 +104,8 @@ pub fn diagnose(
     tick: &Tick,
 ) -> Result<Diagnosis, Error> {
     let evidence: Vec<PoseEvidence> = runs.iter().filter_map(PoseEvidence::of).collect();
-    let mut groups: Vec<Group> = Vec::new();
-    let mut searched: Vec<(Material, Searched<ZeroDistance>, Searched<Onset>)> = Vec::new();
-    let place = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.material);
-    let each = runs.chunk_by(|one, other| place(one) == place(other));
-    for (group_runs, group) in each.zip(evidence.chunk_by(same_group)) {
-        let Some(group) = PoseEvidence::sum(group) else {
-            continue;
-        };
-        let group = group.with_least_of(&extremes.runs);
-        let (assembly, material) = (&group.assembly, group.material);
-        let known = searched.iter().find(|entry| entry.0 == material).cloned();
-        let (_, zero, onset) = match known {
-            Some(known) => known,
-            None => {
-                let of_material = runs.iter().filter(|run| run.run.material == material);
-                let matings = of_material.flat_map(matings_of);
-                let start = Start::new(assembly, material, matings, &evidence, &extremes.runs);
-                step("zero-backlash centre distance")?;
-                let zero = start.zero()?;
-                step("onset of non-involute contact")?;
-                let onset = start.onset()?;
-                searched.push((material, zero.clone(), onset.clone()));
-                (material, zero, onset)
-            }
-        };
-        step("radial clearance")?;
-        let context = CheckContext {
-            assembly,
-            evidence: &group,
-            face_loss: extremes.face_loss(assembly.center_distance(), material),
-            allow_off_line: study.allow_off_line_contact,
-        };
-        let pitches = pitches(assembly, &distinct(group_runs.iter().flat_map(matings_of)));
-        let all = SearchedDistances {
-            clear: false,
-            pitches: &|| Ok(pitches.clone()),
-            zero: LimitState::Found(zero.clone()),
-            onset: LimitState::Found(onset.clone()),
-        };
-        groups.push(Group {
-            assembly: assembly.clone(),
-            material,
-            checks: context.checks(&all, tick)?,
-            contact: group.contact.clone(),
-            zero,
-            onset,
-        });
-    }
     Ok(Diagnosis {
-        groups,
+        groups: groups(study, &evidence, extremes, Some(step), tick)?,
         contact: PoseEvidence::sum(&evidence).map_or_else(Default::default, |all| all.contact),
     })
 }
@@ -168,75 +122,85 @@ pub fn failed_checks(
     cycle: &CycleExtremes,
     tick: &Tick,
 ) -> Result<Vec<CheckName>, Error> {
-    let mut failed = Vec::new();
-    let mut zeros: Vec<(Material, Searched<ZeroDistance>)> = Vec::new();
-    let mut onsets: Vec<(Material, Searched<Onset>)> = Vec::new();
-    for group in evidence.chunk_by(same_group) {
-        let Some(group) = PoseEvidence::sum(group) else {
+    let needed = Diagnosis {
+        groups: groups(study, evidence, cycle, None, tick)?,
+        contact: ContactCount::default(),
+    };
+    Ok(needed.failed())
+}
+
+/// The groups of `study` with every check. Without a `step` to call before each search, only with the checks and searches that tell whether
+/// a limit is missed.
+fn groups(
+    study: &Study,
+    evidence: &[PoseEvidence],
+    cycle: &CycleExtremes,
+    mut step: Option<&mut dyn FnMut(&str) -> Result<(), Error>>,
+    tick: &Tick,
+) -> Result<Vec<Group>, Error> {
+    let is_whole = step.is_some();
+    let mut step = |doing: &str| step.as_mut().map_or(Ok(()), |step| step(doing));
+    let starts = Starts {
+        study,
+        evidence,
+        extremes: &cycle.runs,
+    };
+    let (mut zeros, mut onsets) = (Vec::new(), Vec::new());
+    let mut groups = Vec::new();
+    for runs in evidence.chunk_by(|one, other| one.place() == other.place()) {
+        let Some(group) = PoseEvidence::sum(runs) else {
             continue;
         };
         let group = group.with_least_of(&cycle.runs);
-        let (assembly, material) = (&group.assembly, group.material);
+        let (assembly, (distance, material)) = (&group.assembly, group.place());
         let context = CheckContext {
             assembly,
             evidence: &group,
-            face_loss: cycle.face_loss(assembly.center_distance(), material),
+            face_loss: cycle.face_loss(distance, material),
             allow_off_line: study.allow_off_line_contact,
         };
-        let start = || -> Result<Start, Error> {
-            let runs = study.runs()?;
-            let of_material = runs.iter().filter(|run| run.material == material);
-            let matings = of_material.flat_map(|run| run.matings.iter().copied());
-            Ok(Start::new(
-                assembly,
-                material,
-                matings,
-                evidence,
-                &cycle.runs,
-            ))
+        let is_proven = starts.doubt(material).is_none();
+        let zero = match context.assembles(cycle).filter(|_| !is_whole && is_proven) {
+            Some(true) => LimitState::Kept,
+            Some(false) => LimitState::Missed,
+            None => LimitState::Found(once(&mut zeros, material, || {
+                step("zero-backlash centre distance")?;
+                starts.search(assembly, material, zero_distance)
+            })?),
         };
-        let doubt = PoseEvidence::doubt(evidence.iter().filter(|run| run.material == material));
-        let zero = match (&doubt, context.assembles(cycle)) {
-            (None, Some(true)) => LimitState::Kept,
-            (None, Some(false)) => LimitState::Missed,
-            _ => LimitState::Found(cached(&mut zeros, material, || start()?.zero())?),
-        };
-        let onset = if ExactKernel::new(assembly).keeps_to_involutes(assembly) {
+        let onset = if !is_whole && ExactKernel::new(assembly).keeps_to_involutes(assembly) {
             LimitState::Kept
         } else {
-            LimitState::Found(cached(&mut onsets, material, || start()?.onset())?)
+            LimitState::Found(once(&mut onsets, material, || {
+                step("onset of non-involute contact")?;
+                starts.search(assembly, material, non_involute_onset)
+            })?)
         };
+        step("radial clearance")?;
         let pitches = || {
-            let runs = study.runs()?;
-            let here = (assembly.center_distance(), material);
-            let place = |run: &RunPlan| (run.assembly.center_distance(), run.material);
-            let runs = runs.iter().filter(|run| place(run) == here);
-            let matings = runs.flat_map(|run| run.matings.iter().copied());
-            Ok(pitches(assembly, &distinct(matings)))
+            let matings = starts.matings(|run| run.place() == (distance, material))?;
+            Ok(pitches(assembly, &matings))
         };
-        let needed = SearchedDistances {
-            clear: true,
+        let searched = SearchedDistances {
+            clear: !is_whole,
             pitches: &pitches,
             zero,
             onset,
         };
-        add_failed(&mut failed, &context.checks(&needed, tick)?);
+        groups.push(Group {
+            assembly: assembly.clone(),
+            material,
+            checks: context.checks(&searched, tick)?,
+            contact: group.contact.clone(),
+            zero: searched.zero.found(),
+            onset: searched.onset.found(),
+        });
     }
-    Ok(failed)
-}
-
-/// Adds to `failed` those of `checks` that fail, each once.
-fn add_failed(failed: &mut Vec<CheckName>, checks: &[Check]) {
-    for check in checks {
-        let name = check.name();
-        if check.verdict == Verdict::Fail && !failed.contains(&name) {
-            failed.push(name);
-        }
-    }
+    Ok(groups)
 }
 
 /// The result for `material`, searched now if it is missing.
-fn cached<T: Clone>(
+fn once<T: Clone>(
     found: &mut Vec<(Material, Searched<T>)>,
     material: Material,
     search: impl FnOnce() -> Result<Searched<T>, Error>,
@@ -244,13 +208,7 @@ fn cached<T: Clone>(
     if let Some((_, known)) = found.iter().find(|entry| entry.0 == material) {
         return Ok(known.clone());
     }
-    let found_now = search()?;
-    found.push((material, found_now.clone()));
-    Ok(found_now)
-}
-
-/// Whether two runs are of one centre distance and material.
-fn same_group(one: &PoseEvidence, other: &PoseEvidence) -> bool {
-    let place = |run: &PoseEvidence| (run.assembly.center_distance(), run.material);
-    place(one) == place(other)
+    let now = search()?;
+    found.push((material, now.clone()));
+    Ok(now)
 }

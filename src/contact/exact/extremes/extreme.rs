@@ -21,6 +21,16 @@ pub struct Extremes {
     pub lost: Option<Mating>,
 }
 
+impl Extremes {
+    /// The least or the greatest.
+    pub(crate) fn at(&self, end: End) -> Option<Extreme> {
+        match end {
+            End::Least => self.least,
+            End::Greatest => self.greatest,
+        }
+    }
+}
+
 /// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of the accuracy of any measured gear.
 pub const PROVEN_WIDTH: f64 = 1e-6;
 
@@ -210,10 +220,6 @@ pub(crate) enum End {
 
 impl End {
     pub const BOTH: [End; 2] = [End::Least, End::Greatest];
-
-    pub fn of(is_least: bool) -> End {
-        if is_least { End::Least } else { End::Greatest }
-    }
 
     /// The sign that makes the least of the values the extreme.
     pub fn sign(self) -> f64 {

@@ -59,10 +59,9 @@ fn in_unit(path: &str, unit: &str, value: f64) -> Option<String> {
                 ascii(value.to_degrees(), 4)
             )
         }
-        "mm" if least_mm.is_some_and(|(_, least)| 0.0 < size && size < *least) => format!(
-            "{value} mm is less than is made: if m were meant, write {}",
-            ascii(1000.0 * value, 4)
-        ),
+        "mm" if least_mm.is_some_and(|(_, least)| 0.0 < size && size < *least) => {
+            format!("{size} mm is less than is made: if m were meant, multiply by 1000")
+        }
         _ => return None,
     };
     Some(format!("{path}: {words}"))

@@ -222,7 +222,8 @@ fn model(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<u8, Error> {
             let reason = stage.pair.as_ref().err()?;
             Some(format!("; stage {}: {reason}", stage.id))
         });
-        let reasons: String = reasons.collect();
+        let is_readable = file.stages.iter().any(|stage| stage.pair.is_ok());
+        let reasons: String = reasons.filter(|_| !is_readable).collect();
         return Err(Error::Usage(format!("{name}: {why}{reasons}")));
     }
     let is_stdout = |output: &PathBuf| output.as_path() == Path::new("-");

@@ -60,7 +60,7 @@ fn in_unit(path: &str, unit: &str, value: f64) -> Option<String> {
             )
         }
         "mm" if least_mm.is_some_and(|(_, least)| 0.0 < size && size < *least) => {
-            format!("{size} mm is less than is made: if m were meant, multiply by 1000")
+            format!("{value} mm is less than is made: if m were meant, multiply by 1000")
         }
         _ => return None,
     };

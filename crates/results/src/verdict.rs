@@ -644,11 +644,9 @@ fn limit(unmet: &Unmet) -> String {
     };
     let found = match unmet.found {
         None => "no value".to_owned(),
-        Some(bracket) => {
-            let mut ends = bracket.map(shown).to_vec();
-            ends.dedup();
-            ends.join(" … ")
-        }
+        // The end of the bracket that violates it least.
+        Some([low, high]) if unmet.is_missed => shown(if unmet.is_max { low } else { high }),
+        Some(bracket) => bracket.map(shown).join(" … "),
     };
     let whether = if unmet.is_missed {
         "not met"

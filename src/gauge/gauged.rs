@@ -113,7 +113,14 @@ pub fn gauge(
     let pins = seats(&work, pin).and_then(|seats| pins(&work, pin, seats));
     let ball = settings.ball.unwrap_or(pin);
     let runout = runout(&work, ball);
-    let roll = roll(gear, settings, more, tick)?;
+    let roll = roll(
+        gear,
+        settings.master_teeth,
+        settings.steps_per_pitch,
+        settings.face,
+        more,
+        tick,
+    )?;
     let diameters = [
         pins.as_ref().ok().map(|p| p.diameter),
         runout.as_ref().ok().map(|r| r.diameter),

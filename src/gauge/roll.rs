@@ -3,10 +3,10 @@
 //! The centre distance `a''` of each pose is the one at which the exact kernel finds no lost motion, bracketed to 1e-10 mm. Poses an even
 //! part of a pitch apart give the curve. More poses are added where extremes are possible (see [`super::roll_extremes`]).
 
+use super::Unmeasured;
 use super::master::master;
 use super::roll_extremes::{DeviationCurve, RollPose, RollRange, RollSample, bracketed};
 use super::spread::{ends, mean};
-use super::{Settings, Unmeasured};
 use crate::analytic::InvolutePair;
 use crate::contact::{Contact, LostMotion, PairAtDistance, PoseClass};
 use crate::error::{Error, Tick};
@@ -52,15 +52,16 @@ impl Roll {
     }
 }
 
-/// Rolls `gear` through one revolution over its face. `tick` is called as each pose begins, `more` with the number of further poses.
+/// Rolls `gear` through one revolution over its `face`. `tick` is called as each pose begins, `more` with the number of further poses.
 pub(super) fn roll(
     gear: &AsBuilt,
-    settings: &Settings,
+    master_teeth: Option<u32>,
+    steps_per_pitch: u32,
+    face: [f64; 2],
     more: &dyn Fn(usize),
     tick: &Tick,
 ) -> Result<Result<Roll, Unmeasured>, Error> {
-    let steps_per_pitch = settings.steps_per_pitch;
-    let master = match master(gear, settings.master_teeth) {
+    let master = match master(gear, master_teeth) {
         Ok(master) => master,
         Err(reason) => return Ok(Err(reason)),
     };
@@ -76,7 +77,7 @@ pub(super) fn roll(
     };
     let mate = AsBuilt::perfect(master.clone(), towards);
     let assembly = GearPair::with_locked(gear.clone(), mate, guess, Member::Wheel)?;
-    let assembly = assembly.with_face(settings.face)?;
+    let assembly = assembly.with_face(face)?;
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
     let bench = PairAtDistance::new(&assembly);
@@ -90,7 +91,7 @@ pub(super) fn roll(
         steps_per_pitch: steps_per_pitch as usize,
         step: gear.gear().basic_data().angular_pitch() / f64::from(steps_per_pitch),
     };
-    let Some((poses, between, ranges)) = bracketed(&curve, more, &take)? else {
+    let Some(([poses, between], ranges)) = bracketed(&curve, more, &take)? else {
         return Ok(Err(Unmeasured(
             "no centre distance brings the gear and the master together without play".to_owned(),
         )));

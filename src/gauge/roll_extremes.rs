@@ -79,6 +79,9 @@ pub(super) struct RollSample {
     pub touched: [Option<[(u32, ToothPlace); 2]>; 2],
 }
 
+/// The even poses of a test, the others, and its ranges.
+pub(super) type Rolled = ([Vec<RollPose>; 2], Ranges);
+
 /// A piece between two neighbouring poses.
 struct Piece {
     /// Places of its ends.
@@ -99,14 +102,14 @@ impl Piece {
 }
 
 /// Takes the even poses of `curve` with `take` (step, part of a step beyond it), and as many more as its ranges need.
-/// `more` is called with the number of each further round. The results are the even poses, the others, and the ranges.
+/// `more` is called with the number of each further round.
 ///
 /// `None` if a pose has no distance.
 pub(super) fn bracketed(
     curve: &DeviationCurve,
     more: &dyn Fn(usize),
     take: &(dyn Fn(usize, f64) -> Result<Option<RollSample>, Error> + Sync),
-) -> Result<Option<(Vec<RollPose>, Vec<RollPose>, Ranges)>, Error> {
+) -> Result<Option<Rolled>, Error> {
     let mut samples: BTreeMap<u64, RollSample> = BTreeMap::new();
     let mut wanted: Vec<u64> = (0..curve.steps as u64).map(|step| step * PARTS).collect();
     for round in 0.. {
@@ -140,7 +143,7 @@ pub(super) fn bracketed(
             let (even, between): (Vec<_>, Vec<_>) =
                 samples.iter().partition(|(place, _)| *place % PARTS == 0);
             let poses = |list: Vec<(&u64, &RollSample)>| list.iter().map(|(_, s)| s.pose).collect();
-            return Ok(Some((poses(even), poses(between), ranges)));
+            return Ok(Some(([poses(even), poses(between)], ranges)));
         }
     }
     Ok(None)

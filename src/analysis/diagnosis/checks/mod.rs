@@ -100,7 +100,7 @@ pub fn diagnose(
     study: &Study,
     runs: &[ComparedRun],
     extremes: &CycleExtremes,
-    step: &mut dyn FnMut(&str) -> Result<(), Error>,
+    step: &mut Step,
     tick: &Tick,
 ) -> Result<Diagnosis, Error> {
     let evidence: Vec<PoseEvidence> = runs.iter().filter_map(PoseEvidence::of).collect();
@@ -129,13 +129,16 @@ pub fn failed_checks(
     Ok(needed.failed())
 }
 
+/// Receives the subject of a search before it is made.
+type Step<'a> = dyn FnMut(&str) -> Result<(), Error> + 'a;
+
 /// The groups of `study` with every check. Without a `step` to call before each search, only with the checks and searches that tell whether
 /// a limit is missed.
 fn groups(
     study: &Study,
     evidence: &[PoseEvidence],
     cycle: &CycleExtremes,
-    mut step: Option<&mut dyn FnMut(&str) -> Result<(), Error>>,
+    mut step: Option<&mut Step>,
     tick: &Tick,
 ) -> Result<Vec<Group>, Error> {
     let is_whole = step.is_some();

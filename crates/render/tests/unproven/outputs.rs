@@ -42,7 +42,7 @@ fn doubtful(runs: &[ComparedRun], decimals: usize) -> String {
     let poses = runs[0].poses.iter();
     let doubts = poses.filter_map(|pose| unproven(&pose.simulated)?.exact);
     let least = doubts.reduce(f64::min).unwrap();
-    assert!(least < summary(&runs).min.unwrap());
+    assert!(least < summary(runs).min.unwrap());
     format!("{:.decimals$}", least * 1e3)
 }
 
@@ -231,7 +231,7 @@ fn charts(runs: &[ComparedRun]) -> [Chart; 2] {
         chart::revolution(BacklashUnit::Um, &heading, course).unwrap(),
         chart::difference(&heading, course, 0.1).unwrap(),
     ];
-    let words = format!("{} poses unproven, not drawn", summary(&runs).unproven);
+    let words = format!("{} poses unproven, not drawn", summary(runs).unproven);
     for chart in &drawn {
         assert!(chart.svg.contains(&words), "{}", chart.svg);
     }

@@ -212,7 +212,10 @@ fn faces_of_gears_that_lean_cost_micrometres() {
     let widths = over_widths(&study, &full, method, &on).unwrap();
     assert_eq!(widths[0].face, [2.5, 17.5]);
     for [whole, narrow] in both(&widths[3], &widths[0]) {
-        assert!((whole.found - narrow.found).abs() < 0.03, "{whole:?} {narrow:?}");
+        assert!(
+            (whole.found - narrow.found).abs() < 0.03,
+            "{whole:?} {narrow:?}"
+        );
     }
     let open = Study {
         open_lean: [1e-4, 1e-4],

@@ -174,24 +174,25 @@ fn a_drawn_gear_is_scaled() {
 /// Heights of the evaluation range, and the slope over it, are those of the gear as scaled.
 #[test]
 fn a_gauge_evaluates_leads_over_the_scaled_range() {
-    let keys = "scale = 0.5\nface_width_mm = 20\nlead = { range_mm = [2, 17], slope_um = 12 }\n";
-    let file = wheel(keys);
+    let keys = "scale = 0.99\nface_width_mm = 20\nlead = { range_mm = [2, 17], slope_um = 12 }\n";
+    let file = study(&PAIR.replace(
+        "[pinion]\n",
+        &format!("{keys}[pinion]\nface_width_mm = 20\n"),
+    ));
     let spec = file.spec.wheel.data().unwrap();
     let settings = spec.gauge_settings(Settings::default());
-    let gauged = gauge(wheels(&file)[0], &settings, &|_| (), &|| {
-        ControlFlow::Continue(())
-    });
-    let read = gauged.unwrap().along_face.unwrap();
-    assert_eq!(
-        read.sections
-            .iter()
-            .map(|section| section.height)
-            .collect::<Vec<_>>(),
-        [1.0, 4.75, 8.5]
-    );
-    // 12 µm over the range of 15 mm, halved; plus = growth from the reference face.
+    let go = || ControlFlow::Continue(());
+    let gauged = gauge(wheels(&file)[0], &settings, &|_| (), &go).unwrap();
+    let read = gauged.along_face.unwrap();
+    for (section, height) in read.sections.iter().zip([2.0, 9.5, 17.0]) {
+        assert!(
+            (section.height - 0.99 * height).abs() < 1e-12,
+            "{section:?}"
+        );
+    }
+    // 12 µm over the range of 15 mm, both scaled; plus = growth from the reference face.
     let leads = read.own.unwrap();
     for trace in leads.flanks.iter().flat_map(|flank| &flank.shapes) {
-        assert!((trace.slope.abs() - 6e-3).abs() < 1e-6, "{trace:?}");
+        assert!((trace.slope - 0.99 * 12e-3).abs() < 1e-6, "{trace:?}");
     }
 }

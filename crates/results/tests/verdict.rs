@@ -100,7 +100,7 @@ fn a_limit_inside_a_bracket_is_not_proven() {
     let mut runs = found(&file);
     doubt(&mut runs[0].least, [0.08, 0.12], Doubt::Effort);
     let not_proven = "Requirement not proven: j_wt ≥ 100.00 µm, found 80.00 … 120.00";
-    let not_met = "Requirement not met: j_wt ≥ 130.00 µm, found 80.00";
+    let not_met = "Requirement not met: j_wt ≥ 130.00 µm, found 120.00";
     for (min, expected, words) in [
         (0.07, Requirement::Met, ""),
         (0.08, Requirement::Met, ""),

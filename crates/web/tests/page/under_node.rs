@@ -108,7 +108,9 @@ fn compare(native: &Value, other: &Value, place: &str, unlike: &mut Vec<String>)
             one.len() == two.len()
         }
         (Value::Object(one), Value::Object(two)) => {
-            for (key, one) in one {
+            // A search that ends by its effort examines other poses where last digits differ.
+            let is_open = one.get("is_proven") == Some(&json!(false));
+            for (key, one) in one.iter().filter(|(key, _)| !(is_open && *key == "rows")) {
                 compare(one, &two[key], &format!("{place}.{key}"), unlike);
             }
             one.keys().eq(two.keys())

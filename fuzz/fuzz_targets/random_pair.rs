@@ -267,7 +267,7 @@ fn over_the_face(study: &Study) -> Result<(), String> {
     let runs = study.runs().unwrap_or_default();
     let Some((plan, pair)) = runs
         .first()
-        .and_then(|plan| Some((plan, plan.assembly.data()?)))
+        .and_then(|plan| Some((plan, plan.run.assembly.data()?)))
     else {
         return Ok(());
     };

@@ -39,7 +39,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod alike;
 mod assembled_pair;
 mod difference;
 mod fitted;
@@ -53,6 +52,7 @@ mod path;
 mod placed_gear;
 pub mod polygon;
 mod teeth;
+mod tooth_classes;
 
 pub use crate::error::OutlineError;
 pub use assembled_pair::AssembledPair;
@@ -64,5 +64,5 @@ pub use pair::OutlinePair;
 pub use path::PathSegment;
 pub use placed_gear::PlacedGear;
 
-pub(crate) use alike::ToothClasses;
 pub(crate) use half::{HalfOutline, HalfPiece};
+pub(crate) use tooth_classes::ToothClasses;

@@ -268,7 +268,7 @@ impl SideCell<'_> {
             let u = along * 1f64.copysign(dot(along, centre));
             let n = C::i() * u;
             let under = -free.farthest(turned.conj() * -n);
-            // What overlaps in the middle of the cell overlaps.
+            // An overlap in the middle of the cell is one of the cell.
             if !needs_rise && locked.farthest(n) > under {
                 continue;
             }

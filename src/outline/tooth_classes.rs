@@ -12,7 +12,7 @@ const EQUAL: f64 = 2e-6;
 /// The classes of equal teeth of a gear.
 #[derive(Debug, Clone)]
 pub(crate) struct ToothClasses {
-    /// Of each tooth: the first tooth that it equals, at even places.
+    /// The first tooth that each tooth equals, at even places.
     first: Vec<u32>,
     /// Bound on the distance between two teeth of a class, mm.
     pub apart: f64,

@@ -22,6 +22,7 @@ use crate::error::{Error, Tick};
 use crate::pair::{GearPair, Member};
 use context::{CheckContext, LimitState, SearchedDistances};
 use start::{Starts, distinct};
+use std::sync::OnceLock;
 
 pub use start::Searched;
 
@@ -147,6 +148,7 @@ fn groups(
         study,
         evidence,
         extremes: &cycle.runs,
+        plans: OnceLock::new(),
     };
     let (mut zeros, mut onsets) = (Vec::new(), Vec::new());
     let mut groups = Vec::new();
@@ -166,7 +168,7 @@ fn groups(
         let zero = match context.assembles(cycle).filter(|_| !is_whole && is_proven) {
             Some(true) => LimitState::Kept,
             Some(false) => LimitState::Missed,
-            None => LimitState::Found(once(&mut zeros, material, || {
+            None => LimitState::Found(cached(&mut zeros, material, || {
                 step("zero-backlash centre distance")?;
                 starts.search(assembly, material, zero_distance)
             })?),
@@ -174,7 +176,7 @@ fn groups(
         let onset = if !is_whole && ExactKernel::new(assembly).keeps_to_involutes(assembly) {
             LimitState::Kept
         } else {
-            LimitState::Found(once(&mut onsets, material, || {
+            LimitState::Found(cached(&mut onsets, material, || {
                 step("onset of non-involute contact")?;
                 starts.search(assembly, material, non_involute_onset)
             })?)
@@ -203,7 +205,7 @@ fn groups(
 }
 
 /// The result for `material`, searched now if it is missing.
-fn once<T: Clone>(
+fn cached<T: Clone>(
     found: &mut Vec<(Material, Searched<T>)>,
     material: Material,
     search: impl FnOnce() -> Result<Searched<T>, Error>,

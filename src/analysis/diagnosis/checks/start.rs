@@ -3,10 +3,11 @@
 use crate::analysis::compare::ComparedRun;
 use crate::analysis::diagnosis::pose_evidence::PoseEvidence;
 use crate::analysis::directions::is_open;
-use crate::analysis::study::{Material, Run, Study};
+use crate::analysis::study::{Material, Run, RunPlan, Study};
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 use std::collections::HashSet;
+use std::sync::OnceLock;
 
 /// The result of a search over poses, if any; or the reason why it is unproven.
 pub type Searched<T> = Result<Option<T>, String>;
@@ -18,6 +19,8 @@ pub(super) struct Starts<'a> {
     pub evidence: &'a [PoseEvidence],
     /// The poses with the least and the greatest backlash of the mesh cycle.
     pub extremes: &'a [ComparedRun],
+    /// The runs of the study, listed when first needed.
+    pub plans: OnceLock<Vec<RunPlan>>,
 }
 
 impl Starts<'_> {
@@ -28,9 +31,17 @@ impl Starts<'_> {
 
     /// The matings of the runs that are `wanted`, each once.
     pub fn matings(&self, wanted: impl Fn(&Run) -> bool) -> Result<Vec<Mating>, Error> {
-        let plans = self.study.runs()?.into_iter();
-        let plans = plans.filter(|plan| wanted(&plan.run));
-        Ok(distinct(plans.flat_map(|plan| plan.matings)))
+        let plans = match self.plans.get() {
+            Some(plans) => plans,
+            None => {
+                let plans = self.study.runs()?;
+                self.plans.get_or_init(|| plans)
+            }
+        };
+        let plans = plans.iter().filter(|plan| wanted(&plan.run));
+        Ok(distinct(
+            plans.flat_map(|plan| plan.matings.iter().copied()),
+        ))
     }
 
     /// The result of `look` from the poses and the extremes of `material`, unless there is doubt about them or it loses a contact.

@@ -29,7 +29,7 @@ const ROUND: usize = 96;
 const UNBOUNDED: f64 = 1e-6;
 
 /// Parts of a cell at most (tuned).
-const MOST_PARTS: f64 = 8.0;
+const MOST_PARTS: f64 = 4.0;
 
 /// Share of the wanted width at which bounds may stop.
 const ENOUGH: f64 = 0.8;
@@ -43,6 +43,9 @@ const POLISHED: f64 = 1e-6;
 /// Limit of rounds of poses beside the best one. Some 25 are usual.
 const MOST_ROUNDS: u32 = 64;
 
+/// Places in a pitch that are told apart. Cells beside each other share the pose between them.
+pub(super) const GRID: f64 = (1_u64 << 40) as f64;
+
 /// Values that differ by less, rad, are equal: rounding of different platforms.
 const EQUAL: f64 = 1e-12;
 
@@ -53,13 +56,18 @@ pub(super) struct Cell {
     pub pitches: f64,
     /// Half its width, pitches.
     pub half: f64,
+    /// The place of the pose that is known, pitches.
+    pub known: f64,
     pub status: Status,
-    /// In the middle, and its error.
+    /// The lost motion there, and its error.
     pub angle: Option<(f64, f64)>,
     /// The lost motion is no less, −∞ where nothing bounds it, and what no narrower cell excludes below it.
     pub low: (f64, f64),
     /// It is no greater, and what no narrower cell excludes above it.
     pub high: (f64, f64),
+    /// The classes of the teeth that touch at its ends, if its greatest lost motion follows from these alone: cells with equal classes at
+    /// equal fractions of a pitch are equal then.
+    pub touching: Option<[u32; 8]>,
     pub effort: u64,
 }
 
@@ -69,15 +77,17 @@ impl Cell {
         Cell {
             pitches,
             half,
+            known: pitches,
             status: Status::Unproven,
             angle: None,
             low: (f64::NEG_INFINITY, 0.0),
             high: (f64::INFINITY, 0.0),
+            touching: None,
             effort: 0,
         }
     }
 
-    /// The value in the middle, of which the least is sought.
+    /// The value of the known pose, of which the least is sought.
     fn value(&self, end: End) -> Option<f64> {
         let (angle, _) = self.angle?;
         Some(end.sign() * angle)
@@ -106,7 +116,7 @@ pub(super) trait CycleCells: Sync {
         None
     }
 
-    /// The cell of half the width `half`, pitches, about `pitches`: the pose in its middle, and its bounds for `ends`. `width`, rad, is how wide
+    /// The cell of half the width `half`, pitches, about `pitches`: one of its poses, and its bounds for `ends`. `width`, rad, is how wide
     /// bounds may be in the end.
     fn look(&self, pitches: f64, half: f64, ends: &[End], width: f64) -> Cell;
 }
@@ -131,7 +141,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         let mut used: u64 = cells.iter().map(|cell| cell.effort).sum();
         let lost = [Status::Jammed, Status::NoContact].map(|status| {
             let lost = cells.iter().find(|cell| cell.status == status);
-            lost.map(|cell| self.cells.mating(cell.pitches))
+            lost.map(|cell| self.cells.mating(cell.known))
         });
         let [jammed, unmeshed] = lost;
         let mut all = cells.clone();
@@ -151,8 +161,8 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         let (least, greatest) = (found(End::Least, jammed), found(End::Greatest, unmeshed));
         let first = |status: Status| {
             let lost = all.iter().filter(|cell| cell.status == status);
-            let lost = lost.min_by(|a, b| a.pitches.total_cmp(&b.pitches));
-            lost.map(|cell| self.cells.mating(cell.pitches))
+            let lost = lost.min_by(|a, b| a.known.total_cmp(&b.known));
+            lost.map(|cell| self.cells.mating(cell.known))
         };
         let (jammed, unmeshed) = (first(Status::Jammed), first(Status::NoContact));
         let is_known = all.iter().any(|cell| cell.angle.is_some());
@@ -199,7 +209,16 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             values.fold(best, f64::min)
         };
         let mut best = values(cells, f64::INFINITY);
+        let mut seen = HashSet::new();
+        let mut is_new = |cell: &Cell| match (end, cell.touching) {
+            (End::Greatest, Some(teeth)) => {
+                let fraction = (cell.pitches.fract() * GRID).round();
+                seen.insert((rank(fraction), rank(cell.half), teeth))
+            }
+            _ => true,
+        };
         let mut left = std::mem::take(cells);
+        left.retain(&mut is_new);
         loop {
             let enough = best - width;
             let (mut open, rest): (Vec<Cell>, Vec<Cell>) = left
@@ -236,7 +255,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             let parts = parallel::map(parts, |(at, half)| self.look(at, half, &[end]));
             effort.spend(parts.iter().map(|cell| cell.effort).sum());
             best = values(&parts, best);
-            left.extend(parts);
+            left.extend(parts.into_iter().filter(&mut is_new));
         }
     }
 
@@ -248,12 +267,12 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         let Some(mut best) = best.copied() else {
             return;
         };
-        let (mut apart, least) = (0.5 * best.half, best.half * POLISHED);
+        let (mut apart, least) = (best.half, best.half * POLISHED);
         for _ in 0..MOST_ROUNDS {
             if apart <= least {
                 break;
             }
-            let from = best.pitches;
+            let from = best.known;
             let beside = parallel::map([-apart, apart], |by| self.look(from + by, 0.0, &[]));
             for pose in beside {
                 if pose.value(end) < best.value(end) && pose.value(end).is_some() {
@@ -266,7 +285,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                     ..pose
                 });
             }
-            if best.pitches == from {
+            if best.known == from {
                 apart *= 0.5;
             }
         }
@@ -279,7 +298,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         let equal = cells
             .iter()
             .filter(|cell| cell.value(end).is_some_and(|value| value <= best + EQUAL));
-        let pose = equal.min_by(|a, b| a.pitches.total_cmp(&b.pitches))?;
+        let pose = equal.min_by(|a, b| a.known.total_cmp(&b.known))?;
         let (angle, error) = pose.angle?;
         let bounds = cells.iter().map(|cell| {
             let (bound, open) = cell.bound(end);
@@ -301,7 +320,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             low: low * self.radius,
             high: high * self.radius,
             found: angle * self.radius,
-            mating: self.cells.mating(pose.pitches),
+            mating: self.cells.mating(pose.known),
             doubt,
         })
     }

@@ -3,6 +3,7 @@
 use super::half::HalfOutline;
 use super::path::{ClosedPath, PathSegment};
 use super::teeth::{FoundTooth, find};
+use super::tooth_classes::ToothClasses;
 use crate::error::OutlineError;
 use crate::gear::{Face, Side};
 use nalgebra::{Complex, Point2, UnitComplex, Vector2};
@@ -45,6 +46,8 @@ pub struct OutlineGear {
     pub(super) root_radius: f64,
     pub(super) displacement: Complex<f64>,
     pub(super) bound: f64,
+    /// Equal teeth about the geometric centre.
+    pub(super) classes: Arc<ToothClasses>,
     /// The path before it is moved by a flank offset; `None` of a gear given by data.
     pub(super) drawing: Option<Drawing>,
 }
@@ -130,7 +133,7 @@ impl OutlineGear {
         });
         let about = drawn.iter().map(|segment| segment.moved(-centre.coords));
         let path: Arc<[PathSegment]> = about.collect();
-        Ok(OutlineGear {
+        let gear = OutlineGear {
             face: reading.face,
             drawing: Some(Drawing {
                 path: Arc::clone(&path),
@@ -145,7 +148,9 @@ impl OutlineGear {
             root_radius: radii.0,
             displacement: Complex::ZERO,
             bound: reading.bound,
-        })
+            classes: Arc::default(),
+        };
+        Ok(gear.classified())
     }
 
     /// This outline with an eccentricity, mm, towards `high_tooth` (fractional, `1 ≤ … < z + 1`).

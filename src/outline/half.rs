@@ -99,7 +99,7 @@ impl HalfOutline {
             let mut before = from;
             for step in 0..=STEPS {
                 let t = from + (to - from) * f64::from(step) / f64::from(STEPS);
-                if piece.point(t).norm() >= radius {
+                if piece.point(t).norm_sqr() >= radius * radius {
                     (reached, before) = (true, t);
                 } else if reached {
                     let beyond = |t: f64| piece.point(t).norm() >= radius;

@@ -6,6 +6,7 @@ use super::path::PathSegment;
 use crate::gear::{AsBuilt, Face, Placed, ProfilePart, Side, smooth};
 use nalgebra::{Complex, Point2};
 use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
 /// A shorter half root land counts as none, mm: some hundred times the rounding of the largest gears.
 const NO_LAND: f64 = 1e-9;
@@ -122,7 +123,7 @@ impl From<&AsBuilt> for OutlineGear {
             Face::Back => segment.mirrored(),
         });
         let off = built.displacement(FRAC_PI_2);
-        OutlineGear {
+        let gear = OutlineGear {
             face: built.face(),
             path: path.map(|segment| segment.moved(-off)).collect(),
             turned: FRAC_PI_2,
@@ -131,8 +132,10 @@ impl From<&AsBuilt> for OutlineGear {
             root_radius: gear.root_radius(),
             displacement: Complex::new(displacement.x, displacement.y),
             bound: 0.0,
+            classes: Arc::default(),
             drawing: None,
-        }
+        };
+        gear.classified()
     }
 }
 

@@ -5,12 +5,13 @@ use super::half::{HalfOutline, HalfPiece};
 use crate::gear::{PartCurve, Side};
 use nalgebra::{Complex, Point2};
 use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
 /// Greatest distance of a tooth from the first one that it equals, mm: two such gears change a backlash by a hundredth of a micrometre.
 const EQUAL: f64 = 2e-6;
 
 /// The classes of equal teeth of a gear.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct ToothClasses {
     /// The first tooth that each tooth equals, at even places.
     first: Vec<u32>,
@@ -32,9 +33,20 @@ impl ToothClasses {
 
 impl OutlineGear {
     /// The classes of teeth that are equal at their even places. Each tooth of an eccentric gear is a class of its own.
+    pub(crate) fn tooth_classes(&self) -> Arc<ToothClasses> {
+        if self.eccentricity() > 0.0 {
+            return Arc::new(ToothClasses {
+                first: (1..=self.teeth()).collect(),
+                apart: 0.0,
+            });
+        }
+        Arc::clone(&self.classes)
+    }
+
+    /// This gear with its classes of teeth, which are equal about the geometric centre.
     ///
     /// The curves of equal teeth are of the same kinds in the same order.
-    pub(crate) fn tooth_classes(&self) -> ToothClasses {
+    pub(super) fn classified(self) -> OutlineGear {
         let mut firsts: Vec<u32> = Vec::new();
         let mut most: f64 = 0.0;
         let first = (1..=self.teeth()).map(|tooth| {
@@ -48,18 +60,15 @@ impl OutlineGear {
             most = most.max(apart);
             first
         });
-        ToothClasses {
-            first: first.collect(),
-            // Both are that far from the first one.
-            apart: 2.0 * most,
-        }
+        let first = first.collect();
+        // Both are that far from the first one.
+        let apart = 2.0 * most;
+        let classes = Arc::new(ToothClasses { first, apart });
+        OutlineGear { classes, ..self }
     }
 
     /// A bound on the distance between two teeth at their even places, mm; `None` where they are not equal.
     fn equal_within(&self, one: u32, other: u32) -> Option<f64> {
-        if self.eccentricity() > 0.0 {
-            return None;
-        }
         let between = self.tooth_angle(f64::from(other)) - self.tooth_angle(f64::from(one));
         let sides = Side::BOTH.map(|side| {
             // The left side is mirrored.

@@ -7,7 +7,7 @@
 
 use super::{C, dot};
 use crate::gear::PartCurve;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::FRAC_PI_4;
 
 /// A rectangle.
 #[derive(Debug, Clone, Copy)]
@@ -63,18 +63,17 @@ impl Rectangle {
         }
     }
 
-    /// Least and greatest angle of its points about the origin, rad from +x; `None` unless all are within a quarter turn.
-    pub fn angles(&self) -> Option<[f64; 2]> {
+    /// Least and greatest slope `y/x` of its points; `None` unless all have a positive `x`.
+    pub fn slopes(&self) -> Option<[f64; 2]> {
         let [length, width] = self.half;
         let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
         let corners =
             corners.map(|(l, w)| self.along * (self.middle + C::new(l * length, w * width)));
-        let angles = corners.map(C::arg);
-        let [least, most] = [
-            angles.iter().copied().fold(PI, f64::min),
-            angles.iter().copied().fold(-PI, f64::max),
-        ];
-        (-FRAC_PI_2 < least && most < FRAC_PI_2).then_some([least, most])
+        let slopes = corners.map(|corner| corner.im / corner.re);
+        let least = slopes.into_iter().fold(f64::INFINITY, f64::min);
+        let greatest = slopes.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let are_ahead = corners.iter().all(|corner| corner.re > 0.0);
+        are_ahead.then_some([least, greatest])
     }
 
     /// Its length, mm.

@@ -1,19 +1,19 @@
 //! Bounds of one side's contact over a cell of locked rotations.
 //!
 //! The frame is the side's: free axis at the origin, locked axis at `a` on +x. In a cell the locked gear turns by `τ`, `|τ| ≤ w`. Each
-//! bound is a line: the free gear has the rotation `level + g τ`. The rate `g` is the rate of the contact in the middle. In the frame of a
-//! free gear that follows the line, a locked point `P` moves as follows. Its position in the middle is `P`, and `p = P − a` from the locked
-//! axis.
+//! bound is a line: the free gear has the rotation `level + g τ`. The rate `g` is that of a contact, or of the chord between the contacts at the
+//! ends. In the frame of a free gear that follows the line, a locked point that is at `P` in the middle, `p = P − a` from the locked axis, is at
+//! `P(τ) = a e^{−igτ} + p e^{i(1−g)τ}`.
 //!
-//! `P(τ) = a e^{−igτ} + p e^{i(1−g)τ}`, `P'(0) = i ((1−g) P − a)`, `P''(0) = −g² a − (1−g)² p`,
-//! `|P'''| ≤ |g|³ a + |1−g|³ |p|`.
+//! A line that divides the gears turns with the locked gear, at the rate `κ = 1 − g`, or stands still with the free one, `κ = 0`. Where a
+//! corner slides along a straight edge, the line that turns with the edge touches it all through the cell. Let `n` be its unit normal in the
+//! middle, and `u = −i n`. Along the normal the locked point is at `n·(a e^{−i(g+κ)τ} + p e^{i(1−g−κ)τ})`, and a free point `Q` at
+//! `n·(Q e^{−iκτ})`. A function `f` of `τ` is at most `f(0) ± w f'(0) + w²/2 · max(0, f''(0) + w/3 · max |f'''|)`.
+//! `f(0)` and `f'(0)` are linear in `P` and `Q`: `n·P` with `u·((1−g−κ) P − a)`, and `n·Q` with `−κ u·Q`. For either sign they are
+//! greatest together at a corner of a rectangle ([`Reach`]). At a contact `P = Q` and `u·((1−g) P − a)` is 0, so the bound differs from the
+//! contact only by the second order of `w`.
 //!
-//! Let `n` be a unit vector and `u = −i n`. The point reaches at most
-//! `n·P + w |u·((1−g) P − a)| + w²/2 · max(0, n·P''(0) + w |P'''|/3)` along `n`. For either sign of `τ` the first two terms
-//! are linear in `P`. Over a rectangle they are greatest at one of its corners. At a contact `u·((1−g) P − a)` is 0, so the
-//! bound differs from the contact only by terms of second order in `w`.
-//!
-//! **Above** ([`SideCell::above`]). A line with the normal `n` separates the gears if no locked point passes it in the cell,
+//! **Above** ([`SideCell::above`]). A line separates the gears if no locked point passes it in the cell,
 //! all free points lie beyond it, and `u·P > 0` for all of them. Then the angle grows from the locked to the free points
 //! along every circle about the axis, and the pair's gap stays below the line of `level`. Rectangles enclose runs of pieces
 //! and parts of pieces. A pair that no line separates is divided. If both are flat and short, the level rises by the missing
@@ -30,6 +30,7 @@ use super::halves::FreeHalf;
 use super::teeth::{Frame, SideTeeth};
 use crate::contact::gap::{C, Inside, Rectangle, dot, turn};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::Add;
 
 /// Angle, rad, within which a narrow rectangle is seen on either side of its centre: sin 15° > 1/4.
 const NARROW: f64 = 0.262;
@@ -42,6 +43,9 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Pairs of rectangles looked at before a bound is given up (tuned).
 const MOST_PAIRS: u32 = 20_000;
+
+/// Greatest rate of a bound over the ratio of the teeth. The ratio itself replaces greater rates.
+const FASTEST: f64 = 4.0;
 
 /// Steps towards the level at which a line divides.
 const STEPS: u32 = 6;
@@ -57,7 +61,7 @@ pub(super) struct Bound {
     pub drawn: f64,
 }
 
-/// The contact in the middle of a cell.
+/// A contact, in the middle of a cell on the line through it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Touching {
     /// Gap, rad from the nominal rotation.
@@ -71,13 +75,15 @@ pub(super) struct Touching {
 }
 
 /// A cell of rotations of one side.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct SideCell<'a> {
     /// Locked and free.
     pub teeth: [&'a SideTeeth<'a>; 2],
     /// The free half teeth at rotation 0.
     pub still: &'a [FreeHalf<'a>],
     pub frames: [Frame; 2],
+    /// Greatest radius of each gear about its axis, mm.
+    pub reach: [f64; 2],
     /// Turn of the free gear to its nominal rotation in the middle.
     pub nominal: C,
     /// Centre distance, mm.
@@ -99,6 +105,8 @@ pub(super) struct SideCell<'a> {
 struct Node {
     rectangle: Rectangle,
     within: Within,
+    /// Where its parts begin among the nodes, and their number; 0 before it is divided.
+    parts: (usize, usize),
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -116,6 +124,27 @@ struct Ascent {
     looked: u32,
 }
 
+/// How far points reach along a direction in a cell: a bound at either end from value and slope in the middle, the second derivative there,
+/// and the greatest third one.
+#[derive(Debug, Clone, Copy)]
+struct Reach {
+    to_either: [f64; 2],
+    bent: f64,
+    third: f64,
+}
+
+impl Add for Reach {
+    type Output = Reach;
+
+    fn add(self, other: Reach) -> Reach {
+        Reach {
+            to_either: [0, 1].map(|k: usize| self.to_either[k] + other.to_either[k]),
+            bent: self.bent + other.bent,
+            third: self.third + other.third,
+        }
+    }
+}
+
 /// Result of a comparison of two rectangles.
 enum Apart {
     Yes,
@@ -126,8 +155,16 @@ enum Apart {
 impl SideCell<'_> {
     /// The greatest length, mm.
     fn size(&self) -> f64 {
-        let reach = self.teeth.map(|teeth| teeth.gear.reach());
-        self.distance + reach[0] + reach[1]
+        self.distance + self.reach[0] + self.reach[1]
+    }
+
+    /// This rate, or that of the nominal rotation in place of a much greater one.
+    pub fn limited(&self, rate: f64) -> f64 {
+        if (rate / self.ratio).abs() <= FASTEST {
+            rate
+        } else {
+            self.ratio
+        }
     }
 
     fn turned(&self, level: f64) -> C {
@@ -139,19 +176,55 @@ impl SideCell<'_> {
         (self.rate - self.ratio).abs() * self.half
     }
 
-    /// The farthest that a point of `locked` reaches along the unit vector `n` in the cell, seen from the line's free gear, mm.
-    fn farthest(&self, locked: &Rectangle, n: C) -> f64 {
-        let (a, g, w) = (self.distance, self.rate, self.half);
+    /// Rate at which a direction turns that is fixed to a gear, seen from the line's free gear.
+    fn turns_with(&self, gear: usize) -> f64 {
+        [1.0 - self.rate, 0.0][gear]
+    }
+
+    /// How far `locked` reaches along a direction that is `n` in the middle and turns at the rate `turning`.
+    fn locked_reach(&self, locked: &Rectangle, n: C, turning: f64) -> Reach {
+        let (a, w) = (self.distance, self.half);
+        let (own, axis) = (1.0 - self.rate - turning, self.rate + turning);
         let u = n * -C::i();
-        let slower = 1.0 - g;
-        let to_either = [w, -w].map(|w| locked.farthest(n + u * (w * slower)) - w * a * u.re);
         // `n·P''` is greatest where `n·P` is least.
-        let least = -locked.farthest(-n);
-        let bent = (slower * slower - g * g) * a * n.re - slower * slower * least;
-        let third =
-            (g * g * g).abs() * a + (slower * slower * slower).abs() * self.teeth[0].gear.reach();
-        let bent = f64::max(0.0, bent + w * third / 3.0);
-        f64::max(to_either[0], to_either[1]) + 0.5 * w * w * bent
+        let bent = (own * own - axis * axis) * a * n.re + own * own * locked.farthest(-n);
+        let third = axis.abs().powi(3) * a + own.abs().powi(3) * self.reach[0];
+        Reach {
+            to_either: [w, -w].map(|w| locked.farthest(n + u * (w * own)) - w * a * u.re),
+            bent,
+            third,
+        }
+    }
+
+    /// Like [`SideCell::locked_reach`], of a free rectangle that `back` turns back from the level to rotation 0.
+    fn free_reach(&self, free: &Rectangle, n: C, turning: f64, back: C) -> Reach {
+        let n = back * n;
+        if turning == 0.0 {
+            return Reach {
+                to_either: [free.farthest(n); 2],
+                bent: 0.0,
+                third: 0.0,
+            };
+        }
+        let (u, w) = (n * -C::i(), self.half);
+        Reach {
+            to_either: [w, -w].map(|w| free.farthest(n - u * (w * turning))),
+            bent: turning * turning * free.farthest(-n),
+            third: turning.abs().powi(3) * self.reach[1],
+        }
+    }
+
+    /// The greatest value of a reach in the cell, mm.
+    fn greatest(&self, reach: Reach) -> f64 {
+        let w = self.half;
+        let bent = f64::max(0.0, reach.bent + w * reach.third / 3.0);
+        f64::max(reach.to_either[0], reach.to_either[1]) + 0.5 * w * w * bent
+    }
+
+    /// The greatest value of all reaches in the cell, mm.
+    fn most(&self, reaches: impl Iterator<Item = Reach>) -> f64 {
+        let values = reaches.map(|reach| self.greatest(reach));
+        values.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Bounds of the squares of the radii of `locked` in the cell: `|P|² = a² + |p|² + 2 a Re(e^{iτ} p)`.
@@ -159,7 +232,7 @@ impl SideCell<'_> {
         let (a, w) = (self.distance, self.half);
         let (least, most) = locked.squares();
         let aside = locked.farthest(C::i()).max(locked.farthest(-C::i()));
-        let change = 2.0 * a * w * (aside.abs() + 0.5 * w * self.teeth[0].gear.reach());
+        let change = 2.0 * a * w * (aside.abs() + 0.5 * w * self.reach[0]);
         (least - change, most + change)
     }
 
@@ -184,20 +257,20 @@ impl SideCell<'_> {
 
     /// Raises the level until a pair of half teeth is apart below it.
     fn part(&self, teeth: [u32; 2], ascent: &mut Ascent) -> bool {
-        let whole = [0, 1].map(|gear: usize| {
-            let run = self.teeth[gear].boxes(teeth[gear]).whole()?;
-            Some(self.run(gear, teeth, run))
-        });
-        let [Some(locked), Some(free)] = whole else {
-            return true;
-        };
-        let reach = self.teeth[1].gear.reach();
+        let mut nodes = [const { Vec::new() }; 2];
+        for gear in [0, 1] {
+            let Some(run) = self.teeth[gear].boxes(teeth[gear]).whole() else {
+                return true;
+            };
+            nodes[gear].push(self.run(gear, teeth, run));
+        }
+        let reach = self.reach[1];
         // A rectangle no wider than that, and one no longer than that, are not cut.
         let flat = 0.25 * self.fine * reach;
-        let short = 0.25 * self.half * self.teeth[0].gear.reach() + self.fine * reach;
-        let mut open = vec![[locked, free]];
+        let short = 0.25 * self.half * self.reach[0] + self.fine * reach;
+        let mut open = vec![[0, 0]];
         'pairs: while let Some(pair) = open.pop() {
-            let rectangles = pair.each_ref().map(|node| &node.rectangle);
+            let rectangles = [0, 1].map(|gear: usize| &nodes[gear][pair[gear]].rectangle);
             let is_flat = rectangles.iter().all(|it| it.width() <= flat);
             let is_small = is_flat && rectangles.iter().all(|it| it.length() <= short);
             for _ in 0..STEPS {
@@ -205,7 +278,7 @@ impl SideCell<'_> {
                 if ascent.looked > MOST_PAIRS {
                     return false;
                 }
-                match self.apart(&pair, ascent, is_flat) {
+                match self.apart(rectangles, ascent, is_flat) {
                     Apart::Yes => continue 'pairs,
                     Apart::Above(Some(need)) if is_small || is_flat && need <= self.fine => {
                         ascent.level += need + 1e-3 * self.fine;
@@ -215,10 +288,11 @@ impl SideCell<'_> {
                 }
             }
             let longer = usize::from(rectangles[1].length() > rectangles[0].length());
-            let Some(parts) = self.divided(longer, teeth, &pair[longer]) else {
+            let Some((from, count)) = self.divided(longer, teeth, &mut nodes[longer], pair[longer])
+            else {
                 return false;
             };
-            for part in parts.into_iter().flatten() {
+            for part in from..from + count {
                 let mut pair = pair;
                 pair[longer] = part;
                 open.push(pair);
@@ -228,8 +302,12 @@ impl SideCell<'_> {
     }
 
     /// Whether a line divides two rectangles at the level, or their radii do. The rise is found only where it is needed.
-    fn apart(&self, [locked, free]: &[Node; 2], ascent: &mut Ascent, needs_rise: bool) -> Apart {
-        let (locked, free) = (&locked.rectangle, &free.rectangle);
+    fn apart(
+        &self,
+        [locked, free]: [&Rectangle; 2],
+        ascent: &mut Ascent,
+        needs_rise: bool,
+    ) -> Apart {
         let size = self.size();
         let (squares, mates) = (self.squares(locked), free.squares());
         let room = ROUNDING * size * size + 2.0 * self.bound * size;
@@ -259,24 +337,27 @@ impl SideCell<'_> {
         let mut need: Option<f64> = None;
         let between = centre + seen;
         let radial = || between / between.norm_sqr().sqrt();
+        let back = turned.conj();
         for way in 0..3 {
-            let along = match way {
-                0 => turned * free.along(),
-                1 => locked.along(),
-                _ => radial(),
+            let (along, turning) = match way {
+                0 => (turned * free.along(), self.turns_with(1)),
+                1 => (locked.along(), self.turns_with(0)),
+                _ => (radial(), self.turns_with(1)),
             };
             let u = along * 1f64.copysign(dot(along, centre));
             let n = C::i() * u;
-            let under = -free.farthest(turned.conj() * -n);
             // An overlap in the middle of the cell is one of the cell.
-            if !needs_rise && locked.farthest(n) > under {
+            if !needs_rise && locked.farthest(n) + free.farthest(back * -n) > 0.0 {
                 continue;
             }
-            let arm = -free.farthest(turned.conj() * -u);
-            if !(arm > 0.0 && self.farthest(locked, -u) < 0.0) {
+            let arm = -self.greatest(self.free_reach(free, -u, turning, back));
+            let before = self.greatest(self.locked_reach(locked, -u, turning));
+            if !(arm > 0.0 && before < 0.0) {
                 continue;
             }
-            let over = self.farthest(locked, n) - under + ROUNDING * size;
+            let reach =
+                self.locked_reach(locked, n, turning) + self.free_reach(free, -n, turning, back);
+            let over = self.greatest(reach) + ROUNDING * size;
             if over <= 0.0 {
                 ascent.drawn = ascent.drawn.max((over + self.bound) / arm);
                 return Apart::Yes;
@@ -298,6 +379,7 @@ impl SideCell<'_> {
         Node {
             rectangle,
             within: Within::Run(run),
+            parts: (0, 0),
         }
     }
 
@@ -309,37 +391,51 @@ impl SideCell<'_> {
         Node {
             rectangle: rectangle.placed(centre, direction),
             within: Within::Part(piece, low, high),
+            parts: (0, 0),
         }
     }
 
-    /// The two parts of a node; `None` where it cannot be divided.
-    fn divided(&self, gear: usize, teeth: [u32; 2], node: &Node) -> Option<[Option<Node>; 2]> {
-        let tooth = teeth[gear];
-        match node.within {
-            Within::Run(run) => Some(match self.teeth[gear].boxes(tooth).inside(run) {
-                Inside::Runs(runs) => runs.map(|run| Some(self.run(gear, teeth, run))),
+    /// Divides a node once. Returns where its parts begin and their number; `None` where it cannot be divided.
+    fn divided(
+        &self,
+        gear: usize,
+        teeth: [u32; 2],
+        nodes: &mut Vec<Node>,
+        node: usize,
+    ) -> Option<(usize, usize)> {
+        if nodes[node].parts.1 > 0 {
+            return Some(nodes[node].parts);
+        }
+        let (tooth, from) = (teeth[gear], nodes.len());
+        match nodes[node].within {
+            Within::Run(run) => match self.teeth[gear].boxes(tooth).inside(run) {
+                Inside::Runs(runs) => nodes.extend(runs.map(|run| self.run(gear, teeth, run))),
                 Inside::Pieces([piece, _]) => {
                     let it = &self.teeth[gear].half(tooth).pieces[piece];
                     let (low, high) = it.range();
                     // About the axis an arc has one radius, on which only its clockwise end can touch.
-                    if gear == 1
+                    let has_one_radius = gear == 1
                         && self.frames[1].centre == C::ZERO
-                        && it.curve.is_about_the_origin()
-                    {
-                        return Some([Some(self.piece(gear, tooth, piece, [it.ends[1]; 2])), None]);
-                    }
-                    [Some(self.piece(gear, tooth, piece, [low, high])), None]
+                        && it.curve.is_about_the_origin();
+                    let ends = if has_one_radius {
+                        [it.ends[1]; 2]
+                    } else {
+                        [low, high]
+                    };
+                    nodes.push(self.piece(gear, tooth, piece, ends));
                 }
-            }),
+            },
             Within::Part(piece, low, high) => {
                 let middle = 0.5 * (low + high);
                 if !(low < middle && middle < high) {
                     return None;
                 }
-                let part = |ends| Some(self.piece(gear, tooth, piece, ends));
-                Some([part([low, middle]), part([middle, high])])
+                let halves = [[low, middle], [middle, high]];
+                nodes.extend(halves.map(|ends| self.piece(gear, tooth, piece, ends)));
             }
         }
+        nodes[node].parts = (from, nodes.len() - from);
+        Some(nodes[node].parts)
     }
 
     /// A level that the gap of the contact's own half teeth does not fall below in the whole cell; `None` where none is shown.
@@ -356,26 +452,42 @@ impl SideCell<'_> {
         let (least, most) = self.squares(&p);
         let square = q.squares();
         // Tips of the free gear are far from its axis, those of the locked one near it.
-        let frees = self.stretch(1, touching, &|at| at.squares().0 >= most + room, &|at| {
-            at.squares().1 <= least - room
-        });
-        let lockeds = self.stretch(
-            0,
-            touching,
-            &|at| self.squares(at).1 <= square.0 - room,
-            &|at| self.squares(at).0 >= square.1 + room,
-        );
+        let stretch = |gear: usize| match gear {
+            0 => {
+                let tip = |at: &Rectangle| self.squares(at).1 <= square.0 - room;
+                let root = |at: &Rectangle| self.squares(at).0 >= square.1 + room;
+                self.stretch(0, touching, &tip, &root)
+            }
+            _ => {
+                let tip = |at: &Rectangle| at.squares().0 >= most + room;
+                let root = |at: &Rectangle| at.squares().1 <= least - room;
+                self.stretch(1, touching, &tip, &root)
+            }
+        };
+        let is_corner = |gear: usize| {
+            let (piece, at) = touching.at[gear];
+            self.teeth[gear].half(touching.teeth[gear]).pieces[piece].is_corner(at)
+        };
+        // A corner slides along the other gear's curve.
+        let curves = if is_corner(1) { [0, 1] } else { [1, 0] };
         let mut best: Option<Bound> = None;
-        for n in touching.normals {
-            let one = frees
-                .as_ref()
-                .and_then(|frees| self.held(n, touching.level, &[p], frees));
-            let other = lockeds
-                .as_ref()
-                .and_then(|all| self.held(n, touching.level, all, &[q]));
-            for found in [one, other].into_iter().flatten() {
-                if best.is_none_or(|best| found.level > best.level) {
-                    best = Some(found);
+        for gear in curves {
+            let Some(curve) = stretch(gear) else {
+                continue;
+            };
+            let (locked, free): (&[Rectangle], &[Rectangle]) = match gear {
+                0 => (&curve, &[q]),
+                _ => (&[p], &curve),
+            };
+            let [common, normal] = [0, 1 + gear].map(|k: usize| touching.normals[k]);
+            for (n, fixed_to) in [(normal, gear), (common, 1)] {
+                let level = touching.level;
+                let found = self.held(n, self.turns_with(fixed_to), level, locked, free);
+                if found.is_some_and(|found| level - found.level <= self.fine) {
+                    return found;
+                }
+                if found.map(|it| it.level) > best.map(|it| it.level) {
+                    best = found;
                 }
             }
         }
@@ -430,31 +542,37 @@ impl SideCell<'_> {
         Some(round)
     }
 
-    /// The level, from `level` down, at which a line with the normal `n` has `free` wholly on its locked side and `locked` on its free side
-    /// throughout the cell.
+    /// The level, from `level` down, at which a line has `free` wholly on its locked side and `locked` on its free side throughout the cell. Its
+    /// normal is `n` in the middle and turns at the rate `turning`.
     fn held(
         &self,
         n: C,
+        turning: f64,
         mut level: f64,
         locked: &[Rectangle],
         free: &[Rectangle],
     ) -> Option<Bound> {
         let u = n * -C::i();
         let is_narrow = |all: &[Rectangle]| all.iter().all(Rectangle::is_narrow);
-        let most = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::NEG_INFINITY, f64::max);
-        let before = most(&mut locked.iter().map(|it| self.farthest(it, -u))) < 0.0;
-        if !(before && is_narrow(locked) && is_narrow(free)) {
+        let to = |n: C| {
+            let each = locked.iter();
+            each.map(move |it| self.locked_reach(it, n, turning))
+        };
+        if !(self.most(to(-u)) < 0.0 && is_narrow(locked) && is_narrow(free)) {
             return None;
         }
-        let least = -most(&mut locked.iter().map(|it| self.farthest(it, -n)));
         for _ in 0..STEPS {
             let back = self.turned(level).conj();
-            let arm = -most(&mut free.iter().map(|it| it.farthest(back * -u)));
+            let from = |n: C| {
+                let each = free.iter();
+                each.map(move |it| self.free_reach(it, n, turning, back))
+            };
+            let arm = -self.most(from(-u));
             if !(arm > 0.0 && level + self.drift() <= MOST_LEVEL) {
                 return None;
             }
-            let reached = most(&mut free.iter().map(|it| it.farthest(back * n)));
-            let over = reached - least + ROUNDING * self.size();
+            let both = to(-n).flat_map(|locked| from(n).map(move |free| locked + free));
+            let over = self.most(both) + ROUNDING * self.size();
             if over <= 0.0 {
                 let drawn = self.bound / arm;
                 return Some(Bound { level, drawn });

@@ -1,21 +1,22 @@
 //! Cells of the mesh cycle of outlines, for the search of their extremes ([`CycleSearch`]).
 //!
-//! A side's contact lies between two lines all through a cell ([`SideCell`]), so the lost motion does too, with the difference of both rates.
-//! Near an edge that passes an edge the bounds are off by the first order of a cell's width, elsewhere by the second: each division brings the
-//! extreme nearer by a constant factor, and few cells stay open.
+//! Cells share the poses at their ends. All through a cell the gap of a side is below a line that is parallel to the chord between its ends, and
+//! above the two lines that touch it there ([`SideCell`]). The lost motion follows from the lines of both sides. Where contact passes from one
+//! edge to the next within the cell, the gap is least at a kink: both lines meet near it, so the bounds are off by the second order of a cell's
+//! width there too.
 
 use super::cell::{Bound, SideCell, Touching};
 use super::teeth::Frame;
 use super::{Meeting, OutlineKernel, SideKernel};
-use crate::contact::cycle_search::{Cell, CycleCells, CycleSearch};
+use crate::contact::cycle_search::{Cell, CycleCells, CycleSearch, GRID};
 use crate::contact::effort::Effort;
 use crate::contact::exact::{Doubt, End, Extremes};
 use crate::contact::gap::{C, turn};
-use crate::outline::{OutlinePair, ToothClasses};
+use crate::contact::lost_motion::{LostMotion, Status};
+use crate::outline::{OutlineGear, OutlinePair, ToothClasses};
 use crate::pair::Mating;
-
-/// Greatest rate of a contact over the ratio of the teeth. The ratio itself replaces greater rates.
-const FASTEST: f64 = 4.0;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Comparisons of two rectangles per unit of effort (tuned).
 const A_UNIT: u64 = 2;
@@ -30,7 +31,7 @@ pub(crate) struct OutlineCycle {
     /// All of its matings.
     pub matings: u64,
     /// Equal teeth, of the locked and the free gear.
-    pub classes: [ToothClasses; 2],
+    pub classes: [Arc<ToothClasses>; 2],
 }
 
 impl OutlineKernel<'_> {
@@ -47,6 +48,7 @@ impl OutlineKernel<'_> {
             kernel: self,
             pair,
             cycle,
+            poses: Mutex::default(),
         };
         let search = CycleSearch {
             cells: &cells,
@@ -64,6 +66,8 @@ struct OutlineCells<'a> {
     kernel: &'a OutlineKernel<'a>,
     pair: &'a OutlinePair,
     cycle: &'a OutlineCycle,
+    /// By their places on the grid.
+    poses: Mutex<HashMap<i64, Arc<EndPose>>>,
 }
 
 impl CycleCells for OutlineCells<'_> {
@@ -88,58 +92,242 @@ impl CycleCells for OutlineCells<'_> {
 
     fn look(&self, pitches: f64, half: f64, ends: &[End], wanted: f64) -> Cell {
         let (kernel, pair) = (self.kernel, self.pair);
-        let mating = self.mating(pitches);
-        let spent = Effort::of_pose();
         let mut cell = Cell::unknown(pitches, half);
-        let meetings = kernel
-            .sides
-            .each_ref()
-            .map(|side| side.meeting(pair, &mating, true, &spent));
-        cell.effort = spent.used();
-        let [Ok(right), Ok(left)] = meetings else {
-            return cell;
-        };
-        let meetings = [right, left];
-        let found = kernel.lost_motion_of(pair, &mating, meetings.each_ref().map(Option::as_ref));
-        cell.status = found.status();
-        cell.angle = found.angle().zip(found.error());
+        let from = self.pose(pitches - half);
+        cell.known = from.pitches;
+        cell.effort = from.effort;
+        cell.status = from.status;
+        cell.angle = from.angle;
         // Nothing bounds a cell wider than a pitch.
-        if half > 0.5 {
+        if half == 0.0 || half > 0.5 || from.meetings.is_none() {
             return cell;
         }
-        let width = half * pair.gear(pair.locked()).pitch();
-        let cells = [0, 1].map(|side: usize| {
-            let meeting = meetings[side].as_ref();
-            let mut cell = kernel.sides[side].cell(pair, &mating, meeting, width, wanted);
-            cell.bound += self.cycle.classes.iter().map(|of| of.apart).sum::<f64>();
-            cell
-        });
-        let drift = (cells[0].rate - cells[1].rate).abs() * width;
-        if ends.contains(&End::Least) && !kernel.may_jam(pair, &mating, width) {
-            let each = [0, 1].map(|side: usize| {
-                let floor = meetings[side]
-                    .map_or(-0.5 * pair.gear(pair.free()).pitch(), |meeting| {
-                        meeting.found.gap
-                    });
-                let (bound, looked) =
-                    kernel.sides[side].above(pair, &mating, &cells[side], floor.max(-0.5));
-                cell.effort += u64::from(looked) / A_UNIT;
-                bound
+        let poses = [from, self.pose(pitches + half)];
+        let mating = self.mating(pitches);
+        let pitch = pair.gear(pair.locked()).pitch();
+        let width = half * pitch;
+        let sides = [0, 1].map(|side: usize| {
+            let contacts = poses.each_ref().map(|pose| {
+                let away = (pose.pitches - pitches) * pitch;
+                Some((away, pose.meetings?[side]?))
             });
-            if let [Some(right), Some(left)] = each {
-                cell.low = (-right.level - left.level - drift, right.drawn + left.drawn);
+            SideOverCell::new(self, side, &mating, width, wanted, contacts)
+        });
+        if ends.contains(&End::Least) && !kernel.may_jam(pair, &mating, width) {
+            let [right, left] = sides.each_ref().map(|side| {
+                let (line, looked) = side.above(pair, &mating);
+                cell.effort += u64::from(looked) / A_UNIT;
+                line
+            });
+            if let (Some(right), Some(left)) = (right, left) {
+                let (lost, drawn) = lost_between(&[right], &[left], width);
+                cell.low = (lost.into_iter().fold(f64::INFINITY, f64::min), drawn);
             }
         }
         if ends.contains(&End::Greatest) {
-            let each = [0, 1].map(|side: usize| {
-                let meeting = meetings[side].as_ref()?;
-                cells[side].below(&kernel.sides[side].touch(meeting))
-            });
-            if let [Some(right), Some(left)] = each {
-                cell.high = (-right.level - left.level + drift, right.drawn + left.drawn);
+            let [right, left] = sides.each_ref().map(SideOverCell::below);
+            if !right.is_empty() && !left.is_empty() {
+                let (lost, drawn) = lost_between(&right, &left, width);
+                cell.high = (lost.into_iter().fold(f64::NEG_INFINITY, f64::max), drawn);
+                cell.touching = self.touching(&poses);
             }
         }
         cell
+    }
+}
+
+/// A line on one side of which a side's gap stays in a cell.
+#[derive(Debug, Clone, Copy)]
+struct Line {
+    /// In the middle of the cell.
+    bound: Bound,
+    /// By the rotation of the locked gear along the cycle.
+    slope: f64,
+}
+
+impl Line {
+    fn at(&self, away: f64) -> f64 {
+        self.bound.level + self.slope * away
+    }
+}
+
+/// The lost motion between the highest lines of both sides, at the ends of a cell and where lines cross: elsewhere it is between these. Also
+/// the effect of the outlines' error bounds on it.
+fn lost_between(right: &[Line], left: &[Line], half: f64) -> (Vec<f64>, f64) {
+    let highest = |lines: &[Line], away: f64| {
+        let gaps = lines.iter().map(|line| line.at(away));
+        gaps.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let crossing = |lines: &[Line]| match lines {
+        [one, other] => (other.bound.level - one.bound.level) / (one.slope - other.slope),
+        _ => 0.0,
+    };
+    let places = [-half, half, crossing(right), crossing(left)].into_iter();
+    let within = places.filter(|away| away.abs() <= half);
+    let lost = within.map(|away| -highest(right, away) - highest(left, away));
+    let drawn = [right, left].map(|lines| {
+        let each = lines.iter().map(|line| line.bound.drawn);
+        each.fold(0.0, f64::max)
+    });
+    (lost.collect(), drawn[0] + drawn[1])
+}
+
+/// A pose at the end of a cell.
+#[derive(Debug)]
+struct EndPose {
+    pitches: f64,
+    effort: u64,
+    status: Status,
+    /// The lost motion, rad, and its error.
+    angle: Option<(f64, f64)>,
+    /// `None` where a contact is not found within the effort of a pose.
+    meetings: Option<[Option<Meeting>; 2]>,
+}
+
+impl OutlineCells<'_> {
+    /// The pose at `pitches`, to the nearest of [`GRID`].
+    fn pose(&self, pitches: f64) -> Arc<EndPose> {
+        let place = (pitches * GRID).round();
+        let poses = || self.poses.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = poses().get(&(place as i64)).cloned();
+        known.unwrap_or_else(|| {
+            let pose = Arc::new(self.found_at(place / GRID));
+            poses().insert(place as i64, pose.clone());
+            pose
+        })
+    }
+
+    fn found_at(&self, pitches: f64) -> EndPose {
+        let (kernel, pair, mating) = (self.kernel, self.pair, self.mating(pitches));
+        let spent = Effort::of_pose();
+        let sides = kernel.sides.each_ref();
+        let [right, left] = sides.map(|side| side.meeting(pair, &mating, true, &spent).ok());
+        let meetings = right.zip(left).map(|(right, left)| [right, left]);
+        let found = meetings.map(|meetings| {
+            kernel.lost_motion_of(pair, &mating, meetings.each_ref().map(Option::as_ref))
+        });
+        EndPose {
+            pitches,
+            effort: spent.used(),
+            status: found.as_ref().map_or(Status::Unproven, LostMotion::status),
+            angle: found.and_then(|found| found.angle().zip(found.error())),
+            meetings,
+        }
+    }
+
+    /// The classes of the teeth that touch at both ends of a cell; `None` where a side has no contact or the gears jam.
+    fn touching(&self, poses: &[Arc<EndPose>; 2]) -> Option<[u32; 8]> {
+        let [locked, free] = &self.cycle.classes;
+        let mut touching = [0; 8];
+        let sides = poses.iter().flat_map(|pose| [(pose, 0), (pose, 1)]);
+        for (teeth, (pose, side)) in touching.chunks_mut(2).zip(sides) {
+            let [one, other] = pose.meetings?[side]?.teeth;
+            teeth.copy_from_slice(&[locked.first(one), free.first(other)]);
+        }
+        let jams = poses.iter().any(|pose| pose.status == Status::Jammed);
+        (!jams).then_some(touching)
+    }
+}
+
+/// A side of a cell, with the contacts at its ends.
+struct SideOverCell<'a> {
+    side: &'a SideKernel<'a>,
+    /// Its rate is that of the nominal rotation.
+    cell: SideCell<'a>,
+    /// Rotation of the locked gear in the side's frame over that along the cycle: 1 or −1.
+    sense: f64,
+    contacts: [Option<EndContact>; 2],
+}
+
+/// The contact at an end of a cell.
+struct EndContact {
+    /// Rotation of the locked gear from the middle, rad, in the side's frame.
+    away: f64,
+    /// From the nominal rotation.
+    gap: f64,
+    rate: f64,
+    touching: Touching,
+}
+
+impl<'a> SideOverCell<'a> {
+    /// The side of the cell of half the width `half`, rad of the locked gear, about `mating`, for bounds that are `width` wide in the end, rad of
+    /// the free gear. The contacts come with their distances from the middle, rad of the locked gear.
+    fn new(
+        cells: &OutlineCells<'a>,
+        side: usize,
+        mating: &Mating,
+        half: f64,
+        width: f64,
+        contacts: [Option<(f64, Meeting)>; 2],
+    ) -> SideOverCell<'a> {
+        let (side, pair) = (&cells.kernel.sides[side], cells.pair);
+        let (_, locked) = side.locked_frame(pair, mating);
+        let free = Frame {
+            centre: side.free.displacement,
+            direction: C::ONE,
+        };
+        let gears = [side.locked.gear, side.free.gear];
+        let apart = cells.cycle.classes.iter().map(|of| of.apart);
+        let ratio = -gears[1].pitch() / gears[0].pitch();
+        let cell = SideCell {
+            teeth: [&side.locked, &side.free],
+            still: &side.still,
+            frames: [locked, free],
+            reach: gears.map(OutlineGear::reach),
+            nominal: turn(-side.side.sense() * pair.rotation(pair.free(), mating)),
+            distance: pair.center_distance(),
+            half,
+            ratio,
+            rate: ratio,
+            fine: (width / 16.0).max(half * half / 8.0),
+            bound: apart.sum::<f64>() + gears[0].bound() + gears[1].bound(),
+        };
+        let sense = side.side.sense() * gears[0].face().ascending();
+        let contacts = contacts.map(|contact| {
+            let (away, meeting) = contact?;
+            Some(side.end_contact(&cell, &meeting, sense * away))
+        });
+        SideOverCell {
+            side,
+            cell,
+            sense,
+            contacts,
+        }
+    }
+
+    fn line(&self, bound: Bound, rate: f64) -> Line {
+        Line {
+            bound,
+            slope: self.sense * (rate - self.cell.ratio),
+        }
+    }
+
+    /// A line above the gap, parallel to that through both contacts, and how many rectangles were compared.
+    fn above(&self, pair: &OutlinePair, mating: &Mating) -> (Option<Line>, u32) {
+        let (floor, rate) = match &self.contacts {
+            [Some(from), Some(to)] => {
+                let slope = (to.gap - from.gap) / (to.away - from.away);
+                let rate = self.cell.limited(self.cell.ratio + slope);
+                (0.5 * (from.gap + to.gap), rate)
+            }
+            _ => (-0.5 * self.side.free.gear.pitch(), self.cell.ratio),
+        };
+        let cell = SideCell { rate, ..self.cell };
+        let (rotation, _) = self.side.locked_frame(pair, mating);
+        let facing = self.side.facing(pair, mating, rotation, cell.half);
+        let (bound, looked) = cell.above(facing, floor.max(-0.5));
+        (bound.map(|bound| self.line(bound, rate)), looked)
+    }
+
+    /// Lines below the gap, by the contact at each end.
+    fn below(&self) -> Vec<Line> {
+        let contacts = self.contacts.iter().flatten();
+        let lines = contacts.filter_map(|contact| {
+            let rate = contact.rate;
+            let bound = SideCell { rate, ..self.cell }.below(&contact.touching)?;
+            Some(self.line(bound, rate))
+        });
+        lines.collect()
     }
 }
 
@@ -153,72 +341,29 @@ impl OutlineKernel<'_> {
     }
 }
 
-impl<'a> SideKernel<'a> {
-    /// The cell of half the width `half`, rad of the locked gear, about `mating`, for bounds that are `width` wide in the end, rad of the free gear.
-    fn cell(
-        &'a self,
-        pair: &OutlinePair,
-        mating: &Mating,
-        meeting: Option<&Meeting>,
-        half: f64,
-        width: f64,
-    ) -> SideCell<'a> {
-        let (_, locked) = self.locked_frame(pair, mating);
-        let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
-        let ratio = -self.free.gear.pitch() / self.locked.gear.pitch();
-        let distance = pair.center_distance();
-        // Both points of a contact move equally fast along its normal.
-        let rate = meeting.map_or(ratio, |meeting| {
-            let ([p, _], n, _) = self.touching(meeting);
-            let along = |arm: C| n.re * -arm.im + n.im * arm.re;
-            along(p.point - distance) / along(p.point)
-        });
-        SideCell {
-            teeth: [&self.locked, &self.free],
-            still: &self.still,
-            frames: [
-                locked,
-                Frame {
-                    centre: self.free.displacement,
-                    direction: C::ONE,
-                },
-            ],
-            nominal: turn(free_rotation),
-            distance,
-            half,
-            ratio,
-            rate: if (rate / ratio).abs() <= FASTEST {
-                rate
-            } else {
-                ratio
-            },
-            fine: (width / 16.0).max(half * half / 8.0),
-            bound: self.locked.gear.bound() + self.free.gear.bound(),
-        }
-    }
-
-    fn touch(&self, meeting: &Meeting) -> Touching {
+impl SideKernel<'_> {
+    /// The contact of a pose whose locked gear is turned by `away` from the middle of `cell`.
+    fn end_contact(&self, cell: &SideCell, meeting: &Meeting, away: f64) -> EndContact {
         let ([p, q], normal, _) = self.touching(meeting);
-        Touching {
-            level: meeting.found.gap,
-            teeth: meeting.teeth,
-            at: [meeting.found.locked, meeting.found.free],
-            normals: [
-                normal,
-                p.normal,
-                -q.normal * turn(meeting.nominal + meeting.found.gap),
-            ],
+        // Both points of a contact move equally fast along its normal.
+        let along = |arm: C| normal.re * -arm.im + normal.im * arm.re;
+        let rate = cell.limited(along(p.point - cell.distance) / along(p.point));
+        let gap = meeting.found.gap;
+        let with_line = turn(-rate * away);
+        EndContact {
+            away,
+            gap,
+            rate,
+            touching: Touching {
+                level: gap + (cell.ratio - rate) * away,
+                teeth: meeting.teeth,
+                at: [meeting.found.locked, meeting.found.free],
+                normals: [
+                    normal * with_line,
+                    p.normal * turn(-away),
+                    -q.normal * turn(meeting.nominal + gap) * with_line,
+                ],
+            },
         }
-    }
-
-    fn above(
-        &self,
-        pair: &OutlinePair,
-        mating: &Mating,
-        cell: &SideCell,
-        floor: f64,
-    ) -> (Option<Bound>, u32) {
-        let (rotation, _) = self.locked_frame(pair, mating);
-        cell.above(self.facing(pair, mating, rotation, cell.half), floor)
     }
 }

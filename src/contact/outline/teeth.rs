@@ -30,7 +30,7 @@ impl<'a> SideTeeth<'a> {
         } else {
             displacement.conj()
         };
-        let mut around = [0.0, 0.0];
+        let mut slopes = Some([0.0, 0.0]);
         let boxes = (1..=gear.teeth()).map(|tooth| {
             let pieces = gear.half(side, tooth).pieces.iter();
             let round =
@@ -38,10 +38,10 @@ impl<'a> SideTeeth<'a> {
             let shapes: Vec<Rectangle> = pieces.map(round).collect();
             let back = turn(-mirror * gear.tooth_angle(f64::from(tooth)));
             for shape in &shapes {
-                let angles = shape.placed(back * displacement, back).angles();
-                let [least, greatest] =
-                    angles.unwrap_or([-WIDEST, WIDEST].map(|it| it * gear.pitch()));
-                around = [least.min(around[0]), greatest.max(around[1])];
+                let those = shape.placed(back * displacement, back).slopes();
+                slopes = slopes.zip(those).map(|([least, greatest], those)| {
+                    [f64::min(least, those[0]), f64::max(greatest, those[1])]
+                });
             }
             Tree::new(&shapes)
         });
@@ -52,7 +52,9 @@ impl<'a> SideTeeth<'a> {
             displacement,
             ascending: (mirror * gear.face().ascending()) as i64,
             boxes,
-            around,
+            around: slopes.map_or([-WIDEST, WIDEST].map(|it| it * gear.pitch()), |slopes| {
+                slopes.map(f64::atan)
+            }),
         }
     }
 

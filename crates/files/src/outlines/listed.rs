@@ -53,9 +53,10 @@ pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutline
     let fault = |problem: Problem| InputError::of(path, vec![problem]);
     let bytes = source::bytes(path).map_err(fault)?;
     let read = drawing::read(path, &bytes, &options);
-    let read = read.map_err(|error| fault(Problem::of_file(error.to_string(), error.help)))?;
+    let mut read = read.map_err(|error| fault(Problem::of_file(error.to_string(), error.help)))?;
     let help = "remove what is no outline, or name the layer or id to read in a pair file";
-    let outlines = outlines(&read.loops).map_err(|error| fault(Problem::of_file(error, help)))?;
+    let outlines = outlines(&read.loops, &mut read.remarks)
+        .map_err(|error| fault(Problem::of_file(error, help)))?;
     let each = outlines.iter().map(|outline| {
         let path = &read.loops[outline.place];
         let [low, high] = outline.ends;

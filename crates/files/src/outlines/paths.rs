@@ -71,8 +71,20 @@ impl Outline {
     }
 }
 
-/// The outlines of a drawing, in the order of the file.
-pub(super) fn outlines(loops: &[DrawnPath]) -> Result<Vec<Outline>, String> {
+/// Fewer straight lines than these are no gear: three teeth have three tips and three spaces.
+const FEWEST_LINES: usize = 6;
+
+/// Whether a path is too simple for a gear.
+fn is_simple(path: &DrawnPath) -> bool {
+    let mut segments = path.segments.iter();
+    path.segments.len() < FEWEST_LINES && segments.all(|one| matches!(one, PathSegment::Line(_)))
+}
+
+/// The outlines of a drawing, in the order of the file. A simple path round others is a frame: it is left out and `remarks` count it.
+pub(super) fn outlines(
+    loops: &[DrawnPath],
+    remarks: &mut Vec<String>,
+) -> Result<Vec<Outline>, String> {
     let areas = loops
         .iter()
         .map(|path| polygon::area(&corners(path, 2)).abs());
@@ -80,19 +92,31 @@ pub(super) fn outlines(loops: &[DrawnPath]) -> Result<Vec<Outline>, String> {
     // The largest first. Numbers that are not negative have the order of their bits.
     by_area.sort_by_cached_key(|(_, area)| !area.to_bits());
     let mut outlines: Vec<Outline> = Vec::new();
+    let mut frames = 0;
     for (place, area) in by_area {
         let path = &loops[place];
         let first = path.segments.first().map(PathSegment::start);
         let holds = |outline: &Outline| {
             outline.area > area && first.is_some_and(|first| outline.winds_round(first))
         };
-        match outlines.iter().position(holds) {
+        let mut outer = outlines.iter().position(holds);
+        while let Some(frame) = outer.filter(|&outer| is_simple(&loops[outlines[outer].place])) {
+            outlines.remove(frame);
+            frames += 1;
+            outer = outlines.iter().position(holds);
+        }
+        match outer {
             Some(outer) => outlines[outer].inside.push(place),
             None if outlines.len() == MAX_OUTLINES => {
                 return Err(format!("holds more than {MAX_OUTLINES} outlines"));
             }
             None => outlines.push(Outline::new(place, area, path)),
         }
+    }
+    if frames > 0 {
+        remarks.push(format!(
+            "frames of fewer than {FEWEST_LINES} lines that are not read: {frames}"
+        ));
     }
     outlines.sort_by_cached_key(|outline| outline.place as u64);
     Ok(outlines)
@@ -101,7 +125,7 @@ pub(super) fn outlines(loops: &[DrawnPath]) -> Result<Vec<Outline>, String> {
 /// The outline of a drawing by `choice`, with the paths inside it.
 pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
     let (loops, unit_mm, mut remarks) = (drawing.loops, drawing.unit_mm, drawing.remarks);
-    let outlines = outlines(&loops)?;
+    let outlines = outlines(&loops, &mut remarks)?;
     let round = |point: Point2<f64>| outlines.iter().position(|one| one.winds_round(point));
     let listed = || list(&loops, &outlines);
     let index = match choice {

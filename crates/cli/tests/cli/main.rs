@@ -4,8 +4,6 @@
 mod bombs;
 mod docs;
 mod hostile;
-mod leaks;
-mod matching;
 mod outline;
 #[path = "../../../../tests/common/pair_with_table.rs"]
 mod pair_with_table;
@@ -34,32 +32,6 @@ fn fixture(name: &str) -> PathBuf {
 fn output(command: &mut Command) -> String {
     String::from_utf8(command.assert().success().get_output().stdout.clone()).unwrap()
 }
-
-/// A small pair that runs in no time: eccentric wheel, shifted pinion, two materials, two centre distances.
-const SMALL: &str = r#"
-title = "small"
-[wheel]
-teeth = 20
-module_mm = 2.0
-pressure_angle_deg = 20.0
-[wheel.thickness]
-allowance_um = { min = -60.0, max = -40.0 }
-[wheel.runout]
-total_um = 12.0
-high_tooth = 3.5
-[pinion]
-teeth = 17
-module_mm = 2.0
-pressure_angle_deg = 20.0
-profile_shift = 0.1
-reference_face = "back"
-[assembly]
-center_distance_mm = [37.3, 37.35]
-bearing_clearance_mm = 0.004
-[sweep]
-mating = [[1, 1], [7, 12]]
-fraction = [0.0, 0.5]
-"#;
 
 /// The output of `simulate` with these further arguments, as JSON.
 fn simulated(folder: &Path, arguments: &[&str]) -> Value {

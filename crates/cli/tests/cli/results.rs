@@ -4,7 +4,7 @@ use super::*;
 use std::f64::consts::PI;
 
 fn small_result(folder: &Path) -> Value {
-    std::fs::write(folder.join("small.toml"), SMALL).unwrap();
+    std::fs::write(folder.join("small.toml"), include_str!("small.toml")).unwrap();
     simulated(folder, &["small.toml", "-o", "out"])
 }
 

@@ -1,6 +1,5 @@
 //! Curve files `.mka` and value files `.mew` of a P40. No real one is public: these are MADE, by the small writer of [`made`].
 
-mod faults;
 mod made;
 mod mutants;
 

@@ -3,7 +3,6 @@
 mod chains;
 mod curves;
 mod dialects;
-mod faults;
 mod lists;
 mod made;
 #[path = "../tables/mutant.rs"]

@@ -5,24 +5,7 @@ use gearlash::contact::ExactKernel;
 use gearlash::gear::{Gear, Hand};
 use gearlash::pair::{Mating, Pose};
 
-const HELICAL: &str = r#"
-[wheel]
-teeth = 20
-module_mm = 3.0
-pressure_angle_deg = 20.0
-helix_angle_deg = 15
-hand = "left"
-face_width_mm = 30
-[pinion]
-teeth = 30
-module_mm = 3.0
-pressure_angle_deg = 20.0
-helix_angle_deg = 15
-hand = "right"
-face_mm = [-5, 40]
-[assembly]
-center_distance_mm = 78
-"#;
+const HELICAL: &str = include_str!("helical.toml");
 
 /// A gear as it runs.
 fn built(file: &PairFile, member: Member) -> Gear {

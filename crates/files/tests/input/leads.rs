@@ -6,26 +6,7 @@ use gearlash::gear::Side;
 use gearlash::pair::{Mating, Pose};
 
 /// A spur pair, its wheel with the keys `WHEEL`, its pinion with `PINION`; both 20 mm wide and centred.
-pub(super) const SPUR: &str = r#"
-[wheel]
-teeth = 36
-module_mm = 2
-pressure_angle_deg = 20
-reference_face = "front"
-face_mm = [-10, 10]
-WHEEL
-[pinion]
-teeth = 24
-module_mm = 2
-pressure_angle_deg = 20
-reference_face = "back"
-face_mm = [-10, 10]
-PINION
-[assembly]
-center_distance_mm = 60.2
-[sweep]
-mating = [[1, 1]]
-"#;
+pub(super) const SPUR: &str = include_str!("spur.toml");
 
 fn spur(wheel: &str, pinion: &str) -> PairFile {
     study(&SPUR.replace("WHEEL", wheel).replace("PINION", pinion))
@@ -118,39 +99,7 @@ fn the_offset_moves_the_leads_of_a_spur_pinion() {
 }
 
 /// A helical pair with leads of single teeth; hands as written, `FACES` to fill in.
-const HELICAL: &str = r#"
-[wheel]
-teeth = 20
-module_mm = 3.0
-pressure_angle_deg = 20.0
-helix_angle_deg = 15
-hand = "left"
-WHEEL_FACE
-[wheel.lead]
-crowning_um = 5
-zero_mm = 12
-[wheel.lead.right]
-helix_slope_um = 7
-trace = [{ tooth = 1, from_reference_face_mm = [2, 14, 28], deviation_um = [3, 0, -4], direction = "normal" },
-         { tooth = 2, from_reference_face_mm = [2, 14, 28], deviation_um = [-1, 0, 2], direction = "normal" }]
-[pinion]
-teeth = 30
-module_mm = 3.0
-pressure_angle_deg = 20.0
-helix_angle_deg = 15
-hand = "right"
-PINION_FACE
-[pinion.lead]
-from = "far"
-end_relief = { um = 6, length_mm = 8, end = "far", shape = "parabolic" }
-[pinion.lead.left]
-slope_um = -5
-trace = { from_reference_face_mm = [1, 9, 44], deviation_um = [-3, 1, 2] }
-[assembly]
-center_distance_mm = 78
-[sweep]
-mating = [[1, 1]]
-"#;
+const HELICAL: &str = include_str!("helical_leads.toml");
 
 fn helical(wheel: &str, pinion: &str) -> PairFile {
     study(

@@ -3,11 +3,9 @@
 mod deviations;
 mod helical;
 mod leads;
-mod measured_gears;
 mod mutations;
 mod poses;
 mod published;
-mod scatter_along_face;
 mod shafts;
 mod stated;
 mod thickness;
@@ -26,19 +24,7 @@ use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 /// A pair with a table for every key, to be cut and changed.
-const PAIR: &str = r#"
-title = "A pair"
-[wheel]
-teeth = 20
-module_mm = 3.0
-pressure_angle_deg = 20.0
-[pinion]
-teeth = 30
-module_mm = 3.0
-pressure_angle_deg = 20.0
-[assembly]
-center_distance_mm = 75.2
-"#;
+const PAIR: &str = include_str!("pair.toml");
 
 /// Reads `text` as a file called `name`; the rig's measured rows and the traces of a fixture lie beside it.
 fn read_as(name: &str, text: impl AsRef<[u8]>) -> PairFile {

@@ -50,24 +50,7 @@ fn arc_and_chord_are_an_allowance() {
 
 #[test]
 fn inches_are_millimetres() {
-    let in_mm = r#"
-title = "Inches"
-[wheel]
-teeth = 20
-module_mm = 3.175
-pressure_angle_deg = 20.0
-tip_diameter_mm = 69.85
-thickness.span = { teeth = 3, min_mm = 24.13, max_mm = 24.257 }
-[pinion]
-teeth = 30
-module_mm = 3.175
-pressure_angle_deg = 20.0
-[assembly]
-center_distance_mm = { nominal_mm = 79.502, tolerance_um = 20 }
-bearing_clearance_mm = { wheel = 0.00254, pinion = 0.00508 }
-[sweep]
-mating = [[1, 1]]
-"#;
+    let in_mm = include_str!("inches.toml");
     let in_inches = in_mm
         .replace("module_mm = 3.175", "diametral_pitch = 8")
         .replace("tip_diameter_mm = 69.85", "tip_diameter_in = 2.75")

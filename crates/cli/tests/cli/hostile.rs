@@ -144,16 +144,19 @@ fn hostile_titles() {
             }
         }
         let written = folder.join("written");
-        for name in files(&written) {
-            let text = fs::read_to_string(written.join(&name)).unwrap();
-            let kind = match name.rsplit_once('.').unwrap().1 {
-                "svg" => Xml,
-                "json" => Json,
-                "csv" => Csv,
-                "md" => Markdown,
+        let entries = fs::read_dir(&written).unwrap();
+        let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+        files.sort();
+        for file in files {
+            let text = fs::read_to_string(&file).unwrap();
+            let kind = match file.extension().unwrap().to_str() {
+                Some("svg") => Xml,
+                Some("json") => Json,
+                Some("csv") => Csv,
+                Some("md") => Markdown,
                 _ => Text,
             };
-            check(&text, kind, title, &format!("{name} of {title:?}"));
+            check(&text, kind, title, &format!("{file:?} of {title:?}"));
             if kind == Csv {
                 numbers.push(text);
             }

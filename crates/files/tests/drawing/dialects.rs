@@ -1,7 +1,7 @@
 //! Blocks, units and clones, as programs write them into drawings. `tests/sessions/dialects.txt` has whole drawings of one gear.
 
 use super::*;
-use made::{in_units, line, lines};
+use made::{in_units, line};
 
 /// `blocks` and `entities` as sections of a DXF in mm.
 fn with_blocks(blocks: &[(&str, Vec<String>)], entities: &[String]) -> String {

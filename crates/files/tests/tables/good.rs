@@ -41,48 +41,6 @@ fn pitch_of_every_layout_is_that_of_the_lists() {
     assert!(is_same(&found, &expected));
 }
 
-/// Delimiters, marks, line ends, encodings, order of rows and columns, blank lines.
-#[test]
-fn the_writing_does_not_matter() {
-    let text = String::from_utf8(fixture("pitch.csv")).unwrap();
-    let expected = from_file("pitch.csv", text.as_bytes(), "cumulative");
-    let tabs = text.replace(',', "\t");
-    let mut lines: Vec<&str> = text.lines().collect();
-    lines[1..].reverse();
-    let utf16: Vec<u8> = "\u{feff}"
-        .chars()
-        .chain(tabs.chars())
-        .flat_map(|letter| (letter as u16).to_le_bytes())
-        .collect();
-    let others = [
-        format!("\u{feff}{text}").into_bytes(),
-        format!("sep=,\r\n{text}").into_bytes(),
-        text.replace('-', "\u{2212}").into_bytes(),
-        text.replace('\n', "\r\n").into_bytes(),
-        tabs.clone().into_bytes(),
-        tabs.replace('.', ",").into_bytes(),
-        text.replace(',', ";").into_bytes(),
-        text.replace(',', ";").replace('.', ",").into_bytes(),
-        text.replace(
-            "tooth,left (µm),right (µm)",
-            " ZAHN nr. , Linke Flanke [um],RECHTS_µm",
-        )
-        .into_bytes(),
-        text.replace("tooth,left (µm),right (µm)", "Tooth, LEFT ,\"right flank\"")
-            .into_bytes(),
-        text.replace(".0", "").into_bytes(),
-        format!("{}\n\n \n,,\n", lines.join("\n")).into_bytes(),
-        text.trim_end().as_bytes().to_vec(),
-        utf16,
-    ];
-    for (index, other) in others.iter().enumerate() {
-        assert!(
-            is_same(&from_file("pitch.csv", other, "cumulative"), &expected),
-            "{index}"
-        );
-    }
-}
-
 /// Spans in mm have three decimals, of either sign and separator; the pair file may state the sign.
 #[test]
 fn lengths_with_three_decimals() {

@@ -2,11 +2,9 @@
 
 use super::drawn::{Picture, Room, meets, overlap, within};
 use super::posed::{Posed, all, j_bn, nominal, pair};
-use gearlash::contact::{Contact, LostMotion, ToothPlace};
 use gearlash::gear::Side;
 use gearlash::pair::Member;
 use gearlash_render::{Snapshot, snapshot};
-use nalgebra::{Point2, Vector2};
 use roxmltree::{Document, Node};
 use std::sync::LazyLock;
 
@@ -45,36 +43,19 @@ static PICTURES: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
             }
         }
     }
-    let far = pair([44, 44], 3.0, 138.5, Member::Wheel);
+    let far = pair([44, 44], 3.0, 137.0, Member::Wheel);
     let mut far = Posed::new(far, [1, 44], Side::Left, 0.0);
     far.found.right = None;
     pictures.push(("one contact".into(), far.draw()));
     far.found.left = None;
     pictures.push(("no contact".into(), far.draw()));
-    pictures.push(("jammed".into(), jammed().draw()));
+    let near = pair([20, 20], 3.0, 58.5, Member::Wheel);
+    let near = Posed::new(near, [1, 1], Side::Right, 0.0);
+    pictures.push(("jammed".into(), near.draw()));
     let solved = all().into_iter().chain([nominal()]);
     pictures.extend(solved.map(|posed| (posed.title.into(), posed.draw())));
     pictures
 });
-
-/// 0.75 mm too near: pinion tips in wheel roots. The contacts are made up, on the wheel's root circle.
-fn jammed() -> Posed {
-    let pair = pair([20, 20], 3.0, 58.5, Member::Wheel);
-    let mut posed = Posed::new(pair, [1, 1], Side::Right, 0.0);
-    let nominal = posed.pose.free_rotation();
-    let made_up = |contact: &mut Option<Contact>, turn: f64| {
-        let contact = contact.as_mut().unwrap();
-        contact.rotation = nominal + turn;
-        contact.wheel.curve = ToothPlace::Root;
-        contact.pinion.curve = ToothPlace::Tip;
-        contact.point = Point2::new(26.2, -30.0 * turn);
-        contact.normal = Vector2::x();
-    };
-    let LostMotion { right, left, .. } = &mut posed.found;
-    made_up(right, 0.06);
-    made_up(left, -0.06);
-    posed
-}
 
 /// Where the gears are shown.
 const MAIN_VIEW: Room = [30.0, 142.0, 610.0, 730.0];

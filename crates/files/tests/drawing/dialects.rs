@@ -1,4 +1,4 @@
-//! Blocks, units and clones, as programs write them into drawings. `tests/sessions/dialects.txt` has whole drawings of one gear.
+//! Blocks, as programs write them into drawings. `tests/sessions/dialects.txt` has whole drawings of one gear.
 
 use super::*;
 use made::{in_units, line};
@@ -54,19 +54,4 @@ fn blocks_are_placed() {
         &["INSERT 8 A 2 HALF 10 0 20 0 70 3 71 2 44 20 45 30".to_owned()],
     );
     assert_eq!(drawn("dxf", &row, &in_mm()).unwrap().loops.len(), 6);
-}
-
-/// A clone is drawn where it is moved to, by its own place and its transform.
-#[test]
-fn svg_clones_are_drawn() {
-    let page = made::svg(
-        "<defs><path id=\"a\" d=\"M 0 0 h 4 v 2 h -4 Z\"/></defs><use href=\"#a\" x=\"3\" y=\"1\" transform=\"scale(2)\"/>",
-    );
-    check_through(
-        &loop_of("svg", &page),
-        &[[6.0, -2.0], [14.0, -6.0], [10.0, -2.0]],
-    );
-    // Flags of arcs without separators, as Inkscape writes them.
-    let arcs = made::svg("<path d=\"M0 0a5 5 0 0110 0z\"/>");
-    check_through(&loop_of("svg", &arcs), &[[5.0, 5.0]]);
 }

@@ -1,6 +1,5 @@
 //! Good pair files: the content as read is the content as written, in either format.
 
-mod deviations;
 mod mutations;
 mod poses;
 mod published;

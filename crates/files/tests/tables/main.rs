@@ -5,7 +5,6 @@ mod good;
 pub mod mutations;
 mod oracle;
 mod profiles;
-mod readings;
 mod sheets;
 mod shop_books;
 mod workbooks;

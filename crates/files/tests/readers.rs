@@ -3,7 +3,6 @@
 
 #[path = "all_round/main.rs"]
 mod all_round;
-mod bad_files;
 #[path = "curve_files/main.rs"]
 mod curve_files;
 #[path = "input/main.rs"]

@@ -12,19 +12,7 @@ use gearlash_results::verdict::{COLUMNS, LINES, lines};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-const PAIR: &str = r#"
-title = "A pair"
-[wheel]
-teeth = 20
-module_mm = 3.0
-pressure_angle_deg = 20.0
-[pinion]
-teeth = 30
-module_mm = 3.0
-pressure_angle_deg = 20.0
-[assembly]
-center_distance_mm = 75.2
-"#;
+const PAIR: &str = include_str!("pair.toml");
 
 fn study(text: &str) -> PairFile {
     read_text(Path::new("pair.toml"), text).unwrap()

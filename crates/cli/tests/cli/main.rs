@@ -4,16 +4,12 @@
 mod bombs;
 mod docs;
 mod hostile;
-mod leaks;
-mod matching;
 mod outline;
 #[path = "../../../../tests/common/pair_with_table.rs"]
 mod pair_with_table;
 mod reference;
-mod remedies;
 mod results;
 mod schema;
-mod tolerance;
 
 use assert_cmd::Command;
 use serde_json::{Value, json};
@@ -35,53 +31,6 @@ fn output(command: &mut Command) -> String {
     String::from_utf8(command.assert().success().get_output().stdout.clone()).unwrap()
 }
 
-/// A small pair that runs in no time: eccentric wheel, shifted pinion, two materials, two centre distances.
-const SMALL: &str = r#"
-title = "small"
-[wheel]
-teeth = 20
-module_mm = 2.0
-pressure_angle_deg = 20.0
-[wheel.thickness]
-allowance_um = { min = -60.0, max = -40.0 }
-[wheel.runout]
-total_um = 12.0
-high_tooth = 3.5
-[pinion]
-teeth = 17
-module_mm = 2.0
-pressure_angle_deg = 20.0
-profile_shift = 0.1
-reference_face = "back"
-[assembly]
-center_distance_mm = [37.3, 37.35]
-bearing_clearance_mm = 0.004
-[sweep]
-mating = [[1, 1], [7, 12]]
-fraction = [0.0, 0.5]
-"#;
-
-/// The output of `simulate` with these further arguments, as JSON.
-fn simulated(folder: &Path, arguments: &[&str]) -> Value {
-    let mut command = gearlash(folder);
-    command.arg("simulate").args(arguments);
-    let text = output(command.args(["--format", "json"]));
-    serde_json::from_str(&text).unwrap()
-}
-
-/// The JSON that a command of words separated by blanks prints, whatever its verdict.
-fn json_of(folder: &Path, words: &str) -> Value {
-    let words: Vec<&str> = words.split(' ').chain(["--format", "json"]).collect();
-    let (_, text, message) = run(folder, &words);
-    serde_json::from_str(&text).unwrap_or_else(|_| panic!("{words:?}: {message}"))
-}
-
-/// Asserts that two values in µm agree within `most`.
-fn assert_near(found: &Value, expected: &Value, most: f64, what: &str) {
-    let [one, other] = [found, expected].map(|value| value.as_f64().unwrap());
-    assert!((one - other).abs() < most, "{what}: {one} {other}");
-}
-
 /// Runs with these arguments: exit code, standard output, standard error.
 fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
     let output = gearlash(folder).args(args).output().unwrap();
@@ -95,15 +44,4 @@ fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
 
 fn empty_folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
-}
-
-fn files(folder: &Path) -> Vec<String> {
-    let Ok(entries) = std::fs::read_dir(folder) else {
-        return Vec::new();
-    };
-    let mut names: Vec<String> = entries
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
-    names.sort();
-    names
 }

@@ -3,9 +3,12 @@
 use super::*;
 use std::f64::consts::PI;
 
-fn small_result(folder: &Path) -> Value {
-    std::fs::write(folder.join("small.toml"), SMALL).unwrap();
-    simulated(folder, &["small.toml", "-o", "out"])
+/// The output of `simulate` of a pair file, with these further arguments, as JSON.
+fn simulated(folder: &Path, text: &str, arguments: &[&str]) -> Value {
+    std::fs::write(folder.join("pair.toml"), text).unwrap();
+    let mut command = gearlash(folder);
+    command.args(["simulate", "pair.toml", "--format", "json"]);
+    serde_json::from_str(&output(command.args(arguments))).unwrap()
 }
 
 /// By the lost motion φ of the pinion: j_t = φ m z/2, j_bn = φ r_b, j_wt = φ r_w with r_w = a z/(z_1 + z_2). The lost motions of both gears are as
@@ -14,7 +17,8 @@ fn small_result(folder: &Path) -> Value {
 #[test]
 fn every_pose_has_every_unit_in_json_and_csv() {
     let folder = empty_folder();
-    let result = small_result(folder.path());
+    let small = include_str!("small.toml");
+    let result = simulated(folder.path(), small, &["-o", "out"]);
     let mut rows = csv::Reader::from_path(folder.path().join("out/result.csv")).unwrap();
     let names = rows.headers().unwrap().clone();
     let mut rows = rows.records();
@@ -103,8 +107,7 @@ fn helical_gears_have_the_backlash_of_their_face() {
         let text = text
             .replace("face_width_mm = 50", &stated)
             .replace("face_width_mm = 48", &stated);
-        std::fs::write(folder.path().join("pair.toml"), text).unwrap();
-        let result = simulated(folder.path(), &["pair.toml", "--method", "both"]);
+        let result = simulated(folder.path(), &text, &["--method", "both"]);
         let (mut mean, mut compared) = (0.0, 0);
         let poses = result["runs"][0]["poses"].as_array().unwrap();
         for pose in poses {

@@ -5,7 +5,6 @@
 mod random_pair;
 
 mod contradictions;
-mod cross_check;
 mod datum;
 mod pins;
 mod reversed_flanks;

@@ -79,36 +79,3 @@ proptest! {
         prop_assert!((base(&study) - gear.gear().base_thickness()).abs() < 1e-9);
     }
 }
-
-/// Without deviations every reading is M = 2 r_K + D_M, or 2 r_K cos(π/2z) + D_M for odd z. With cos α_K = r_b/r_K the base
-/// thickness is s_b = d_b inv α_K − D_M + p_b (ISO 21771): by a list and by a single dimension.
-#[test]
-fn even_readings_give_the_closed_form() {
-    for (teeth, over) in [(20, 67.34917010670293), (21, 70.65919178333365)] {
-        let shift = if teeth == 21 { 0.1 } else { 0.0 };
-        let keys = |mm: String| {
-            format!(
-                "teeth = {teeth}\nmodule_mm = 3\nprofile_shift = {shift}\nthickness.over_pins = {{ pin_mm = 5.25, mm = {mm} }}"
-            )
-        };
-        let z = f64::from(teeth);
-        let opposite = match teeth % 2 {
-            0 => 1.0,
-            _ => (std::f64::consts::FRAC_PI_2 / z).cos(),
-        };
-        let cos = 20f64.to_radians().cos();
-        let angle = (0.5 * 3.0 * z * cos / ((over - 5.25) / (2.0 * opposite))).acos();
-        let expected =
-            3.0 * z * cos * (angle.tan() - angle) - 5.25 + std::f64::consts::PI * 3.0 * cos;
-        for mm in [
-            format!("{:?}", vec![over; teeth as usize]),
-            format!("{over:?}"),
-        ] {
-            let found = wheel(&pair(&keys(mm))).gear().base_thickness();
-            assert!(
-                (found - expected).abs() < 1e-11,
-                "z {teeth}: {found} {expected}"
-            );
-        }
-    }
-}

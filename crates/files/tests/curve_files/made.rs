@@ -4,13 +4,13 @@ use crate::tables::formats::{others, tenths};
 use std::f64::consts::TAU;
 
 /// Points of a trace.
-pub const POINTS: usize = 20;
+const POINTS: usize = 20;
 /// Diameter of the probe, mm.
-pub const PROBE: f64 = 2.0;
+const PROBE: f64 = 2.0;
 
 /// A spur gear of module 3, 20°.
 pub struct Made {
-    pub teeth: u32,
+    teeth: u32,
 }
 
 impl Made {
@@ -18,7 +18,7 @@ impl Made {
         Made { teeth }
     }
 
-    pub fn base(&self) -> f64 {
+    fn base(&self) -> f64 {
         self.reference() * 20f64.to_radians().cos()
     }
 
@@ -30,16 +30,7 @@ impl Made {
         [2.05 * self.base(), 3.0 * f64::from(self.teeth) + 5.0]
     }
 
-    /// Rolls of the points.
-    pub fn rolls(&self) -> Vec<f64> {
-        let ends = self
-            .ends()
-            .map(|d| (0.25 * d * d - self.base().powi(2)).sqrt());
-        let step = (ends[1] - ends[0]) / (POINTS - 1) as f64;
-        (0..POINTS).map(|i| ends[0] + step * i as f64).collect()
-    }
-
-    pub fn deviation(side: &str, index: usize) -> f64 {
+    fn deviation(side: &str, index: usize) -> f64 {
         let sign = if side == "links" { 1.0 } else { -0.5 };
         sign * (index * index) as f64 / 100.0
     }

@@ -2,7 +2,6 @@
 
 use super::*;
 use made::{corners, dxf, line, lines};
-use std::time::Instant;
 
 /// The loop has the same corners for any order and direction of the lines.
 #[test]
@@ -67,22 +66,6 @@ fn a_short_line_is_kept() {
     assert_eq!((one.segments.len(), one.bound_mm), (4, 0.0));
 }
 
-/// Two triangles that touch in a point, and a line from a corner: the point is reported.
-#[test]
-fn branches_are_reported_with_their_point() {
-    let mut touching = lines(&[[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]]);
-    touching.extend(lines(&[[0.0, 0.0], [-5.0, 0.0], [0.0, -5.0]]));
-    let error = drawn("dxf", &dxf(&touching), &in_mm()).unwrap_err();
-    let words = "more than two ends meet at (0.000000, 0.000000) mm";
-    assert!(error.reason.ends_with(words), "{error}");
-    let mut whisker = lines(&[[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]]);
-    whisker.push(line([5.0, 0.0], [9.0, 9.0]));
-    let error = drawn("dxf", &dxf(&whisker), &in_mm()).unwrap_err();
-    let words = "more than two ends meet at (5.000000, 0.000000) mm";
-    assert!(error.to_string().contains(words), "{error}");
-    assert!(error.help.contains("drawn twice"));
-}
-
 /// Centre lines are left out, on a layer of their own and among the teeth. A broken outline is an error.
 #[test]
 fn construction_lines_are_left_out() {
@@ -121,34 +104,4 @@ fn what_is_drawn_twice_counts_once() {
     let drawing = drawn("dxf", &dxf(&entities), &in_mm()).unwrap();
     assert_eq!(drawing.loops[0].segments.len(), 36);
     assert!(drawing.remarks[0].starts_with("left out: drawn twice (2, the first in line "));
-}
-
-/// Ten times the lines take some ten times as long, and the worst of crowds ends at once.
-#[test]
-fn a_hundred_thousand_ends_take_no_time() {
-    let svg_of = |teeth: u32| {
-        let corners = corners(teeth);
-        let next = corners.iter().skip(1).chain(&corners[..1]);
-        let path = |[[x, y], [u, v]]: [[f64; 2]; 2]| format!("<path d=\"M {x} {y} L {u} {v}\"/>\n");
-        let paths = corners
-            .iter()
-            .zip(next)
-            .map(|(from, to)| path([*from, *to]));
-        made::svg(&paths.collect::<String>())
-    };
-    let text = svg_of(20_000);
-    let options = Options {
-        join_mm: 1e-5,
-        ..in_mm()
-    };
-    let start = Instant::now();
-    let drawing = drawn("svg", &text, &options).unwrap();
-    assert_eq!(drawing.loops[0].segments.len(), 80_000);
-    assert!(start.elapsed().as_secs_f64() < 5.0, "{:?}", start.elapsed());
-    let crowd = (0..80_000).map(|y| format!("<path d=\"M 0 0 L 1 {y}\"/>\n"));
-    let crowd = made::svg(&crowd.collect::<String>());
-    let start = Instant::now();
-    let error = drawn("svg", &crowd, &in_mm()).unwrap_err();
-    assert!(error.reason.contains("more than two ends meet"), "{error}");
-    assert!(start.elapsed().as_secs_f64() < 5.0);
 }

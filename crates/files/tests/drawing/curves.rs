@@ -78,42 +78,6 @@ fn flat_bulges_keep_their_ends_and_their_sagitta() {
     }
 }
 
-/// Ends and middle as ezdxf 1.4.5 (`path.make_path`) finds them, the extrusion being 0, 0, -1: x points left.
-#[test]
-fn entities_seen_from_behind_are_mirrored() {
-    let start = [-6.241229516856366, -1.3680805733026746];
-    let end = [-13.464101615137753, 2.0];
-    let text = dxf(&[
-        "ARC 8 TEETH 10 10 20 0 40 4 50 200 51 30 210 0 220 0 230 -1".to_owned(),
-        line(start, end),
-    ]);
-    let one = loop_of("dxf", &text);
-    let (centre, radius, sweep) = arc(&one);
-    assert_eq!((centre, radius), ([-10.0, 0.0], 4.0));
-    assert!((sweep + 190_f64.to_radians()).abs() < 1e-14);
-    check_through(&one, &[start, end, [-9.53562834349908, -3.972953430967772]]);
-
-    let vertices = [[0.0, 0.0, 0.5], [10.0, 0.0, -0.3], [10.0, 10.0, 0.0]];
-    let front = loop_of("dxf", &dxf(&[polyline(true, &vertices, "")]));
-    let back = polyline(true, &vertices, " 210 0 220 0 230 -1");
-    let back = loop_of("dxf", &dxf(&[back]));
-    check_through(&back, &points("-5.0 -2.5, -10.0 0.0, -10.0 10.0"));
-    let mirrored: Vec<PathSegment> = front.segments.iter().map(PathSegment::mirrored).collect();
-    for (found, expected) in back.segments.iter().zip(&mirrored) {
-        assert!((found.at(0.3) - expected.at(0.3)).norm() < 1e-14);
-    }
-
-    // Ends of ezdxf's own curves, where the parameter is exact.
-    let ellipse = points(
-        "6.131306693621637 4.274969054054139, -3.176381098687574 1.5526741280250205, -3.213229251581655 -1.5240115016630327",
-    );
-    let text = dxf(&[
-        "ELLIPSE 8 TEETH 10 1 20 2 11 5 21 3 40 0.4 41 0.3 42 4 210 0 220 0 230 -1".to_owned(),
-        line(ellipse[0], ellipse[1]),
-    ]);
-    check_through(&loop_of("dxf", &text), &ellipse);
-}
-
 /// ezdxf 1.4.5, `ConstructionEllipse.vertices`; between them the equation of the ellipse.
 #[test]
 fn ellipses_lie_within_their_bound() {

@@ -1,7 +1,7 @@
-//! Blocks, units and clones, as programs write them into drawings. `tests/sessions/dialects.txt` has whole drawings of one gear.
+//! Blocks, as programs write them into drawings. `tests/sessions/dialects.txt` has whole drawings of one gear.
 
 use super::*;
-use made::{in_units, line, lines};
+use made::{in_units, line};
 
 /// `blocks` and `entities` as sections of a DXF in mm.
 fn with_blocks(blocks: &[(&str, Vec<String>)], entities: &[String]) -> String {
@@ -54,49 +54,4 @@ fn blocks_are_placed() {
         &["INSERT 8 A 2 HALF 10 0 20 0 70 3 71 2 44 20 45 30".to_owned()],
     );
     assert_eq!(drawn("dxf", &row, &in_mm()).unwrap().loops.len(), 6);
-}
-
-/// Blocks that contain themselves, or multiply without end, are errors.
-#[test]
-fn endless_blocks_are_refused() {
-    let inside = |name: &str| [format!("INSERT 8 0 2 {name} 10 0 20 0")];
-    let itself = with_blocks(&[("A", inside("A").to_vec())], &inside("A"));
-    let error = drawn("dxf", &itself, &in_mm()).unwrap_err().to_string();
-    assert!(error.ends_with("blocks nested deeper than 16"), "{error}");
-    let many = |name: &str| inside(name).map(|insert| insert + " 70 30000 71 30000 44 1 45 1");
-    let empty = with_blocks(&[("A", Vec::new()), ("B", many("A").to_vec())], &many("B"));
-    let error = drawn("dxf", &empty, &in_mm()).unwrap_err().to_string();
-    assert_eq!(error, "has more than 1000000 entities");
-}
-
-/// Without $INSUNITS, $MEASUREMENT = 1 states mm; 0, which many programs write whatever they mean, states nothing.
-#[test]
-fn measurement_states_metric_units() {
-    let with = |value: i32| {
-        let text = in_units(Some(0), &lines(&made::corners(9)));
-        let more = format!("  9\n$MEASUREMENT\n 70\n{value}\n  9\n$EXTMIN");
-        let text = text.replacen("  9\n$EXTMIN", &more, 1);
-        drawn("dxf", &text, &Options::default())
-    };
-    assert_eq!(with(1).unwrap().unit_mm, 1.0);
-    let error = with(0).unwrap_err();
-    let words = "the unit is not stated";
-    assert!(error.reason.starts_with(words), "{error}");
-}
-
-/// A clone is drawn where it is moved to, by its own place and its transform.
-#[test]
-fn svg_clones_are_drawn() {
-    let page = made::svg(
-        "<defs><path id=\"a\" d=\"M 0 0 h 4 v 2 h -4 Z\"/></defs><use href=\"#a\" x=\"3\" y=\"1\" transform=\"scale(2)\"/>",
-    );
-    check_through(
-        &loop_of("svg", &page),
-        &[[6.0, -2.0], [14.0, -6.0], [10.0, -2.0]],
-    );
-    // Flags of arcs without separators, as Inkscape writes them.
-    let arcs = made::svg("<path d=\"M0 0a5 5 0 0110 0z\"/>");
-    check_through(&loop_of("svg", &arcs), &[[5.0, 5.0]]);
-    let itself = made::svg("<g id=\"a\"><use href=\"#a\"/><use href=\"#a\"/></g>");
-    assert!(drawn("svg", &itself, &in_mm()).is_err());
 }

@@ -3,7 +3,6 @@
 mod chains;
 mod curves;
 mod dialects;
-mod faults;
 mod lists;
 mod made;
 #[path = "../tables/mutant.rs"]
@@ -110,5 +109,21 @@ fn check_through(one: &DrawnPath, points: &[[f64; 2]]) {
     for &point in points {
         let distance = distance(one, point);
         assert!(distance <= one.bound_mm + 1e-11, "{point:?}: {distance:e}");
+    }
+}
+
+/// `through.txt` holds drawings, and points of their loops as other programs find them.
+#[test]
+fn loops_go_through_the_points_of_other_programs() {
+    let lines = include_str!("through.txt").lines();
+    for line in lines.filter(|line| line.contains(" | ")) {
+        let [ending, drawn, on] = line.split(" | ").collect::<Vec<_>>()[..] else {
+            panic!("{line}");
+        };
+        let text = match ending {
+            "dxf" => made::dxf(&drawn.split("; ").map(str::to_owned).collect::<Vec<_>>()),
+            _ => made::svg(drawn),
+        };
+        check_through(&loop_of(ending, &text), &points(on));
     }
 }

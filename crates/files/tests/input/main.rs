@@ -1,52 +1,26 @@
 //! Good pair files: the content as read is the content as written, in either format.
 
-mod deviations;
-mod helical;
-mod leads;
-mod measured_gears;
 mod mutations;
 mod poses;
 mod published;
-mod scatter_along_face;
-mod shafts;
-mod stated;
-mod thickness;
 
 use crate::{echo, is_same};
-use gearlash::analysis::extremes::{CycleExtremes, extremes};
-use gearlash::analysis::study::{Material, Study};
-use gearlash::contact::Method;
+use gearlash::analysis::study::Material;
 use gearlash::pair::Member;
-use gearlash::population::{OutcomeKind, Tally};
-use gearlash_files::tolerance::{ToleranceResult, ToleranceRun, read_tolerance};
-use gearlash_files::{InputError, PairFile, read};
+use gearlash_files::{PairFile, read};
 use std::fs;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 /// A pair with a table for every key, to be cut and changed.
-const PAIR: &str = r#"
-title = "A pair"
-[wheel]
-teeth = 20
-module_mm = 3.0
-pressure_angle_deg = 20.0
-[pinion]
-teeth = 30
-module_mm = 3.0
-pressure_angle_deg = 20.0
-[assembly]
-center_distance_mm = 75.2
-"#;
+const PAIR: &str = include_str!("pair.toml");
 
-/// Reads `text` as a file called `name`; the rig's measured rows and the traces of a fixture lie beside it.
+/// Reads `text` as a file called `name`; the tables of fixtures lie beside it.
 fn read_as(name: &str, text: impl AsRef<[u8]>) -> PairFile {
     let folder = TempDir::new().unwrap();
-    for table in ["reference/karba_tables_5_6.csv", "profiled_44x44_trace.csv"] {
-        let name = table.rsplit('/').next().unwrap();
-        let table = format!("../../fixtures/{table}");
-        fs::copy(table, folder.path().join(name)).unwrap();
+    for table in ["karba_tables_5_6.csv", "profiled_44x44_trace.csv"] {
+        let from = format!("../../fixtures/{table}");
+        fs::copy(from, folder.path().join(table)).unwrap();
     }
     let path = folder.path().join(name);
     fs::write(&path, text).unwrap();
@@ -55,44 +29,6 @@ fn read_as(name: &str, text: impl AsRef<[u8]>) -> PairFile {
 
 fn study(text: &str) -> PairFile {
     read_as("pair.toml", text)
-}
-
-/// `PAIR` with `keys` added to `[wheel]`.
-fn wheel(keys: &str) -> PairFile {
-    study(&PAIR.replace("teeth = 20\n", &format!("teeth = 20\n{keys}\n")))
-}
-
-fn go() -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
-
-/// Least and greatest backlash of the whole cycle.
-fn of_study(study: &Study) -> CycleExtremes {
-    extremes(study, Method::Exact { certify: false }, &go).unwrap()
-}
-
-/// A folder with files of these names and texts.
-fn folder(files: &[(&str, &str)]) -> TempDir {
-    let folder = TempDir::new().unwrap();
-    for (name, text) in files {
-        let path = folder.path().join(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
-    }
-    folder
-}
-
-/// All assemblies of a pair file with tolerances, none of which jams.
-fn drawn_from(path: &Path) -> Result<ToleranceResult, InputError> {
-    let file = read_tolerance(path)?;
-    let run = ToleranceRun::new(&file, path, None, None).unwrap();
-    let count = run.assemblies();
-    let mut tally = Tally::default();
-    for row in run.rows(1..count + 1, &go).unwrap() {
-        assert_eq!(row.kind, OutcomeKind::Clear);
-        tally.count(&row, count).unwrap();
-    }
-    Ok(run.result(tally, &go).unwrap())
 }
 
 /// Every pair file of the repository.
@@ -108,11 +44,6 @@ fn fixtures() -> Vec<PathBuf> {
     }
     files.sort();
     files
-}
-
-fn file_name(path: &Path, extension: &str) -> String {
-    let stem = path.file_stem().unwrap().to_str().unwrap();
-    format!("{stem}.{extension}")
 }
 
 /// JSON with the same keys is the same study, and so is the echo, a pair file of its own with every f64 the same.
@@ -133,29 +64,11 @@ fn every_fixture_is_good_in_either_format() {
             ("pair", format!("\u{feff}\n{json}")),
             ("pair", format!("\u{feff}{text}")),
         ] {
-            let again = read_as(&file_name(&path, extension), text);
+            let name = path.with_extension(extension);
+            let again = read_as(name.file_name().unwrap().to_str().unwrap(), text);
             assert!(is_same(&again, &study), "{path:?}");
         }
     }
-}
-
-/// `tests/sessions/defaults.txt` has them as they are echoed.
-#[test]
-fn defaults_are_filled_in() {
-    let study = study(&PAIR.replace("title = \"A pair\"\n", ""));
-    assert_eq!(
-        (study.study.title.as_str(), study.stem.as_str()),
-        ("pair", "pair")
-    );
-    assert_eq!(study.study.locked, Member::Wheel);
-    assert_eq!(study.study.center_distances, [75.2]);
-    assert_eq!(study.study.bearing_clearance, 0.0);
-    assert_eq!(study.study.chord, 0.01 / 1000.0);
-    assert_eq!(study.study.tolerance_um, 0.1);
-    assert!(!study.study.allow_off_line_contact);
-    assert!(study.study.measured.is_empty());
-    let materials: Vec<Material> = study.study.materials.iter().map(|m| m.0).collect();
-    assert_eq!(materials, [Material::AsMeasured]);
 }
 
 #[test]
@@ -183,34 +96,6 @@ fn the_ends_of_every_range_are_good() {
     assert_eq!(study.study.chord, 0.1);
 }
 
-#[test]
-fn every_other_key_is_taken_over() {
-    let study = study(
-        &(PAIR
-            .replace(
-                "[pinion]",
-                "reference_face = \"back\"\ntip_diameter_mm = 65.5\nprofile_shift = 0.1\n[pinion]",
-            )
-            .replace(
-                "75.2",
-                "[75.3, 75.2]\nlocked = \"pinion\"\nbearing_clearance_mm = 0.01",
-            )
-            + "[accuracy]\nchord_um = 1\n[compare]\ntolerance_um = 0.5\nallow_off_line_contact = true"),
-    );
-    let (_, wheel, pinion) = &study.study.materials[0];
-    assert_eq!(wheel.face(), gearlash::gear::Face::Back);
-    assert_eq!(pinion.face(), gearlash::gear::Face::Front);
-    assert_eq!(wheel.gear().tip_radius(), 32.75);
-    assert_eq!(wheel.gear().design().profile_shift, 0.1);
-    assert_eq!(study.study.locked, Member::Pinion);
-    assert_eq!(study.study.center_distances, [75.2, 75.3]);
-    assert_eq!(study.study.bearing_clearance, 0.02);
-    assert_eq!(study.study.title, "A pair");
-    assert_eq!(study.study.chord, 0.001);
-    assert_eq!(study.study.tolerance_um, 0.5);
-    assert!(study.study.allow_off_line_contact);
-}
-
 /// The pair file that docs/reference/pair-file.md shows.
 #[test]
 fn the_pair_file_of_the_docs_is_one() {
@@ -230,11 +115,4 @@ fn the_pair_file_of_the_docs_is_one() {
     let is_slip =
         |warning: &String| warning.contains("meant") || warning.contains("check its sign");
     assert!(!study.warnings.iter().any(is_slip), "{:?}", study.warnings);
-}
-
-/// Prose says centre, keys say center. `tests/sessions/along_face.txt` has both together.
-#[test]
-fn either_spelling_of_the_centre_distance() {
-    let british = study(&PAIR.replace("center_distance_mm", "centre_distance_mm"));
-    assert!(is_same(&british, &study(PAIR)));
 }

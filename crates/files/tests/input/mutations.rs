@@ -96,8 +96,14 @@ fn garbled_files() {
             for _ in 0..=choice.below(3) {
                 bytes = mistaken(bytes, &mut choice);
             }
-            let folder = folder(&[(MEASURED, &good[6].1), ("pair.toml", &rig)]);
-            fs::write(folder.path().join(name), bytes).unwrap();
+            let folder = TempDir::new().unwrap();
+            for (name, bytes) in [
+                (MEASURED, good[6].1.as_bytes()),
+                ("pair.toml", rig.as_bytes()),
+                (name, &bytes),
+            ] {
+                fs::write(folder.path().join(name), bytes).unwrap();
+            }
             let is_pair = name.starts_with("pair");
             check(&folder.path().join(if is_pair { name } else { "pair.toml" }));
         }

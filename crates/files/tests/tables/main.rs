@@ -1,13 +1,10 @@
 //! Inspection tables in files: each layout gives the study of the same lists written inline, each fault has its line.
 
-mod cases;
 pub mod formats;
 mod good;
 pub mod mutations;
 mod oracle;
 mod profiles;
-mod protocols;
-mod readings;
 mod sheets;
 mod shop_books;
 mod workbooks;

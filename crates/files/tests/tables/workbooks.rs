@@ -185,21 +185,3 @@ fn a_reference_beyond_the_last_cell() {
         assert!(problems[0].reason.ends_with(&expected), "{problems:#?}");
     }
 }
-
-#[test]
-fn broken_containers() {
-    let good = fs::read("../../fixtures/sheets/pitch.xlsx").unwrap();
-    let whole = good.len();
-    for broken in [
-        &good[..0],
-        &good[..1],
-        &good[..whole / 2],
-        &good[..whole - 1],
-        b"tooth,left,right\n1,2,3",
-    ] {
-        let problems = read_with("p.xlsx", broken, &pair(44, KEYS)).unwrap_err();
-        assert_eq!(problems.len(), 1, "{problems:#?}");
-        let words = "cannot be read as an .xlsx workbook";
-        assert!(problems[0].reason.contains(words), "{problems:#?}");
-    }
-}

@@ -6,6 +6,7 @@ use gearlash::analysis::curves::{courses, with_sweep};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::{Analysis, Plan};
 use gearlash_render::chart::{self, Chart, CurveAxes, Plot};
+use roxmltree::Document;
 
 const UNDERCUT: &str = "../crates/render/tests/pictures/pairs/undercut_8x24.toml";
 
@@ -20,11 +21,19 @@ fn check(name: &str, chart: &Chart) {
         let texts = picture.texts.iter().filter(|text| text.is_plain);
         let texts: Vec<(&str, &Room)> = texts.map(|text| (&*text.content, &text.room)).collect();
         assert!(texts.len() > 3, "{name}");
+        let document = Document::parse(&chart.svg).unwrap();
+        let mut view = document
+            .root_element()
+            .attribute("viewBox")
+            .unwrap()
+            .split(' ');
+        let width: f64 = view.nth(2).unwrap().parse().unwrap();
         for (number, (content, room)) in texts.iter().enumerate() {
             let on = texts[..number]
                 .iter()
                 .find(|(_, other)| overlap(room, other));
             assert!(on.is_none(), "{name}: {content:?} on {on:?}");
+            assert!(room[2] < width, "{name}: {content:?} is cut at {room:?}");
         }
         // Axes and grid are no data.
         let is_grid = |stroke: &str| stroke == "#d5d9de" || stroke == "#d99a8c";

@@ -115,13 +115,6 @@ fn places_are_wheel_teeth_whatever_is_locked() {
     assert_eq!((count, course.span), (86 * 16, [-85.0, 1.0]));
 }
 
-#[test]
-fn a_tooth_that_is_not_there_is_an_error() {
-    let teeth = Followed::Teeth(1, 22);
-    let error = over_distance(&study("karba_86x21.toml"), teeth, &[], METHOD, &on);
-    assert!(error.unwrap_err().to_string().contains("1 … 21, not 22"));
-}
-
 /// Issue 6 asks for both poses: a sweep over more than a revolution had right-flank lines alone.
 #[test]
 fn a_sweep_over_more_than_a_revolution_has_left_flanks_too() {

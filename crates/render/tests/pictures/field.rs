@@ -1,6 +1,6 @@
-//! The field of action: lines, gaps and shades stand where the library has them.
+//! The field of action: shades and crosses. `docs/gallery` has its lines and gaps.
 
-use super::drawn::{HALF, LEFT, Picture, RIGHT, Spot, is_at, place};
+use super::drawn::{HALF, Picture, place};
 use super::{METHOD, heading, on};
 use gearlash::analysis::curves::Field;
 use gearlash::contact::{ContactKind, CutPair, sweep};
@@ -26,37 +26,6 @@ fn field() -> Field {
 
 fn drawn(field: &Field) -> Chart {
     chart::field(&heading("field", "Field"), field).unwrap()
-}
-
-#[test]
-fn lines_and_gaps_are_where_the_data_are() {
-    let field = field();
-    let chart = drawn(&field);
-    let picture = Picture::of(&chart.svg);
-    for (number, (side, colour)) in field.sides.iter().zip([RIGHT, LEFT]).enumerate() {
-        let [lines, gaps] = [&chart.panels[2 * number], &chart.panels[2 * number + 1]];
-        let drawn = picture.lines_of(colour);
-        let ends = |[from, to]: [Spot; 2]| {
-            let mut drawn = drawn.iter();
-            drawn.any(|line| is_at(line[0], from) && is_at(line[line.len() - 1], to))
-        };
-        assert!(side.lines.len() > 1);
-        for line in &side.lines {
-            let name = format!("{}·{}", line.wheel_tooth, line.pinion_tooth);
-            assert!(ends(line.ends.map(|end| place(lines, end))), "{name}");
-        }
-        let gap = [0, side.sections.len() - 1].map(|k| {
-            let section = &side.sections[k];
-            place(gaps, [section.at, section.gap.unwrap() * 1e3])
-        });
-        assert!(ends(gap));
-        let binding = &side.binding;
-        let words = format!(
-            "wheel {} on pinion {} binds",
-            binding.wheel_tooth, binding.pinion_tooth
-        );
-        assert!(chart.svg.contains(&words), "{words}");
-    }
 }
 
 /// A stretch in which fillets are touched is shaded in both panels of its side, and named; without one there is none.
@@ -99,15 +68,4 @@ fn a_line_binds_without_a_point() {
         assert_eq!(svg.matches(words).count(), 2, "{words}");
         assert_eq!(svg.contains("where it binds"), point);
     }
-}
-
-/// Few of its sections: what they are is tested above.
-#[test]
-fn small_field_of_action() {
-    let mut field = field();
-    for side in &mut field.sides {
-        let few = side.sections.iter().step_by(24);
-        side.sections = few.copied().collect();
-    }
-    insta::assert_snapshot!(drawn(&field).svg);
 }

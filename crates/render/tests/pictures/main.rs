@@ -7,7 +7,6 @@ mod curves;
 #[path = "../../../../tests/common/design.rs"]
 mod design;
 mod drawn;
-mod empty;
 mod envelope;
 mod field;
 mod inspection;
@@ -18,14 +17,14 @@ mod snapshots;
 #[path = "../../../../tests/common/two_thick_teeth.rs"]
 mod two_thick_teeth;
 
-use drawn::{Picture, Spot};
+use drawn::Picture;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{
     Course, Followed, OverDistance, courses, over_distance, revolution, with_sweep,
 };
 use gearlash::analysis::study::Study;
 use gearlash::contact::Method;
-use gearlash::gear::{Inspection, Side};
+use gearlash::gear::Inspection;
 use gearlash::pair::{BacklashUnit, SweepPlan};
 use gearlash_render::chart::{self, Chart, Heading};
 use std::ops::ControlFlow;
@@ -132,13 +131,3 @@ static ALL_KINDS: LazyLock<Vec<Chart>> = LazyLock::new(|| {
     }
     charts.into_iter().map(Result::unwrap).collect()
 });
-
-/// The poses of each line of a flank.
-fn simulated(course: &Course, flank: Side) -> Vec<Vec<Spot>> {
-    let lines = course.lines.iter().filter(|line| line.flank == flank);
-    let points = lines.map(|line| {
-        let points = line.points.iter();
-        points.map(|point| [point.x, point.simulated_um.unwrap()])
-    });
-    points.map(Iterator::collect).collect()
-}

@@ -1,13 +1,12 @@
-//! Poses with what is found there: by a closed form for perfect gears, and by the exact method.
+//! Poses with what the exact method finds there.
 
 use super::design::design;
 use gearlash::analysis::study::Material;
-use gearlash::contact::{Contact, ExactKernel, LostMotion, Scene, ToothPlace, Touch};
+use gearlash::contact::{ExactKernel, LostMotion, Scene};
 use gearlash::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Pitch, Side, involute};
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use gearlash_render::{Snapshot, snapshot};
-use nalgebra::{Point2, UnitComplex, Vector2};
 use std::f64::consts::TAU;
 
 /// A pair of full-depth gears of 20°, wheel front, pinion back.
@@ -34,7 +33,6 @@ pub struct Posed {
 }
 
 impl Posed {
-    /// Perfect gears by the closed form.
     pub fn new(
         pair: GearPair,
         [wheel_tooth, pinion_tooth]: [u32; 2],
@@ -49,24 +47,17 @@ impl Posed {
         };
         let pose = Pose::new(&pair, mating);
         Posed {
-            title: "Closed form",
-            material: Material::Most,
+            title: "Untitled",
+            material: Material::AsMeasured,
             assembled: pair.clone().into(),
-            found: lost_motion(&pair, &pose),
+            found: ExactKernel::new(&pair).lost_motion(&pose).unwrap(),
             pair,
             pose,
         }
     }
 
-    /// As the exact method finds it.
-    pub fn solved(self, title: &'static str) -> Posed {
-        let found = ExactKernel::new(&self.pair).lost_motion(&self.pose);
-        Posed {
-            title,
-            material: Material::AsMeasured,
-            found: found.unwrap(),
-            ..self
-        }
+    pub fn titled(self, title: &'static str) -> Posed {
+        Posed { title, ..self }
     }
 
     pub fn view(&self) -> Snapshot<'_> {
@@ -92,7 +83,7 @@ impl Posed {
 /// A small perfect pair with play.
 pub fn nominal() -> Posed {
     let pair = pair([17, 12], 2.0, 29.1, Member::Wheel);
-    Posed::new(pair, [3, 5], Side::Right, 0.0).solved("perfect")
+    Posed::new(pair, [3, 5], Side::Right, 0.0).titled("perfect")
 }
 
 /// 12/60 with 200 µm of runout and 40 µm of pitch deviation, in right-hand turn `fraction`.
@@ -119,7 +110,7 @@ pub fn deviated(title: &'static str, distance: f64, fraction: f64) -> Posed {
     let wheel = gear(12, Face::Front, 0.06, 3.5);
     let pinion = gear(60, Face::Back, 0.1, 17.0);
     let pair = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
-    Posed::new(pair, [3, 15], Side::Right, fraction).solved(title)
+    Posed::new(pair, [3, 15], Side::Right, fraction).titled(title)
 }
 
 /// The kinds of picture that only a solver's result shows: interference, a jam, a tip on a fillet, strong deviations.
@@ -136,7 +127,7 @@ pub fn all() -> Vec<Posed> {
     ];
     let perfect = perfect.map(|(title, z, module, a, teeth, flank, fraction)| {
         let pair = pair(z, module, a, Member::Wheel);
-        Posed::new(pair, teeth, flank, fraction).solved(title)
+        Posed::new(pair, teeth, flank, fraction).titled(title)
     });
     let deviated = [
         ("deviated clear", 73.0, 0.25),
@@ -159,65 +150,4 @@ pub fn j_bn(assembly: &GearPair) -> f64 {
         + 2.0
             * (wheel.base_radius() + pinion.base_radius())
             * involute::inv(assembly.operating_pressure_angle())
-}
-
-/// Lost motion of perfect gears. Both contacts are on the lines of action. The mating's flanks meet at the nominal rotation;
-/// `j_bn` is open on the other side. Among pairs that tie, it has the one nearest the pitch point.
-fn lost_motion(assembly: &GearPair, pose: &Pose) -> LostMotion {
-    let flank = pose.mating().flank;
-    let free = assembly.gear(assembly.free()).gear();
-    let contact = |side: Side| {
-        let open = side.sense() * j_bn(assembly) / free.base_radius();
-        let turn = if side == flank { 0.0 } else { open };
-        contact(assembly, pose, side, pose.free_rotation() + turn)
-    };
-    LostMotion {
-        right: Some(contact(Side::Right)),
-        left: Some(contact(Side::Left)),
-        solid: false,
-    }
-}
-
-fn contact(assembly: &GearPair, pose: &Pose, side: Side, rotation: f64) -> Contact {
-    let alpha = assembly.operating_pressure_angle();
-    let touch = |member: Member| {
-        let as_built = assembly.gear(member);
-        let gear = as_built.gear();
-        let turned = if member == assembly.locked() {
-            pose.locked_rotation()
-        } else {
-            rotation
-        };
-        // A tooth has its centre at θ; its flank starts on the base circle at θ ± ψ_b. Its line of action leaves the base circle
-        // at ∓α. The flank crosses it at the roll ξ = α + ψ_b ± θ.
-        let roll = |tooth: u32| {
-            let theta = turned + as_built.tooth_angle(f64::from(tooth));
-            let theta = theta - (theta / TAU).round() * TAU;
-            alpha + gear.half_base_angle() + side.sense() * theta
-        };
-        let off = |tooth: u32| (roll(tooth) - alpha.tan()).abs();
-        let tooth = (1..=gear.basic_data().teeth())
-            .min_by(|a, b| off(*a).total_cmp(&off(*b)))
-            .unwrap();
-        let touch = Touch {
-            tooth,
-            curve: ToothPlace::Involute,
-            radius: involute::radius_at(roll(tooth), gear.base_radius()),
-        };
-        (touch, roll(tooth) * gear.base_radius())
-    };
-    let (wheel, along) = touch(Member::Wheel);
-    let (pinion, _) = touch(Member::Pinion);
-    let radial = UnitComplex::new(-side.sense() * alpha) * Vector2::x();
-    let normal = side.sense() * Vector2::new(-radial.y, radial.x);
-    let base = assembly.gear(Member::Wheel).gear().base_radius();
-    Contact {
-        rotation,
-        error: 1e-9,
-        wheel,
-        pinion,
-        point: Point2::from(base * radial + along * normal),
-        normal,
-        section: 0.0,
-    }
 }

@@ -1,12 +1,10 @@
-//! The contact snapshot: what it shows and says, and that any reader shows it.
+//! The contact snapshot: what it shows, and that any reader shows it. `tests/sessions/pictures_named.txt` holds what it says.
 
 use super::drawn::{Picture, Room, meets, overlap, within};
-use super::posed::{Posed, all, find, j_bn, nominal, pair};
-use gearlash::contact::{Contact, LostMotion, Status, ToothPlace};
+use super::posed::{Posed, all, j_bn, nominal, pair};
 use gearlash::gear::Side;
 use gearlash::pair::Member;
 use gearlash_render::{Snapshot, snapshot};
-use nalgebra::{Point2, Vector2};
 use roxmltree::{Document, Node};
 use std::sync::LazyLock;
 
@@ -45,36 +43,19 @@ static PICTURES: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
             }
         }
     }
-    let far = pair([44, 44], 3.0, 138.5, Member::Wheel);
+    let far = pair([44, 44], 3.0, 137.0, Member::Wheel);
     let mut far = Posed::new(far, [1, 44], Side::Left, 0.0);
     far.found.right = None;
     pictures.push(("one contact".into(), far.draw()));
     far.found.left = None;
     pictures.push(("no contact".into(), far.draw()));
-    pictures.push(("jammed".into(), jammed().draw()));
+    let near = pair([20, 20], 3.0, 58.5, Member::Wheel);
+    let near = Posed::new(near, [1, 1], Side::Right, 0.0);
+    pictures.push(("jammed".into(), near.draw()));
     let solved = all().into_iter().chain([nominal()]);
     pictures.extend(solved.map(|posed| (posed.title.into(), posed.draw())));
     pictures
 });
-
-/// 0.75 mm too near: pinion tips in wheel roots. The contacts are made up, on the wheel's root circle.
-fn jammed() -> Posed {
-    let pair = pair([20, 20], 3.0, 58.5, Member::Wheel);
-    let mut posed = Posed::new(pair, [1, 1], Side::Right, 0.0);
-    let nominal = posed.pose.free_rotation();
-    let made_up = |contact: &mut Option<Contact>, turn: f64| {
-        let contact = contact.as_mut().unwrap();
-        contact.rotation = nominal + turn;
-        contact.wheel.curve = ToothPlace::Root;
-        contact.pinion.curve = ToothPlace::Tip;
-        contact.point = Point2::new(26.2, -30.0 * turn);
-        contact.normal = Vector2::x();
-    };
-    let LostMotion { right, left, .. } = &mut posed.found;
-    made_up(right, 0.06);
-    made_up(left, -0.06);
-    posed
-}
 
 /// Where the gears are shown.
 const MAIN_VIEW: Room = [30.0, 142.0, 610.0, 730.0];
@@ -254,43 +235,6 @@ fn a_gap_is_true_to_scale_and_wide_enough_to_see() {
 }
 
 #[test]
-fn the_caption_names_the_outcome() {
-    let expected = [
-        (
-            "[44, 44] a 132.1 wheel Right 0",
-            "jwt= 73.06 µm (error ≤ … µm) · clear · drawn with the pinion turned clockwise to right-flank contact",
-        ),
-        (
-            "[44, 44] a 131.9 pinion Left 0",
-            "jwt= −72.53 µm (error ≤ … µm) · interference · drawn with the wheel turned counter-clockwise to left-flank contact",
-        ),
-        (
-            "[86, 21] a 160.55 wheel Left -0.21",
-            "wheel 86 with pinion 21 at the left flank, 0.21 pitch before · centre distance 160.550 mm · most material",
-        ),
-        (
-            "jammed",
-            "jammed: a tip sits in a root · drawn with the pinion at its nominal rotation",
-        ),
-        (
-            "no contact",
-            "no contact: out of mesh · drawn with the pinion at its nominal rotation",
-        ),
-    ];
-    for (name, line) in expected {
-        let (_, svg) = PICTURES.iter().find(|(other, _)| other == name).unwrap();
-        let is_line = |text: &str| match text.split_once("≤ ") {
-            Some((before, after)) => {
-                let (_, after) = after.split_once(" µm)").unwrap();
-                format!("{before}≤ … µm){after}") == line
-            }
-            None => text == line,
-        };
-        assert!(Picture::of(svg).says(is_line), "{name}");
-    }
-}
-
-#[test]
 fn any_title_fits_and_stays_xml() {
     let posed = rig(132.1);
     for title in [
@@ -307,60 +251,4 @@ fn any_title_fits_and_stays_xml() {
         let own = title.replace(char::is_control, " ");
         assert!(title.len() > 100 || first.content == own.trim());
     }
-}
-
-#[test]
-fn a_small_pair_as_svg() {
-    let pair = pair([17, 12], 2.0, 29.1, Member::Wheel);
-    insta::assert_snapshot!(Posed::new(pair, [3, 5], Side::Right, 0.0).draw());
-}
-
-#[test]
-fn a_small_interference_as_svg() {
-    let pair = pair([17, 12], 2.0, 28.9, Member::Wheel);
-    let posed = Posed::new(pair, [3, 5], Side::Right, 0.0);
-    insta::assert_snapshot!(posed.solved("Tight").draw());
-}
-
-/// Perfect involutes overlap along their normal by exactly `−j_bn` (closed form).
-#[test]
-fn depth_and_area_are_written_beside_the_overlap() {
-    for posed in all() {
-        let picture = Picture::of(&posed.draw());
-        let status = posed.found.status();
-        let is_deep = status == Status::Interference;
-        for (word, expected) in [
-            ("area ", is_deep || status == Status::Jammed),
-            ("depth ", is_deep),
-        ] {
-            let has = picture.says(|text| text.starts_with(word));
-            assert_eq!(has, expected, "{}: {word}", posed.title);
-        }
-    }
-    let posed = find("44/44 tight");
-    let expected = format!("depth {:.2} µm", -j_bn(&posed.pair) * 1e3);
-    assert!(Picture::of(&posed.draw()).has(&expected));
-}
-
-/// Issue 4: worst of 24 phases −238.948 µm at a = 160.2, on the fillet at pinion radius 28.948 mm; the formula
-/// has −216.426 µm.
-#[test]
-fn the_tip_on_the_fillet_is_shown_as_what_it_is() {
-    let posed = find("tip on fillet");
-    let left = posed.found.left.unwrap();
-    assert!((left.pinion.radius - 28.948).abs() < 5e-4);
-    let picture = Picture::of(&posed.draw());
-    assert!(picture.says(|text| text.starts_with("jwt= −238.95 µm")));
-    for words in [
-        "wheel 1 tip on pinion 1 fillet",
-        "touching tip",
-        "touching fillet",
-        "form circle",
-        "base tangent point",
-    ] {
-        assert!(picture.has(words), "{words}");
-    }
-    assert!(!picture.has("touching involute"));
-    let plain = Picture::of(&find("44/44 tight").draw());
-    assert!(plain.has("touching involute") && !plain.has("form circle"));
 }

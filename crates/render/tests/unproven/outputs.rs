@@ -143,62 +143,54 @@ fn csv_has_empty_cells_and_columns_of_doubt() {
     }
 }
 
+/// The lines of each text that say that a pose is not proven, or that show the value in doubt. `simulate` has few enough poses to list
+/// them one by one, the four of the revolution among them.
 #[test]
-fn the_table_counts_them_and_takes_none_in() {
-    // Few enough to be listed one by one, the four of the revolution among them.
-    let case = Case::low_tips(
+fn texts_say_so() {
+    let few = Case::low_tips(
         "[sweep]\nmating = [[3, 3], [4, 4], [5, 5]]\nfraction = [0.0, 0.25, 0.5, 0.75]\n",
     );
-    let runs = case.compared(CERTIFIED);
-    let text = simulation_table(
-        &case.study,
-        &no_verdict(),
-        &tally(&runs),
-        &[],
-        BacklashUnit::Um,
-        &Screen::default(),
-    );
-    let count = summary(&runs).unproven;
-    let words = format!("\nUNPROVEN: {count} of 24 poses.");
-    assert!(text.contains(&words), "{text}");
-    // The formula, which agrees with it, has a column of its own.
-    let rows = text.lines().filter(|line| line.contains("  unproven  "));
-    let rows: Vec<Vec<&str>> = rows.map(|row| row.split_whitespace().collect()).collect();
-    assert_eq!(rows.len(), count);
-    for row in rows {
-        let status = row.iter().position(|cell| *cell == "unproven").unwrap();
-        let cells = &row[status - 2..status + 3];
-        assert_eq!(cells, ["–", "–", "unproven", "–", "–"]);
+    let screen = Screen::default();
+    let swept = tally(&few.compared(CERTIFIED));
+    let (none, unit) = (no_verdict(), BacklashUnit::Um);
+    let simulated = simulation_table(&few.study, &none, &swept, &[], unit, &screen);
+    let compared = outcome(&RUNS);
+    let found = diagnosed(&RUNS);
+    let verdict = Verdict::new(&[], &Vec::new(), None, found.failed());
+    let remedies = RemedyRecords::default();
+    let doubtful = doubtful(&RUNS, 3);
+    let mut told = String::new();
+    for (name, text) in [
+        ("simulate", simulated),
+        ("compare", compared.text(&screen)),
+        ("junit", compared.junit().unwrap()),
+        ("github", compared.github()),
+        ("markdown", compared.markdown()),
+        (
+            "check",
+            check::text(&LOW_TIPS.pair, &verdict, &found, &remedies, &screen),
+        ),
+    ] {
+        let is_of_doubt = |line: &&str| {
+            let words = ["unproven", "not proven", "the certificate failed"];
+            let mut words = words.into_iter().chain([doubtful.as_str()]);
+            words.any(|words| line.to_lowercase().contains(words))
+        };
+        let lines: Vec<&str> = text.lines().filter(is_of_doubt).collect();
+        told += &format!("{name}\n{}\n", lines.join("\n"));
     }
-    let doubtful = doubtful(&runs, 3);
-    let mut lines = text.lines().skip_while(|line| !line.ends_with("unproven"));
-    let summary = lines.nth(1).unwrap();
-    assert!(summary.ends_with(&format!(" {count}")), "{summary}");
-    assert!(!summary.contains(&doubtful), "{summary}");
-    let reasons = text.matches("the certificate failed").count();
-    assert_eq!(reasons, count.min(10));
-    assert!(text.contains(&doubtful));
+    // On other platforms last digits differ.
+    if cfg!(all(target_os = "linux", target_arch = "x86_64")) {
+        insta::assert_snapshot!(told);
+    }
 }
 
 #[test]
-fn a_comparison_fails_for_them_in_every_format() {
-    let screen = Screen::default();
-    let sound = outcome(&LOW_TIPS.compared(BELIEVED)).text(&screen);
+fn a_comparison_fails_for_them() {
+    let sound = outcome(&LOW_TIPS.compared(BELIEVED)).text(&Screen::default());
     assert!(sound.contains(" backlash agree within "), "{sound}");
-    let (count, doubtful) = (count(), doubtful(&RUNS, 3));
-    let outcome = outcome(&RUNS);
+    let (count, outcome) = (count(), outcome(&RUNS));
     assert!(!outcome.passes());
-    for (text, words) in [
-        (outcome.text(&screen), "error bound not proven.\n"),
-        (outcome.junit().unwrap(), "<failure"),
-        (outcome.github(), "::error"),
-        (outcome.markdown(), "❌ 1 fails, of 1: pair.toml"),
-    ] {
-        let unproven = format!("{count} of 160 poses: unproven");
-        assert!(text.contains(&unproven) && text.contains(words), "{text}");
-        let bare = |line: &&str| line.contains(&doubtful) && !line.contains("not proven");
-        assert_eq!(text.lines().find(bare), None);
-    }
     let json: Value = serde_json::from_str(&outcome.json().unwrap()).unwrap();
     let run = &json["files"][0]["runs"][0];
     assert_eq!(run["passed"], false);
@@ -381,20 +373,11 @@ fn what_is_measured_over_an_unproven_pose_is_unproven() {
 }
 
 #[test]
-fn text_and_json_of_checks_say_so() {
+fn json_of_checks_says_so() {
     let found = diagnosed(&RUNS);
     let verdict = Verdict::new(&[], &Vec::new(), None, found.failed());
     let (screen, remedies) = (Screen::default(), RemedyRecords::default());
     let pair = &LOW_TIPS.pair;
-    let text = check::text(pair, &verdict, &found, &remedies, &screen);
-    assert!(text.contains("\nUNPROVEN: "), "{text}");
-    assert!(text.contains(" checks are unproven: "), "{text}");
-    let mut lines = text.lines();
-    let backlash = lines
-        .find(|line| line.contains("within the pitch"))
-        .unwrap();
-    assert!(backlash.trim_start().starts_with("unproven"), "{backlash}");
-    assert_eq!(backlash.matches("unproven").count(), 2);
     let judged = checked(
         "pair.toml",
         pair,

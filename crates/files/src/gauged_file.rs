@@ -8,10 +8,10 @@
 
 use crate::characters::plain;
 use crate::spec::{
-    CrossCheckSpec, Either, GearFileSpec, GearSpec, LeadSpec, LengthSpec, PitchSpec, RunoutSpec,
-    SpanSpec, StatementSpec, ThicknessSpec,
+    CrossCheckSpec, Either, GearFileSpec, GearSpec, LeadSpec, LengthSpec, PitchSpec,
+    RunoutPlaneSpec, RunoutSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
-use gearlash::gauge::{Gauged, Spans, StatedThickness, Unmeasured};
+use gearlash::gauge::{Gauged, SectionReadings, Spans, StatedThickness, Unmeasured};
 use gearlash::gear::Flank;
 
 /// Reasons for no gear file.
@@ -51,11 +51,11 @@ pub fn gauged_file(
         title: format!("{}, as gauged", plain(title)),
         gear: GearSpec {
             thickness,
-            runout: RunoutSpec {
+            runout: planes(readings).unwrap_or(RunoutSpec {
                 total_um: Some(2e3 * eccentricity.amount),
                 high_tooth: Some(eccentricity.high_tooth),
                 ..RunoutSpec::default()
-            },
+            }),
             pitch: Some(PitchSpec {
                 right_um: pitch(Flank::Right),
                 left_um: pitch(Flank::Left),
@@ -71,6 +71,30 @@ pub fn gauged_file(
     };
     let comments: String = comments.iter().map(|line| format!("# {line}\n")).collect();
     Ok(comments + &toml::to_string(&file)?)
+}
+
+/// The runout in the first and the last plane of a gear that wobbles.
+fn planes(readings: &Gauged) -> Option<RunoutSpec> {
+    let along_face = readings.along_face.as_ref();
+    let sections = &along_face
+        .filter(|face| face.face_runout.amount > 0.0)?
+        .sections;
+    let plane = |section: &SectionReadings| RunoutPlaneSpec {
+        from_reference_face_mm: section.height,
+        total_um: 2e3 * section.eccentricity.amount,
+        high_tooth: section.eccentricity.high_tooth,
+    };
+    let order =
+        |one: &&SectionReadings, other: &&SectionReadings| one.height.total_cmp(&other.height);
+    let ends = [
+        sections.iter().min_by(order)?,
+        sections.iter().max_by(order)?,
+    ];
+    Some(RunoutSpec {
+        total_um: None,
+        planes: Some(ends.map(plane)),
+        ..RunoutSpec::default()
+    })
 }
 
 fn thickness(

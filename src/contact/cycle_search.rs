@@ -43,7 +43,7 @@ const POLISHED: f64 = 1e-6;
 /// Limit of rounds of poses beside the best one. Some 25 are usual.
 const MOST_ROUNDS: u32 = 64;
 
-/// Places in a pitch that are told apart. Cells beside each other share the pose between them.
+/// Resolution of places, per pitch. Cells beside each other share the pose between them.
 pub(super) const GRID: f64 = (1_u64 << 40) as f64;
 
 /// Values that differ by less, rad, are equal: rounding of different platforms.

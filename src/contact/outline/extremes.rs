@@ -1,9 +1,10 @@
 //! Cells of the mesh cycle of outlines, for the search of their extremes ([`CycleSearch`]).
 //!
-//! Cells share the poses at their ends. All through a cell the gap of a side is below a line that is parallel to the chord between its ends, and
-//! above the two lines that touch it there ([`SideCell`]). The lost motion follows from the lines of both sides. Where contact passes from one
-//! edge to the next within the cell, the gap is least at a kink: both lines meet near it, so the bounds are off by the second order of a cell's
-//! width there too.
+//! Cells share the poses at their ends. A line parallel to the chord between both ends is above the gap of a side all through a cell. The two
+//! lines that touch the gap at the ends are below it ([`SideCell`]). Bounds of the lost motion follow from the lines of both sides.
+//!
+//! Where contact passes from one edge to the next within a cell, the gap is least at a kink. Both lines below meet near it. So the bounds are off
+//! by the second order of a cell's width there too.
 
 use super::cell::{Bound, SideCell, Touching};
 use super::teeth::Frame;
@@ -185,7 +186,7 @@ struct EndPose {
 }
 
 impl OutlineCells<'_> {
-    /// The pose at `pitches`, to the nearest of [`GRID`].
+    /// The pose at `pitches`, rounded to [`GRID`].
     fn pose(&self, pitches: f64) -> Arc<EndPose> {
         let place = (pitches * GRID).round();
         let poses = || self.poses.lock().unwrap_or_else(PoisonError::into_inner);
@@ -250,8 +251,8 @@ struct EndContact {
 }
 
 impl<'a> SideOverCell<'a> {
-    /// The side of the cell of half the width `half`, rad of the locked gear, about `mating`, for bounds that are `width` wide in the end, rad of
-    /// the free gear. The contacts come with their distances from the middle, rad of the locked gear.
+    /// The side of a cell about `mating`. Half its width is `half`, rad of the locked gear. Bounds are `width` wide in the end, rad of the free
+    /// gear. The contacts come with their distances from the middle, rad of the locked gear.
     fn new(
         cells: &OutlineCells<'a>,
         side: usize,

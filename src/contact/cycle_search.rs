@@ -37,10 +37,10 @@ const ENOUGH: f64 = 0.8;
 /// Units of [`Effort`] for one end (tuned: some seconds).
 const MOST_EFFORT: u64 = 10_000_000;
 
-/// Part of the best cell's half width down to which poses beside the best one are examined.
-const POLISHED: f64 = 1e-6;
+/// Part of the wanted width by which the poses beside the best one differ from it at last.
+const POLISHED: f64 = 1e-3;
 
-/// Limit of rounds of poses beside the best one. Some 25 are usual.
+/// Limit of rounds of poses beside the best one. Some 15 are usual.
 const MOST_ROUNDS: u32 = 64;
 
 /// Resolution of places, per pitch. Cells beside each other share the pose between them.
@@ -65,9 +65,6 @@ pub(super) struct Cell {
     pub low: (f64, f64),
     /// It is no greater, and what no narrower cell excludes above it.
     pub high: (f64, f64),
-    /// The classes of the teeth that touch at its ends, if its greatest lost motion follows from these alone: cells with equal classes at
-    /// equal fractions of a pitch are equal then.
-    pub touching: Option<[u32; 8]>,
     pub effort: u64,
 }
 
@@ -82,7 +79,6 @@ impl Cell {
             angle: None,
             low: (f64::NEG_INFINITY, 0.0),
             high: (f64::INFINITY, 0.0),
-            touching: None,
             effort: 0,
         }
     }
@@ -209,16 +205,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             values.fold(best, f64::min)
         };
         let mut best = values(cells, f64::INFINITY);
-        let mut seen = HashSet::new();
-        let mut is_new = |cell: &Cell| match (end, cell.touching) {
-            (End::Greatest, Some(teeth)) => {
-                let fraction = (cell.pitches.fract() * GRID).round();
-                seen.insert((rank(fraction), rank(cell.half), teeth))
-            }
-            _ => true,
-        };
         let mut left = std::mem::take(cells);
-        left.retain(&mut is_new);
         loop {
             let enough = best - width;
             let (mut open, rest): (Vec<Cell>, Vec<Cell>) = left
@@ -255,7 +242,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             let parts = parallel::map(parts, |(at, half)| self.look(at, half, &[end]));
             effort.spend(parts.iter().map(|cell| cell.effort).sum());
             best = values(&parts, best);
-            left.extend(parts.into_iter().filter(&mut is_new));
+            left.extend(parts);
         }
     }
 
@@ -267,14 +254,15 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         let Some(mut best) = best.copied() else {
             return;
         };
-        let (mut apart, least) = (best.half, best.half * POLISHED);
+        let mut apart = best.half;
         for _ in 0..MOST_ROUNDS {
-            if apart <= least {
-                break;
-            }
-            let from = best.known;
-            let beside = parallel::map([-apart, apart], |by| self.look(from + by, 0.0, &[]));
+            let from = best;
+            let beside = parallel::map([-apart, apart], |by| self.look(from.known + by, 0.0, &[]));
+            let mut change: f64 = 0.0;
             for pose in beside {
+                if let (Some(value), Some(own)) = (pose.value(end), from.value(end)) {
+                    change = change.max((value - own).abs());
+                }
                 if pose.value(end) < best.value(end) && pose.value(end).is_some() {
                     best = pose;
                 }
@@ -285,7 +273,10 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                     ..pose
                 });
             }
-            if best.known == from {
+            if change <= POLISHED * self.width {
+                break;
+            }
+            if best.known == from.known {
                 apart *= 0.5;
             }
         }

@@ -208,7 +208,7 @@ impl OutlineGear {
 
     /// Eccentricity `e`, mm.
     pub fn eccentricity(&self) -> f64 {
-        self.displacement.norm()
+        self.displacement.norm_sqr().sqrt()
     }
 
     /// The tooth (fractional) towards which the outline is displaced; 1 without an eccentricity.

@@ -44,6 +44,9 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Pairs of rectangles looked at before a bound is given up (tuned).
 const MOST_PAIRS: u32 = 20_000;
 
+/// Rectangles of a half tooth for which there is room at first (tuned).
+const ROOM: usize = 64;
+
 /// Greatest rate of a bound over the ratio of the teeth. The ratio itself replaces greater rates.
 const FASTEST: f64 = 4.0;
 
@@ -257,7 +260,7 @@ impl SideCell<'_> {
 
     /// Raises the level until a pair of half teeth is apart below it.
     fn part(&self, teeth: [u32; 2], ascent: &mut Ascent) -> bool {
-        let mut nodes = [const { Vec::new() }; 2];
+        let mut nodes = [0, 1].map(|_| Vec::with_capacity(ROOM));
         for gear in [0, 1] {
             let Some(run) = self.teeth[gear].boxes(teeth[gear]).whole() else {
                 return true;
@@ -268,7 +271,8 @@ impl SideCell<'_> {
         // A rectangle no wider than that, and one no longer than that, are not cut.
         let flat = 0.25 * self.fine * reach;
         let short = 0.25 * self.half * self.reach[0] + self.fine * reach;
-        let mut open = vec![[0, 0]];
+        let mut open = Vec::with_capacity(ROOM);
+        open.push([0, 0]);
         'pairs: while let Some(pair) = open.pop() {
             let rectangles = [0, 1].map(|gear: usize| &nodes[gear][pair[gear]].rectangle);
             let is_flat = rectangles.iter().all(|it| it.width() <= flat);

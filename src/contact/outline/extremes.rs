@@ -105,15 +105,8 @@ impl CycleCells for OutlineCells<'_> {
         }
         let poses = [from, self.pose(pitches + half)];
         let mating = self.mating(pitches);
-        let pitch = pair.gear(pair.locked()).pitch();
-        let width = half * pitch;
-        let sides = [0, 1].map(|side: usize| {
-            let contacts = poses.each_ref().map(|pose| {
-                let away = (pose.pitches - pitches) * pitch;
-                Some((away, pose.meetings?[side]?))
-            });
-            SideOverCell::new(self, side, &mating, width, wanted, contacts)
-        });
+        let width = half * pair.gear(pair.locked()).pitch();
+        let sides = self.sides(pitches, half, wanted, &poses);
         if ends.contains(&End::Least) && !kernel.may_jam(pair, &mating, width) {
             let [right, left] = sides.each_ref().map(|side| {
                 let (line, looked) = side.above(pair, &mating);
@@ -130,7 +123,6 @@ impl CycleCells for OutlineCells<'_> {
             if !right.is_empty() && !left.is_empty() {
                 let (lost, drawn) = lost_between(&right, &left, width);
                 cell.high = (lost.into_iter().fold(f64::NEG_INFINITY, f64::max), drawn);
-                cell.touching = self.touching(&poses);
             }
         }
         cell
@@ -216,17 +208,29 @@ impl OutlineCells<'_> {
         }
     }
 
-    /// The classes of the teeth that touch at both ends of a cell; `None` where a side has no contact or the gears jam.
-    fn touching(&self, poses: &[Arc<EndPose>; 2]) -> Option<[u32; 8]> {
-        let [locked, free] = &self.cycle.classes;
-        let mut touching = [0; 8];
-        let sides = poses.iter().flat_map(|pose| [(pose, 0), (pose, 1)]);
-        for (teeth, (pose, side)) in touching.chunks_mut(2).zip(sides) {
-            let [one, other] = pose.meetings?[side]?.teeth;
-            teeth.copy_from_slice(&[locked.first(one), free.first(other)]);
-        }
-        let jams = poses.iter().any(|pose| pose.status == Status::Jammed);
-        (!jams).then_some(touching)
+    /// Both sides of a cell, with the contacts of the poses at its ends.
+    fn sides(
+        &self,
+        pitches: f64,
+        half: f64,
+        wanted: f64,
+        poses: &[Arc<EndPose>; 2],
+    ) -> [SideOverCell<'_>; 2] {
+        let pitch = self.pair.gear(self.pair.locked()).pitch();
+        [0, 1].map(|side: usize| {
+            let contacts = poses.each_ref().map(|pose| {
+                let away = (pose.pitches - pitches) * pitch;
+                Some((away, pose.meetings?[side]?))
+            });
+            SideOverCell::new(
+                self,
+                side,
+                &self.mating(pitches),
+                half * pitch,
+                wanted,
+                contacts,
+            )
+        })
     }
 }
 

@@ -2,10 +2,10 @@
 
 #![allow(dead_code)] // each test binary uses its part
 
-use crate::campaign::random::Random;
+use crate::campaign::{random::Random, without_turns};
 use gearlash::contact::{Contact, ExactKernel, LostMotion, Status};
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, EndRelief, Face, Gear, GearDesign, Hand, Lead,
+    AsBuilt, BasicGearData, Deviations, EndRelief, Face, Gear, GearDesign, Hand, Lead,
     Modification, Pitch, Relief, Side, Trace, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
@@ -23,17 +23,8 @@ pub fn resolved(pair: &GearPair) -> f64 {
 }
 
 /// Pose `index` of `seed`, each of a pair of its own, with a helix angle of 0 to 35°. Leads, pitch, eccentricity, wobble and leaning shafts are up
-/// to some 30 µm over the face.
-pub fn drawn(seed: u64, index: u64) -> (GearPair, Pose) {
-    first(seed, index, false)
-}
-
-/// As [`drawn`], with profile deviations of up to some 20 µm on most flanks and with parallel axes.
-pub fn drawn_with_profiles(seed: u64, index: u64) -> (GearPair, Pose) {
-    first(seed, index, true)
-}
-
-fn first(seed: u64, index: u64, profiles: bool) -> (GearPair, Pose) {
+/// to some 30 µm over the face. With `profiles` most flanks have profile deviations of up to some 20 µm, and axes are parallel.
+pub fn drawn(seed: u64, index: u64, profiles: bool) -> (GearPair, Pose) {
     let mut random = Random::of(seed, index);
     let mut drawn = std::iter::repeat_with(|| one(&mut random, profiles)).flatten();
     drawn.next().expect("an endless sequence")
@@ -109,10 +100,8 @@ fn gear(
 ) -> Option<AsBuilt> {
     let teeth = data.teeth();
     let design = GearDesign {
-        basic_data: data,
         profile_shift: random.within(0.0, 0.5),
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
+        ..GearDesign::standard(data)
     };
     let allowance = -random.within(0.02, 0.06) * data.module();
     let base = thickness::base_from_allowance(&data, design.nominal_base_thickness(), allowance);
@@ -246,11 +235,6 @@ fn lead(random: &mut Random, teeth: u32, face: [f64; 2], kinds: &Kinds) -> Lead 
     lead
 }
 
-/// `angle` without whole turns.
-pub fn without_turns(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
-}
-
 /// How far a contact at `b` holds the free gear back, rad beyond the nominal rotation of the measuring plane; plus is tighter. The teeth of a
 /// section are turned by the free gear's own twist, `−η b tan β/r`, from those of the measuring plane.
 pub fn held_back(pair: &GearPair, pose: &Pose, side: Side, b: f64, contact: &Contact) -> f64 {
@@ -279,14 +263,17 @@ pub fn of_section(
     })
 }
 
+/// Nothing touches.
+pub const OPEN: LostMotion = LostMotion {
+    right: None,
+    left: None,
+    solid: false,
+};
+
 /// The exact method; nothing where its search gives up.
 pub fn exact(section: &GearPair, here: &Pose) -> LostMotion {
     let found = ExactKernel::new(section).lost_motion(here);
-    found.unwrap_or(LostMotion {
-        right: None,
-        left: None,
-        solid: false,
-    })
+    found.unwrap_or(OPEN)
 }
 
 /// `count` even parts of the sections that can hold a tooth of both gears, mm: teeth of leaning axes reach over the common face.

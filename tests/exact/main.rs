@@ -1,5 +1,4 @@
-//! The exact method against everything outside it: the reference poses, closed forms, a
-//! brute-force search, and the hard cases.
+//! The exact method against everything outside it: reference poses, closed forms, a brute-force search, and hard cases.
 
 #[path = "../common/along_face.rs"]
 mod along_face;
@@ -9,8 +8,6 @@ mod campaign;
 mod clearance;
 #[path = "../common/cycle.rs"]
 mod cycle;
-#[path = "../common/design.rs"]
-mod design;
 mod drawn;
 mod extremes;
 mod field;
@@ -20,10 +17,14 @@ mod hard_cases;
 mod helical;
 mod helical_extremes;
 mod helical_pairs;
+#[path = "../common/kit.rs"]
+mod kit;
 mod leads;
 mod methods;
 mod outline_extremes;
 mod outlines;
+#[path = "../common/paths.rs"]
+mod paths;
 mod perfect;
 #[path = "../common/posed.rs"]
 mod posed;

@@ -92,14 +92,3 @@ fn datum_axis_pitch_separates_again() {
         all_near(found, own.cumulative.flank(side).to_vec(), PICOMETRE);
     }
 }
-
-/// F_r of a pure eccentricity. Ball i is at |r_K u_i + e|. With spaces at both ends of the eccentricity (high tooth 1.5, even z) F_r = 2 e without a
-/// second order.
-#[test]
-fn runout_of_a_pure_eccentricity() {
-    for e in [0.005, 0.05, 0.5] {
-        let part = spur(44, 3.0).runout(e, 1.5).front();
-        let runout = measure(&part, quick()).runout.unwrap();
-        near(e, runout.total(), 2.0 * e, PICOMETRE);
-    }
-}

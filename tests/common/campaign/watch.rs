@@ -5,19 +5,19 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 /// No pose may take more than 0.1 s; a machine may be a hundred times slower, or busy.
-pub const LONGEST: Duration = Duration::from_secs(60);
+const LONGEST: Duration = Duration::from_secs(60);
 
 /// Poses that are being run, each with its start.
 pub struct Watch(Arc<Mutex<BTreeMap<u64, Instant>>>);
 
 impl Watch {
-    pub fn new(seed: u64, longest: Duration) -> Watch {
+    pub fn new(seed: u64) -> Watch {
         let running = Arc::default();
         let seen = Arc::downgrade(&running);
         std::thread::spawn(move || {
             while let Some(running) = seen.upgrade() {
                 let over = |(index, since): (&u64, &Instant)| {
-                    (since.elapsed() > longest).then_some(*index)
+                    (since.elapsed() > LONGEST).then_some(*index)
                 };
                 if let Some(index) = lock(&running).iter().find_map(over) {
                     eprintln!(

@@ -1,13 +1,18 @@
-//! Gears in a few words, and comparisons that name their case: shared by the tests of checks, models and gauges.
+//! Gears and matings in a few words, and comparisons that name their case.
 
 #![allow(dead_code)] // each test binary uses its part
 
+use gearlash::analysis::study::Study;
+use gearlash::error::GearError;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, thickness,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, Side,
+    thickness,
 };
-use gearlash::pair::GearPair;
+use gearlash::pair::{GearPair, Mating, Member};
+use serde::de::DeserializeOwned;
 use std::fmt::Debug;
 use std::ops::ControlFlow;
+use std::path::Path;
 
 /// Never stops.
 pub fn on() -> ControlFlow<()> {
@@ -24,6 +29,14 @@ pub fn near(what: impl Debug, found: f64, expected: f64, within: f64) {
 /// `tan α − α`.
 pub fn inv(angle: f64) -> f64 {
     angle.tan() - angle
+}
+
+/// `j_wt`, mm, of perfect 20° gears at `a`, whose reference radii have this sum and whose teeth are thinner by so much together at the reference
+/// circles: `2 a (inv α_wt − inv α) + thinner a/sum` (ISO 21771).
+pub fn j_wt(a: f64, sum: f64, thinner: f64) -> f64 {
+    let alpha = 20f64.to_radians();
+    let operating = (sum * alpha.cos() / a).min(1.0).acos();
+    2.0 * a * (inv(operating) - inv(alpha)) + thinner * a / sum
 }
 
 /// The least and the greatest of `values`.
@@ -46,12 +59,13 @@ pub struct Make {
 
 /// 20°, ISO 53 profile A, no profile shift; the gears of the test rig (Karba et al.) with 44 teeth of module 3.
 pub fn spur(teeth: u32, module: f64) -> Make {
-    Make::of(GearDesign {
-        basic_data: BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap(),
-        profile_shift: 0.0,
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
-    })
+    spur_of_angle(teeth, module, 20.0)
+}
+
+/// [`spur`] of another pressure angle.
+pub fn spur_of_angle(teeth: u32, module: f64, degrees: f64) -> Make {
+    let data = BasicGearData::new(teeth, module, degrees.to_radians());
+    Make::of(GearDesign::standard(data.unwrap()))
 }
 
 impl Make {
@@ -66,6 +80,11 @@ impl Make {
 
     pub fn shift(mut self, profile_shift: f64) -> Make {
         self.design.profile_shift = profile_shift;
+        self
+    }
+
+    pub fn tip_diameter(mut self, mm: f64) -> Make {
+        self.design.tip_diameter = Some(mm);
         self
     }
 
@@ -102,18 +121,31 @@ impl Make {
         self
     }
 
+    pub fn per_tooth(mut self, mm: Vec<f64>) -> Make {
+        self.deviations.per_tooth = mm;
+        self
+    }
+
     pub fn pitch(mut self, right: &[f64], left: &[f64]) -> Make {
         self.deviations.pitch = Some(Pitch::from_cumulative(right, left));
         self
     }
 
-    pub fn gear(&self) -> Gear {
+    pub fn try_gear(&self) -> Result<Gear, GearError> {
         let (data, nominal) = (
             &self.design.basic_data,
             self.design.nominal_base_thickness(),
         );
         let base = thickness::base_from_allowance(data, nominal, self.allowance) - self.thinner;
-        Gear::new(self.design, base).unwrap()
+        Gear::new(self.design, base)
+    }
+
+    pub fn gear(&self) -> Gear {
+        self.try_gear().unwrap()
+    }
+
+    pub fn try_built(&self, face: Face) -> Option<AsBuilt> {
+        AsBuilt::new(self.try_gear().ok()?, face, &self.deviations).ok()
     }
 
     pub fn built(&self, face: Face) -> AsBuilt {
@@ -131,5 +163,49 @@ impl Make {
 
 /// The wheel shows its front, the pinion its back; the wheel is locked.
 pub fn pair(wheel: &Make, pinion: &Make, center_distance: f64) -> GearPair {
-    GearPair::new(wheel.front(), pinion.back(), center_distance).unwrap()
+    locked(wheel, pinion, center_distance, Member::Wheel)
+}
+
+/// [`pair`] with either gear locked.
+pub fn locked(wheel: &Make, pinion: &Make, center_distance: f64, member: Member) -> GearPair {
+    GearPair::with_locked(wheel.front(), pinion.back(), center_distance, member).unwrap()
+}
+
+/// A mating of right flanks, and a part of a pitch from there.
+pub fn at(wheel: u32, pinion: u32, fraction: f64) -> Mating {
+    at_flank(wheel, pinion, Side::Right, fraction)
+}
+
+pub fn at_flank(wheel: u32, pinion: u32, flank: Side, fraction: f64) -> Mating {
+    Mating {
+        fraction,
+        ..Mating::at(wheel, pinion, flank)
+    }
+}
+
+/// µm of `j_wt` a radian of the free gear.
+pub fn um(pair: &GearPair) -> f64 {
+    1e3 * pair.operating_pitch_radius(pair.free())
+}
+
+/// The study of a pair file; its path counts from the root of the repository.
+pub fn study(path: impl AsRef<Path>) -> Study {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    gearlash_files::read(&path).unwrap().study
+}
+
+/// The pair of a study that has one centre distance and one thickness.
+pub fn pair_of(study: &Study) -> GearPair {
+    let (_, wheel, pinion) = &study.materials[0];
+    study
+        .pair(wheel, pinion, study.center_distances[0])
+        .unwrap()
+}
+
+/// The rows of a table of comma-separated values below its head; lines that begin with # are comments.
+pub fn rows<T: DeserializeOwned>(text: &str) -> Vec<T> {
+    let mut reader = csv::ReaderBuilder::new();
+    let reader = reader.comment(Some(b'#')).trim(csv::Trim::All);
+    let mut reader = reader.from_reader(text.as_bytes());
+    reader.deserialize().map(Result::unwrap).collect()
 }

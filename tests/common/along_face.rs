@@ -3,10 +3,11 @@
 #![allow(dead_code)] // each test binary uses its part
 
 use crate::campaign::{random::Random, without_turns};
+use crate::kit::Make;
 use gearlash::contact::{Contact, ExactKernel, LostMotion, Status};
 use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, EndRelief, Face, Gear, GearDesign, Hand, Lead,
-    Modification, Pitch, Relief, Side, Trace, thickness,
+    AsBuilt, BasicGearData, EndRelief, Face, Gear, GearDesign, Hand, Lead, Modification, Relief,
+    Side, Trace,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
@@ -99,12 +100,8 @@ fn gear(
     kinds: &Kinds,
 ) -> Option<AsBuilt> {
     let teeth = data.teeth();
-    let design = GearDesign {
-        profile_shift: random.within(0.0, 0.5),
-        ..GearDesign::standard(data)
-    };
-    let allowance = -random.within(0.02, 0.06) * data.module();
-    let base = thickness::base_from_allowance(&data, design.nominal_base_thickness(), allowance);
+    let gear = Make::of(GearDesign::standard(data)).shift(random.within(0.0, 0.5));
+    let gear = gear.allowance(-random.within(0.02, 0.06) * data.module());
     let seen = random.pick(&[Face::Front, Face::Back]);
     // Heights count from the reference face inwards.
     let own = match seen {
@@ -114,35 +111,25 @@ fn gear(
     let um = 1e-3;
     let mut pitch = || Vec::from_iter((0..teeth).map(|_| um * random.within(-8.0, 8.0)));
     let [right, left] = [pitch(), pitch()];
-    let leads = [0, 1].map(|_| lead(random, teeth, own, kinds));
+    let gear = gear.leads([0, 1].map(|_| lead(random, teeth, own, kinds)));
     let mut high = || random.within(1.0, f64::from(teeth) + 1.0);
     let (high_tooth, wobble_tooth) = (high(), high());
-    let gear = Gear::new(design, base).ok()?;
-    let profiles = [0, 1].map(|_| {
-        let is_drawn = kinds.profiles && random.chance(0.8);
-        if is_drawn {
-            profile(random, &gear, true)
-        } else {
-            Modification::default()
-        }
-    });
-    let deviations = Deviations {
-        profiles,
-        pitch: random
-            .chance(0.7)
-            .then(|| Pitch::from_cumulative(&right, &left)),
-        eccentricity: random.pick(&[0.0, 1.0]) * um * random.within(0.0, 30.0),
-        high_tooth,
-        wobble: if kinds.wobble {
-            random.within(0.0, 5e-4)
-        } else {
-            0.0
-        },
-        wobble_tooth,
-        leads,
-        ..Deviations::default()
+    let plain = gear.try_gear().ok()?;
+    let gear = gear.profiles([0, 1].map(|_| match kinds.profiles && random.chance(0.8) {
+        true => profile(random, &plain, true),
+        false => Modification::default(),
+    }));
+    let gear = match random.chance(0.7) {
+        true => gear.pitch(&right, &left),
+        false => gear,
     };
-    AsBuilt::new(gear, seen, &deviations).ok()
+    let eccentricity = random.pick(&[0.0, 1.0]) * um * random.within(0.0, 30.0);
+    let wobble = match kinds.wobble {
+        true => random.within(0.0, 5e-4),
+        false => 0.0,
+    };
+    let gear = gear.runout(eccentricity, high_tooth);
+    gear.wobble(wobble, wobble_tooth).try_built(seen)
 }
 
 /// A profile on some of a gear's flanks, from none to twenty times what a shop tolerates.

@@ -5,8 +5,8 @@
 use gearlash::analysis::study::Study;
 use gearlash::error::GearError;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, Side,
-    thickness,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Lead,
+    Modification, Pitch, Side, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member};
 use serde::de::DeserializeOwned;
@@ -121,6 +121,22 @@ impl Make {
         self
     }
 
+    pub fn wobble(mut self, lean: f64, tooth: f64) -> Make {
+        self.deviations.wobble = lean;
+        self.deviations.wobble_tooth = tooth;
+        self
+    }
+
+    pub fn profiles(mut self, profiles: [Modification; 2]) -> Make {
+        self.deviations.profiles = profiles;
+        self
+    }
+
+    pub fn leads(mut self, leads: [Lead; 2]) -> Make {
+        self.deviations.leads = leads;
+        self
+    }
+
     pub fn per_tooth(mut self, mm: Vec<f64>) -> Make {
         self.deviations.per_tooth = mm;
         self
@@ -197,9 +213,8 @@ pub fn study(path: impl AsRef<Path>) -> Study {
 /// The pair of a study that has one centre distance and one thickness.
 pub fn pair_of(study: &Study) -> GearPair {
     let (_, wheel, pinion) = &study.materials[0];
-    study
-        .pair(wheel, pinion, study.center_distances[0])
-        .unwrap()
+    let pair = study.pair(wheel, pinion, study.center_distances[0]);
+    pair.unwrap()
 }
 
 /// The rows of a table of comma-separated values below its head; lines that begin with # are comments.

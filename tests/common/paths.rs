@@ -4,7 +4,7 @@
 
 use gearlash::gear::Face;
 use gearlash::outline::{OutlineReading, PathSegment};
-use nalgebra::{Point2, Rotation2};
+use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
 
 /// Any path about the origin, read by itself.
@@ -84,4 +84,22 @@ pub fn symmetrical(half: &[PathSegment]) -> Vec<PathSegment> {
     let left = half.iter().rev();
     let left = left.map(|segment| segment.mirrored().reversed());
     left.chain(half.iter().copied()).collect()
+}
+
+/// The arc through three points; a line where they lie on one.
+pub fn arc([from, middle, to]: [Point2<f64>; 3]) -> PathSegment {
+    let (b, c) = (middle - from, to - from);
+    let twice = 2.0 * b.perp(&c);
+    if twice.abs() < 1e-9 {
+        return PathSegment::Line([from, to]);
+    }
+    let [bb, cc] = [b.norm_squared(), c.norm_squared()];
+    let off = Vector2::new(c.y * bb - b.y * cc, b.x * cc - c.x * bb) / twice;
+    let arms = [-off, c - off];
+    PathSegment::Arc {
+        centre: from + off,
+        radius: off.norm(),
+        start: arms[0].y.atan2(arms[0].x),
+        sweep: arms[0].perp(&arms[1]).atan2(arms[0].dot(&arms[1])),
+    }
 }

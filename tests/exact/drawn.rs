@@ -1,12 +1,9 @@
 //! Drawn wheels whose play has a closed form, and overlap of polygons as the witness of any.
 
-use crate::kit::{at, near};
+use super::*;
 use crate::paths::{READING, closed_by_arcs, lines, polar, repeated, turned};
-use gearlash::contact::{OutlineKernel, Touch};
-use gearlash::outline::{OutlineError, OutlineGear, OutlinePair, OutlineReading, PathSegment};
-use gearlash::pair::{Mating, Member};
-use nalgebra::{Point2, Rotation2, Vector2};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use gearlash::contact::Touch;
+use nalgebra::Rotation2;
 
 pub(super) fn gear(segments: &[PathSegment], bound: f64) -> OutlineGear {
     OutlineGear::new(segments, &OutlineReading { bound, ..READING }).unwrap()

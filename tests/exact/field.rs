@@ -1,13 +1,9 @@
 //! The field of action, sections as drawn, and what the face width costs, against closed forms and against the sections themselves.
 
-use crate::campaign::without_turns;
+use super::*;
 use crate::helical_pairs::pair_of_the_prototype;
-use crate::kit::{at_flank, near, spur};
 use gearlash::analysis::curves::{ContactLine, Field, FieldSide, PathLimit, STRETCH_END};
-use gearlash::contact::{ContactClass, ContactKind, ExactKernel, MeshSection};
-use gearlash::gear::{Hand, Side};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
-use std::f64::consts::PI;
+use gearlash::contact::{ContactClass, ContactKind, MeshSection};
 
 fn mating(flank: Side, fraction: f64) -> Mating {
     at_flank(4, 16, flank, fraction)

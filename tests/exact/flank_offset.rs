@@ -1,13 +1,9 @@
 //! Drawn gears moved along their normals: what closed forms give for the moved outlines and for their play.
 
+use super::*;
 use crate::drawn::{gear, pin};
-use crate::kit::{at, near, spur};
 use crate::outlines::drawn;
 use crate::paths::repeated;
-use gearlash::contact::OutlineKernel;
-use gearlash::outline::{OutlineError, OutlineGear, OutlinePair};
-use gearlash::pair::Member;
-use std::f64::consts::PI;
 
 /// Round heads with straight sides: moved out by `d`, heads, sides and roots are those drawn `d` farther out. Inwards as well.
 #[test]

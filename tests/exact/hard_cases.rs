@@ -1,15 +1,11 @@
 //! Hard cases with a definite answer, each by both methods, and by brute force at several phases. Closed forms are computed in the tests.
 
-use crate::campaign::differ;
-use crate::kit::{self, Make, at, at_flank, near, pair, spur, um};
+use super::*;
+use crate::kit;
 use crate::methods::{by_brute_force, cut};
 use crate::perfect::closed_form;
 use crate::posed;
-use gearlash::contact::{Certifier, Contact, CutPair, ExactKernel, LostMotion, Status};
-use gearlash::gear::{Gear, ProfilePart, Side};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
 use rayon::prelude::*;
-use std::f64::consts::{PI, TAU};
 
 /// The exact result, borne out by its certificate and by the polygon method within both error bounds.
 fn by_both(assembly: &GearPair, mating: Mating) -> LostMotion {
@@ -126,44 +122,10 @@ fn only_tips_touch_at_either_end() {
     }
 }
 
-/// z = 6 is undercut far up its flank: contact leaves the involute, on the joint's edge too.
-#[test]
-fn six_teeth_heavily_undercut() {
-    let (six, forty) = (spur(6, 2.0), spur(40, 2.0));
-    let form = six.gear().form_radius();
-    assert!(six.gear().is_undercut());
-    for (wheel, pinion, undercut) in [
-        (&six, &forty, Member::Wheel),
-        (&forty, &six, Member::Pinion),
-    ] {
-        let results = over_a_pitch(wheel, pinion, 46.1, &[Status::Clear]);
-        assert!(contacts(&results).any(|contact| {
-            touches(&contact, ProfilePart::Fillet)
-                || touches(&contact, ProfilePart::Tip)
-                || (contact.touch(undercut).radius - form).abs() < 1e-6
-        }));
-    }
-}
-
-/// z = 12 is pointed a little above x = 0.8: a tip land below a tenth of the module.
-#[test]
-fn nearly_pointed_teeth() {
-    let pointed = spur(12, 4.0).shift(0.77);
-    let gear = pointed.gear();
-    assert!(2.0 * gear.tip_radius() * gear.half_angle_at_roll(gear.tip_roll()) < 0.4);
-    over_a_pitch(&pointed, &spur(30, 4.0), 86.8, &[Status::Clear]);
-}
-
-/// A wave of a third of a pitch: from tooth to tooth 0.45 mm, far above the backlash. It interferes where two pairs disagree.
-///
 /// Eccentric by 2.25 mm, a third of the tooth depth, at 134 mm (2 mm beyond the nominal distance). High teeth towards each other dive 4.5 − 2 mm too
 /// deep, past the 0.75 mm of tip clearance; away from each other they stand 6.5 mm apart, beyond the 6 mm that tips overlap.
 #[test]
-fn deviations_of_a_third_of_a_pitch_and_of_the_depth() {
-    let wave = (0..44).map(|k| PI * (TAU * f64::from(k) / 44.0).sin());
-    let wave: Vec<f64> = wave.collect();
-    let rough = spur(44, 3.0).pitch(&wave, &wave);
-    over_a_pitch(&rough, &spur(44, 3.0), 132.3, &[Status::Interference]);
+fn eccentricity_of_a_third_of_the_tooth_depth() {
     let gear = |high: f64| match high {
         0.0 => spur(44, 3.0),
         _ => spur(44, 3.0).runout(2.25, high),
@@ -199,7 +161,8 @@ const RUNOUTS: [f64; 2] = [0.0066, 0.010];
 
 /// Two pitches in steps of a sixteenth, with either method, the search and brute force. Where tips are further from the line of centres than the
 /// intersection of the tip circles, nothing touches. At 137.91 mm 8 of 32 poses were reported as out of mesh although the far half of a tip land
-/// blocks them. Source of the counts: a Python study of solid teeth.
+/// blocks them. At 23, 23 and 0.625 the middle of a land stands where the tip circles cross: the fast path saw nothing, and the polygons' steps along the
+/// land had no end. Source of the counts: a Python study of solid teeth.
 #[test]
 fn the_rig_pair_just_before_it_is_out_of_mesh() {
     for (distance, expected_clear) in [(137.89, 26), (137.9, 26), (137.91, 24)] {
@@ -214,16 +177,6 @@ fn the_rig_pair_just_before_it_is_out_of_mesh() {
             found.status() == Status::Clear
         });
         assert_eq!(clear.count(), expected_clear, "{distance}");
-    }
-}
-
-/// The middle of a tip land stood where the tip circles cross: the fast path saw nothing, and the polygons' steps along the land had no end.
-#[test]
-fn the_middle_of_a_land_where_the_tip_circles_cross() {
-    let right = by_both(&rig(137.91, RUNOUTS), at(23, 23, 0.625)).right;
-    let touches = right.map(|right| [right.wheel, right.pinion]).unwrap();
-    for touch in touches {
-        assert_eq!((touch.curve, touch.tooth), (ProfilePart::Tip.into(), 24));
     }
 }
 

@@ -2,17 +2,11 @@
 //!
 //! Half of the drawn pairs have gears that expand differently: one base helix angle, two base pitches.
 
+use super::*;
 use crate::along_face::{against_sections, evenly, exact, held_back, of_section};
-use crate::campaign::{Depth, Drawn, Teeth, complaints, without_turns};
-use crate::clearance;
 use crate::helical_pairs::{drawn, pair_of_the_prototype, try_drawn};
-use crate::kit::{at_flank, near, rows, um};
-use crate::posed;
 use crate::random::{self, Random};
-use gearlash::analytic::LineOfAction;
-use gearlash::contact::{Contact, ExactKernel, LostMotion, Status, ToothPlace};
-use gearlash::gear::{Hand, Side};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
+use crate::{clearance, posed};
 
 /// Any place of a mating of any of the first six teeth.
 fn any_pose(pair: &GearPair, rng: &mut Random) -> Pose {
@@ -37,22 +31,6 @@ fn with_contacts(rng: &mut Random, warm: bool) -> (GearPair, Pose, LostMotion, [
     }
 }
 
-/// The tightest of sections on either side, with the error of each.
-fn tightest(
-    pair: &GearPair,
-    pose: &Pose,
-    places: impl Iterator<Item = f64>,
-    method: impl Fn(&GearPair, &Pose) -> LostMotion,
-) -> [(f64, f64); 2] {
-    places.fold([(f64::NEG_INFINITY, 0.0); 2], |most, b| {
-        let here = of_section(pair, pose, b, &method);
-        [0, 1].map(|k| match here[k].0 > most[k].0 {
-            true => here[k],
-            false => most[k],
-        })
-    })
-}
-
 /// Source: many more single sections than the kernel takes.
 #[test]
 fn no_section_is_tighter_than_the_face() {
@@ -70,31 +48,6 @@ fn no_section_is_tighter_than_the_face() {
         }
         assert!(apart > 20, "{apart}");
     }
-}
-
-/// Between involutes the sections that hold the tightest of all pairs are complete: of four times as many none is tighter. Sections alone miss
-/// some contacts of tips.
-#[test]
-fn four_times_as_many_sections_find_the_same_between_involutes() {
-    let mut rng = Random(11);
-    let (mut several, mut on_edges) = (0, 0);
-    for _ in 0..500 {
-        let (pair, pose, _, contacts) = with_contacts(&mut rng, false);
-        let places = ExactKernel::new(&pair).sections();
-        let finer = evenly(&pair, 4 * places.len() as u32);
-        let more = tightest(&pair, &pose, places.iter().copied().chain(finer), exact);
-        several += u32::from(places.len() > 2);
-        let few = tightest(&pair, &pose, places.into_iter(), exact);
-        for (k, contact) in contacts.into_iter().enumerate() {
-            let missed = (more[k].0 - few[k].0).abs() * um(&pair);
-            if [contact.wheel.curve, contact.pinion.curve] == [ToothPlace::Involute; 2] {
-                assert!(missed <= 1e-8, "{missed} µm: {contact:?}");
-            } else {
-                on_edges += u32::from(missed > 1e-8);
-            }
-        }
-    }
-    assert!(several > 100 && on_edges > 0, "{several} {on_edges}");
 }
 
 /// Another way, pair by pair and without sections: model 3, which asks of each pair of involutes whether its stretch of line contact meets the
@@ -195,7 +148,7 @@ fn contacts_and_jams_between_sections_are_found() {
 }
 
 /// A tip in the root of the eccentric free gear between the sections. Earlier these pairs had play, or 0.004 to 0.27 rad less overlap than
-/// neighbouring sections. Source: the section named, and sections every 2000th of the face.
+/// neighbouring sections. Source: the section named, which is jammed by itself.
 #[test]
 fn a_tip_in_a_root_jams_anywhere_along_the_face() {
     for number in 1..=3 {
@@ -204,18 +157,19 @@ fn a_tip_in_a_root_jams_anywhere_along_the_face() {
         let pose = Pose::new(&pair, mating);
         let found = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
         assert_eq!(found.status(), Status::Jammed, "{number}: {found:?}");
-        let [right, left] = [found.right.unwrap(), found.left.unwrap()];
-        // Named is what touches in one section that is jammed by itself.
-        assert_eq!(right.section, left.section, "{number}");
-        let there = of_section(&pair, &pose, right.section, &exact);
-        let named = [(Side::Right, right), (Side::Left, left)]
-            .map(|(side, contact)| held_back(&pair, &pose, side, 0.0, &contact));
-        for (there, named) in there.iter().zip(named) {
-            near(number, there.0, named, 1e-12);
-        }
+        let sections = [found.right, found.left].map(|contact| contact.unwrap().section);
+        assert_eq!(sections[0], sections[1], "{number}");
+        let there = of_section(&pair, &pose, sections[0], &exact);
         assert!(there[0].0 > -there[1].0, "{number}: {there:?}");
-        let most = tightest(&pair, &pose, evenly(&pair, 2000), exact);
-        assert!(most[0].0 > -most[1].0, "{number}: {most:?}");
+        for (side, (held, _)) in Side::BOTH.into_iter().zip(there) {
+            let named = found.on(side).unwrap();
+            near(
+                number,
+                held_back(&pair, &pose, side, 0.0, &named),
+                held,
+                1e-12,
+            );
+        }
     }
 }
 

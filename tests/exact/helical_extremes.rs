@@ -1,17 +1,11 @@
 //! Proven extremes of pairs that vary along the face against poses of the exact method over the same face, which know nothing of their bounds.
 
+use super::*;
 use crate::along_face;
-use crate::campaign::without_turns;
 use crate::extremes::{ROUNDING, WIDTH, held, held_from, proven};
 use crate::helical_pairs::{drawn, expanded, pair_of_the_prototype};
-use crate::kit::{near, on, spur};
 use crate::random::Random;
-use gearlash::analysis::extremes::extremes;
 use gearlash::analysis::face_width::{AtWidth, FaceExtreme, over_widths};
-use gearlash::analysis::study::Study;
-use gearlash::contact::{Contact, ExactKernel, Method};
-use gearlash::gear::Hand;
-use gearlash::pair::{GearPair, Mating, Member, Pose};
 
 /// The prototype's pair, of six curves of pitch each: proven both ways at any width, and the least no greater of the wider.
 #[test]

@@ -1,10 +1,7 @@
 //! Helical pairs that tests are about: one of a prototype, and others drawn at random.
 
-use crate::kit::{Make, spur};
+use super::*;
 use crate::random::{Random, either};
-use gearlash::analytic::InvolutePair;
-use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign, Hand};
-use gearlash::pair::{GearPair, Member};
 
 /// A gear with random pitch deviations.
 fn rough(gear: Make, pitch_um: f64, rng: &mut Random) -> Make {

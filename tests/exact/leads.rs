@@ -1,15 +1,12 @@
 //! Lead deviations against an independent 3-D program, dense sections and closed forms.
 
+use super::*;
 use crate::along_face::{against_sections, drawn, resolved};
 use crate::cycle::matings;
 use crate::extremes::held;
-use crate::kit::{at_flank, rows, spur_of_angle, um};
-use gearlash::analytic::LineOfAction;
-use gearlash::contact::{ExactKernel, FacePlace, PROVEN_WIDTH};
-use gearlash::gear::{AsBuilt, Face, Flank, Hand, Lead, Side, Trace};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
+use gearlash::contact::{FacePlace, PROVEN_WIDTH};
+use gearlash::gear::Lead;
 use serde_json::Value;
-use std::f64::consts::{PI, TAU};
 
 /// Poses and extremes of rigid bodies found without sections; right to 1e-6 µm for parallel axes.
 const REFERENCE: &str = include_str!("../../fixtures/reference/lead.json");

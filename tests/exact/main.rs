@@ -36,3 +36,21 @@ mod random;
 mod random_pair;
 mod witnesses;
 mod witnesses_extremes;
+
+use campaign::{Depth, Drawn, Pair, Teeth, complaints, differ, with_contact, without_turns};
+use gearlash::analysis::extremes::extremes;
+use gearlash::analysis::study::Study;
+use gearlash::analytic::{InvolutePair, LineOfAction};
+use gearlash::contact::{
+    Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, OutlineKernel, Status, sweep,
+};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Flank, Gear, GearDesign, Hand,
+    Modification, Pitch, ProfilePart, Side, Trace, involute,
+};
+use gearlash::outline::{OutlineError, OutlineGear, OutlinePair, OutlineReading, PathSegment};
+use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
+use kit::{Make, at, at_flank, near, on, pair, rows, spur, spur_of_angle, um};
+use nalgebra::{Point2, Vector2};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::ops::ControlFlow;

@@ -2,15 +2,11 @@
 //!
 //! Longer campaigns are `tests/tools/campaign.rs`.
 
-use crate::campaign::{Depth, Drawn, Tally, Teeth, complaints, differ, run, turned, with_contact};
-use crate::kit::rows;
+use super::*;
+use crate::campaign::{Tally, run, turned};
 use crate::random::{self, Random};
 use crate::{clearance, posed};
-use gearlash::contact::{Certifier, CutPair, ExactKernel, LostMotion, Method, Status, sweep};
-use gearlash::gear::Side;
-use gearlash::pair::{GearPair, Mating, Member, Pose};
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 
 const SEED: u64 = 2;
 
@@ -70,26 +66,6 @@ fn both_methods_and_the_certificate_agree_on_random_helical_poses() {
     assert!(25 * unproven <= poses, "{:#?}", tally.unproven);
     let [used, most] = tally.effort;
     assert!(used <= most && most < u64::MAX, "{used} of {most}");
-}
-
-/// Tip circles that overlap by 1e-4 to 0.2 modules, and tips 1e-4 to 0.1 modules to either side of a root.
-#[test]
-fn both_methods_agree_on_tips_that_hardly_reach() {
-    let [grazing, on_root] =
-        [Depth::Grazing, Depth::OnRoot].map(|depth| run(Teeth::Spur, Some(depth), 5, 0..600, true));
-    for tally in [&grazing, &on_root] {
-        sound(tally);
-        assert!(tally.unproven.is_empty(), "{:#?}", tally.unproven);
-    }
-    for (tally, class, name, least) in [
-        (&grazing, "status", "clear", 120),
-        (&grazing, "status", "no_contact", 120),
-        (&grazing, "right contact, locked on free", "tip on tip", 31),
-        (&on_root, "status", "jammed", 1),
-        (&on_root, "status", "interference", 1),
-    ] {
-        assert!(tally.count(class, name) >= least, "{name}");
-    }
 }
 
 /// Poses of campaigns that one method had wrong. Source: polygons of whole teeth.

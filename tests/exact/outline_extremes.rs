@@ -1,19 +1,14 @@
 //! Random drawn pairs. Their proven extremes hold dense poses; polygons of odd teeth overlap just outside the play; excluded pairs of pieces do not
 //! touch.
 
-use crate::campaign::differ;
+use super::*;
 use crate::drawn::cross;
-use crate::kit::{at, inv, on};
+use crate::kit::inv;
 use crate::outlines::{MEASURED, drawn_pair};
-use crate::paths::{READING, closed_by_arcs, lines, turned};
+use crate::paths::{READING, arc, closed_by_arcs, lines, turned};
 use crate::random::{self, Random, either};
-use gearlash::analysis::extremes::{RunExtremes, extremes};
-use gearlash::analysis::study::{Material, Study};
-use gearlash::contact::{Contact, Method, OutlineKernel, Status};
-use gearlash::outline::{OutlineGear, OutlinePair, PathSegment};
-use gearlash::pair::{Mating, Member, SweepPlan};
-use nalgebra::{Point2, Vector2};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use gearlash::analysis::extremes::RunExtremes;
+use gearlash::analysis::study::Material;
 
 /// The kind of curve of a flank.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -105,24 +100,6 @@ impl Drawn {
             path.extend(turned(&both, -pitch * f64::from(tooth)));
         }
         OutlineGear::new(&closed_by_arcs(&path), &READING).ok()
-    }
-}
-
-/// The arc through three points; a line where they lie on one.
-fn arc([from, middle, to]: [Point2<f64>; 3]) -> PathSegment {
-    let (b, c) = (middle - from, to - from);
-    let twice = 2.0 * b.perp(&c);
-    if twice.abs() < 1e-9 {
-        return PathSegment::Line([from, to]);
-    }
-    let [bb, cc] = [b.norm_squared(), c.norm_squared()];
-    let off = Vector2::new(c.y * bb - b.y * cc, b.x * cc - c.x * bb) / twice;
-    let arms = [-off, c - off];
-    PathSegment::Arc {
-        centre: from + off,
-        radius: off.norm(),
-        start: arms[0].y.atan2(arms[0].x),
-        sweep: arms[0].perp(&arms[1]).atan2(arms[0].dot(&arms[1])),
     }
 }
 

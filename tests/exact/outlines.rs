@@ -1,19 +1,12 @@
 //! Outlines against the exact method, which knows what each curve of a gear is and where it can touch.
 
-use crate::campaign::{Depth, Drawn, Pair, differ, turned, with_contact};
-use crate::kit::{at_flank, near, spur};
+use super::*;
+use crate::campaign::turned;
 use crate::paths::{READING, polygon};
 use crate::random::{self, Kind, Random, either, mating};
-use gearlash::contact::{ExactKernel, LostMotion, OutlineCertifier, OutlineKernel, Status};
-use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Modification, Pitch, Placed, Side,
-    Trace,
-};
-use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, PathSegment};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
-use nalgebra::{Point2, Vector2};
+use gearlash::contact::OutlineCertifier;
+use gearlash::gear::Placed;
 use rayon::prelude::*;
-use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn outlines(pair: &GearPair) -> OutlinePair {
     let [wheel, pinion] = Member::BOTH.map(|member| OutlineGear::from(pair.gear(member)));
@@ -260,10 +253,9 @@ fn trace(random: &mut Random, gear: &Gear, tooth: Option<u32>) -> Trace {
         (amount, random.within(1.0, 40.0), random.within(0.0, TAU))
     });
     let noise = um * random.decades(0.001, 1.5);
-    let step = if random.chance(0.2) {
-        (random.within(0.0, 1.0), um * random.within(-5.0, 5.0))
-    } else {
-        (2.0, 0.0)
+    let step = match random.chance(0.2) {
+        true => (random.within(0.0, 1.0), um * random.within(-5.0, 5.0)),
+        false => (2.0, 0.0),
     };
     let (from, to) = (gear.form_roll().max(1e-4), gear.tip_roll());
     let point = |k: u64| {
@@ -271,10 +263,8 @@ fn trace(random: &mut Random, gear: &Gear, tooth: Option<u32>) -> Trace {
         let wave = |(amount, times, phase): (f64, f64, f64)| amount * (times * share + phase).sin();
         let rough = noise * random.within(-1.0, 1.0);
         let stepped = if share > step.0 { step.1 } else { 0.0 };
-        (
-            from + (to - from) * share,
-            waves.into_iter().map(wave).sum::<f64>() + rough + stepped,
-        )
+        let waved: f64 = waves.into_iter().map(wave).sum();
+        (from + (to - from) * share, waved + rough + stepped)
     };
     Trace {
         tooth,
@@ -285,47 +275,32 @@ fn trace(random: &mut Random, gear: &Gear, tooth: Option<u32>) -> Trace {
 /// A gear of 18 to 60 teeth, eccentric, pitches off by up to 10 µm, with traces of one, some or all teeth, of one side or both.
 fn traced_gear(random: &mut Random, module: f64, face: Face) -> Option<AsBuilt> {
     let teeth = 18 + (random.bits() % 43) as u32;
-    let data = BasicGearData::new(teeth, module, 20f64.to_radians()).ok()?;
-    let gear = Gear::nominal(GearDesign {
-        profile_shift: random.within(-0.1, 0.5),
-        ..GearDesign::standard(data)
-    })
-    .ok()?;
-    let mut profile = |gear: &Gear| {
-        let traces = match random.bits() % 4 {
+    let gear = spur(teeth, module).shift(random.within(-0.1, 0.5));
+    let plain = gear.try_gear().ok()?;
+    let gear = gear.profiles([0, 1].map(|_| {
+        let teeth = match random.bits() % 4 {
             0 => Vec::new(),
-            1 => vec![trace(random, gear, None)],
-            2 => vec![trace(random, gear, Some(1)), trace(random, gear, Some(4))],
-            _ => {
-                let each = (1..=teeth).map(|tooth| trace(random, gear, Some(tooth)));
-                each.collect()
-            }
+            1 => vec![None],
+            2 => vec![Some(1), Some(4)],
+            _ => (1..=teeth).map(Some).collect(),
         };
+        let traces = teeth.into_iter().map(|tooth| trace(random, &plain, tooth));
         Modification {
-            traces,
+            traces: traces.collect(),
             slope: 1e-3 * random.within(-5.0, 5.0),
             crowning: 1e-3 * random.within(0.0, 6.0),
             ..Modification::default()
         }
-    };
-    let profiles = [profile(&gear), profile(&gear)];
-    let mut places = || -> Vec<f64> {
-        let each = (0..teeth).map(|_| 0.010 * random.within(-1.0, 1.0));
-        each.collect()
-    };
-    let pitch = Some(Pitch::from_cumulative(&places(), &places()));
+    }));
+    let mut places = || Vec::from_iter((0..teeth).map(|_| 0.010 * random.within(-1.0, 1.0)));
+    let [right, left] = [places(), places()];
     let eccentricity = match random.chance(0.3) {
         true => 0.0,
         false => 0.01 * module * random.within(0.0, 1.0),
     };
-    let deviations = Deviations {
-        pitch,
-        eccentricity,
-        high_tooth: 1.0 + random.within(0.0, 0.99) * f64::from(teeth),
-        profiles,
-        ..Deviations::default()
-    };
-    AsBuilt::new(gear, face, &deviations).ok()
+    let high_tooth = 1.0 + random.within(0.0, 0.99) * f64::from(teeth);
+    let gear = gear.pitch(&right, &left).runout(eccentricity, high_tooth);
+    gear.try_built(face)
 }
 
 fn traced_pair(random: &mut Random) -> Option<GearPair> {

@@ -1,11 +1,8 @@
 //! Perfect gears against the closed form, and which of several pairs that touch together gives a contact its name.
 
-use crate::kit::{at, locked, near, spur, um};
+use super::*;
+use crate::kit::locked;
 use crate::random::{self, PERFECT, Random};
-use gearlash::contact::{Contact, ExactKernel};
-use gearlash::gear::{ProfilePart, Side, involute};
-use gearlash::pair::{GearPair, Member, Pose};
-use nalgebra::Point2;
 
 /// `j_wt = j_bn/cos α_wt` of perfect gears in involute contact, `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm (design section 2).
 pub fn closed_form(assembly: &GearPair) -> f64 {
@@ -57,9 +54,8 @@ fn perfect_gears_follow_the_closed_form_to_a_tenth_of_a_picometre() {
             // A tip that reaches past the line of action into the fillet takes backlash away; nothing adds any.
             assert!(above <= 1e-7, "{above:e} µm: {mating:?} {assembly:?}");
             let contacts = [found.right.unwrap(), found.left.unwrap()];
-            let mut touches = contacts
-                .iter()
-                .flat_map(|contact| [contact.wheel, contact.pinion]);
+            let touches = |contact: &Contact| [contact.wheel, contact.pinion];
+            let mut touches = contacts.iter().flat_map(touches);
             if touches.all(|touch| touch.curve == ProfilePart::Involute) {
                 assert!(above >= -1e-7, "{above:e} µm: {mating:?} {assembly:?}");
                 on_path += 1;

@@ -1,21 +1,19 @@
 //! Helical gears whose profiles deviate, against dense sections and closed forms.
 
+use super::*;
 use crate::along_face::{against_sections, profile};
-use crate::kit::{self, at, spur, um};
+use crate::kit;
 use crate::random::{self, Random, WILD};
-use gearlash::analytic::LineOfAction;
-use gearlash::contact::ExactKernel;
-use gearlash::gear::{AsBuilt, Deviations, Flank, Hand, Modification, Pitch, Relief, Trace};
-use gearlash::pair::{GearPair, Member, Pose};
+use gearlash::gear::Relief;
 
 /// 27/51, m_n 4.5, β 21° over a face of 50 mm at 190 mm, with profiles of the wheel and of the pinion, the same on both flanks.
 fn pair(profiles: [&Modification; 2], thicker: f64) -> GearPair {
     let gear = |teeth, hand, profile: &Modification, thicker: f64| {
-        let mut gear = spur(teeth, 4.5).helix(21.0, hand).allowance(-0.1);
+        let gear = spur(teeth, 4.5).helix(21.0, hand).allowance(-0.1);
         let data = gear.design.basic_data;
         // Both flanks by this along the transverse base tangent; a thickness is an arc of the reference circle in the normal section.
         let arc = 2.0 * thicker * data.reference_radius() / data.base_radius() * data.helix_cos();
-        gear.deviations.profiles = [profile.clone(), profile.clone()];
+        let gear = gear.profiles([profile.clone(), profile.clone()]);
         gear.per_tooth(vec![arc; teeth as usize])
     };
     let wheel = gear(51, Hand::Right, profiles[0], thicker);
@@ -32,15 +30,12 @@ fn poses(pair: &GearPair) -> impl Iterator<Item = Pose> {
 
 /// Greatest difference of two pairs at eight phases, µm; the first is expected to have `more` lost motion, rad.
 fn most_off(one: &GearPair, other: &GearPair, more: f64) -> f64 {
-    let [angles, others] = [one, other].map(|pair| {
-        let kernel = ExactKernel::new(pair);
-        let found = poses(pair).map(|pose| kernel.lost_motion(&pose).unwrap());
-        Vec::from_iter(found.map(|found| found.angle().unwrap()))
-    });
-    let off = angles
-        .iter()
-        .zip(others)
-        .map(|(one, other)| one - other - more);
+    let angle = |pair: &GearPair, pose: &Pose| {
+        let found = ExactKernel::new(pair).lost_motion(pose).unwrap();
+        found.angle().unwrap()
+    };
+    let both = poses(one).zip(poses(other));
+    let off = both.map(|(here, there)| angle(one, &here) - angle(other, &there) - more);
     off.fold(0.0, |most, off| f64::max(most, off.abs() * um(one)))
 }
 

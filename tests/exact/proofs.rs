@@ -1,33 +1,26 @@
 //! Proofs by directions: what they accept, what they refuse, and what the checker verifies.
 
+use super::*;
 use crate::along_face::OPEN;
-use crate::campaign::{Depth, Drawn, Teeth, complaints};
 use crate::clearance;
-use crate::kit::{at, at_flank, near, pair, rows, spur, spur_of_angle, um};
 use crate::methods::{against_polygons, by_both_methods};
-use gearlash::contact::{
-    Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, Piece, Proof, Prover, Reason,
-    SideProof, Status, sweep,
-};
-use gearlash::gear::Side;
-use gearlash::pair::{GearPair, Member, Pose, SweepPlan};
-use std::ops::ControlFlow;
+use gearlash::contact::{Piece, Proof, Prover, Reason, SideProof};
 
 /// Proven poses of the campaign, each with what was found and its proof; and how many of other poses there were.
-fn proven(depth: Option<Depth>, count: u64) -> (Vec<(Drawn, LostMotion, Proof)>, usize) {
+fn proven(
+    kind: Teeth,
+    depth: Option<Depth>,
+    indices: impl Iterator<Item = u64>,
+) -> (Vec<(Drawn, LostMotion, Proof)>, usize) {
     let mut left = 0;
     let mut proven = Vec::new();
-    for index in 0..count {
-        let drawn = Drawn::new(depth, 3, 5 * index);
+    for index in indices {
+        let drawn = Drawn::of(kind, depth, 3, index);
         let pose = Pose::new(&drawn.assembly, drawn.mating);
         let kernel = ExactKernel::new(&drawn.assembly);
-        let Ok(found) = kernel.lost_motion(&pose) else {
-            continue;
-        };
         // Teeth in the mate's body need no proof of what touches.
-        if found.solid {
-            continue;
-        }
+        let found = kernel.lost_motion(&pose).ok().filter(|found| !found.solid);
+        let Some(found) = found else { continue };
         let prover = Prover::new(&drawn.assembly, &kernel);
         let proof = prover.proof(&pose, &found);
         assert_eq!(proof.is_ok(), prover.check(&pose, &found).is_ok());
@@ -49,7 +42,7 @@ fn certificates(pair: &GearPair) -> CutPair {
 #[test]
 fn the_checker_accepts_what_is_proven() {
     for depth in [None, Some(Depth::Grazing)] {
-        let (proven, left) = proven(depth, 2000);
+        let (proven, left) = proven(Teeth::Spur, depth, (0..10_000).step_by(5));
         let mut reasons = [0; 3];
         for (drawn, found, proof) in &proven {
             let pose = Pose::new(&drawn.assembly, drawn.mating);
@@ -77,16 +70,11 @@ fn the_checker_accepts_what_is_proven() {
 #[test]
 fn the_checker_accepts_proofs_in_two_sections() {
     let mut in_two = 0;
-    for index in 0..400 {
-        let drawn = Drawn::of(Teeth::Helical, None, 3, index);
-        let (pair, pose) = (&drawn.assembly, Pose::new(&drawn.assembly, drawn.mating));
-        let kernel = ExactKernel::new(pair);
-        let found = kernel.lost_motion(&pose).ok().filter(|found| !found.solid);
-        let proof = found.and_then(|found| Prover::new(pair, &kernel).proof(&pose, &found).ok());
-        let Some((found, proof)) = found.zip(proof) else {
-            continue;
-        };
-        assert_eq!(proof.verify(pair, &pose), Ok(()), "{}", drawn.pair_file());
+    let (proven, _) = proven(Teeth::Helical, None, 0..400);
+    for (drawn, found, proof) in &proven {
+        let pose = Pose::new(&drawn.assembly, drawn.mating);
+        let verified = proof.verify(&drawn.assembly, &pose);
+        assert_eq!(verified, Ok(()), "{}", drawn.pair_file());
         let sections = [found.right, found.left].map(|contact| contact.map(|one| one.section));
         in_two += usize::from(sections[0] != sections[1]);
     }
@@ -221,7 +209,7 @@ fn a_space_may_not_hold_the_root_circle_of_the_mate() {
 /// shortened, a common point moved out of the metal.
 #[test]
 fn the_checker_refuses_what_is_not_so() {
-    let (proven, _) = proven(None, 500);
+    let (proven, _) = proven(Teeth::Spur, None, (0..2500).step_by(5));
     let mut refused = [0; 6];
     for (drawn, _, proof) in &proven {
         let assembly = &drawn.assembly;

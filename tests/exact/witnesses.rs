@@ -3,14 +3,12 @@
 //! Each is the first of thousands of random poses at which a one-line change of `src/contact` (a mutant: `tests/README.md`) gave a wrong contact or
 //! a wrong verdict, and which a method without the change refuses.
 
-use crate::campaign::{Depth, Drawn, Teeth, complaints, turned, with_contact};
+use super::*;
+use crate::campaign::turned;
 use crate::clearance;
 use crate::methods::{against_polygons, by_both_methods, cut};
 use crate::random::{self, Random};
-use gearlash::contact::{Certifier, Contact, ExactKernel, LostMotion, Status};
 use gearlash::error::Error;
-use gearlash::gear::Side;
-use gearlash::pair::{GearPair, Pose};
 
 /// Seed of the campaign's pairs.
 const SEED: u64 = 2;

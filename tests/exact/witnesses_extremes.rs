@@ -1,12 +1,11 @@
 //! Cycles whose proven extremes expose a small mistake in the program, like `witnesses` for poses.
 
-use crate::campaign::{Depth, Pair, complaints};
+use super::*;
 use crate::cycle;
 use crate::extremes::{ROUNDING, WIDTH};
 use crate::helical_pairs::try_drawn;
 use crate::random::{self, Kind, Random};
-use gearlash::contact::{ExactKernel, Extreme, Status};
-use gearlash::pair::{GearPair, Mating, Pose};
+use gearlash::contact::Extreme;
 
 /// Every fifth is helical. Half of the others are close to practice, half from the campaign.
 /// The least of cycle 86 is not proven: the far flank of a locked tooth is in reach.

@@ -217,31 +217,23 @@ fn a_bump_of_known_size() {
 #[test]
 fn arcs_between_the_same_corners() {
     let ends = corners(flat);
-    let drawn = |radius: f64| {
-        let path: Vec<PathSegment> = (0..ends.len())
-            .map(|k| {
-                let (from, to) = (ends[k], ends[(k + 1) % ends.len()]);
-                if k % 2 == 1 {
-                    return PathSegment::Line([from, to]);
-                }
-                let along = to - from;
-                let half = (0.5 * along.norm() / radius).asin();
-                // Clockwise of the path's direction, about a centre on its right.
-                let aside = Vector2::new(along.y, -along.x).normalize() * (radius * half.cos());
-                let centre = from + 0.5 * along + aside;
-                PathSegment::Arc {
-                    centre,
-                    radius,
-                    start: (from.y - centre.y).atan2(from.x - centre.x),
-                    sweep: -2.0 * half,
-                }
-            })
-            .collect();
-        read(&path, Face::Front, Some(Z), 0.0)
-    };
-    let [flatter, fuller] = [12.0, 9.0].map(drawn);
     let chord = (ends[1] - ends[0]).norm();
     let height = |radius: f64| radius - (radius * radius - 0.25 * chord * chord).sqrt();
+    let drawn = |radius: f64| {
+        let sides = polygon(&ends).into_iter().enumerate();
+        let path = sides.map(|(k, side)| {
+            let [from, to] = [side.start(), side.end()];
+            let along = (to - from).normalize();
+            // To the left of the path's direction, which is out of the metal.
+            let out = Vector2::new(-along.y, along.x) * height(radius);
+            match k % 2 {
+                0 => arc([from, from + 0.5 * (to - from) + out, to]),
+                _ => side,
+            }
+        });
+        read(&path.collect::<Vec<_>>(), Face::Front, Some(Z), 0.0)
+    };
+    let [flatter, fuller] = [12.0, 9.0].map(drawn);
     let known = height(9.0) - height(12.0);
     for (a, b, sign) in [(&flatter, &fuller, 1.0), (&fuller, &flatter, -1.0)] {
         let found = OutlineDifference::new(a, b, 1e-6).unwrap();

@@ -36,7 +36,7 @@ use gearlash::pair::{GearPair, Member, Pose};
 use kit::{Make, ends, inv, near, on, rows, spur, spur_of_angle};
 use made_up::{made_up, scaled};
 use nalgebra::{Point2, Point3, Rotation2, Vector2, Vector3};
-use paths::{READING, polar, polygon, repeated, symmetrical, turned};
+use paths::{READING, arc, polar, polygon, repeated, symmetrical, turned};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Issue 5: 1e-6 µm.

@@ -107,10 +107,8 @@ fn extremes_between_poses_are_bracketed() {
 fn polygons_close_at_every_distance_of_a_deviated_eccentric_gear() {
     const BESIDE: f64 = 1e-7;
     let wave = |seed| scaled(&made_up(23, seed), 8e-3);
-    let part = spur(23, 2.0)
-        .pitch(&wave(4), &wave(5))
-        .runout(0.02, 3.4)
-        .front();
+    let part = spur(23, 2.0).pitch(&wave(4), &wave(5));
+    let part = part.runout(0.02, 3.4).front();
     let roll = rolled(&part, 3);
     let master = AsBuilt::perfect(roll.master.clone(), Face::Back);
     let cut = CutPair::new(&part, &master, 1e-3);

@@ -4,9 +4,8 @@ use super::*;
 
 /// 44/44 with a runout, the profile of either gear on both flanks.
 fn profiled(profile: Modification) -> Make {
-    let mut gear = spur(44, 3.0).runout(0.010, 5.5);
-    gear.deviations.profiles = [profile.clone(), profile];
-    gear
+    let gear = spur(44, 3.0).runout(0.010, 5.5);
+    gear.profiles([profile.clone(), profile])
 }
 
 fn poses(pair: &GearPair, count: u32) -> impl Iterator<Item = Pose> {

@@ -10,6 +10,8 @@ mod along_face;
 mod campaign;
 #[path = "../common/clearance/mod.rs"]
 mod clearance;
+#[path = "../common/kit.rs"]
+mod kit;
 
 use campaign::{Depth, Drawn, Teeth, complaints, run};
 use clap::Parser;

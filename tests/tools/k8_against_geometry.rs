@@ -37,9 +37,8 @@ fn finding(teeth: [u32; 2], root_radius: f64, closer: f64) -> Finding {
     let base = assembly.gear(Member::Pinion).gear().base_radius();
     let phases = (0..PHASES).map(|phase| f64::from(phase) / f64::from(PHASES));
     let losses = phases.filter_map(|phase| {
-        let found = kernel
-            .lost_motion(&Pose::new(&assembly, at(1, 1, phase)))
-            .unwrap();
+        let pose = Pose::new(&assembly, at(1, 1, phase));
+        let found = kernel.lost_motion(&pose).unwrap();
         Some(1e3 * (formula? - found.angle()? * base))
     });
     let [_, loss] = ends(losses.chain([0.0]));

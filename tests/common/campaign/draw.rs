@@ -195,10 +195,8 @@ impl Drawn {
     /// The pose as a pair file in JSON that reproduces it to the last bit, its flank in the title (a pair file runs both).
     pub fn pair_file(&self) -> String {
         let (assembly, mating) = (&self.assembly, &self.mating);
-        let [wheel, pinion] = self
-            .gears
-            .each_ref()
-            .map(|gear| gear.table(assembly.face()));
+        let gears = self.gears.each_ref();
+        let [wheel, pinion] = gears.map(|gear| gear.table(assembly.face()));
         let file = json!({
             "title": format!("pose at the {} flank", mating.flank.name()),
             "wheel": wheel,

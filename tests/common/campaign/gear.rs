@@ -1,9 +1,8 @@
 //! One gear of the campaign, as the numbers of a pair file.
 
 use super::random::Random;
-use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, thickness,
-};
+use crate::kit::Make;
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign, Hand};
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -160,29 +159,21 @@ impl Numbers {
         let mm = |list: &[f64]| list.iter().map(|um| um / 1e3).collect::<Vec<f64>>();
         let alpha = self.pressure_angle_deg.to_radians();
         let (angle_deg, hand) = self.helix.unwrap_or((0.0, Hand::Right));
-        let basic_data = BasicGearData::new(self.teeth, self.module_mm, alpha).ok()?;
-        let basic_data = basic_data.with_helix(angle_deg.to_radians(), hand).ok()?;
-        let design = GearDesign {
-            basic_data,
-            profile_shift: self.profile_shift,
-            rack: BasicRack::new(self.rack[0], self.rack[1], self.rack[2]).ok()?,
-            tip_diameter: Some(self.tip_diameter_mm),
+        let data = BasicGearData::new(self.teeth, self.module_mm, alpha).ok()?;
+        let data = data.with_helix(angle_deg.to_radians(), hand).ok()?;
+        let mut gear = Make::of(GearDesign::standard(data)).shift(self.profile_shift);
+        gear.design.rack = BasicRack::new(self.rack[0], self.rack[1], self.rack[2]).ok()?;
+        let gear = gear.tip_diameter(self.tip_diameter_mm);
+        let gear = gear.allowance(self.allowance_um / 1e3);
+        let gear = gear.runout(self.runout_um / 1e3 / 2.0, self.high_tooth);
+        let gear = gear.per_tooth(mm(&self.per_tooth_um));
+        let gear = match self.right_um.is_empty() {
+            true => gear,
+            false => gear.pitch(&mm(&self.right_um), &mm(&self.left_um)),
         };
-        let base = thickness::base_from_allowance(
-            &design.basic_data,
-            design.nominal_base_thickness(),
-            self.allowance_um / 1e3,
-        );
-        let pitch = !self.right_um.is_empty();
-        let deviations = Deviations {
-            per_tooth: mm(&self.per_tooth_um),
-            pitch: pitch.then(|| Pitch::from_cumulative(&mm(&self.right_um), &mm(&self.left_um))),
-            eccentricity: self.runout_um / 1e3 / 2.0,
-            high_tooth: self.high_tooth,
-            ..Deviations::default()
-        };
-        AsBuilt::new(Gear::new(design, base).ok()?, self.face, &deviations).ok()
+        gear.try_built(self.face)
     }
+
     /// The gear as a table of a pair file, a helical one with its face, mm.
     pub fn table(&self, face: [f64; 2]) -> Value {
         let seen = match self.face {

@@ -8,9 +8,7 @@ const FACE: [f64; 2] = [-20.0, 20.0];
 
 /// 44/44, m 3, with leads of the wheel's own right and left flanks, which are right and left in the picture.
 fn with_leads(leads: [Lead; 2]) -> GearPair {
-    let mut wheel = spur(44, 3.0);
-    wheel.deviations.leads = leads;
-    let pair = pair(&wheel, &spur(44, 3.0), 132.15);
+    let pair = pair(&spur(44, 3.0).leads(leads), &spur(44, 3.0), 132.15);
     pair.with_face(FACE).unwrap()
 }
 
@@ -79,36 +77,6 @@ fn leaning_shafts_cost_their_closed_form() {
         near(lean, shafts, loss, 2e-3 * loss);
         assert_eq!(found.by(FaceDeviation::Lead), Some(0.0));
     }
-}
-
-/// The checks of a turned helix: both flanks at an end in every pose, `f/cos α_wt` of the backlash lost. A pair without leads has none of them.
-#[test]
-fn checks_along_the_face() {
-    let along = |study: &Study| -> Vec<Check> {
-        let plan = Plan::new(study, Method::Exact { certify: false });
-        let analysis = Analysis::silently(&plan.with_extremes().with_checks()).unwrap();
-        let group = analysis.diagnosis.groups.into_iter().next().unwrap();
-        let ids = ["edge_contact", "face_use", "lead_covers", "tilt"];
-        let mut checks = group.checks;
-        checks.retain(|check| ids.contains(&check.id));
-        checks
-    };
-    let plain = with_leads(Default::default());
-    assert!(along(&Study::of_pair("plain", &plain, 1)).is_empty());
-
-    let turned = with_leads([slope(0.010), slope(-0.010)]);
-    let checks = along(&Study::of_pair("turned", &turned, 1));
-    let [edge, used] = &checks[..] else {
-        panic!("{checks:?}");
-    };
-    assert_eq!([edge.id, used.id], ["edge_contact", "face_use"]);
-    assert_eq!((edge.outlines, edge.verdict), (Some(100.0), Verdict::Warn));
-    let ends = "right flanks: far end 100 %; left flanks: near end 100 %";
-    assert_eq!(edge.note, ends);
-    let loss = 0.010 / turned.operating_pressure_angle().cos();
-    near("loss", used.outlines.unwrap(), loss, 1e-9);
-    assert_eq!(used.verdict, Verdict::Pass);
-    near("by leads, µm", used.details[0].1, 1e3 * loss, 1e-6);
 }
 
 /// Sections of leaning spur gears leave nothing out. A lean above 5e-3 rad is beyond what is recommended.

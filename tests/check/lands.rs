@@ -112,14 +112,13 @@ fn nearest(
 }
 
 fn built(teeth: u32, [shift, round, eccentricity, pitch]: [f64; 4], thick: f64) -> Make {
-    let wave = |start: u32| -> Vec<f64> {
-        let each = (0..teeth).map(|k| pitch * f64::from((k * 7919 + start) % 1000));
-        each.collect()
+    let list = |of: &dyn Fn(u32) -> u32, by: f64| -> Vec<f64> {
+        (0..teeth).map(|k| by * f64::from(of(k))).collect()
     };
+    let wave = |start: u32| list(&|k| (k * 7919 + start) % 1000, pitch);
     let gear = spur(teeth, 2.0).shift(shift).rack(1.0, 1.25, round);
-    let mut gear = gear.runout(eccentricity, 2.7).pitch(&wave(17), &wave(443));
-    gear.deviations.per_tooth = (0..teeth).map(|k| thick * f64::from(k * 7 % 5)).collect();
-    gear
+    let gear = gear.runout(eccentricity, 2.7).pitch(&wave(17), &wave(443));
+    gear.per_tooth(list(&|k| k * 7 % 5, thick))
 }
 
 /// Source: 60 points of each tip at any rotation looked at are no nearer, and 4000 points at the mating that is named are as near.
@@ -142,9 +141,8 @@ fn no_points_of_lands_are_nearer_than_the_radial_clearance() {
     {
         let thick = if case == 2 { 0.02 } else { 0.0 };
         let less = [more[0], more[1], 0.6 * more[2], more[3]];
-        let [first, second] =
-            [(teeth[0], more), (teeth[1], less)].map(|(teeth, more)| built(teeth, more, thick));
-        let pair = GearPair::with_locked(first.front(), second.back(), distance, locked).unwrap();
+        let (first, second) = (built(teeth[0], more, thick), built(teeth[1], less, thick));
+        let pair = kit::locked(&first, &second, distance, locked);
         for (member, flank) in [(wheel, Side::Right), (pinion, Side::Left)] {
             let what = (case, member);
             let start = Mating::at(2, 3, flank);
@@ -154,23 +152,22 @@ fn no_points_of_lands_are_nearer_than_the_radial_clearance() {
                 let mating = start.onward(&pair, pitches);
                 nearest(&pair, member, mating, 60, None)
             };
+            let nearest_of = |all: Vec<f64>| {
+                let each = all.into_iter().map(|pitches| (at(pitches), pitches));
+                each.min_by(|one, other| one.0.total_cmp(&other.0))
+                    .unwrap()
+                    .1
+            };
             let all = (0..pair.teeth(locked) * 120).map(|k| f64::from(k) / 120.0);
-            let (_, mut best) = all
-                .map(|pitches| (at(pitches), pitches))
-                .min_by(|one, other| one.0.total_cmp(&other.0))
-                .unwrap();
-            let mut step = 1.0 / 120.0;
+            let (mut best, mut step) = (nearest_of(all.collect()), 1.0 / 120.0);
             for _ in 0..6 {
                 let beside = (-10..=10).map(|k| best + 0.1 * step * f64::from(k));
-                best = beside.min_by(|a, b| at(*a).total_cmp(&at(*b))).unwrap();
+                best = nearest_of(beside.collect());
                 step *= 0.1;
             }
             let off = at(best) - found.distance;
             assert!(off > -1e-9 && off < 1e-3, "{what:?}: {off:e}, {found:?}");
-            let phased = Mating {
-                fraction: 0.4,
-                ..start
-            };
+            let phased = kit::at_flank(2, 3, flank, 0.4);
             assert_eq!(radial_clearance(&pair, member, &[phased]), Some(found));
             // The teeth that are named have it.
             for named in [None, Some([found.tip_tooth, found.root_tooth])] {

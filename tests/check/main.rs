@@ -3,6 +3,7 @@
 mod along_face;
 mod contacts;
 mod distances;
+#[path = "../common/kit.rs"]
 mod kit;
 mod lands;
 mod outlines;
@@ -16,21 +17,14 @@ mod verdict;
 mod common;
 #[path = "../common/cycle.rs"]
 mod cycle;
-#[path = "../common/eccentric_17_100.rs"]
-mod eccentric_17_100;
-
 #[path = "../common/campaign"]
 mod campaign {
     #[allow(dead_code)] // campaigns use the rest
     pub mod random;
 }
 
-#[path = "../common/pair_86_21.rs"]
-mod pair_86_21;
-
 use campaign::random::Random;
-use common::{ReferenceContact, reference_pair};
-use eccentric_17_100::eccentric_17_100;
+use common::reference_pair;
 use gearlash::analysis::compare::{ComparedRun, Verdict as Compared};
 use gearlash::analysis::diagnosis::{
     Check, Diagnosis, PoseEvidence, Verdict, diagnose, failed_checks, map, non_involute_onset,
@@ -48,32 +42,15 @@ use gearlash::contact::{
 use gearlash::gear::{Face, Hand, Lead, Side, Trace};
 use gearlash::outline::OutlineGear;
 use gearlash::pair::{FaceDeviation, GearPair, Mating, Member, Pose, SweepPlan};
-use gearlash_files as input;
-use kit::{Make, ends, inv, near, on, pair, spur};
-use pair_86_21::{pair_86_21, written};
+use kit::{Make, ends, near, on, pair, spur, study};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
-
-fn fixture(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("fixtures")
-        .join(name)
-}
-
-fn study_of_fixture(name: &str) -> Study {
-    input::read(&fixture(name)).unwrap().study
-}
-
-fn study_of_text(text: &str) -> Study {
-    let (_folder, file) = written(text);
-    input::read(&file).unwrap().study
-}
 
 /// The extremes of each run of a study.
 fn runs_of(study: &Study, certify: bool) -> Vec<RunExtremes> {
-    let found = extremes(study, Method::Exact { certify }, &on).unwrap();
-    found.each
+    extremes(study, Method::Exact { certify }, &on)
+        .unwrap()
+        .each
 }
 
 fn run_of(study: &Study) -> RunExtremes {
@@ -96,8 +73,8 @@ fn diagnosed(study: &Study) -> Diagnosis {
 
 fn check<'a>(diagnosis: &'a Diagnosis, id: &str, gear: Option<Member>) -> &'a Check {
     let mut all = diagnosis.groups.iter().flat_map(|group| &group.checks);
-    all.find(|check| check.id == id && check.gear == gear)
-        .unwrap()
+    let found = all.find(|check| check.id == id && check.gear == gear);
+    found.unwrap()
 }
 
 /// The ids of the checks that fail, found without what is sought only to be reported, and every check made.
@@ -117,23 +94,24 @@ fn eccentric(distance: f64, high: [(f64, f64); 2], pinion: u32) -> GearPair {
 }
 
 fn mating(wheel_tooth: u32, pinion_tooth: u32) -> Mating {
-    Mating {
-        wheel_tooth,
-        pinion_tooth,
-        ..Mating::FIRST
+    kit::at(wheel_tooth, pinion_tooth, 0.0)
+}
+
+/// The pair at one mating, at parts of a pitch from there.
+fn at_mating(pair: &GearPair, mating: (u32, u32), fractions: Vec<f64>) -> Study {
+    let sweep = SweepPlan::Matings {
+        matings: vec![mating],
+        fractions,
+    };
+    Study {
+        sweep: Some(sweep),
+        ..Study::of_pair("one mating", pair, 1)
     }
 }
 
 /// The pair at mating 1, 1 alone.
 fn at_one_pose(pair: &GearPair) -> Study {
-    let sweep = SweepPlan::Matings {
-        matings: vec![(1, 1)],
-        fractions: vec![0.0],
-    };
-    Study {
-        sweep: Some(sweep),
-        ..Study::of_pair("one pose", pair, 1)
-    }
+    at_mating(pair, (1, 1), vec![0.0])
 }
 
 /// `j_wt`, mm, of a pose that has one.

@@ -6,23 +6,17 @@ use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::analysis::verdict::Requirement;
 
 fn study_of(pair: &GearPair) -> Study {
-    let gear = |member| OutlineGear::from(pair.gear(member));
-    let (wheel, pinion) = (gear(Member::Wheel), gear(Member::Pinion));
-    Study::of_drawn(
-        "outlines",
-        vec![(Material::AsMeasured, wheel, pinion)],
-        pair.locked(),
-        vec![pair.center_distance()],
-        SweepPlan::hunting_cycle(pair, 8, (1, 1)),
-    )
+    let [wheel, pinion] = Member::BOTH.map(|member| OutlineGear::from(pair.gear(member)));
+    let gears = vec![(Material::AsMeasured, wheel, pinion)];
+    let sweep = SweepPlan::hunting_cycle(pair, 8, (1, 1));
+    let distances = vec![pair.center_distance()];
+    Study::of_drawn("outlines", gears, pair.locked(), distances, sweep)
 }
 
 /// 51/23 with a hunting cycle of 1173 matings: both brackets hold the same extremes. Source: the exact method's.
 #[test]
 fn a_hunting_pair_has_the_extremes_that_are_proven() {
-    let study = study_of_fixture("hunting_51x23.toml");
-    let (_, wheel, pinion) = study.materials[0].clone();
-    let pair = GearPair::new(wheel, pinion, study.center_distances[0]).unwrap();
+    let pair = kit::pair_of(&study("fixtures/hunting_51x23.toml"));
     let proven = extremes_of(&pair);
     let run = run_of(&study_of(&pair));
     assert_eq!(run.matings, proven.matings);
@@ -45,11 +39,11 @@ fn a_hunting_pair_has_the_extremes_that_are_proven() {
 /// outlines.
 #[test]
 fn the_peak_between_sampled_poses_is_found() {
-    let file = input::read(Path::new("tests/corpus/pairs/chords_32_12.toml")).unwrap();
-    let plan = Plan::new(&file.study, Method::Exact { certify: true });
+    let study = study("tests/corpus/pairs/chords_32_12.toml");
+    let plan = Plan::new(&study, Method::Exact { certify: true });
     let analysis = Analysis::silently(&plan.with_revolution().with_extremes()).unwrap();
     let greatest = analysis.extremes.each[0].greatest.as_ref().unwrap();
-    let checked = run_of(&file.study).greatest.unwrap().found();
+    let checked = run_of(&study).greatest.unwrap().found();
     near("checked", 1e3 * checked, 221.57, 0.005);
     near("shown", 1e3 * greatest.found(), 221.57, 0.005);
     let drawn = analysis.curves[0].poses.iter();
@@ -71,15 +65,11 @@ fn what_jams_says_from_where_it_assembles() {
     assert!(apart.greatest.is_none() && apart.assembles_from.is_none());
 }
 
-/// Perfect gears above the sum of their pitch radii, 40 mm: j_wt = 2 a (inv α_w − inv α) with cos α_w = 40 cos α / a at every pose of the map, and as
-/// the extremes; with play in the bearings those at a ∓ c.
+/// Perfect gears above the sum of their pitch radii, 40 mm, have the closed form at every pose of the map, and as the extremes; with play in the bearings
+/// those at a ∓ c.
 #[test]
 fn a_pair_that_turns_has_a_map_and_the_play_of_its_bearings() {
-    let angle = 20f64.to_radians();
-    let known = |a: f64| {
-        let operating = (40.0 * angle.cos() / a).min(1.0).acos();
-        2.0 * a * (inv(operating) - inv(angle))
-    };
+    let known = |a: f64| kit::j_wt(a, 40.0, 0.0);
     let mut study = study_of(&pair(&spur(20, 2.0), &spur(20, 2.0), 40.3));
     study.bearing_clearance = 0.05;
     let run = run_of(&study);
@@ -180,7 +170,8 @@ fn told(run: &RunExtremes, uncertainty: &Uncertainty) -> [f64; 2] {
 
 /// The propagation of JCGM 100 against sampling as in JCGM 101, which shares nothing with it but the gears. Thickness of either gear 1 µm, runout
 /// 2 µm, centre distance 2 µm: within 5 % (issue 14), of which sampling takes up 1/√(2 n).
-fn redraws_hold(pairs: u32, redraws: u32, helix_deg: f64) {
+fn redraws_hold(pairs: u32, helix_deg: f64) {
+    const REDRAWS: u32 = 2000;
     let mut random = Random(14);
     let uncertainty = Uncertainty {
         base_thickness: [1e-3; 2],
@@ -195,7 +186,7 @@ fn redraws_hold(pairs: u32, redraws: u32, helix_deg: f64) {
         let told = told(&extremes_of(&pair), &uncertainty);
         let mut sums = [[0.0; 2]; 2];
         let centre = least_and_greatest(&pair);
-        for _ in 0..redraws {
+        for _ in 0..REDRAWS {
             let drawn = least_and_greatest(&inputs.redrawn(&uncertainty, &mut random).pair());
             for k in 0..2 {
                 let off = drawn[k] - centre[k];
@@ -203,7 +194,7 @@ fn redraws_hold(pairs: u32, redraws: u32, helix_deg: f64) {
                 sums[k][1] += off * off;
             }
         }
-        let n = f64::from(redraws);
+        let n = f64::from(REDRAWS);
         for (told, [sum, square]) in told.into_iter().zip(sums) {
             let spread = 2.0 * (square / n - (sum / n).powi(2)).sqrt();
             near(inputs.distance, told / spread, 1.0, 0.05);
@@ -213,20 +204,13 @@ fn redraws_hold(pairs: u32, redraws: u32, helix_deg: f64) {
 
 #[test]
 fn the_uncertainty_is_that_of_redrawn_inputs() {
-    redraws_hold(3, 2000, 0.0);
+    redraws_hold(3, 0.0);
 }
 
 /// Helical pairs whose least is where a face of 30 mm has it.
 #[test]
 fn the_uncertainty_of_helical_pairs_is_that_of_redrawn_inputs() {
-    redraws_hold(2, 2000, 18.0);
-}
-
-/// As issue 14 asks; some minutes.
-#[test]
-#[ignore = "20 pairs, 10 000 redraws each: minutes"]
-fn the_uncertainty_of_twenty_pairs() {
-    redraws_hold(20, 10_000, 0.0);
+    redraws_hold(2, 18.0);
 }
 
 /// Gears by data and their outlines have the same uncertainty. Source: arms and normals of the same contacts.

@@ -6,6 +6,7 @@ mod drawn;
 
 use super::*;
 use drawn::{Kind, Random};
+use gearlash::contact::Contact;
 
 /// Drawn pairs that tell the program from one with a small mistake in it (a mutant: `tests/README.md`).
 const PLAY_FREE: [u64; 9] = [0, 2, 4, 7, 8, 9, 10, 11, 13];
@@ -58,19 +59,16 @@ fn has_no_play(seed: u64, per_pitch: u32, all: bool) {
     let found = zero_distance(&pair, &matings).unwrap().unwrap();
     let told = format!("{seed}: {found:?}");
     let [low, high] = found.bracket;
-    assert!(
-        high - low <= 1.001e-10 && low <= found.distance && found.distance <= high,
-        "{told}"
-    );
+    assert!(high - low <= 1.001e-10, "{told}");
+    assert!((low..=high).contains(&found.distance), "{told}");
     let here = [found.mating];
     // Play changes by less than the distance does; the rest is rounding.
     assert!(plays(&pair, low - 1e-10, &here)[0] < 0.0, "{told}");
     assert!(plays(&pair, high + 1e-10, &here)[0] > 0.0, "{told}");
     let beyond = high + 1e-9;
-    let half = if all {
-        128 * pair.teeth(pair.locked()) as i32
-    } else {
-        128
+    let half = match all {
+        true => 128 * pair.teeth(pair.locked()) as i32,
+        false => 128,
     };
     let on = |k: i32, per_pitch: f64| found.mating.onward(&pair, f64::from(k) / per_pitch);
     let all = (-half..=half).map(|k| on(k, 256.0));
@@ -81,19 +79,13 @@ fn has_no_play(seed: u64, per_pitch: u32, all: bool) {
     let there = pair.at(high).unwrap();
     let lost = ExactKernel::new(&there).lost_motion(&Pose::new(&there, found.mating));
     let lost = lost.unwrap();
-    let teeth = [lost.right, lost.left].map(|contact| {
-        contact.map_or((0, 0), |contact| {
-            (contact.wheel.tooth, contact.pinion.tooth)
-        })
-    });
+    let teeth = |contact: Contact| (contact.wheel.tooth, contact.pinion.tooth);
+    let teeth = [lost.right, lost.left].map(|contact| contact.map_or((0, 0), teeth));
     assert_eq!(teeth, found.teeth, "{told}");
     // For the given poses.
     let [below, above] = [-1e-9, 1e-9].map(|off| plays(&pair, found.of_poses + off, &matings));
-    let worst = matings
-        .iter()
-        .position(|mating| *mating == found.pose)
-        .unwrap();
-    assert!(below[worst] < 0.0 && least(above) > 0.0, "{told}");
+    let worst = matings.iter().position(|mating| *mating == found.pose);
+    assert!(below[worst.unwrap()] < 0.0 && least(above) > 0.0, "{told}");
 }
 
 /// Source: poses all round, by the exact method.
@@ -126,10 +118,8 @@ fn no_pose_touches_off_the_involutes_above_the_onset() {
         let [low, high] = found.bracket;
         assert!(high - low <= 1.000_001e-6, "{seed}: {found:?}");
         let there = class(low, &found.mating);
-        assert!(
-            there.is_non_involute() && there == found.class,
-            "{seed}: {found:?}"
-        );
+        assert!(there.is_non_involute(), "{seed}: {found:?}");
+        assert_eq!(there, found.class, "{seed}");
         for distance in [0.0, 0.01, 0.1].map(|farther| high + farther) {
             let touches = |mating: &&Mating| class(distance, mating).is_non_involute();
             let still = matings.iter().find(touches);

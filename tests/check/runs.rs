@@ -113,18 +113,11 @@ fn a_runout_in_any_direction_moves_both_ends_by_the_eccentricities() {
 fn in_bearings(distance: f64, share: f64, any_direction: bool) -> GearPair {
     let [wheel, pinion] = [31, 17].map(|teeth: u32| {
         let mut random = Random::of(31, u64::from(teeth));
-        let mut list = || -> Vec<f64> {
-            let each = (0..teeth).map(|_| 0.02 * share * random.within(-1.0, 1.0));
-            each.collect()
-        };
-        let (right, left) = (list(), list());
+        let off = |_| 0.02 * share * random.within(-1.0, 1.0);
+        let both = Vec::from_iter((0..2 * teeth).map(off));
+        let (right, left) = both.split_at(teeth as usize);
         let gear = spur(teeth, 2.0).allowance(-0.05).runout(0.02 * share, 3.0);
-        let gear = gear.open(any_direction);
-        if share > 0.0 {
-            gear.pitch(&right, &left)
-        } else {
-            gear
-        }
+        gear.open(any_direction).pitch(right, left)
     });
     pair(&wheel, &pinion, distance)
 }
@@ -138,14 +131,6 @@ fn run_with(pair: &GearPair, clearance: f64) -> RunExtremes {
 
 fn play(pair: &GearPair, clearance: f64) -> BearingPlay {
     run_with(pair, clearance).bearings.unwrap()
-}
-
-/// `j_wt = (d_b1 + d_b2)(inv α_wt − inv α)/cos α_wt`, and what both gears are thin at their reference circles, as an arc at α_wt.
-fn j_wt(distance: f64) -> f64 {
-    let alpha = 20f64.to_radians();
-    // The reference circles' radii sum up to 48 mm.
-    let angle = (48.0 * alpha.cos() / distance).acos();
-    2.0 * distance * (inv(angle) - inv(alpha)) + 0.1 * distance / 48.0
 }
 
 /// The same brackets as of pairs that are assembled there; the pose that is named has what is said of it, simulated anew; and no pose of any
@@ -201,7 +186,8 @@ fn ends_without_a_value_say_why() {
 #[test]
 fn a_requirement_holds_for_the_axes_moved_too() {
     let pair = in_bearings(48.05, 0.0, false);
-    let [least, exactly, most] = [48.03, 48.05, 48.07].map(j_wt);
+    // Both gears are 50 µm thin.
+    let [least, exactly, most] = [48.03, 48.05, 48.07].map(|a| kit::j_wt(a, 48.0, 0.1));
     let [below, above] = [exactly - 1e-3, exactly + 1e-3].map(Some);
     for (clearance, min, max, kept) in [
         (0.0, below, above, true),
@@ -220,47 +206,35 @@ fn a_requirement_holds_for_the_axes_moved_too() {
     }
 }
 
-/// The drawn data of a pair.
-#[derive(Debug, Clone, Copy)]
-struct Drawn {
-    /// Single pitch deviations up to this share of the module.
-    pitch: f64,
-    /// Whether the runout of the wheel, and of the pinion, has any direction.
-    open: [bool; 2],
-    locked: Member,
-    /// Degrees.
-    helix: f64,
-}
+/// A row of drawn pairs: seed and count, helix angle, degrees, greatest single pitch deviation as a share of the module, whether the runout of the
+/// wheel, and of the pinion, has any direction, and the locked gear.
+type Drawn = (u64, u32, f64, f64, [bool; 2], Member);
 
-fn gear(random: &mut Random, hand: Hand, drawn: &Drawn, open: bool) -> Make {
+fn gear(random: &mut Random, hand: Hand, (_, _, helix, share, ..): Drawn, open: bool) -> Make {
     let teeth = random.within(17.0, 60.0) as u32;
-    let gear = spur(teeth, 2.0).helix(drawn.helix, hand).allowance(-0.04);
+    let gear = spur(teeth, 2.0).helix(helix, hand).allowance(-0.04);
     let gear = gear.shift(random.within(0.0, 0.4)).open(open);
-    let mut pitch = || -> Vec<f64> {
-        let each = (0..teeth).map(|_| drawn.pitch * 2.0 * random.within(-1.0, 1.0));
-        each.collect()
-    };
+    let mut pitch = || Vec::from_iter((0..teeth).map(|_| share * 2.0 * random.within(-1.0, 1.0)));
     let (right, left) = (pitch(), pitch());
     let eccentricity = random.within(0.0, 0.04);
     let gear = gear.runout(eccentricity, random.within(1.0, f64::from(teeth) + 1.0));
-    if drawn.pitch > 0.0 {
-        gear.pitch(&right, &left)
-    } else {
-        gear
+    match share > 0.0 {
+        true => gear.pitch(&right, &left),
+        false => gear,
     }
 }
 
-fn draw(random: &mut Random, drawn: &Drawn) -> GearPair {
-    let wheel = gear(random, Hand::Right, drawn, drawn.open[0]).front();
-    let pinion = gear(random, Hand::Left, drawn, drawn.open[1]).back();
-    let zero = InvolutePair::new(wheel.gear(), pinion.gear());
+fn draw(random: &mut Random, drawn: Drawn) -> GearPair {
+    let (_, _, helix, _, open, locked) = drawn;
+    let wheel = gear(random, Hand::Right, drawn, open[0]);
+    let pinion = gear(random, Hand::Left, drawn, open[1]);
+    let zero = InvolutePair::new(&wheel.gear(), &pinion.gear());
     let distance = zero.center_distance(0.0).unwrap() + random.within(-0.02, 0.15);
-    let pair = GearPair::with_locked(wheel, pinion, distance, drawn.locked).unwrap();
+    let pair = kit::locked(&wheel, &pinion, distance, locked);
     // Off the measuring plane's middle, so that one end of the face is nearer.
-    let face = if drawn.helix > 0.0 {
-        [-9.0, 21.0]
-    } else {
-        [0.0; 2]
+    let face = match helix > 0.0 {
+        true => [-9.0, 21.0],
+        false => [0.0; 2],
     };
     pair.with_face(face).unwrap()
 }
@@ -284,9 +258,9 @@ fn pointed(pair: &GearPair, mating: Mating, angles: [f64; 2]) -> GearPair {
 }
 
 /// Poses with the high teeth anywhere, and near where they are worst, against the bracket: none lies beyond it, and one attains it.
-fn directions_hold(drawn: &Drawn, seed: u64, pairs: u32) {
-    let mut random = Random(seed);
-    for _ in 0..pairs {
+fn directions_hold(drawn: Drawn) {
+    let mut random = Random(drawn.0);
+    for _ in 0..drawn.1 {
         let pair = draw(&mut random, drawn);
         let run = extremes_of(&pair);
         let (least, greatest) = (run.least.as_ref().unwrap(), run.greatest.as_ref().unwrap());
@@ -304,7 +278,7 @@ fn directions_hold(drawn: &Drawn, seed: u64, pairs: u32) {
             let mating = near_by.onward(&pair, cycle * random.within(0.0, 1.0));
             // Anywhere, towards the mate, away from it; of pairs found, a little round where they stand.
             let spread = [PI, 0.1, 0.01][k % 3];
-            let away = if k % 2 == 0 { 0.0 } else { PI };
+            let away = [0.0, PI][k % 2];
             let mating = match k % 5 {
                 0 => near_by.onward(&pair, random.within(-0.01, 0.01)),
                 _ => mating,
@@ -312,10 +286,7 @@ fn directions_hold(drawn: &Drawn, seed: u64, pairs: u32) {
             let mut angle = || away + random.within(-spread, spread);
             let pointed = pointed(&pair, mating, [angle(), angle()]);
             let j_wt = backlash(&pointed, &Pose::new(&pointed, mating));
-            assert!(
-                bracket.contains(&j_wt),
-                "{drawn:?}: {j_wt} of {bracket:?} at {mating:?}"
-            );
+            assert!(bracket.contains(&j_wt), "{drawn:?}: {j_wt} of {bracket:?}");
         }
     }
 }
@@ -324,51 +295,32 @@ const ANY: [bool; 2] = [true, true];
 const WHEEL: [bool; 2] = [true, false];
 const PINION: [bool; 2] = [false, true];
 
-fn all_hold(helix: f64, each: &[(u64, u32, f64, [bool; 2], Member)]) {
-    for &(seed, pairs, pitch, open, locked) in each {
-        let drawn = Drawn {
-            pitch,
-            open,
-            locked,
-            helix,
-        };
-        directions_hold(&drawn, seed, pairs);
-    }
-}
-
-/// As in a drawing: runout alone. Then the direction of one of them is known.
+/// As in a drawing: runout alone. Then the direction of one of them is known. Then with pitch deviations, so that corners of tips decide.
 #[test]
 fn gears_off_their_axes_in_any_direction() {
-    all_hold(
-        0.0,
-        &[
-            (5, 12, 0.0, ANY, Member::Wheel),
-            (5, 12, 0.0, ANY, Member::Pinion),
-            (6, 8, 0.0, WHEEL, Member::Wheel),
-            (6, 8, 0.0, WHEEL, Member::Pinion),
-            (6, 8, 0.0, PINION, Member::Wheel),
-        ],
-    );
-}
-
-/// With pitch deviations, so that corners of tips decide.
-#[test]
-fn pitch_and_runout_in_any_direction() {
-    all_hold(0.0, &[(7, 12, 0.008, ANY, Member::Wheel)]);
+    for drawn in [
+        (5, 12, 0.0, 0.0, ANY, Member::Wheel),
+        (5, 12, 0.0, 0.0, ANY, Member::Pinion),
+        (6, 8, 0.0, 0.0, WHEEL, Member::Wheel),
+        (6, 8, 0.0, 0.0, WHEEL, Member::Pinion),
+        (6, 8, 0.0, 0.0, PINION, Member::Wheel),
+        (7, 12, 0.0, 0.008, ANY, Member::Wheel),
+    ] {
+        directions_hold(drawn);
+    }
 }
 
 /// Helical gears: the centres of all sections are the same along the face.
 #[test]
 fn helical_gears_off_their_axes_in_any_direction() {
-    all_hold(
-        18.0,
-        &[
-            (8, 6, 0.0, ANY, Member::Wheel),
-            (8, 6, 0.0, WHEEL, Member::Pinion),
-            (8, 6, 0.004, ANY, Member::Pinion),
-            (8, 6, 0.004, PINION, Member::Wheel),
-        ],
-    );
+    for drawn in [
+        (8, 6, 18.0, 0.0, ANY, Member::Wheel),
+        (8, 6, 18.0, 0.0, WHEEL, Member::Pinion),
+        (8, 6, 18.0, 0.004, ANY, Member::Pinion),
+        (8, 6, 18.0, 0.004, PINION, Member::Wheel),
+    ] {
+        directions_hold(drawn);
+    }
 }
 
 /// The bound's derivation is for eccentricities below a quarter of the free gear's pitch radius; beyond it nothing is claimed.

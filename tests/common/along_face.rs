@@ -2,11 +2,12 @@
 
 #![allow(dead_code)] // each test binary uses its part
 
-use crate::campaign::random::Random;
+use crate::campaign::{random::Random, without_turns};
+use crate::kit::Make;
 use gearlash::contact::{Contact, ExactKernel, LostMotion, Status};
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, EndRelief, Face, Gear, GearDesign, Hand, Lead,
-    Modification, Pitch, Relief, Side, Trace, thickness,
+    AsBuilt, BasicGearData, EndRelief, Face, Gear, GearDesign, Hand, Lead, Modification, Relief,
+    Side, Trace,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
@@ -23,17 +24,8 @@ pub fn resolved(pair: &GearPair) -> f64 {
 }
 
 /// Pose `index` of `seed`, each of a pair of its own, with a helix angle of 0 to 35°. Leads, pitch, eccentricity, wobble and leaning shafts are up
-/// to some 30 µm over the face.
-pub fn drawn(seed: u64, index: u64) -> (GearPair, Pose) {
-    first(seed, index, false)
-}
-
-/// As [`drawn`], with profile deviations of up to some 20 µm on most flanks and with parallel axes.
-pub fn drawn_with_profiles(seed: u64, index: u64) -> (GearPair, Pose) {
-    first(seed, index, true)
-}
-
-fn first(seed: u64, index: u64, profiles: bool) -> (GearPair, Pose) {
+/// to some 30 µm over the face. With `profiles` most flanks have profile deviations of up to some 20 µm, and axes are parallel.
+pub fn drawn(seed: u64, index: u64, profiles: bool) -> (GearPair, Pose) {
     let mut random = Random::of(seed, index);
     let mut drawn = std::iter::repeat_with(|| one(&mut random, profiles)).flatten();
     drawn.next().expect("an endless sequence")
@@ -108,14 +100,8 @@ fn gear(
     kinds: &Kinds,
 ) -> Option<AsBuilt> {
     let teeth = data.teeth();
-    let design = GearDesign {
-        basic_data: data,
-        profile_shift: random.within(0.0, 0.5),
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
-    };
-    let allowance = -random.within(0.02, 0.06) * data.module();
-    let base = thickness::base_from_allowance(&data, design.nominal_base_thickness(), allowance);
+    let gear = Make::of(GearDesign::standard(data)).shift(random.within(0.0, 0.5));
+    let gear = gear.allowance(-random.within(0.02, 0.06) * data.module());
     let seen = random.pick(&[Face::Front, Face::Back]);
     // Heights count from the reference face inwards.
     let own = match seen {
@@ -125,35 +111,25 @@ fn gear(
     let um = 1e-3;
     let mut pitch = || Vec::from_iter((0..teeth).map(|_| um * random.within(-8.0, 8.0)));
     let [right, left] = [pitch(), pitch()];
-    let leads = [0, 1].map(|_| lead(random, teeth, own, kinds));
+    let gear = gear.leads([0, 1].map(|_| lead(random, teeth, own, kinds)));
     let mut high = || random.within(1.0, f64::from(teeth) + 1.0);
     let (high_tooth, wobble_tooth) = (high(), high());
-    let gear = Gear::new(design, base).ok()?;
-    let profiles = [0, 1].map(|_| {
-        let is_drawn = kinds.profiles && random.chance(0.8);
-        if is_drawn {
-            profile(random, &gear, true)
-        } else {
-            Modification::default()
-        }
-    });
-    let deviations = Deviations {
-        profiles,
-        pitch: random
-            .chance(0.7)
-            .then(|| Pitch::from_cumulative(&right, &left)),
-        eccentricity: random.pick(&[0.0, 1.0]) * um * random.within(0.0, 30.0),
-        high_tooth,
-        wobble: if kinds.wobble {
-            random.within(0.0, 5e-4)
-        } else {
-            0.0
-        },
-        wobble_tooth,
-        leads,
-        ..Deviations::default()
+    let plain = gear.try_gear().ok()?;
+    let gear = gear.profiles([0, 1].map(|_| match kinds.profiles && random.chance(0.8) {
+        true => profile(random, &plain, true),
+        false => Modification::default(),
+    }));
+    let gear = match random.chance(0.7) {
+        true => gear.pitch(&right, &left),
+        false => gear,
     };
-    AsBuilt::new(gear, seen, &deviations).ok()
+    let eccentricity = random.pick(&[0.0, 1.0]) * um * random.within(0.0, 30.0);
+    let wobble = match kinds.wobble {
+        true => random.within(0.0, 5e-4),
+        false => 0.0,
+    };
+    let gear = gear.runout(eccentricity, high_tooth);
+    gear.wobble(wobble, wobble_tooth).try_built(seen)
 }
 
 /// A profile on some of a gear's flanks, from none to twenty times what a shop tolerates.
@@ -246,11 +222,6 @@ fn lead(random: &mut Random, teeth: u32, face: [f64; 2], kinds: &Kinds) -> Lead 
     lead
 }
 
-/// `angle` without whole turns.
-pub fn without_turns(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
-}
-
 /// How far a contact at `b` holds the free gear back, rad beyond the nominal rotation of the measuring plane; plus is tighter. The teeth of a
 /// section are turned by the free gear's own twist, `−η b tan β/r`, from those of the measuring plane.
 pub fn held_back(pair: &GearPair, pose: &Pose, side: Side, b: f64, contact: &Contact) -> f64 {
@@ -279,14 +250,17 @@ pub fn of_section(
     })
 }
 
+/// Nothing touches.
+pub const OPEN: LostMotion = LostMotion {
+    right: None,
+    left: None,
+    solid: false,
+};
+
 /// The exact method; nothing where its search gives up.
 pub fn exact(section: &GearPair, here: &Pose) -> LostMotion {
     let found = ExactKernel::new(section).lost_motion(here);
-    found.unwrap_or(LostMotion {
-        right: None,
-        left: None,
-        solid: false,
-    })
+    found.unwrap_or(OPEN)
 }
 
 /// `count` even parts of the sections that can hold a tooth of both gears, mm: teeth of leaning axes reach over the common face.

@@ -4,8 +4,8 @@ use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 
 /// Matings of the cycle.
 pub fn matings(pair: &GearPair) -> u64 {
-    let teeth = |member| pair.gear(member).gear().basic_data().teeth();
-    SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion))
+    let [wheel, pinion] = Member::BOTH.map(|member| pair.teeth(member));
+    SweepPlan::hunting_pitches(wheel, pinion)
 }
 
 /// `count` poses spread over it by the golden ratio.

@@ -3,7 +3,7 @@
 use gearlash::analytic::{Analytic, InvolutePair, evaluate};
 use gearlash::error::GearError;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side, thickness,
+    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, Side, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use proptest::prelude::*;
@@ -31,11 +31,10 @@ impl Recipe {
     /// Built `scale` times as large, module 2 times that.
     pub fn build(&self, scale: f64) -> Result<AsBuilt, GearError> {
         let um = scale * 1e-3;
+        let data = BasicGearData::new(self.teeth, 2.0 * scale, 20f64.to_radians()).unwrap();
         let design = GearDesign {
-            basic_data: BasicGearData::new(self.teeth, 2.0 * scale, 20f64.to_radians()).unwrap(),
             profile_shift: self.shift,
-            rack: BasicRack::ISO_53_A,
-            tip_diameter: None,
+            ..GearDesign::standard(data)
         };
         let base = thickness::base_from_allowance(
             &design.basic_data,
@@ -148,15 +147,11 @@ impl Case {
 
     /// Seen from behind: faces and flanks swap.
     pub fn mirrored(&self) -> Case {
-        let flank = match self.mating.flank {
-            Side::Right => Side::Left,
-            Side::Left => Side::Right,
-        };
         Case {
             wheel: self.wheel.mirrored(),
             pinion: self.pinion.mirrored(),
             mating: Mating {
-                flank,
+                flank: self.mating.flank.other(),
                 ..self.mating
             },
             ..self.clone()

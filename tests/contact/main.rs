@@ -3,5 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod hard_pairs;
+#[path = "../common/kit.rs"]
+mod kit;
 mod properties;
 mod reference;

@@ -2,19 +2,15 @@
 //! result depends on the pose alone.
 
 use crate::common::random_pair::{Case, case, rough_case};
+use crate::kit::on;
 use gearlash::analytic::evaluate;
 use gearlash::contact::{CutPair, ExactKernel, LostMotion, Method, PoseResult, Status, sweep};
 use gearlash::gear::ProfilePart;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use proptest::prelude::*;
-use std::ops::ControlFlow;
 
-/// The outcome of a pose: status, and backlash with its bound, both mm of `j_wt` over the scale.
-#[derive(Debug, PartialEq)]
-struct Outcome {
-    status: Status,
-    backlash: Option<(f64, f64)>,
-}
+/// The status of a pose, and its backlash with its bound, both mm of `j_wt` over the scale.
+type Outcome = (Status, Option<(f64, f64)>);
 
 /// A random pair of sound gears, refined polygons from a coarse start; `None` for gears that cannot exist.
 fn simulate(case: &Case, scale: f64) -> Option<(GearPair, Pose, LostMotion)> {
@@ -28,14 +24,10 @@ fn simulate(case: &Case, scale: f64) -> Option<(GearPair, Pose, LostMotion)> {
 
 fn outcome(case: &Case, scale: f64) -> Option<Outcome> {
     let (assembly, _, lost_motion) = simulate(case, scale)?;
-    let um = assembly.operating_pitch_radius(assembly.free()) / scale;
-    Some(Outcome {
-        status: lost_motion.status(),
-        backlash: lost_motion
-            .angle()
-            .zip(lost_motion.error())
-            .map(|(phi, error)| (phi * um, error * um)),
-    })
+    let radius = assembly.operating_pitch_radius(assembly.free()) / scale;
+    let backlash = lost_motion.angle().zip(lost_motion.error());
+    let backlash = backlash.map(|(phi, error)| (phi * radius, error * radius));
+    Some((lost_motion.status(), backlash))
 }
 
 /// The same within both bounds. Right at a border (touching a root or not, in reach or not) rounding may
@@ -45,14 +37,14 @@ fn same(one: &Option<Outcome>, other: &Option<Outcome>) -> Result<(), TestCaseEr
         prop_assert_eq!(one.is_some(), other.is_some());
         return Ok(());
     };
-    prop_assert_eq!(one.backlash.is_some(), other.backlash.is_some());
-    if let (Some((a, a_bound)), Some((b, b_bound))) = (one.backlash, other.backlash) {
-        prop_assert!(
-            (a - b).abs() <= a_bound + b_bound,
-            "{a} {b}, bounds {a_bound} {b_bound}"
-        );
-    } else {
-        prop_assert_eq!(one.status, other.status);
+    match (one.1, other.1) {
+        (Some((a, a_bound)), Some((b, b_bound))) => {
+            prop_assert!(
+                (a - b).abs() <= a_bound + b_bound,
+                "{a} {b}, {a_bound} {b_bound}"
+            )
+        }
+        _ => prop_assert_eq!(one, other),
     }
     Ok(())
 }
@@ -115,12 +107,8 @@ fn swept(
     threads: usize,
 ) -> Vec<PoseResult> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-    pool.build().unwrap().install(|| {
-        sweep(assembly, cut, method, matings, 0.0, &|| {
-            ControlFlow::Continue(())
-        })
-        .unwrap()
-    })
+    let pool = pool.build().unwrap();
+    pool.install(|| sweep(assembly, cut, method, matings, 0.0, &on).unwrap())
 }
 
 /// Every number of a result, bit by bit.
@@ -128,36 +116,28 @@ fn bits(found: &LostMotion) -> Vec<u64> {
     let contacts = [found.right, found.left].into_iter().flatten();
     contacts
         .flat_map(|c| {
-            let numbers = [
-                c.rotation,
-                c.error,
-                c.wheel.radius,
-                c.pinion.radius,
-                c.point.x,
-                c.point.y,
-                c.normal.x,
-                c.normal.y,
-            ];
+            let radii = [c.wheel.radius, c.pinion.radius];
+            let [point, normal] = [c.point.coords, c.normal].map(|v| [v.x, v.y]);
+            let numbers = [[c.rotation, c.error], radii, point, normal];
             let teeth = [c.wheel.tooth, c.pinion.tooth].map(u64::from);
-            numbers.map(f64::to_bits).into_iter().chain(teeth)
+            numbers.into_iter().flatten().map(f64::to_bits).chain(teeth)
         })
         .collect()
 }
 
 fn all_bits(poses: &[PoseResult]) -> Vec<Vec<u64>> {
-    poses
-        .iter()
-        .map(|pose| bits(pose.proven().unwrap()))
-        .collect()
+    let each = poses.iter();
+    each.map(|pose| bits(pose.proven().unwrap())).collect()
 }
 
 fn matings(case: &Case) -> Vec<Mating> {
-    (0..9)
-        .map(|k| Mating {
-            fraction: case.mating.fraction + f64::from(k) / 9.0,
-            ..case.mating
-        })
-        .collect()
+    let fraction = |k| case.mating.fraction + f64::from(k) / 9.0;
+    let each = (0..9).map(fraction);
+    each.map(|fraction| Mating {
+        fraction,
+        ..case.mating
+    })
+    .collect()
 }
 
 proptest! {

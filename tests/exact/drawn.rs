@@ -1,62 +1,12 @@
 //! Drawn wheels whose play has a closed form, and overlap of polygons as the witness of any.
 
-use crate::outlines::READING;
-use gearlash::contact::{OutlineKernel, Touch};
-use gearlash::gear::Side;
-use gearlash::outline::{OutlineError, OutlineGear, OutlinePair, OutlineReading, PathSegment};
-use gearlash::pair::{Mating, Member};
-use nalgebra::{Point2, Rotation2, Vector2};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use super::*;
+use crate::paths::{READING, closed_by_arcs, lines, polar, repeated, turned};
+use gearlash::contact::Touch;
+use nalgebra::Rotation2;
 
 pub(super) fn gear(segments: &[PathSegment], bound: f64) -> OutlineGear {
     OutlineGear::new(segments, &OutlineReading { bound, ..READING }).unwrap()
-}
-
-/// `segments` turned about the origin by `angle`.
-pub(super) fn turned(segments: &[PathSegment], angle: f64) -> Vec<PathSegment> {
-    let turn = Rotation2::new(angle);
-    let one = |segment: &PathSegment| match *segment {
-        PathSegment::Line(points) => PathSegment::Line(points.map(|point| turn * point)),
-        PathSegment::Cubic(points) => PathSegment::Cubic(points.map(|point| turn * point)),
-        PathSegment::Arc {
-            centre,
-            radius,
-            start,
-            sweep,
-        } => PathSegment::Arc {
-            centre: turn * centre,
-            radius,
-            start: start + angle,
-            sweep,
-        },
-    };
-    segments.iter().map(one).collect()
-}
-
-/// `segments`, their gaps closed by arcs about the origin.
-pub(super) fn closed_by_arcs(segments: &[PathSegment]) -> Vec<PathSegment> {
-    let mut path: Vec<PathSegment> = Vec::new();
-    for (k, segment) in segments.iter().enumerate() {
-        path.push(*segment);
-        let next = segments[(k + 1) % segments.len()].start();
-        let [from, to] = [segment.end(), next].map(|point| point.coords);
-        if (to - from).norm() > 1e-9 {
-            path.push(PathSegment::Arc {
-                centre: Point2::origin(),
-                radius: from.norm(),
-                start: from.y.atan2(from.x),
-                sweep: from.perp(&to).atan2(from.dot(&to)),
-            });
-        }
-    }
-    path
-}
-
-/// `teeth` times the segments of one tooth that points up, the next one clockwise; arcs about the origin close the roots.
-pub(super) fn repeated(teeth: u32, tooth: &[PathSegment]) -> Vec<PathSegment> {
-    let pitch = TAU / f64::from(teeth);
-    let each = (0..teeth).flat_map(|k| turned(tooth, -pitch * f64::from(k)));
-    closed_by_arcs(&each.collect::<Vec<PathSegment>>())
 }
 
 /// A tooth with a round head of radius `head` about a point at `radius`, its sides straight down to `root`.
@@ -76,22 +26,13 @@ pub(super) fn pin(radius: f64, head: f64, root: f64) -> Vec<PathSegment> {
     ]
 }
 
-pub(super) fn at(wheel: u32, pinion: u32, fraction: f64) -> Mating {
-    Mating {
-        fraction,
-        ..Mating::at(wheel, pinion, Side::Right)
-    }
-}
-
 /// Circular-arc wheels: round heads touch where their centres are two head radii apart, which the law of cosines gives about the free axis.
 #[test]
 fn round_heads_touch_two_radii_apart() {
     let (teeth, radius, head, distance) = ([24, 18], [48.0, 36.0], 2.4, 84.3);
     let wheel = |k: usize| {
-        gear(
-            &repeated(teeth[k], &pin(radius[k], head, radius[k] - 5.0)),
-            0.0,
-        )
+        let tooth = pin(radius[k], head, radius[k] - 5.0);
+        gear(&repeated(teeth[k], &tooth), 0.0)
     };
     let mut on_heads = 0;
     for locked in Member::BOTH {
@@ -107,8 +48,7 @@ fn round_heads_touch_two_radii_apart() {
                 let angle = rotation - f64::from(tooth - 1) * TAU / f64::from(teeth[which]);
                 Rotation2::new(angle) * Vector2::new(radius[which], 0.0)
             };
-            let (rotation, nominal) =
-                (pair.rotation(locked, &mating), pair.rotation(free, &mating));
+            let [rotation, nominal] = [locked, free].map(|member| pair.rotation(member, &mating));
             let (mut right, mut left) = (f64::NEG_INFINITY, f64::INFINITY);
             let pairs = (1..=teeth[still])
                 .flat_map(|tooth| (1..=teeth[turning]).map(move |other| (tooth, other)));
@@ -185,24 +125,18 @@ fn cycloidal_wheels_have_one_play() {
             let mirrored = points.iter().map(|p| Vector2::new(p.x, sense * p.y));
             mirrored.map(|point| Point2::from(turn * point)).collect()
         };
-        let (right, left) = (side(1.0), side(-1.0));
-        let mut lines: Vec<PathSegment> = Vec::new();
-        let mut walk: Vec<Point2<f64>> = left.into_iter().rev().collect();
-        walk.extend(right);
-        lines.extend(
-            walk.windows(2)
-                .map(|ends| PathSegment::Line([ends[0], ends[1]])),
-        );
+        let mut walk = side(-1.0);
+        walk.reverse();
+        walk.extend(side(1.0));
         // Chords of 400 a flank of a millimetre, curved by less than 1/mm near the pitch circle, where points lie closest.
-        gear(&repeated(teeth[k], &lines), 1e-6)
+        gear(&repeated(teeth[k], &lines(&walk)), 1e-6)
     };
     let pair = OutlinePair::new(wheel(0), wheel(1), 42.0, Member::Wheel).unwrap();
     let kernel = OutlineKernel::new(&pair);
     for k in 0..60u32 {
         let mating = at(k % 30 + 1, k % 12 + 1, 0.07 * f64::from(k % 15));
         let found = kernel.lost_motion(&mating).unwrap();
-        let j = found.angle().unwrap() * pitch[1];
-        assert!((j - play).abs() < 1e-5, "{k}: {j} {found:?}");
+        near(k, found.angle().unwrap() * pitch[1], play, 1e-5);
     }
 }
 
@@ -240,18 +174,10 @@ pub(super) fn cross(pair: &OutlinePair, mating: &Mating, free_rotation: f64) -> 
 /// had no end.
 #[test]
 fn equal_straight_flanks_are_settled() {
-    let corner = |radius: f64, angle: f64| {
-        let (sin, cos) = (FRAC_PI_2 + angle).sin_cos();
-        Point2::new(radius * cos, radius * sin)
-    };
     let pitch = TAU / 20.0;
     let walk = [(18.0, 0.3), (22.0, 0.12), (22.0, -0.12), (18.0, -0.3)];
-    let walk = walk.map(|(radius, share)| corner(radius, share * pitch));
-    let tooth: Vec<PathSegment> = walk
-        .windows(2)
-        .map(|ends| PathSegment::Line([ends[0], ends[1]]))
-        .collect();
-    let wheel = || gear(&repeated(20, &tooth), 0.0);
+    let walk = walk.map(|(radius, share)| polar(radius, FRAC_PI_2 + share * pitch));
+    let wheel = || gear(&repeated(20, &lines(&walk)), 0.0);
     let pair = OutlinePair::new(wheel(), wheel(), 40.5, Member::Wheel).unwrap();
     let kernel = OutlineKernel::new(&pair);
     for k in 0..20 {
@@ -259,11 +185,8 @@ fn equal_straight_flanks_are_settled() {
         let found = kernel.lost_motion(&mating).unwrap();
         let (right, left) = (found.right.unwrap(), found.left.unwrap());
         assert!(left.rotation > right.rotation && right.error < 1e-9);
-        assert!(!cross(
-            &pair,
-            &mating,
-            0.5 * (left.rotation + right.rotation)
-        ));
+        let middle = 0.5 * (left.rotation + right.rotation);
+        assert!(!cross(&pair, &mating, middle));
     }
 }
 

@@ -1,19 +1,12 @@
 //! The field of action, sections as drawn, and what the face width costs, against closed forms and against the sections themselves.
 
-use super::helical_pairs::pair_of_the_prototype;
+use super::*;
+use crate::helical_pairs::pair_of_the_prototype;
 use gearlash::analysis::curves::{ContactLine, Field, FieldSide, PathLimit, STRETCH_END};
-use gearlash::contact::{ContactClass, ContactKind, ExactKernel, MeshSection};
-use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Hand, Side, thickness,
-};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
-use std::f64::consts::{PI, TAU};
+use gearlash::contact::{ContactClass, ContactKind, MeshSection};
 
 fn mating(flank: Side, fraction: f64) -> Mating {
-    Mating {
-        fraction,
-        ..Mating::at(4, 16, flank)
-    }
+    at_flank(4, 16, flank, fraction)
 }
 
 fn field(pair: &GearPair, mating: Mating) -> Field {
@@ -50,6 +43,19 @@ fn side(field: &Field, side: Side) -> &FieldSide {
     &field.sides[usize::from(side == Side::Left)]
 }
 
+fn line_of(side: &FieldSide, wheel_tooth: u32) -> &ContactLine {
+    let mut lines = side.lines.iter();
+    lines.find(|line| line.wheel_tooth == wheel_tooth).unwrap()
+}
+
+/// Base and tip radius of both gears.
+fn radii(pair: &GearPair) -> [(f64, f64); 2] {
+    Member::BOTH.map(|member| {
+        let gear = pair.gear(member).gear();
+        (gear.base_radius(), gear.tip_radius())
+    })
+}
+
 /// The mating's flank passes through the pitch point in the measuring plane: its line is s = ± z tan β_b, those of its neighbours lie p_bt apart,
 /// and all of them touch. The path ends at the tip circles, √(r_a² − r_b²) − r_b tan α_wt from the pitch point.
 #[test]
@@ -58,10 +64,7 @@ fn contact_lines_of_perfect_gears_are_where_the_closed_form_says() {
     let mut slopes = Vec::new();
     for hand in [Hand::Right, Hand::Left] {
         let pair = perfect(hand);
-        let radii = Member::BOTH.map(|member| {
-            let gear = pair.gear(member).gear();
-            (gear.base_radius(), gear.tip_radius())
-        });
+        let radii = radii(&pair);
         let cos = (radii[0].0 + radii[1].0) / 190.0;
         let beyond = radii.map(|(base, tip)| {
             (tip * tip - base * base).sqrt() - base * (1.0 - cos * cos).sqrt() / cos
@@ -69,18 +72,14 @@ fn contact_lines_of_perfect_gears_are_where_the_closed_form_says() {
         for flank in Side::BOTH {
             let field = field(&pair, mating(flank, 0.0));
             let side = side(&field, flank);
-            assert!((side.path[0] + beyond[1]).abs() < 1e-10, "{:?}", side.path);
-            assert!((side.path[1] - beyond[0]).abs() < 1e-10, "{:?}", side.path);
+            near("path", side.path[0], -beyond[1], 1e-10);
+            near("path", side.path[1], beyond[0], 1e-10);
             let tips = [Member::Pinion, Member::Wheel].map(PathLimit::Tip);
             assert_eq!(side.limits, tips);
-            let own = side
-                .lines
-                .iter()
-                .find(|line| line.wheel_tooth == 4)
-                .unwrap();
+            let own = line_of(side, 4);
             let [one, other] = own.ends;
             let slope = (other[1] - one[1]) / (other[0] - one[0]);
-            assert!((slope.abs() - tangent).abs() < 1e-12, "{slope}");
+            near("slope", slope.abs(), tangent, 1e-12);
             slopes.push(slope.signum());
             assert_eq!((own.wheel_tooth, own.pinion_tooth), (4, 16));
             assert!(side.lines.len() > 2);
@@ -88,16 +87,16 @@ fn contact_lines_of_perfect_gears_are_where_the_closed_form_says() {
                 let pitches = f64::from(line.wheel_tooth) - 4.0;
                 for [z, place] in line.ends {
                     let off = (place - slope * z) / pitch;
-                    assert!((off.abs() - pitches.abs()).abs() < 1e-12, "{off} {pitches}");
+                    near(z, off.abs(), pitches.abs(), 1e-12);
                     let [low, high] = side.path;
                     assert!((low - 1e-12..=high + 1e-12).contains(&place));
                     assert!((-20.0..=30.0).contains(&z));
                 }
-                assert!(line.gap.abs() < 1e-12, "{}", line.gap);
+                near("gap", line.gap, 0.0, 1e-12);
             }
             assert_eq!(side.binding.kind, ContactKind::Involute);
             for section in &side.sections {
-                assert!(section.gap.unwrap().abs() < 1e-11);
+                near("gap", section.gap.unwrap(), 0.0, 1e-11);
             }
             assert!(side.fillets.is_empty());
         }
@@ -110,32 +109,25 @@ fn contact_lines_of_perfect_gears_are_where_the_closed_form_says() {
 /// The exact method's own contact in a section, which knows no line: as far from the pitch point as a line of the field is there.
 #[test]
 fn contact_lines_hold_the_contacts_of_the_sections() {
-    for locked in [Member::Wheel, Member::Pinion] {
+    for locked in Member::BOTH {
         let pair = perfect(Hand::Right);
-        let gear = |member| pair.gear(member).clone();
-        let [wheel, pinion] = Member::BOTH.map(gear);
+        let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member).clone());
         let pair = GearPair::with_locked(wheel, pinion, 190.0, locked).unwrap();
-        lines_hold_contacts(&pair.with_face([-20.0, 30.0]).unwrap());
-    }
-}
-
-fn lines_hold_contacts(pair: &GearPair) {
-    let mating = mating(Side::Right, 0.3);
-    let field = field(pair, mating);
-    let pose = Pose::new(pair, mating);
-    let pitch_point = pair.operating_pitch_radius(Member::Wheel);
-    for z in [-20.0, -3.0, 0.0, 11.0, 30.0] {
-        let here = pose.in_section(pair, z);
-        let found = ExactKernel::new(&pair.section(z))
-            .lost_motion(&here)
-            .unwrap();
-        for flank in Side::BOTH {
-            let contact = found.on(flank).unwrap();
-            let away = (contact.point.x - pitch_point).hypot(contact.point.y);
-            let mut lines = side(&field, flank).lines.iter();
-            let line = lines.find(|line| line.wheel_tooth == contact.wheel.tooth);
-            let place = place_at(line.unwrap(), z);
-            assert!((place.abs() - away).abs() < 1e-8, "{z}: {place} {away}");
+        let pair = pair.with_face([-20.0, 30.0]).unwrap();
+        let mating = mating(Side::Right, 0.3);
+        let field = field(&pair, mating);
+        let pose = Pose::new(&pair, mating);
+        let pitch_point = pair.operating_pitch_radius(Member::Wheel);
+        for z in [-20.0, -3.0, 0.0, 11.0, 30.0] {
+            let section = pair.section(z);
+            let here = pose.in_section(&pair, z);
+            let found = ExactKernel::new(&section).lost_motion(&here).unwrap();
+            for flank in Side::BOTH {
+                let contact = found.on(flank).unwrap();
+                let away = (contact.point.x - pitch_point).hypot(contact.point.y);
+                let line = line_of(side(&field, flank), contact.wheel.tooth);
+                near(z, place_at(line, z).abs(), away, 1e-8);
+            }
         }
     }
 }
@@ -152,7 +144,7 @@ fn gaps_of_lines_are_those_of_their_sections() {
         for side in &field.sides {
             let least = side.sections.iter().filter_map(|section| section.gap);
             let least = least.fold(f64::INFINITY, f64::min);
-            assert!(least.abs() < 1e-10, "{least}");
+            near("least", least, 0.0, 1e-10);
             let lines = side.lines.iter().map(|line| line.gap);
             assert!(lines.clone().all(|gap| gap > -1e-10));
             for section in &side.sections {
@@ -167,7 +159,7 @@ fn gaps_of_lines_are_those_of_their_sections() {
             if binding.kind == ContactKind::Involute {
                 for line in side.lines.iter().filter(|line| line.binds) {
                     let place = place_at(line, binding.section);
-                    assert!((place - binding.place).abs() < 1e-6);
+                    near("place", place, binding.place, 1e-6);
                     on_line += 1;
                 }
             }
@@ -196,11 +188,9 @@ fn a_drawn_section_stands_as_the_whole_face_holds_it() {
             let turned = section.pose().locked_rotation() - pose.pose.locked_rotation();
             let beta = 21f64.to_radians();
             let twist = -z * beta.tan() / (27.0 * 4.5 / 2.0 / beta.cos());
-            let whole = (turned - twist) / TAU;
-            assert!((whole - whole.round()).abs() < 1e-12, "{z}: {whole}");
+            near(z, without_turns(turned - twist), 0.0, 6e-12);
             let here = section.alone().unwrap().left.unwrap().rotation;
-            let gap = here - section.held().unwrap();
-            let gap = gap - TAU * (gap / TAU).round();
+            let gap = without_turns(here - section.held().unwrap());
             assert!(gap > -1e-12, "{gap}");
             apart += u32::from(gap > 1e-9);
             together += u32::from(gap == 0.0);
@@ -223,24 +213,17 @@ fn as_many_lines_touch_as_the_total_contact_ratio_says() {
     let pair = pair_of_the_prototype([0.0; 2], [0.0; 2], Hand::Right, 1);
     for face in [[-20.0, 30.0], [-7.0, 5.0], [-100.0, 100.0]] {
         let pair = pair.clone().with_face(face).unwrap();
-        let radii = Member::BOTH.map(|member| {
-            let gear = pair.gear(member).gear();
-            (gear.base_radius(), gear.tip_radius())
-        });
+        let radii = radii(&pair);
         let sum = radii[0].0 + radii[1].0;
-        let arms: f64 = radii
-            .map(|(base, tip)| (tip * tip - base * base).sqrt())
-            .iter()
-            .sum();
+        let arms = radii.map(|(base, tip)| (tip * tip - base * base).sqrt());
+        let arms = arms[0] + arms[1];
         let path = arms - (190f64 * 190.0 - sum * sum).sqrt();
         let overlap = (face[1] - face[0]) * 21f64.to_radians().sin() / (PI * 4.5);
         let ratio = path / pitch + overlap;
         let mut lines = [0; 2];
         for step in 0..STEPS {
-            let field = field(
-                &pair,
-                mating(Side::Right, f64::from(step) / f64::from(STEPS)),
-            );
+            let mating = mating(Side::Right, f64::from(step) / f64::from(STEPS));
+            let field = field(&pair, mating);
             for (sum, side) in lines.iter_mut().zip(&field.sides) {
                 let count = side.lines.len();
                 let whole = ratio as usize;
@@ -249,25 +232,15 @@ fn as_many_lines_touch_as_the_total_contact_ratio_says() {
             }
         }
         for sum in lines {
-            let mean = sum as f64 / f64::from(STEPS);
-            assert!(
-                (mean - ratio).abs() <= 1.0 / f64::from(STEPS),
-                "{mean} {ratio}"
-            );
+            let steps = f64::from(STEPS);
+            near(face, sum as f64 / steps, ratio, 1.0 / steps);
         }
     }
 }
 
 /// Perfect 70/25, m_n 2, β 15°, whose tips reach below the mate's form circle at 97.54 mm.
 fn tips_on_fillets() -> GearPair {
-    let gear = |teeth, hand| {
-        let data = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
-        let data = data.with_helix(15f64.to_radians(), hand).unwrap();
-        let design = GearDesign::standard(data);
-        let base = thickness::base_from_allowance(&data, design.nominal_base_thickness(), -0.45);
-        let gear = Gear::new(design, base).unwrap();
-        AsBuilt::new(gear, Face::Front, &Deviations::default()).unwrap()
-    };
+    let gear = |teeth, hand| spur(teeth, 2.0).helix(15.0, hand).allowance(-0.45).front();
     let pair = GearPair::new(gear(70, Hand::Left), gear(25, Hand::Right), 97.54).unwrap();
     pair.with_face([-40.0, 40.0]).unwrap()
 }
@@ -278,10 +251,7 @@ fn tips_on_fillets() -> GearPair {
 fn tips_touch_fillets_in_stretches_an_axial_pitch_apart() {
     let pair = tips_on_fillets();
     let axial = PI * 2.0 / 15f64.to_radians().sin();
-    let mating = Mating {
-        fraction: 0.3,
-        ..Mating::at(3, 5, Side::Right)
-    };
+    let mating = at_flank(3, 5, Side::Right, 0.3);
     let field = field(&pair, mating);
     let pose = Pose::new(&pair, mating);
     for side in &field.sides {
@@ -292,11 +262,7 @@ fn tips_touch_fillets_in_stretches_an_axial_pitch_apart() {
         assert!(whole.len() >= 2, "{:?}", side.fillets);
         for pair in whole.windows(2) {
             for (before, after) in pair[0].iter().zip(pair[1]) {
-                let apart = after - before;
-                assert!(
-                    (apart - axial).abs() <= 2.0 * STRETCH_END,
-                    "{apart} {axial}"
-                );
+                near("apart", after - before, axial, 2.0 * STRETCH_END);
             }
         }
         let touched = |z: f64| {
@@ -307,9 +273,8 @@ fn tips_touch_fillets_in_stretches_an_axial_pitch_apart() {
             ContactClass::of(&section, side.side, &contact).kind
         };
         let seen = |z: f64| {
-            side.fillets
-                .iter()
-                .any(|&[from, to]| (from..=to).contains(&z))
+            let mut ends = side.fillets.iter();
+            ends.any(|&[from, to]| (from..=to).contains(&z))
         };
         for k in 0..=777 {
             let z = -40.0 + 80.0 * f64::from(k) / 777.0;

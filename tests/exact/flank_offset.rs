@@ -1,11 +1,9 @@
 //! Drawn gears moved along their normals: what closed forms give for the moved outlines and for their play.
 
-use crate::drawn::{at, gear, pin, repeated};
+use super::*;
+use crate::drawn::{gear, pin};
 use crate::outlines::drawn;
-use gearlash::contact::OutlineKernel;
-use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
-use gearlash::outline::{OutlineError, OutlineGear, OutlinePair};
-use gearlash::pair::Member;
+use crate::paths::repeated;
 
 /// Round heads with straight sides: moved out by `d`, heads, sides and roots are those drawn `d` farther out. Inwards as well.
 #[test]
@@ -13,13 +11,11 @@ fn a_moved_pin_is_a_greater_pin() {
     let pins = |head, root| gear(&repeated(24, &pin(48.0, head, root)), 0.0);
     let drawn = pins(2.4, 43.0);
     for by in [0.35, 0.1, 0.001, -0.001, -0.2, -0.35] {
-        let (moved, expected) = (
-            drawn.with_flank_offset(by).unwrap(),
-            pins(2.4 + by, 43.0 + by),
-        );
+        let moved = drawn.with_flank_offset(by).unwrap();
+        let expected = pins(2.4 + by, 43.0 + by);
         assert_eq!(moved.flank_offset(), Some(by));
-        assert!((moved.tip_radius() - expected.tip_radius()).abs() < 1e-9);
-        assert!((moved.root_radius() - expected.root_radius()).abs() < 1e-9);
+        near(by, moved.tip_radius(), expected.tip_radius(), 1e-9);
+        near(by, moved.root_radius(), expected.root_radius(), 1e-9);
         let play = |wheel: &OutlineGear, step: u32| {
             let mate = gear(&repeated(18, &pin(36.0, 2.0, 31.0)), 0.0);
             let pair = OutlinePair::new(wheel.clone(), mate, 84.3, Member::Wheel).unwrap();
@@ -27,18 +23,11 @@ fn a_moved_pin_is_a_greater_pin() {
             found.unwrap().angle().unwrap()
         };
         for step in 0..9 {
-            let off = play(&moved, step) - play(&expected, step);
-            assert!(off.abs() < 1e-9, "{by} {step}: {off}");
+            near((by, step), play(&moved, step), play(&expected, step), 1e-9);
         }
+        // An offset replaces an earlier one.
+        assert_eq!(moved.with_flank_offset(0.0).unwrap(), drawn);
     }
-}
-
-/// Moved by 0, or there and back, an outline is the one that was drawn.
-#[test]
-fn an_offset_replaces_an_earlier_one() {
-    let drawn = gear(&repeated(24, &pin(48.0, 2.4, 43.0)), 0.0);
-    let moved = drawn.with_flank_offset(0.2).unwrap();
-    assert_eq!(moved.with_flank_offset(0.0).unwrap(), drawn);
 }
 
 /// An involute moved along its normal is an involute of the same base circle, turned. So the play of a drawn pair grows by the sum of its four
@@ -46,29 +35,27 @@ fn an_offset_replaces_an_earlier_one() {
 #[test]
 fn involutes_stay_conjugate() {
     const CHORD: f64 = 1e-4;
-    let built = |teeth, face| {
-        let base = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
-        let gear = Gear::nominal(GearDesign::standard(base)).unwrap();
-        drawn(&AsBuilt::perfect(gear, face), CHORD).unwrap()
-    };
-    let (wheel, pinion) = (built(24, Face::Front), built(31, Face::Back));
+    let wheel = drawn(&spur(24, 2.0).front(), CHORD).unwrap();
+    let pinion = drawn(&spur(31, 2.0).back(), CHORD).unwrap();
     for [one, other] in [[-0.1, -0.1], [-0.15, 0.05], [-0.3, 0.1]] {
-        let pair = OutlinePair::new(
-            wheel.with_flank_offset(one).unwrap(),
-            pinion.with_flank_offset(other).unwrap(),
-            55.0,
-            Member::Wheel,
-        )
-        .unwrap();
+        let (wheel, pinion) = (
+            wheel.with_flank_offset(one),
+            pinion.with_flank_offset(other),
+        );
+        let pair = OutlinePair::new(wheel.unwrap(), pinion.unwrap(), 55.0, Member::Wheel).unwrap();
         let kernel = OutlineKernel::new(&pair);
         let radius = pair.operating_pitch_radius(Member::Pinion);
         let expected = -2.0 * (one + other) / 20f64.to_radians().cos();
         for step in 0..12 {
             let found = kernel.lost_motion(&at(3, 5, 0.23 * f64::from(step)));
             let found = found.unwrap();
-            let off = found.angle().unwrap() * radius - expected;
             let error = found.error().unwrap() * radius;
-            assert!(off.abs() <= error, "{one} {other} {step}: {off} {error}");
+            near(
+                (one, step),
+                found.angle().unwrap() * radius,
+                expected,
+                error,
+            );
             assert!(error < 6.0 * CHORD, "{error}");
         }
     }
@@ -83,24 +70,18 @@ fn an_impossible_offset_is_refused_with_the_greatest() {
         Err(OutlineError::Offset { greatest_mm, .. }) => greatest_mm,
         other => panic!("{by}: {other:?}"),
     };
-    let (sin, cos) = (std::f64::consts::PI / 24.0).sin_cos();
+    let (sin, cos) = (PI / 24.0).sin_cos();
     let (beside, above) = (48.0 * sin, 50.4 - 48.0 * cos - 3.7);
     // (d + above)² = (2.4 + d)² − beside².
     let most = (2.4 * 2.4 - beside * beside - above * above) / (2.0 * above - 4.8);
     for (by, most) in [(6.0, most), (-3.0, 2.4)] {
         let found = greatest(by);
         assert!(found <= most && most - found < 2e-3, "{found} {most}");
+        let is_possible = |mm: f64| drawn.with_flank_offset(mm.copysign(by)).is_ok();
+        assert!(is_possible(found) && !is_possible(found + 0.002));
     }
-    for by in [6.0, -3.0] {
-        let most = greatest(by).copysign(by);
-        assert!(drawn.with_flank_offset(most).is_ok());
-        assert!(
-            drawn
-                .with_flank_offset(most + 0.002_f64.copysign(by))
-                .is_err()
-        );
-    }
-    let by_data = GearDesign::standard(BasicGearData::new(24, 2.0, 0.35).unwrap());
-    let by_data = AsBuilt::perfect(Gear::nominal(by_data).unwrap(), Face::Front);
-    assert_eq!(OutlineGear::from(&by_data).flank_offset(), None);
+    assert_eq!(
+        OutlineGear::from(&spur(24, 2.0).front()).flank_offset(),
+        None
+    );
 }

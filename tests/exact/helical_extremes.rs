@@ -1,17 +1,11 @@
 //! Proven extremes of pairs that vary along the face against poses of the exact method over the same face, which know nothing of their bounds.
 
-use crate::along_face::drawn_with_profiles;
+use super::*;
+use crate::along_face;
 use crate::extremes::{ROUNDING, WIDTH, held, held_from, proven};
 use crate::helical_pairs::{drawn, expanded, pair_of_the_prototype};
-use crate::methods::without_turns;
 use crate::random::Random;
-use gearlash::analysis::extremes::extremes;
 use gearlash::analysis::face_width::{AtWidth, FaceExtreme, over_widths};
-use gearlash::analysis::study::Study;
-use gearlash::contact::{Contact, ExactKernel, Method};
-use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Hand};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
-use std::ops::ControlFlow;
 
 /// The prototype's pair, of six curves of pitch each: proven both ways at any width, and the least no greater of the wider.
 #[test]
@@ -43,11 +37,8 @@ fn helical_pairs_hold_or_are_doubted() {
             sure += proven(&found);
             brackets += [found.least, found.greatest].iter().flatten().count();
         }
-        println!("{sure} of {brackets} proven");
-        assert!(
-            sure * 10 > brackets * tenths,
-            "{warm}: {sure} of {brackets}"
-        );
+        let is_most = sure * 10 > brackets * tenths;
+        assert!(is_most, "{warm}: {sure} of {brackets}");
     }
 }
 
@@ -55,7 +46,7 @@ fn helical_pairs_hold_or_are_doubted() {
 #[test]
 fn extremes_of_helical_profiles_hold() {
     let bounded = (0..2).filter(|index| {
-        let (pair, _) = drawn_with_profiles(11, *index);
+        let (pair, _) = along_face::drawn(11, *index, true);
         let pitches = (0..60).map(|k| 0.5 * f64::from(k));
         let poses = pitches.map(|pitches| Pose::new(&pair, Mating::FIRST.onward(&pair, pitches)));
         let found = held_from(&pair, Mating::FIRST, 30, poses).unwrap();
@@ -97,15 +88,8 @@ fn tightest_of_all_phases(plane: &GearPair) -> (f64, f64) {
 /// the measuring plane alone, a spur pair. Source: poses of that.
 #[test]
 fn perfect_gears_whose_tips_touch_fillets_have_one_backlash() {
-    let build = |z, hand| {
-        let data = BasicGearData::new(z, 2.0, 20f64.to_radians()).unwrap();
-        let design = GearDesign {
-            rack: BasicRack::new(1.2, 1.35, 0.2).unwrap(),
-            ..GearDesign::standard(data.with_helix(15f64.to_radians(), hand).unwrap())
-        };
-        AsBuilt::perfect(Gear::nominal(design).unwrap(), Face::Front)
-    };
-    let (wheel, pinion) = (build(70, Hand::Right), build(25, Hand::Left));
+    let gear = |z, hand| spur(z, 2.0).rack(1.2, 1.35, 0.2).helix(15.0, hand).front();
+    let (wheel, pinion) = (gear(70, Hand::Right), gear(25, Hand::Left));
     let distance = 95.0 / 15f64.to_radians().cos();
     let mut touched = 0;
     for closer in [0.15, 0.19, 0.22] {
@@ -149,11 +133,7 @@ fn unlike_gears_lose_play_with_the_width() {
     }
     for two in least.windows(2) {
         // One pitch more on each side, where either flank is tightest.
-        let expected = 2.0 * kappa.abs() * radius;
-        assert!(
-            (two[0] - two[1] - expected).abs() < 3e-6,
-            "{least:?} {expected}"
-        );
+        near(&least, two[0] - two[1], 2.0 * kappa.abs() * radius, 3e-6);
     }
 }
 
@@ -164,7 +144,6 @@ fn a_wider_face_costs() {
     for (pitch, costs) in [([0.0; 2], false), ([4.0, 5.0], true)] {
         let pair = pair_of_the_prototype([30.0, 40.0], pitch, Hand::Right, 7);
         let pair = pair.with_face([-20.0, 40.0]).unwrap();
-        let on = || ControlFlow::Continue(());
         let method = Method::Exact { certify: true };
         let study = Study::of_pair("pair", &pair, 4);
         let full = extremes(&study, method, &on).unwrap().each;
@@ -181,11 +160,11 @@ fn a_wider_face_costs() {
         }
         let ends = both(&widths[4], &widths[0]);
         let [least, greatest] = ends.map(|[all, one]| all.against(&one).unwrap());
-        if costs {
-            assert!(greatest[1] < -1e-3, "{least:?} {greatest:?}")
-        } else {
-            assert!(least[0] > -3e-6 && greatest[0] > -3e-6)
-        }
+        let is_as_expected = match costs {
+            true => greatest[1] < -1e-3,
+            false => least[0] > -3e-6 && greatest[0] > -3e-6,
+        };
+        assert!(is_as_expected, "{least:?} {greatest:?}");
         let study = Study::of_pair("section", &pair.section(10.0), 4);
         let alone = &extremes(&study, method, &on).unwrap().each[0];
         let sections = [&alone.least, &alone.greatest].map(|end| end.as_ref().unwrap());
@@ -205,17 +184,13 @@ fn faces_of_gears_that_lean_cost_micrometres() {
     let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member).with_wobble(2e-4, 3.0));
     let pair = GearPair::new(wheel, pinion, pair.center_distance()).unwrap();
     let pair = pair.with_face([-20.0, 40.0]).unwrap();
-    let on = || ControlFlow::Continue(());
     let method = Method::Exact { certify: false };
     let study = Study::of_pair("leans", &pair, 4);
     let full = extremes(&study, method, &on).unwrap().each;
     let widths = over_widths(&study, &full, method, &on).unwrap();
     assert_eq!(widths[0].face, [2.5, 17.5]);
     for [whole, narrow] in both(&widths[3], &widths[0]) {
-        assert!(
-            (whole.found - narrow.found).abs() < 0.03,
-            "{whole:?} {narrow:?}"
-        );
+        near("width", whole.found, narrow.found, 0.03);
     }
     let open = Study {
         open_lean: [1e-4, 1e-4],

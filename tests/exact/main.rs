@@ -1,5 +1,4 @@
-//! The exact method against everything outside it: the reference poses, closed forms, a
-//! brute-force search, and the hard cases.
+//! The exact method against everything outside it: reference poses, closed forms, a brute-force search, and hard cases.
 
 #[path = "../common/along_face.rs"]
 mod along_face;
@@ -9,8 +8,6 @@ mod campaign;
 mod clearance;
 #[path = "../common/cycle.rs"]
 mod cycle;
-#[path = "../common/design.rs"]
-mod design;
 mod drawn;
 mod extremes;
 mod field;
@@ -20,10 +17,14 @@ mod hard_cases;
 mod helical;
 mod helical_extremes;
 mod helical_pairs;
+#[path = "../common/kit.rs"]
+mod kit;
 mod leads;
 mod methods;
 mod outline_extremes;
 mod outlines;
+#[path = "../common/paths.rs"]
+mod paths;
 mod perfect;
 #[path = "../common/posed.rs"]
 mod posed;
@@ -35,3 +36,21 @@ mod random;
 mod random_pair;
 mod witnesses;
 mod witnesses_extremes;
+
+use campaign::{Depth, Drawn, Pair, Teeth, complaints, differ, with_contact, without_turns};
+use gearlash::analysis::extremes::extremes;
+use gearlash::analysis::study::Study;
+use gearlash::analytic::{InvolutePair, LineOfAction};
+use gearlash::contact::{
+    Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, OutlineKernel, Status, sweep,
+};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Flank, Gear, GearDesign, Hand,
+    Modification, Pitch, ProfilePart, Side, Trace, involute,
+};
+use gearlash::outline::{OutlineError, OutlineGear, OutlinePair, OutlineReading, PathSegment};
+use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
+use kit::{Make, at, at_flank, near, on, pair, rows, spur, spur_of_angle, um};
+use nalgebra::{Point2, Vector2};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::ops::ControlFlow;

@@ -1,27 +1,12 @@
 //! Outlines against the exact method, which knows what each curve of a gear is and where it can touch.
 
-use crate::campaign::{Depth, Drawn, Pair};
-use crate::methods::{differ, turned, with_contact};
+use super::*;
+use crate::campaign::turned;
+use crate::paths::{READING, polygon};
 use crate::random::{self, Kind, Random, either, mating};
-use gearlash::contact::{ExactKernel, LostMotion, OutlineCertifier, OutlineKernel, Status};
-use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Modification, Pitch, Placed, Side,
-    Trace,
-};
-use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, PathSegment};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
-use nalgebra::{Point2, Vector2};
+use gearlash::contact::OutlineCertifier;
+use gearlash::gear::Placed;
 use rayon::prelude::*;
-use std::f64::consts::{FRAC_PI_2, TAU};
-
-/// Any path about the origin, read by itself.
-pub const READING: OutlineReading = OutlineReading {
-    centre: Point2::new(0.0, 0.0),
-    face: Face::Front,
-    teeth: None,
-    first_tooth: None,
-    bound: 0.0,
-};
 
 fn outlines(pair: &GearPair) -> OutlinePair {
     let [wheel, pinion] = Member::BOTH.map(|member| OutlineGear::from(pair.gear(member)));
@@ -34,10 +19,8 @@ fn same(pair: &GearPair, outlines: &OutlinePair, mating: Mating, beside: f64) ->
     let pitch = locked.gear().basic_data().angular_pitch();
     let there = outlines.rotation(pair.locked(), &mating) - beside;
     let off = there - Pose::new(pair, mating).locked_rotation();
-    Pose::new(
-        pair,
-        mating.onward(pair, -locked.face().ascending() * off / pitch),
-    )
+    let onward = -locked.face().ascending() * off / pitch;
+    Pose::new(pair, mating.onward(pair, onward))
 }
 
 /// The status of a pose, whose contacts are the same by outlines, which polygons confirm. `rounding` is what both rotations of the locked gear differ
@@ -66,14 +49,8 @@ fn of_wide_pairs_they_have_the_same_contacts() {
             return None;
         }
         let [wheel, pinion] = Member::BOTH.map(|member| pair.teeth(member));
-        let mating = Mating {
-            fraction: 0.3,
-            ..Mating::at(
-                7 * number % wheel + 1,
-                11 * number % pinion + 1,
-                Side::BOTH[number as usize % 2],
-            )
-        };
+        let [wheel, pinion] = [7 * number % wheel + 1, 11 * number % pinion + 1];
+        let mating = at_flank(wheel, pinion, Side::BOTH[number as usize % 2], 0.3);
         Some(agreed(pair, mating, 1e-12))
     });
     let met: Vec<Status> = met.collect();
@@ -92,14 +69,10 @@ pub fn drawn(built: &AsBuilt, chord: f64) -> Option<OutlineGear> {
     let placed = Placed::new(built, Point2::origin(), FRAC_PI_2);
     let points = placed.outline_near(Point2::origin(), 2.0 * built.reach(), chord);
     let mirror = -built.face().ascending();
-    let points: Vec<Point2<f64>> = points
+    let points = points
         .iter()
-        .map(|point| Point2::new(mirror * point.x, point.y))
-        .collect();
-    let next = points.iter().cycle().skip(1);
-    let lines = points.iter().zip(next);
-    let lines = lines.map(|(from, to)| PathSegment::Line([*from, *to]));
-    let lines: Vec<PathSegment> = lines.collect();
+        .map(|point| Point2::new(mirror * point.x, point.y));
+    let points: Vec<Point2<f64>> = points.collect();
     let reading = OutlineReading {
         centre: Point2::new(mirror * placed.centre().x, placed.centre().y),
         face: built.face(),
@@ -107,9 +80,9 @@ pub fn drawn(built: &AsBuilt, chord: f64) -> Option<OutlineGear> {
         first_tooth: Some(FRAC_PI_2),
         bound: chord,
     };
-    let gear = OutlineGear::new(&lines, &reading).ok()?;
-    gear.with_runout(built.eccentricity(), built.high_tooth())
-        .ok()
+    let gear = OutlineGear::new(&polygon(&points), &reading).ok()?;
+    let (eccentricity, high_tooth) = (built.eccentricity(), built.high_tooth());
+    gear.with_runout(eccentricity, high_tooth).ok()
 }
 
 /// Gears with deviations of some hundredths of a module.
@@ -137,10 +110,9 @@ fn polygons_of_measured_gears_have_their_lost_motion() {
         let (kernel, exact) = (OutlineKernel::new(&outlines), ExactKernel::new(&pair));
         let certifier = OutlineCertifier::new(&kernel);
         for k in 0..8 {
-            let mating = Mating {
-                fraction: 0.1 * f64::from(k),
-                ..Mating::at(3 * k % 11 + 1, 5 * k % 11 + 1, Side::BOTH[k as usize % 2])
-            };
+            let flank = Side::BOTH[k as usize % 2];
+            let fraction = 0.1 * f64::from(k);
+            let mating = at_flank(3 * k % 11 + 1, 5 * k % 11 + 1, flank, fraction);
             // A drawing counts from where its tooth 1 stands.
             let locked = pair.gear(pair.locked());
             let beside = Side::BOTH.map(|side| locked.flank_offset(side, 1));
@@ -152,10 +124,7 @@ fn polygons_of_measured_gears_have_their_lost_motion() {
                 continue;
             };
             let bound = exact.error().unwrap() + found.error().unwrap();
-            assert!(
-                (angle - other).abs() <= bound,
-                "{angle} {other} {bound} {found:?}"
-            );
+            near(mating, angle, other, bound);
             // Chords cut off metal, so there is only more room.
             assert!(other - angle > -1e-9, "{angle} {other}");
             compared += 1;
@@ -214,9 +183,7 @@ fn drawn_in_arcs(built: &AsBuilt, chord: f64) -> OutlineGear {
 /// distance above the sum of both reaches, and one below.
 #[test]
 fn polygons_bear_out_that_dense_tips_miss_each_other() {
-    let base = BasicGearData::new(12, 2.0, 20f64.to_radians()).unwrap();
-    let gear = Gear::nominal(GearDesign::standard(base)).unwrap();
-    let gear = drawn_in_arcs(&AsBuilt::perfect(gear, Face::Front), 1e-6);
+    let gear = drawn_in_arcs(&spur(12, 2.0).front(), 1e-6);
     let pieces = gear.points(0.0, 1.0).len();
     assert!(pieces > 10_000, "{pieces}");
     for (apart, touches) in [(1e-6, false), (-0.5, true)] {
@@ -272,11 +239,7 @@ fn outlines_and_their_certificate_hold_against_the_exact_method() {
         let certifier = OutlineCertifier::new(&kernel);
         for (claimed, borne) in claims(&found, pitch) {
             let seen = certifier.check(&mating, &claimed);
-            assert_eq!(
-                seen.is_ok(),
-                borne,
-                "pair {number}: {seen:?} of {claimed:?}"
-            );
+            assert_eq!(seen.is_ok(), borne, "{number}: {seen:?} of {claimed:?}");
         }
     }
 }
@@ -290,10 +253,9 @@ fn trace(random: &mut Random, gear: &Gear, tooth: Option<u32>) -> Trace {
         (amount, random.within(1.0, 40.0), random.within(0.0, TAU))
     });
     let noise = um * random.decades(0.001, 1.5);
-    let step = if random.chance(0.2) {
-        (random.within(0.0, 1.0), um * random.within(-5.0, 5.0))
-    } else {
-        (2.0, 0.0)
+    let step = match random.chance(0.2) {
+        true => (random.within(0.0, 1.0), um * random.within(-5.0, 5.0)),
+        false => (2.0, 0.0),
     };
     let (from, to) = (gear.form_roll().max(1e-4), gear.tip_roll());
     let point = |k: u64| {
@@ -301,10 +263,8 @@ fn trace(random: &mut Random, gear: &Gear, tooth: Option<u32>) -> Trace {
         let wave = |(amount, times, phase): (f64, f64, f64)| amount * (times * share + phase).sin();
         let rough = noise * random.within(-1.0, 1.0);
         let stepped = if share > step.0 { step.1 } else { 0.0 };
-        (
-            from + (to - from) * share,
-            waves.into_iter().map(wave).sum::<f64>() + rough + stepped,
-        )
+        let waved: f64 = waves.into_iter().map(wave).sum();
+        (from + (to - from) * share, waved + rough + stepped)
     };
     Trace {
         tooth,
@@ -315,56 +275,38 @@ fn trace(random: &mut Random, gear: &Gear, tooth: Option<u32>) -> Trace {
 /// A gear of 18 to 60 teeth, eccentric, pitches off by up to 10 µm, with traces of one, some or all teeth, of one side or both.
 fn traced_gear(random: &mut Random, module: f64, face: Face) -> Option<AsBuilt> {
     let teeth = 18 + (random.bits() % 43) as u32;
-    let data = BasicGearData::new(teeth, module, 20f64.to_radians()).ok()?;
-    let gear = Gear::nominal(GearDesign {
-        profile_shift: random.within(-0.1, 0.5),
-        ..GearDesign::standard(data)
-    })
-    .ok()?;
-    let mut profile = |gear: &Gear| {
-        let traces = match random.bits() % 4 {
+    let gear = spur(teeth, module).shift(random.within(-0.1, 0.5));
+    let plain = gear.try_gear().ok()?;
+    let gear = gear.profiles([0, 1].map(|_| {
+        let teeth = match random.bits() % 4 {
             0 => Vec::new(),
-            1 => vec![trace(random, gear, None)],
-            2 => vec![trace(random, gear, Some(1)), trace(random, gear, Some(4))],
-            _ => {
-                let each = (1..=teeth).map(|tooth| trace(random, gear, Some(tooth)));
-                each.collect()
-            }
+            1 => vec![None],
+            2 => vec![Some(1), Some(4)],
+            _ => (1..=teeth).map(Some).collect(),
         };
+        let traces = teeth.into_iter().map(|tooth| trace(random, &plain, tooth));
         Modification {
-            traces,
+            traces: traces.collect(),
             slope: 1e-3 * random.within(-5.0, 5.0),
             crowning: 1e-3 * random.within(0.0, 6.0),
             ..Modification::default()
         }
+    }));
+    let mut places = || Vec::from_iter((0..teeth).map(|_| 0.010 * random.within(-1.0, 1.0)));
+    let [right, left] = [places(), places()];
+    let eccentricity = match random.chance(0.3) {
+        true => 0.0,
+        false => 0.01 * module * random.within(0.0, 1.0),
     };
-    let profiles = [profile(&gear), profile(&gear)];
-    let mut places = || -> Vec<f64> {
-        let each = (0..teeth).map(|_| 0.010 * random.within(-1.0, 1.0));
-        each.collect()
-    };
-    let pitch = Some(Pitch::from_cumulative(&places(), &places()));
-    let eccentricity = if random.chance(0.3) {
-        0.0
-    } else {
-        0.01 * module * random.within(0.0, 1.0)
-    };
-    let deviations = Deviations {
-        pitch,
-        eccentricity,
-        high_tooth: 1.0 + random.within(0.0, 0.99) * f64::from(teeth),
-        profiles,
-        ..Deviations::default()
-    };
-    AsBuilt::new(gear, face, &deviations).ok()
+    let high_tooth = 1.0 + random.within(0.0, 0.99) * f64::from(teeth);
+    let gear = gear.pitch(&right, &left).runout(eccentricity, high_tooth);
+    gear.try_built(face)
 }
 
 fn traced_pair(random: &mut Random) -> Option<GearPair> {
     let module = random.decades(0.5, 6.0);
-    let (wheel, pinion) = (
-        traced_gear(random, module, Face::Front)?,
-        traced_gear(random, module, Face::Back)?,
-    );
+    let wheel = traced_gear(random, module, Face::Front)?;
+    let pinion = traced_gear(random, module, Face::Back)?;
     let radius = |gear: &AsBuilt| {
         let gear = gear.gear();
         gear.basic_data().reference_radius() + module * gear.design().profile_shift
@@ -386,10 +328,13 @@ fn dense_traces_touch_where_the_search_finds_them_to() {
         let (search, exact) = (OutlineKernel::new(&outlines), ExactKernel::new(&pair));
         let met = (0..4).map(|_| {
             let teeth = [random.one_of(18), random.one_of(18)];
-            let mating = Mating {
-                fraction: random.within(-0.5, 0.5),
-                ..Mating::at(teeth[0], teeth[1], either(&mut random, Side::BOTH))
-            };
+            let fraction = random.within(-0.5, 0.5);
+            let mating = at_flank(
+                teeth[0],
+                teeth[1],
+                either(&mut random, Side::BOTH),
+                fraction,
+            );
             let found = exact.lost_motion(&same(&pair, &outlines, mating, 0.0));
             let (found, witness) = (found.unwrap(), search.lost_motion(&mating).unwrap());
             assert_eq!(differ(&found, &witness, 1e-13), None, "{seed}");
@@ -397,11 +342,8 @@ fn dense_traces_touch_where_the_search_finds_them_to() {
         });
         Some(met.collect::<Vec<Status>>())
     };
-    let met: Vec<Status> = (0..SEEDS)
-        .into_par_iter()
-        .filter_map(poses)
-        .flatten()
-        .collect();
+    let met = (0..SEEDS).into_par_iter().filter_map(poses).flatten();
+    let met: Vec<Status> = met.collect();
     let count = |status| met.iter().filter(|met| **met == status).count();
     let found = [Status::Clear, Status::Interference].map(count);
     assert!(met.len() as u64 > 3 * SEEDS, "{}", met.len());

@@ -1,56 +1,42 @@
 //! Helical gears whose profiles deviate, against dense sections and closed forms.
 
+use super::*;
 use crate::along_face::{against_sections, profile};
+use crate::kit;
 use crate::random::{self, Random, WILD};
-use gearlash::analytic::LineOfAction;
-use gearlash::contact::ExactKernel;
-use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, Face, Flank, Gear, GearDesign, Hand, Modification, Pitch,
-    Relief, Trace, thickness,
-};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
+use gearlash::gear::Relief;
 
 /// 27/51, m_n 4.5, β 21° over a face of 50 mm at 190 mm, with profiles of the wheel and of the pinion, the same on both flanks.
-fn pair(helix: f64, profiles: [&Modification; 2], thicker: f64) -> GearPair {
-    let gear = |teeth, hand, profile: &Modification, face, thicker: f64| {
-        let data = BasicGearData::new(teeth, 4.5, 20f64.to_radians()).unwrap();
-        // Without an angle a spur gear.
-        let data = data.with_helix(helix.to_radians(), hand).unwrap();
-        let design = GearDesign::standard(data);
-        let base = thickness::base_from_allowance(&data, design.nominal_base_thickness(), -0.1);
+fn pair(profiles: [&Modification; 2], thicker: f64) -> GearPair {
+    let gear = |teeth, hand, profile: &Modification, thicker: f64| {
+        let gear = spur(teeth, 4.5).helix(21.0, hand).allowance(-0.1);
+        let data = gear.design.basic_data;
         // Both flanks by this along the transverse base tangent; a thickness is an arc of the reference circle in the normal section.
         let arc = 2.0 * thicker * data.reference_radius() / data.base_radius() * data.helix_cos();
-        let deviations = Deviations {
-            per_tooth: vec![arc; teeth as usize],
-            profiles: [profile.clone(), profile.clone()],
-            ..Deviations::default()
-        };
-        AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
+        let gear = gear.profiles([profile.clone(), profile.clone()]);
+        gear.per_tooth(vec![arc; teeth as usize])
     };
-    let wheel = gear(51, Hand::Right, profiles[0], Face::Front, thicker);
-    let pinion = gear(27, Hand::Left, profiles[1], Face::Back, 0.0);
-    let distance = 0.5 * 78.0 * 4.5 / helix.to_radians().cos() + 0.1;
-    let pair = GearPair::new(wheel, pinion, distance).unwrap();
+    let wheel = gear(51, Hand::Right, profiles[0], thicker);
+    let pinion = gear(27, Hand::Left, profiles[1], 0.0);
+    let distance = 0.5 * 78.0 * 4.5 / 21f64.to_radians().cos() + 0.1;
+    let pair = kit::pair(&wheel, &pinion, distance);
     pair.with_face([-20.0, 30.0]).unwrap()
 }
 
-fn angles(pair: &GearPair) -> Vec<f64> {
-    let kernel = ExactKernel::new(pair);
-    let matings = (0..8).map(|k| Mating {
-        fraction: f64::from(k) / 8.0,
-        ..Mating::FIRST
-    });
-    let found = matings.map(|mating| kernel.lost_motion(&Pose::new(pair, mating)));
-    found.map(|found| found.unwrap().angle().unwrap()).collect()
+/// Eight phases of a pitch.
+fn poses(pair: &GearPair) -> impl Iterator<Item = Pose> {
+    (0..8).map(|k| Pose::new(pair, at(1, 1, f64::from(k) / 8.0)))
 }
 
 /// Greatest difference of two pairs at eight phases, µm; the first is expected to have `more` lost motion, rad.
 fn most_off(one: &GearPair, other: &GearPair, more: f64) -> f64 {
-    let um = 1e3 * one.operating_pitch_radius(one.free());
-    let pairs = angles(one).into_iter().zip(angles(other));
-    pairs.fold(0.0, |most, (one, other)| {
-        f64::max(most, (one - other - more).abs() * um)
-    })
+    let angle = |pair: &GearPair, pose: &Pose| {
+        let found = ExactKernel::new(pair).lost_motion(pose).unwrap();
+        found.angle().unwrap()
+    };
+    let both = poses(one).zip(poses(other));
+    let off = both.map(|(here, there)| angle(one, &here) - angle(other, &there) - more);
+    off.fold(0.0, |most, off| f64::max(most, off.abs() * um(one)))
 }
 
 /// A constant deviation is a thicker tooth: by δ along the base tangent on each flank.
@@ -64,23 +50,9 @@ fn a_constant_profile_is_a_thicker_tooth() {
         ..Modification::default()
     };
     let none = Modification::default();
-    let one = pair(21.0, [&constant, &none], 0.0);
-    let other = pair(21.0, [&none, &none], 8e-3);
+    let one = pair([&constant, &none], 0.0);
+    let other = pair([&none, &none], 8e-3);
     assert!(most_off(&one, &other, 0.0) < 1e-4);
-}
-
-/// A pair with next to no helix angle is the spur pair with the same profiles.
-#[test]
-fn a_pair_with_hardly_a_helix_is_a_spur_pair() {
-    let profile = Modification {
-        slope: -4e-3,
-        crowning: 6e-3,
-        ..Modification::default()
-    };
-    let none = Modification::default();
-    let pairs = [1e-4, 0.0].map(|helix| pair(helix, [&profile, &none], 0.0));
-    let off = most_off(&pairs[0], &pairs[1], 0.0);
-    assert!(off < 1e-3, "{off}");
 }
 
 /// A straight slope touches at an end of its evaluation range that is on the line of contact, which this face always has: the tooth is thicker
@@ -92,8 +64,8 @@ fn a_slope_binds_at_the_end_of_the_line() {
         slope: 10e-3,
         ..Modification::default()
     };
-    let perfect = pair(21.0, [&none, &none], 0.0);
-    let sloped = pair(21.0, [&slope, &none], 0.0);
+    let perfect = pair([&none, &none], 0.0);
+    let sloped = pair([&slope, &none], 0.0);
     let base = sloped.gear(sloped.free()).gear().base_radius();
     let off = most_off(&perfect, &sloped, 2.0 * 10e-3 / base);
     // The tilted normal moves the contact: ½ ρ (δ'/s)² a side.
@@ -117,15 +89,10 @@ fn model_3_agrees_over_the_face() {
         crowning: 5e-3,
         ..Modification::default()
     };
-    let pair = pair(21.0, [&profile, &other], 0.0);
+    let pair = pair([&profile, &other], 0.0);
     let kernel = ExactKernel::new(&pair);
-    let um = 1e3 * pair.operating_pitch_radius(pair.free());
-    for k in 0..8 {
-        let mating = Mating {
-            fraction: f64::from(k) / 8.0,
-            ..Mating::FIRST
-        };
-        let pose = Pose::new(&pair, mating);
+    let um = um(&pair);
+    for (k, pose) in poses(&pair).enumerate() {
         let found = kernel.lost_motion(&pose).unwrap();
         let formula = LineOfAction::new(&pair, &pose).angle().unwrap();
         let off = (formula - found.angle().unwrap()) * um;

@@ -1,32 +1,26 @@
 //! Proofs by directions: what they accept, what they refuse, and what the checker verifies.
 
-use crate::campaign::{Depth, Drawn, Teeth};
+use super::*;
+use crate::along_face::OPEN;
 use crate::clearance;
-use crate::design::design;
-use crate::methods::{against_polygons, by_both_methods, complaints};
-use gearlash::contact::{
-    Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, Piece, Proof, Prover, Reason,
-    SideProof, Status, sweep,
-};
-use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side};
-use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use std::ops::ControlFlow;
+use crate::methods::{against_polygons, by_both_methods};
+use gearlash::contact::{Piece, Proof, Prover, Reason, SideProof};
 
 /// Proven poses of the campaign, each with what was found and its proof; and how many of other poses there were.
-fn proven(depth: Option<Depth>, count: u64) -> (Vec<(Drawn, LostMotion, Proof)>, usize) {
+fn proven(
+    kind: Teeth,
+    depth: Option<Depth>,
+    indices: impl Iterator<Item = u64>,
+) -> (Vec<(Drawn, LostMotion, Proof)>, usize) {
     let mut left = 0;
     let mut proven = Vec::new();
-    for index in 0..count {
-        let drawn = Drawn::new(depth, 3, 5 * index);
+    for index in indices {
+        let drawn = Drawn::of(kind, depth, 3, index);
         let pose = Pose::new(&drawn.assembly, drawn.mating);
         let kernel = ExactKernel::new(&drawn.assembly);
-        let Ok(found) = kernel.lost_motion(&pose) else {
-            continue;
-        };
         // Teeth in the mate's body need no proof of what touches.
-        if found.solid {
-            continue;
-        }
+        let found = kernel.lost_motion(&pose).ok().filter(|found| !found.solid);
+        let Some(found) = found else { continue };
         let prover = Prover::new(&drawn.assembly, &kernel);
         let proof = prover.proof(&pose, &found);
         assert_eq!(proof.is_ok(), prover.check(&pose, &found).is_ok());
@@ -38,19 +32,22 @@ fn proven(depth: Option<Depth>, count: u64) -> (Vec<(Drawn, LostMotion, Proof)>,
     (proven, left)
 }
 
+/// Polygons of both gears, coarse ones.
+fn certificates(pair: &GearPair) -> CutPair {
+    CutPair::for_certificates(pair.gear(Member::Wheel), pair.gear(Member::Pinion))
+}
+
 /// The checker, a program of its own, accepts what the prover proves: of all statuses and of contacts on involutes, tips and fillets. Few poses are
 /// left to the polygons.
 #[test]
 fn the_checker_accepts_what_is_proven() {
     for depth in [None, Some(Depth::Grazing)] {
-        let (proven, left) = proven(depth, 2000);
+        let (proven, left) = proven(Teeth::Spur, depth, (0..10_000).step_by(5));
         let mut reasons = [0; 3];
-        let mut none = 0;
         for (drawn, found, proof) in &proven {
             let pose = Pose::new(&drawn.assembly, drawn.mating);
             let verified = proof.verify(&drawn.assembly, &pose);
             assert_eq!(verified, Ok(()), "{}\n{found:?}", drawn.pair_file());
-            none += usize::from(found.right.is_none());
             for one in proof.sides.iter().flat_map(|side| &side.apart) {
                 reasons[match one.by {
                     Reason::Direction => 0,
@@ -59,13 +56,13 @@ fn the_checker_accepts_what_is_proven() {
                 }] += 1;
             }
         }
-        println!(
-            "{depth:?}: {} proven, {left} left, {none} without contact, {reasons:?}",
-            proven.len()
-        );
         // Grazing tips reach no fillet.
         let expected = if depth.is_none() { 3 } else { 2 };
-        assert!(200 * left < proven.len() && reasons[..expected].iter().all(|count| *count > 0));
+        assert!(200 * left < proven.len(), "{left}");
+        assert!(
+            reasons[..expected].iter().all(|count| *count > 0),
+            "{reasons:?}"
+        );
     }
 }
 
@@ -73,69 +70,22 @@ fn the_checker_accepts_what_is_proven() {
 #[test]
 fn the_checker_accepts_proofs_in_two_sections() {
     let mut in_two = 0;
-    for index in 0..400 {
-        let drawn = Drawn::of(Teeth::Helical, None, 3, index);
-        let (pair, pose) = (&drawn.assembly, Pose::new(&drawn.assembly, drawn.mating));
-        let kernel = ExactKernel::new(pair);
-        let found = kernel.lost_motion(&pose).ok().filter(|found| !found.solid);
-        let proof = found.and_then(|found| Prover::new(pair, &kernel).proof(&pose, &found).ok());
-        let Some((found, proof)) = found.zip(proof) else {
-            continue;
-        };
-        assert_eq!(proof.verify(pair, &pose), Ok(()), "{}", drawn.pair_file());
+    let (proven, _) = proven(Teeth::Helical, None, 0..400);
+    for (drawn, found, proof) in &proven {
+        let pose = Pose::new(&drawn.assembly, drawn.mating);
+        let verified = proof.verify(&drawn.assembly, &pose);
+        assert_eq!(verified, Ok(()), "{}", drawn.pair_file());
         let sections = [found.right, found.left].map(|contact| contact.map(|one| one.section));
         in_two += usize::from(sections[0] != sections[1]);
     }
     assert!(in_two > 50, "{in_two}");
 }
 
-const ONCE_LEFT: [(u64, u64, &str); 18] = [
-    // The direction that keeps them apart is further than a right angle from the contact's normal.
-    (1, 22, "a tip 0.35 µm above a root land"),
-    (
-        2,
-        85_076,
-        "the far flank of a tooth out of reach by its near half",
-    ),
-    (
-        2,
-        167_397,
-        "root lands that meet at another place of the runout",
-    ),
-    (
-        2,
-        243_152,
-        "an eccentric land whose arm changes sign as it passes",
-    ),
-    (2, 461_924, "tips that hardly overlap, on one side only"),
-    (2, 476_491, "a far fillet and a root land"),
-    (2, 550_056, "fillets in reach of each other"),
-    (
-        2,
-        567_447,
-        "the direction of the greatest room has a negative arm",
-    ),
-    (2, 816_227, "contact on a fillet that bulges"),
-    (
-        3,
-        37_685,
-        "the named teeth tie with others that touch first",
-    ),
-    (3, 50_100, "a fillet whose tangents cross the mate's tip"),
-    (3, 92_407, "tips that hardly overlap, of 233 teeth"),
-    (3, 94_302, "tips that hardly overlap, and both runouts"),
-    (3, 175_520, "tips that hardly overlap, and one runout"),
-    (3, 195_485, "tips that hardly overlap, and undercut teeth"),
-    (3, 422_340, "a tip corner at the end of a root land"),
-    (3, 597_858, "an eccentric land of few teeth"),
-    (3, 744_097, "a tip on the far flank of a tooth beside it"),
-];
-
-/// Poses of the campaign, by seed and index, that were once left to the polygons although both gears have seven teeth or more. Each is proven, the
-/// checker accepts the proof, and the campaign finds that a contact moved by 3 bounds is refused.
+/// Each is proven, the checker accepts the proof, and the campaign finds that a contact moved by 3 bounds is refused.
 #[test]
 fn poses_once_left_to_the_polygons_are_proven() {
-    let against = complaints(&ONCE_LEFT, |(seed, index, _)| {
+    let poses: Vec<(u64, u64, String)> = rows(include_str!("data/once_left.csv"));
+    let against = complaints(&poses, |&(seed, index, _)| {
         let drawn = Drawn::new(None, seed, index);
         let pose = Pose::new(&drawn.assembly, drawn.mating);
         let kernel = ExactKernel::new(&drawn.assembly);
@@ -158,13 +108,13 @@ fn a_tip_may_close_against_the_far_flank_of_a_tooth_beside_it() {
     let pair = &drawn.assembly;
     let pose = Pose::new(pair, drawn.mating);
     let exact = ExactKernel::new(pair).lost_motion(&pose).unwrap();
-    let cut = CutPair::for_certificates(pair.gear(Member::Wheel), pair.gear(Member::Pinion));
-    let polygon = cut.refined_kernel(pair).lost_motion(&pose).unwrap();
+    let polygon = certificates(pair).refined_kernel(pair).lost_motion(&pose);
+    let polygon = polygon.unwrap();
     for found in [exact, polygon] {
         let right = found.right.unwrap();
         let overlap = |off: f64| clearance::overlap(pair, &pose, right.rotation + off);
         assert!(overlap(1e-6) <= 0.0 && overlap(-1e-4) > 1e-5, "{right:?}");
-        assert!((found.angle().unwrap() - 2.790_281e-3).abs() < 1e-8);
+        near("angle", found.angle().unwrap(), 2.790_281e-3, 1e-8);
     }
 }
 
@@ -194,13 +144,6 @@ fn a_far_half_counts_where_the_near_half_is_out_of_reach() {
     assert!(clear > 2, "{clear}");
 }
 
-/// A pose at which nothing touches.
-const OPEN: LostMotion = LostMotion {
-    right: None,
-    left: None,
-    solid: false,
-};
-
 /// A proof of [`OPEN`] without any separation.
 fn open_proof() -> Proof {
     let side = |side| SideProof {
@@ -221,35 +164,20 @@ fn open_proof() -> Proof {
 /// in each other's metal, from another program.
 #[test]
 fn a_space_may_not_hold_the_root_circle_of_the_mate() {
-    let gear = |deviations: &Deviations, face| {
-        let design = GearDesign {
-            rack: BasicRack::new(0.05, 0.1, 0.0).unwrap(),
-            ..GearDesign::standard(BasicGearData::new(4, 2.0, 20f64.to_radians()).unwrap())
-        };
-        AsBuilt::new(Gear::nominal(design).unwrap(), face, deviations).unwrap()
-    };
-    let thin = |eccentricity| Deviations {
-        per_tooth: vec![-1.8; 4],
-        eccentricity,
-        high_tooth: 1.0,
-        ..Deviations::default()
+    let gear = |eccentricity| {
+        let gear = spur(4, 2.0).rack(0.05, 0.1, 0.0).per_tooth(vec![-1.8; 4]);
+        gear.runout(eccentricity, 1.0)
     };
     let (mut jammed, mut lost, mut clear) = (0, 0, 0);
     for (eccentricity, distance) in [0.0, 0.05].into_iter().flat_map(|eccentricity| {
         let distances = [7.52, 7.54, 7.56, 7.58, 7.59, 7.605, 7.62, 7.64, 7.66];
         distances.map(|distance| (eccentricity, distance))
     }) {
-        let wheel = gear(&thin(0.0), Face::Front);
-        let pinion = gear(&thin(eccentricity), Face::Back);
-        let cut = CutPair::for_certificates(&wheel, &pinion);
-        let pair = GearPair::new(wheel, pinion, distance).unwrap();
+        let pair = pair(&gear(0.0), &gear(eccentricity), distance);
+        let cut = certificates(&pair);
         let kernel = ExactKernel::new(&pair);
         for fraction in (0..10).map(|k| 0.43 + 0.005 * f64::from(k)) {
-            let mating = Mating {
-                fraction,
-                ..Mating::FIRST
-            };
-            let pose = Pose::new(&pair, mating);
+            let pose = Pose::new(&pair, at(1, 1, fraction));
             let polygon = cut.refined_kernel(&pair).lost_motion(&pose);
             let statuses = [kernel.lost_motion(&pose), polygon].map(|found| {
                 let Ok(found) = found else { return None };
@@ -274,17 +202,14 @@ fn a_space_may_not_hold_the_root_circle_of_the_mate() {
             clear += usize::from(statuses[0] == Some(Status::Clear));
         }
     }
-    assert!(
-        jammed > 20 && lost > 20 && clear > 20,
-        "{jammed} {lost} {clear}"
-    );
+    assert!([jammed, lost, clear].iter().all(|count| *count > 20));
 }
 
 /// The checker refuses a proof that says too much: one closed by more than its bound, with a pair left out, a direction turned, a stretch of a fillet
 /// shortened, a common point moved out of the metal.
 #[test]
 fn the_checker_refuses_what_is_not_so() {
-    let (proven, _) = proven(None, 500);
+    let (proven, _) = proven(Teeth::Spur, None, (0..2500).step_by(5));
     let mut refused = [0; 6];
     for (drawn, _, proof) in &proven {
         let assembly = &drawn.assembly;
@@ -340,29 +265,17 @@ fn the_checker_refuses_what_is_not_so() {
             }
         }
     }
-    println!("{} proofs, refused {refused:?}", proven.len());
     assert!(refused.iter().all(|count| *count > 20), "{refused:?}");
 }
 
 /// Three teeth on three, tips turned down, the locked pinion 39.5 µm eccentric.
 fn three_on_three() -> GearPair {
-    let gear = |shift, addendum, tip_diameter, deviations: &Deviations| {
-        let basic = BasicGearData::new(3, 1.0, 28f64.to_radians()).unwrap();
-        let design = GearDesign {
-            profile_shift: shift,
-            rack: BasicRack::new(addendum, 1.0, 0.0).unwrap(),
-            tip_diameter,
-            ..GearDesign::standard(basic)
-        };
-        AsBuilt::new(Gear::nominal(design).unwrap(), Face::Front, deviations).unwrap()
+    let gear = |shift, addendum| {
+        let gear = spur_of_angle(3, 1.0, 28.0).shift(shift);
+        gear.rack(addendum, 1.0, 0.0)
     };
-    let eccentric = Deviations {
-        eccentricity: 0.0395,
-        high_tooth: 2.0,
-        ..Deviations::default()
-    };
-    let wheel = gear(0.26, 0.6, None, &Deviations::default());
-    let pinion = gear(1.0, 1.0, Some(5.6), &eccentric);
+    let pinion = gear(1.0, 1.0).tip_diameter(5.6).runout(0.0395, 2.0);
+    let (wheel, pinion) = (gear(0.26, 0.6).front(), pinion.front());
     GearPair::with_locked(wheel, pinion, 4.0, Member::Pinion).unwrap()
 }
 
@@ -372,25 +285,17 @@ fn three_on_three() -> GearPair {
 #[test]
 fn a_flank_may_close_against_the_far_flank() {
     let pair = three_on_three();
-    let mating = Mating {
-        fraction: 0.95,
-        ..Mating::at(1, 2, Side::Left)
-    };
+    let mating = at_flank(1, 2, Side::Left, 0.95);
     let pose = Pose::new(&pair, mating);
     let kernel = ExactKernel::new(&pair);
     let exact = kernel.lost_motion(&pose).unwrap();
-    let cut = CutPair::for_certificates(pair.gear(Member::Wheel), pair.gear(Member::Pinion));
+    let cut = certificates(&pair);
     let polygon = cut.refined_kernel(&pair).lost_motion(&pose).unwrap();
-    let radius_um = 1e3 * pair.operating_pitch_radius(pair.free());
     for found in [&exact, &polygon] {
-        let backlash = found.angle().unwrap() * radius_um;
-        assert!((backlash - 1669.056).abs() < 5e-4, "{backlash}");
+        near("µm", found.angle().unwrap() * um(&pair), 1669.056, 5e-4);
     }
-    assert!(
-        Certifier::new(cut.kernel(&pair))
-            .check(&pose, &exact)
-            .is_ok()
-    );
+    let certifier = Certifier::new(cut.kernel(&pair));
+    assert!(certifier.check(&pose, &exact).is_ok());
     let contact: Contact = exact.right.unwrap();
     assert_eq!((contact.wheel.tooth, contact.pinion.tooth), (2, 3));
     assert!(contact.pinion.radius < 2.79 && exact.status() == Status::Clear);
@@ -411,9 +316,8 @@ fn a_flank_may_close_against_the_far_flank() {
 #[test]
 fn polygons_check_every_64th_pose() {
     // Undercut teeth.
-    let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth, 2.0)).unwrap(), face);
-    let pair = GearPair::new(gear(11, Face::Front), gear(16, Face::Back), 27.1).unwrap();
-    let cut = CutPair::for_certificates(pair.gear(Member::Wheel), pair.gear(Member::Pinion));
+    let pair = pair(&spur(11, 2.0), &spur(16, 2.0), 27.1);
+    let cut = certificates(&pair);
     let plan = SweepPlan::wheel_revolution(&pair, 12, (1, 1));
     let matings = plan.matings(&pair);
     let by = |method| {
@@ -434,11 +338,8 @@ fn polygons_check_every_64th_pose() {
         for (pose, same) in poses.iter().zip(&sampled) {
             assert_eq!(pose.found, same.found);
             assert_eq!(pose.proof.is_some(), with_proof);
-            let verified = pose
-                .proof
-                .iter()
-                .map(|proof| proof.verify(&pair, &pose.pose));
-            assert!(verified.into_iter().all(|verified| verified == Ok(())));
+            let mut proofs = pose.proof.iter();
+            assert!(proofs.all(|proof| proof.verify(&pair, &pose.pose).is_ok()));
         }
     }
 }

@@ -1,17 +1,14 @@
 //! Poses that expose a small mistake in the program.
 //!
-//! Each is the first of thousands of random poses at which a one-line change of `src/contact` (a mutant:
-//! `tests/README.md`) gave a wrong contact or a wrong verdict, and which a method without the change refuses. Campaigns
-//! of a few thousand poses meet most of them by chance. These are few enough for every referee.
+//! Each is the first of thousands of random poses at which a one-line change of `src/contact` (a mutant: `tests/README.md`) gave a wrong contact or
+//! a wrong verdict, and which a method without the change refuses.
 
-use crate::campaign::{Depth, Drawn, Teeth};
+use super::*;
+use crate::campaign::turned;
 use crate::clearance;
-use crate::methods::{against_polygons, by_both_methods, complaints, cut, turned, with_contact};
+use crate::methods::{against_polygons, by_both_methods, cut};
 use crate::random::{self, Random};
-use gearlash::contact::{Certifier, Contact, ExactKernel, LostMotion, Status};
 use gearlash::error::Error;
-use gearlash::gear::Side;
-use gearlash::pair::{GearPair, Pose};
 
 /// Seed of the campaign's pairs.
 const SEED: u64 = 2;
@@ -64,10 +61,9 @@ fn of_spur(depth: Option<Depth>, index: u64) -> Vec<String> {
 /// Source: the polygon method and its certificate.
 #[test]
 fn spur_poses_hold_against_polygons() {
-    let mut against = complaints(&SPUR, |index| of_spur(depth(index), index));
-    against.extend(complaints(&GRAZING, |index| {
-        of_spur(Some(Depth::Grazing), index)
-    }));
+    let mut against = complaints(&SPUR, |&index| of_spur(depth(index), index));
+    let grazing = Some(Depth::Grazing);
+    against.extend(complaints(&GRAZING, |&index| of_spur(grazing, index)));
     assert!(against.is_empty(), "{against:#?}");
 }
 
@@ -83,16 +79,14 @@ fn a_pose_that_both_methods_may_get_wrong_holds_against_brute_force() {
 /// Source: the independent half teeth of the clearance, and the teeth found by polygons.
 #[test]
 fn contacts_are_where_reported() {
-    let against = complaints(&NAMED, |index| {
+    let against = complaints(&NAMED, |&index| {
         let (assembly, pose) = drawn(index);
         let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
         let mut against = clearance::named(&assembly, &pose, &found);
         let polygon = cut(&assembly).refined_kernel(&assembly).lost_motion(&pose);
-        let polygon = polygon.unwrap();
-        let teeth = [found, polygon].map(|found| {
-            let names = |contact: Contact| (contact.wheel.tooth, contact.pinion.tooth);
-            [found.right, found.left].map(|contact| contact.map(names))
-        });
+        let names = |contact: Contact| (contact.wheel.tooth, contact.pinion.tooth);
+        let teeth = [found, polygon.unwrap()]
+            .map(|found| [found.right, found.left].map(|contact| contact.map(names)));
         if teeth[0] != teeth[1] {
             against.push(format!("polygons name other teeth: {teeth:?}"));
         }
@@ -165,7 +159,7 @@ fn misjudged(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String
 /// Source: both methods, which agree on the right contacts.
 #[test]
 fn the_certificate_confirms_right_contacts_and_refuses_wrong_ones() {
-    let against = complaints(&CERTIFIED, |index| {
+    let against = complaints(&CERTIFIED, |&index| {
         let (assembly, pose) = drawn(index);
         let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
         let mut against = of_spur(depth(index), index);
@@ -178,7 +172,7 @@ fn the_certificate_confirms_right_contacts_and_refuses_wrong_ones() {
 /// Source: the polygon method and its certificate.
 #[test]
 fn deviating_profiles_hold_against_polygons() {
-    let against = complaints(&MODIFIED, |seed| {
+    let against = complaints(&MODIFIED, |&seed| {
         let mut random = Random(seed ^ 0x77aa);
         let assembly = crate::profiles::deviating_pair(&mut random, seed % 3 == 0).unwrap();
         let pose = Pose::new(&assembly, random::mating(&mut random, &assembly));

@@ -1,12 +1,11 @@
 //! Cycles whose proven extremes expose a small mistake in the program, like `witnesses` for poses.
 
-use crate::campaign::{Depth, Pair};
+use super::*;
+use crate::cycle;
 use crate::extremes::{ROUNDING, WIDTH};
 use crate::helical_pairs::try_drawn;
 use crate::random::{self, Kind, Random};
-use gearlash::contact::{ExactKernel, Extreme, Status};
-use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use rayon::prelude::*;
+use gearlash::contact::Extreme;
 
 /// Every fifth is helical. Half of the others are close to practice, half from the campaign.
 /// The least of cycle 86 is not proven: the far flank of a locked tooth is in reach.
@@ -35,14 +34,12 @@ fn drawn(number: u64) -> (GearPair, Mating, u64) {
         (_, 2) => Pair::new(31, index).pose(0, Some(Depth::Any)).assembly,
         _ => Pair::new(31, index).pose(0, Some(Depth::Grazing)).assembly,
     };
-    let teeth = Member::BOTH.map(|member| pair.teeth(member));
-    let cycle = SweepPlan::hunting_pitches(teeth[0], teeth[1]);
-    let first = random::mating(&mut random, &pair);
     let first = Mating {
         fraction: 0.0,
-        ..first
+        ..random::mating(&mut random, &pair)
     };
-    (pair, first, cycle.min(30))
+    let matings = cycle::matings(&pair).min(30);
+    (pair, first, matings)
 }
 
 /// The least of `play` over `poses` spread poses, and downhill from there, mm.
@@ -74,28 +71,26 @@ fn against(number: u64) -> Vec<String> {
     let mut against = Vec::new();
     let mut hold = |extreme: Option<Extreme>, sign: f64| {
         let Some(extreme) = extreme.filter(Extreme::is_proven) else {
-            return against.push(format!("{number}: not proven: {found:?}"));
+            return against.push(format!("not proven: {found:?}"));
         };
-        let [outer, inner] = if sign > 0.0 {
-            [extreme.low, extreme.high]
-        } else {
-            [-extreme.high, -extreme.low]
+        let [outer, inner] = match sign > 0.0 {
+            true => [extreme.low, extreme.high],
+            false => [-extreme.high, -extreme.low],
         };
         let seen = least(|place| sign * play(place), matings as f64);
-        let attained = at(extreme.mating)
-            .angle()
-            .map(|angle| sign * angle * radius);
+        let attained = at(extreme.mating).angle();
+        let attained = attained.map(|angle| sign * angle * radius);
         let kept = seen >= outer - ROUNDING
             && (outer..=outer + WIDTH + ROUNDING).contains(&inner)
             && attained.is_some_and(|attained| (attained - inner).abs() <= 1e-9);
         if !kept {
-            against.push(format!("{number}: {seen} and {attained:?} for {extreme:?}"));
+            against.push(format!("{seen} and {attained:?} for {extreme:?}"));
         }
     };
     hold(found.least, 1.0);
     hold(found.greatest, -1.0);
     if matches!(found.status, Status::Jammed | Status::NoContact) {
-        against.push(format!("{number}: {:?}", found.status));
+        against.push(format!("{:?}", found.status));
     }
     against
 }
@@ -103,9 +98,6 @@ fn against(number: u64) -> Vec<String> {
 /// No pose is outside a bracket, its reported pose attains it, it is narrow, and it is proven. Source: poses of the exact method.
 #[test]
 fn extremes_of_these_cycles_hold() {
-    let complaints: Vec<String> = CYCLES
-        .par_iter()
-        .flat_map_iter(|&number| against(number))
-        .collect();
-    assert!(complaints.is_empty(), "{complaints:#?}");
+    let against = complaints(&CYCLES, |&number| against(number));
+    assert!(against.is_empty(), "{against:#?}");
 }

@@ -93,13 +93,46 @@ fn datum_axis_pitch_separates_again() {
     }
 }
 
-/// F_r of a pure eccentricity. Ball i is at |r_K u_i + e|. With spaces at both ends of the eccentricity (high tooth 1.5, even z) F_r = 2 e without a
-/// second order.
+/// Spans all round, the pitch that was put in, and runout read by a ball: the flanks and the eccentricity come out as they went in. What the thickness of
+/// each tooth by the spans does to the readings is no eccentricity.
 #[test]
-fn runout_of_a_pure_eccentricity() {
-    for e in [0.005, 0.05, 0.5] {
-        let part = spur(44, 3.0).runout(e, 1.5).front();
-        let runout = measure(&part, quick()).runout.unwrap();
-        near(e, runout.total(), 2.0 * e, PICOMETRE);
+fn spans_pitch_and_runout_readings_give_the_gear_back() {
+    let made = made(21, 0.0, Hand::Right, Face::Front, 0.021);
+    let settings = Settings {
+        span_teeth: Some(3),
+        ..with_ball(5.25)
+    };
+    let found = measure(&made.gear, settings);
+    let spans = found.spans.unwrap().readings.into_iter();
+    let statement = Measurements {
+        thickness: ThicknessStatement::SpanReadings {
+            teeth: 3,
+            readings: spans.map(|span| (span.first_tooth, span.length)).collect(),
+            per_tooth: true,
+        },
+        pitch: Some(PitchStatement {
+            kind: PitchKind::Cumulative,
+            axis: PitchAxis::Own,
+            sense: PitchSense::Numbers,
+            eccentricity: None,
+            right_um: scaled(&made.right, 1e3),
+            left_um: scaled(&made.left, 1e3),
+        }),
+        runout: RunoutStatement::Readings(ProbeReadings {
+            um: scaled(&found.runout.unwrap().deviations(), 1e3),
+            with: ReadWith::Ball(5.25),
+        }),
+        ..Measurements::nominal(helical(21, 0.0, Hand::Right, 0.2).design, Face::Front)
+    };
+    let measured = statement.measure().unwrap();
+    let deviations = &measured.deviations;
+    near("eccentricity", deviations.eccentricity, 0.021, 1e-7);
+    near("high tooth", deviations.high_tooth, 5.25, 1e-4);
+    let built = measured.as_built.most();
+    let base = built.gear().base_thickness();
+    near("base", base, 2.0 * made.half * made.base, 1e-7);
+    for (tooth, side) in (1..=21).flat_map(|tooth| Side::BOTH.map(|side| (tooth, side))) {
+        let arcs = [built, &made.gear].map(|gear| made.radius * gear.flank_offset(side, tooth));
+        near((tooth, side), arcs[0], arcs[1], 1e-7);
     }
 }

@@ -3,10 +3,9 @@
 use super::*;
 
 fn gear_of(teeth: u32, module: f64, angle_deg: f64, allowance: f64) -> Gear {
-    let mut make = spur(teeth, module);
-    make.design.basic_data = BasicGearData::new(teeth, module, angle_deg.to_radians()).unwrap();
     // A tip round that a rack of 25° has room for.
-    make.rack(1.0, 1.25, 0.3).thinner(-allowance).gear()
+    let gear = spur_of_angle(teeth, module, angle_deg).rack(1.0, 1.25, 0.3);
+    gear.thinner(-allowance).gear()
 }
 
 /// Gears drawn as chords, whose ends lie on the flank, give back their data.
@@ -51,7 +50,7 @@ fn the_residual_is_what_the_points_are_off() {
         corner + corner.coords.normalize() * out
     });
     let moved: Vec<Point2<f64>> = moved.collect();
-    let found = read(&lines(&moved), Face::Front, None, 0.0);
+    let found = read(&polygon(&moved), Face::Front, None, 0.0);
     let found = found.fitted_involute().unwrap();
     assert!((1e-4..4e-4).contains(&found.residual), "{found:?}");
     let error = found.base_radius_error;
@@ -62,37 +61,32 @@ fn the_residual_is_what_the_points_are_off() {
 /// Arcs of half the involute's radius of curvature, straight flanks, and flanks with too few points are no involutes.
 #[test]
 fn other_flanks_are_no_involutes() {
-    let z = 20;
-    let corner = |radius: f64, pitches: f64| {
-        let (sin, cos) = (FRAC_PI_2 + pitches * TAU / f64::from(z)).sin_cos();
-        Point2::new(radius * cos, radius * sin)
-    };
     let between = |a: Point2<f64>, b: Point2<f64>, bulge: f64| {
         // A flat arc as the cubic curve with its tangents: height `bulge` of its chord.
         let along = b - a;
         let out = Vector2::new(along.y, -along.x) * bulge;
-        PathSegment::Cubic([
-            a,
-            a + along / 3.0 + out * 4.0 / 3.0,
-            b - along / 3.0 + out * 4.0 / 3.0,
-            b,
-        ])
+        let [one, other] = [a + along / 3.0, b - along / 3.0].map(|at| at + out * 4.0 / 3.0);
+        PathSegment::Cubic([a, one, other, b])
     };
     for bulge in [0.0, 0.1] {
-        let tooth = |k: u32| {
-            let [a, b, c, d] = [(17.5, -0.4), (22.0, -0.1), (22.0, 0.1), (17.5, 0.4)]
-                .map(|(radius, pitches)| corner(radius, f64::from(k) + pitches));
-            let next = corner(17.5, f64::from(k) + 0.6);
-            [
-                between(a, b, bulge),
-                PathSegment::Line([b, c]),
-                between(c, d, bulge),
-                PathSegment::Line([d, next]),
-            ]
-        };
-        let path: Vec<PathSegment> = (0..z).flat_map(tooth).collect();
+        let [a, b, c, d, next] = [
+            (17.5, -0.4),
+            (22.0, -0.1),
+            (22.0, 0.1),
+            (17.5, 0.4),
+            (17.5, 0.6),
+        ]
+        .map(|(radius, pitches)| polar(radius, FRAC_PI_2 + pitches * TAU / 20.0));
+        let tooth = [
+            between(a, b, bulge),
+            PathSegment::Line([b, c]),
+            between(c, d, bulge),
+            PathSegment::Line([d, next]),
+        ];
+        let each = (0..20).flat_map(|k| turned(&tooth, TAU * f64::from(k) / 20.0));
+        let path: Vec<PathSegment> = each.collect();
         let ends: Vec<Point2<f64>> = path.iter().map(PathSegment::start).collect();
-        for path in [path, lines(&ends)] {
+        for path in [path, polygon(&ends)] {
             let read = read(&path, Face::Front, None, 0.0);
             assert_eq!(read.fitted_involute(), None, "{bulge}");
         }
@@ -108,8 +102,10 @@ fn corners(top: impl Fn(u32) -> Vec<[f64; 2]>) -> Vec<Point2<f64>> {
         let top = top(k).into_iter();
         let all = [[10.0, -0.3]].into_iter().chain(top).chain([[10.0, 0.3]]);
         all.map(move |[radius, pitches]| {
-            let (sin, cos) = (0.25 * TAU - (f64::from(k) + pitches) * TAU / f64::from(Z)).sin_cos();
-            Point2::new(radius * cos, radius * sin)
+            polar(
+                radius,
+                0.25 * TAU - (f64::from(k) + pitches) * TAU / f64::from(Z),
+            )
         })
     };
     (0..Z).flat_map(tooth).collect()
@@ -121,13 +117,8 @@ fn flat(_: u32) -> Vec<[f64; 2]> {
 
 /// Chords within 1e-6 mm: greatest and least may be off by as much.
 fn difference(a: &[Point2<f64>], b: &[Point2<f64>]) -> OutlineDifference {
-    let [a, b] = [a, b].map(|corners| read(&lines(corners), Face::Front, Some(Z), 0.0));
+    let [a, b] = [a, b].map(|corners| read(&polygon(corners), Face::Front, Some(Z), 0.0));
     OutlineDifference::new(&a, &b, 1e-6).unwrap()
-}
-
-fn turned(corners: &[Point2<f64>], turn: f64) -> Vec<Point2<f64>> {
-    let turned = corners.iter().map(|corner| Rotation2::new(turn) * corner);
-    turned.collect()
 }
 
 /// Every side moved out by d: the deviation is d, but at corners, where the nearest place is the corner of the other outline, up to
@@ -181,7 +172,8 @@ fn the_tooth_that_lies_on_tooth_1_is_found() {
     let pitch = TAU / f64::from(Z);
     for (teeth, more) in [(3.0, 0.01), (-5.0, -0.02), (6.0, 0.03)] {
         let by = teeth * pitch + more;
-        let found = difference(&drawn, &turned(&drawn, by));
+        let turned = drawn.iter().map(|corner| Rotation2::new(by) * corner);
+        let found = difference(&drawn, &turned.collect::<Vec<_>>());
         near("rotation", (found.rotation + by).sin(), 0.0, 1e-12);
         near("rotation", (found.rotation + by).cos(), 1.0, 1e-12);
         near("rms", found.root_mean_square, 0.0, 1e-12);
@@ -211,8 +203,7 @@ fn a_bump_of_known_size() {
     near("least", found.least.beyond, 0.0, 1e-12);
     assert_eq!(found.greatest.tooth, 8);
     near("radius", found.greatest.point.coords.norm(), tip, 1e-3);
-    let sides = lines(&plain).into_iter();
-    let length: f64 = sides.map(|side| (side.end() - side.start()).norm()).sum();
+    let length: f64 = polygon(&plain).iter().map(PathSegment::length).sum();
     let mean = 0.5 * most * w / length;
     near("mean", found.mean, mean, 2e-4 * mean);
     let rms = (most * most * w / 3.0 / length).sqrt();
@@ -226,39 +217,30 @@ fn a_bump_of_known_size() {
 #[test]
 fn arcs_between_the_same_corners() {
     let ends = corners(flat);
-    let drawn = |radius: f64| {
-        let path: Vec<PathSegment> = (0..ends.len())
-            .map(|k| {
-                let (from, to) = (ends[k], ends[(k + 1) % ends.len()]);
-                if k % 2 == 1 {
-                    return PathSegment::Line([from, to]);
-                }
-                let along = to - from;
-                let half = (0.5 * along.norm() / radius).asin();
-                // Clockwise of the path's direction, about a centre on its right.
-                let aside = Vector2::new(along.y, -along.x).normalize() * (radius * half.cos());
-                let centre = from + 0.5 * along + aside;
-                PathSegment::Arc {
-                    centre,
-                    radius,
-                    start: (from.y - centre.y).atan2(from.x - centre.x),
-                    sweep: -2.0 * half,
-                }
-            })
-            .collect();
-        read(&path, Face::Front, Some(Z), 0.0)
-    };
-    let [flatter, fuller] = [12.0, 9.0].map(drawn);
     let chord = (ends[1] - ends[0]).norm();
     let height = |radius: f64| radius - (radius * radius - 0.25 * chord * chord).sqrt();
+    let drawn = |radius: f64| {
+        let sides = polygon(&ends).into_iter().enumerate();
+        let path = sides.map(|(k, side)| {
+            let [from, to] = [side.start(), side.end()];
+            let along = (to - from).normalize();
+            // To the left of the path's direction, which is out of the metal.
+            let out = Vector2::new(-along.y, along.x) * height(radius);
+            match k % 2 {
+                0 => arc([from, from + 0.5 * (to - from) + out, to]),
+                _ => side,
+            }
+        });
+        read(&path.collect::<Vec<_>>(), Face::Front, Some(Z), 0.0)
+    };
+    let [flatter, fuller] = [12.0, 9.0].map(drawn);
     let known = height(9.0) - height(12.0);
     for (a, b, sign) in [(&flatter, &fuller, 1.0), (&fuller, &flatter, -1.0)] {
         let found = OutlineDifference::new(a, b, 1e-6).unwrap();
-        let mut both = [found.greatest.beyond, found.least.beyond];
-        if sign < 0.0 {
-            both.reverse();
-        }
-        let [far, near_by] = both;
+        let [far, near_by] = match sign > 0.0 {
+            true => [found.greatest.beyond, found.least.beyond],
+            false => [found.least.beyond, found.greatest.beyond],
+        };
         near(sign, far, sign * known, found.bound);
         near(sign, near_by, 0.0, found.bound);
         near(sign, found.rotation, 0.0, 1e-9);

@@ -1,48 +1,52 @@
 //! Helical gears: other programs' numbers, and flanks written out as surfaces in space, searched densely.
 
 use super::*;
-use helical_dimensions::{PUBLISHED, Published};
 
 /// Published: FVA Workbench examples 1-3, over two balls and over two pins of nominal gears. They include the allowances of the dimension
 /// over balls for −115 and −165 µm of thickness in the normal section. The measured thickness gives the gear again.
 #[test]
 fn published_dimensions_over_balls_and_over_pins() {
-    for Published {
-        teeth,
-        module,
-        helix_deg,
-        shift,
-        ball,
-        over_balls,
-        over_pins,
-        allowances,
-    } in PUBLISHED
-    {
+    for row in rows::<[f64; 9]>(include_str!("data/published_helical.csv")) {
+        let [
+            teeth,
+            module,
+            helix_deg,
+            shift,
+            ball,
+            over_balls,
+            over_pins,
+            first,
+            second,
+        ] = row;
         for (allowance, off, hand) in [
             (0.0, 0.0, Hand::Left),
-            (-0.115, allowances[0], Hand::Right),
-            (-0.165, allowances[1], Hand::Left),
+            (-0.115, first, Hand::Right),
+            (-0.165, second, Hand::Left),
         ] {
-            let make = spur(teeth, module).rack(1.0, 1.25, 0.25).shift(shift);
+            let make = spur(teeth as u32, module)
+                .rack(1.0, 1.25, 0.25)
+                .shift(shift);
             let make = make.helix(helix_deg, hand).allowance(allowance);
             let (data, base) = (make.design.basic_data, make.gear().base_thickness());
             let found = measure(&make.front(), with_pin(ball, None));
             let pins = found.pins.unwrap();
             // Between balls and pins lies the cosine alone, whatever the thickness.
-            let per_ball = match teeth % 2 {
+            let per_ball = match teeth as u32 % 2 {
                 0 => 1.0,
-                _ => (TAU / 4.0 / f64::from(teeth)).cos(),
+                _ => (TAU / 4.0 / teeth).cos(),
             };
             let expected = over_balls + off;
-            for (two, lying) in pins.two.iter().zip(&pins.lying) {
-                near(teeth, two.length, expected, PICOMETRE);
-                let over = (expected - ball) / per_ball + ball;
-                near(teeth, lying.length, over, PICOMETRE);
-                assert!(allowance != 0.0 || (lying.length - over_pins).abs() < PICOMETRE);
-                let formula = found.formula;
-                near(teeth, two.length, formula.over_two.unwrap(), two.error);
-                let over = formula.over_lying.unwrap();
-                near(teeth, lying.length, over, lying.error);
+            let over = (expected - ball) / per_ball + ball;
+            assert!(allowance != 0.0 || (over - over_pins).abs() < PICOMETRE);
+            let formula = found.formula;
+            for (list, expected, formula) in [
+                (&pins.two, expected, formula.over_two),
+                (&pins.lying, over, formula.over_lying),
+            ] {
+                for reading in list {
+                    near(teeth, reading.length, expected, PICOMETRE);
+                    near(teeth, reading.length, formula.unwrap(), reading.error);
+                }
             }
             let (two, lying) = (OverPins::mean(&pins.two), OverPins::mean(&pins.lying));
             let spans = found.spans.unwrap();
@@ -56,7 +60,7 @@ fn published_dimensions_over_balls_and_over_pins() {
             // s_n = m_n (π/2 + 2 x tan α_n) + A_sn.
             let arcs = found.thickness.unwrap();
             let normal = module * (TAU / 4.0 + 2.0 * shift * ALPHA.tan()) + allowance;
-            for arc in [arcs.mean(), found.formula.thickness.unwrap()] {
+            for arc in [arcs.mean(), formula.thickness.unwrap()] {
                 near(teeth, arc * arcs.normal, normal, PICOMETRE);
             }
             assert_eq!(found.stated.unwrap(), StatedThickness::Spans);

@@ -16,12 +16,11 @@ fn lead(slope: f64, crowning: f64) -> Lead {
     }
 }
 
-fn built(beta_deg: f64, face: Face, deviations: &Deviations) -> AsBuilt {
-    let make = match beta_deg {
+fn gear_of(beta_deg: f64) -> Make {
+    match beta_deg {
         0.0 => spur(25, 3.0).shift(0.1),
         _ => helical(25, beta_deg, Hand::Left, 0.1),
-    };
-    AsBuilt::new(make.gear(), face, deviations).unwrap()
+    }
 }
 
 const CASES: [(f64, Face); 4] = [
@@ -51,19 +50,14 @@ fn leads_come_out_as_they_went_in() {
     let (right, left, crown) = (0.010, -0.006, 0.008);
     for (beta_deg, face) in CASES {
         // A spur gear is read as if it were right hand.
-        let hand = if beta_deg == 0.0 {
-            Hand::Right
-        } else {
-            Hand::Left
+        let hand = match beta_deg == 0.0 {
+            true => Hand::Right,
+            false => Hand::Left,
         };
-        let deviations = Deviations {
-            leads: [
-                lead(Lead::slope_of_helix(right, hand, Flank::Right), 0.0),
-                lead(Lead::slope_of_helix(left, hand, Flank::Left), crown),
-            ],
-            ..Deviations::default()
-        };
-        let found = read(&built(beta_deg, face, &deviations));
+        let [right_lead, left_lead] = [(right, Flank::Right), (left, Flank::Left)]
+            .map(|(slope, flank)| Lead::slope_of_helix(slope, hand, flank));
+        let gear = gear_of(beta_deg).leads([lead(right_lead, 0.0), lead(left_lead, crown)]);
+        let found = read(&gear.built(face));
         for read in [found.own.unwrap(), found.datum.unwrap()] {
             let bound = 10.0 * read.error + PICOMETRE;
             let flank = read.flank(Flank::Right);
@@ -94,12 +88,7 @@ fn leads_come_out_as_they_went_in() {
 fn wobble_is_in_leads_about_the_rotation_axis() {
     let wobble = 2e-4;
     for beta_deg in [0.0, 21.0] {
-        let deviations = Deviations {
-            wobble,
-            wobble_tooth: 3.5,
-            ..Deviations::default()
-        };
-        let gear = built(beta_deg, Face::Front, &deviations);
+        let gear = gear_of(beta_deg).wobble(wobble, 3.5).front();
         let found = read(&gear);
         let (own, datum) = (found.own.unwrap(), found.datum.unwrap());
         assert_eq!([own.axis, datum.axis], [PitchAxis::Own, PitchAxis::Datum]);
@@ -141,14 +130,8 @@ fn runout_at_heights_and_of_the_face_is_what_was_put_in() {
         [angle.cos(), angle.sin()]
     };
     for (beta_deg, face) in CASES {
-        let deviations = Deviations {
-            eccentricity: 0.008,
-            high_tooth: 7.25,
-            wobble: 3e-4,
-            wobble_tooth: 16.5,
-            ..Deviations::default()
-        };
-        let gear = built(beta_deg, face, &deviations);
+        let gear = gear_of(beta_deg).runout(0.008, 7.25).wobble(3e-4, 16.5);
+        let gear = gear.built(face);
         let found = read(&gear);
         for section in &found.sections {
             let height = section.height + ENDS[0];
@@ -173,12 +156,9 @@ fn runout_at_heights_and_of_the_face_is_what_was_put_in() {
 #[test]
 fn spans_at_heights_contain_the_leads_of_both_flanks() {
     for (beta_deg, face) in CASES {
-        let deviations = Deviations {
-            leads: [lead(0.012, 0.0), lead(0.005, 0.0)],
-            ..Deviations::default()
-        };
-        let gear = built(beta_deg, face, &deviations);
-        let plain = built(beta_deg, face, &Deviations::default());
+        let plain = gear_of(beta_deg);
+        let gear = plain.clone().leads([lead(0.012, 0.0), lead(0.005, 0.0)]);
+        let (gear, plain) = (gear.built(face), plain.built(face));
         let nominal = measure(&plain, with_span(3)).spans.unwrap().mean();
         let angle = gear.gear().basic_data().base_helix_angle();
         let inwards = if face == Face::Front { 1.0 } else { -1.0 };

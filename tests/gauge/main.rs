@@ -3,12 +3,12 @@
 mod as_built;
 mod drawn;
 mod helical;
-#[path = "../common/helical_dimensions.rs"]
-mod helical_dimensions;
-#[path = "../check/kit.rs"]
+#[path = "../common/kit.rs"]
 mod kit;
 mod lead;
 mod outlines;
+#[path = "../common/paths.rs"]
+mod paths;
 mod perfect;
 mod profile;
 mod roll;
@@ -23,9 +23,9 @@ use gearlash::gauge::{
     StatedThickness, Unmeasured, gauge, gauge_outline,
 };
 use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, Face, Flank, Gear, Hand, Lead, MeasuringBody, Modification,
-    PinReadings, Pitch, PitchAxis, Probe, ProfilePart, Readings, Relief, RunoutReadings, Side,
-    Spans, Trace, involute, thickness,
+    AsBuilt, Deviations, Face, Flank, Gear, Hand, Lead, MeasuringBody, Modification, PinReadings,
+    Pitch, PitchAxis, Probe, ProfilePart, Readings, Relief, RunoutReadings, Side, Spans, Trace,
+    involute, thickness,
 };
 use gearlash::metrology::{
     Measurements, PitchKind, PitchSense, PitchStatement, ProbeReadings, ReadWith, Runout,
@@ -33,9 +33,10 @@ use gearlash::metrology::{
 };
 use gearlash::outline::{OutlineDifference, OutlineGear, OutlineReading, PathSegment, of_gear};
 use gearlash::pair::{GearPair, Member, Pose};
-use kit::{Make, ends, inv, near, on, spur};
+use kit::{Make, ends, inv, near, on, rows, spur, spur_of_angle};
 use made_up::{made_up, scaled};
 use nalgebra::{Point2, Point3, Rotation2, Vector2, Vector3};
+use paths::{READING, arc, polar, polygon, repeated, symmetrical, turned};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Issue 5: 1e-6 µm.
@@ -89,20 +90,12 @@ fn helical(teeth: u32, beta_deg: f64, hand: Hand, shift: f64) -> Make {
 
 fn read(path: &[PathSegment], face: Face, teeth: Option<u32>, bound: f64) -> OutlineGear {
     let reading = OutlineReading {
-        centre: Point2::origin(),
         face,
         teeth,
-        first_tooth: None,
         bound,
+        ..READING
     };
     OutlineGear::new(path, &reading).unwrap()
-}
-
-/// The polygon of `corners`, closed.
-fn lines(corners: &[Point2<f64>]) -> Vec<PathSegment> {
-    let next = corners.iter().cycle().skip(1);
-    let each = corners.iter().zip(next);
-    each.map(|(a, b)| PathSegment::Line([*a, *b])).collect()
 }
 
 /// A gear with deviations of every kind: per-tooth thickness ±8 µm in the normal section, pitch ±12 µm, runout. Its flanks are written out as surfaces:
@@ -127,8 +120,8 @@ fn made(teeth: u32, beta_deg: f64, hand: Hand, face: Face, eccentricity: f64) ->
     let per_tooth = scaled(&made_up(teeth, 1), 8e-3);
     let [right, left] = [2, 3].map(|seed| scaled(&made_up(teeth, seed), 12e-3));
     let make = helical(teeth, beta_deg, hand, 0.2).allowance(-0.06);
-    let mut make = make.runout(eccentricity, 5.25).pitch(&right, &left);
-    make.deviations.per_tooth = per_tooth.clone();
+    let make = make.runout(eccentricity, 5.25).pitch(&right, &left);
+    let make = make.per_tooth(per_tooth.clone());
     let eta = if hand == Hand::Right { 1.0 } else { -1.0 };
     let beta = beta_deg.to_radians();
     let radius = 1.5 * f64::from(teeth) / beta.cos();

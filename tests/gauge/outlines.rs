@@ -4,31 +4,17 @@ use super::*;
 
 /// `teeth` times the half of a tooth, its centre line on +y, given from tip to root, and its mirror image.
 fn all_round(teeth: u32, half: &[PathSegment]) -> Vec<PathSegment> {
-    let left = half
-        .iter()
-        .rev()
-        .map(|segment| segment.mirrored().reversed());
-    let tooth: Vec<PathSegment> = left.chain(half.iter().copied()).collect();
-    let turned = |k: u32| {
-        let turn = -TAU * f64::from(k) / f64::from(teeth);
-        let rotation = Rotation2::new(turn);
-        tooth.iter().map(move |segment| match *segment {
-            PathSegment::Line(points) => PathSegment::Line(points.map(|point| rotation * point)),
-            PathSegment::Arc {
-                centre,
-                radius,
-                start,
-                sweep,
-            } => PathSegment::Arc {
-                centre: rotation * centre,
-                radius,
-                start: start + turn,
-                sweep,
-            },
-            PathSegment::Cubic(points) => PathSegment::Cubic(points.map(|point| rotation * point)),
-        })
-    };
-    (0..teeth).flat_map(turned).collect()
+    repeated(teeth, &symmetrical(half))
+}
+
+/// An arc about the origin.
+fn arc(radius: f64, start: f64, end: f64) -> PathSegment {
+    PathSegment::Arc {
+        centre: Point2::origin(),
+        radius,
+        start,
+        sweep: end - start,
+    }
 }
 
 /// Lengths and bounds agree, one by one.
@@ -48,8 +34,8 @@ fn over(list: &[OverPins]) -> Vec<(u32, f64, f64)> {
 
 fn spans_of(list: &[Span]) -> Vec<(u32, f64, f64)> {
     let each = list.iter();
-    each.map(|one| (one.first_tooth, one.length, one.error))
-        .collect()
+    let each = each.map(|one| (one.first_tooth, one.length, one.error));
+    each.collect()
 }
 
 /// Source: the gauge of gears by their data, which cuts polygons of the flanks it knows. The outline is once the gear's own curves, once
@@ -77,12 +63,19 @@ fn an_outline_of_a_gear_reads_as_the_gear() {
         ] {
             let found = gauge_outline(&outline, Some(spans.teeth), Some(pins.diameter));
             let (on, over_pins) = (found.spans.unwrap(), found.pins.unwrap());
-            let [read, by_data] = [&on.readings, &spans.readings].map(|all| spans_of(all));
-            agree("span", &read, &by_data, slack);
-            let two = [&over_pins.two, &pins.two].map(|all| over(all));
-            agree("two pins", &two[0], &two[1], slack);
-            let three = [&over_pins.three, &pins.three].map(|all| over(all));
-            agree("three pins", &three[0], &three[1], slack);
+            agree(
+                "span",
+                &spans_of(&on.readings),
+                &spans_of(&spans.readings),
+                slack,
+            );
+            agree("two pins", &over(&over_pins.two), &over(&pins.two), slack);
+            agree(
+                "three pins",
+                &over(&over_pins.three),
+                &over(&pins.three),
+                slack,
+            );
             for (seat, data) in over_pins.seats.iter().zip(&pins.seats) {
                 for (found, data) in seat.touched.iter().zip(&data.touched) {
                     assert_eq!(found.tooth, data.tooth);
@@ -105,12 +98,6 @@ fn straight(teeth: u32, lean: f64, h: f64, [root, tip]: [f64; 2]) -> Vec<PathSeg
     };
     let angle = |point: Point2<f64>| point.y.atan2(point.x);
     let (top, bottom) = (at(tip), at(root));
-    let arc = |radius: f64, start: f64, end: f64| PathSegment::Arc {
-        centre: Point2::origin(),
-        radius,
-        start,
-        sweep: end - start,
-    };
     let middle = FRAC_PI_2 - PI / f64::from(teeth);
     let half = [
         arc(tip, FRAC_PI_2, angle(top)),
@@ -169,12 +156,7 @@ fn round_heads_by_their_closed_form() {
                 sweep: -FRAC_PI_2,
             },
             PathSegment::Line([Point2::new(a, q), Point2::new(a, foot)]),
-            PathSegment::Arc {
-                centre: Point2::origin(),
-                radius: root,
-                start: angle,
-                sweep: FRAC_PI_2 - PI / f64::from(teeth) - angle,
-            },
+            arc(root, angle, FRAC_PI_2 - PI / f64::from(teeth)),
         ];
         let outline = read(&all_round(teeth, &half), Face::Back, Some(teeth), 0.0);
         let step = PI / f64::from(teeth);
@@ -205,14 +187,13 @@ fn pins_and_anvils_touch_the_whole_outline() {
     const CHORD: f64 = 1e-6;
     let teeth = 19u32;
     let middle = FRAC_PI_2 - PI / f64::from(teeth);
-    let at = |radius: f64, angle: f64| Point2::new(radius * angle.cos(), radius * angle.sin());
-    let foot = at(8.0, middle + 0.01);
+    let foot = polar(8.0, middle + 0.01);
     let head = [[0.0, 11.2], [0.5, 11.2], [0.6, 10.6], [0.75, 10.0]].map(Point2::from);
     let [from, by, to] = [[0.75, 10.0], [0.9, 9.4], [0.8, 8.6]].map(Point2::from);
     let half = [
         PathSegment::Cubic(head),
         PathSegment::Cubic([from, by, to, foot]),
-        PathSegment::Line([foot, at(8.0, middle)]),
+        PathSegment::Line([foot, polar(8.0, middle)]),
     ];
     let outline = read(&all_round(teeth, &half), Face::Front, Some(teeth), 0.0);
     let polygon = outline.points(0.0, CHORD);

@@ -10,39 +10,23 @@ fn shifted(teeth: u32) -> Make {
 /// Slope, crowning, both reliefs and a wavy trace of all teeth, one of them or together.
 fn profile(teeth: u32, which: usize) -> Modification {
     let r = shifted(teeth).design.basic_data.reference_radius();
-    let relief = |amount, from, parabolic| {
-        Some(Relief {
-            amount,
-            from,
-            parabolic,
-        })
-    };
-    let mut one = Modification {
-        range: Some([r - 1.2, r + 3.0]),
-        ..Modification::default()
+    let relief = |amount, from, parabolic| Relief {
+        amount,
+        from,
+        parabolic,
     };
     let is = |number: usize| which == number || which > 5;
-    if is(0) {
-        one.slope = 0.012;
+    let rolls = (0..40).map(|k| 0.1 + 0.02 * f64::from(k));
+    let wavy = trace(None, rolls.map(|roll| (roll, 0.003 * (9.0 * roll).sin())));
+    let of = |number: usize, amount: f64| if is(number) { amount } else { 0.0 };
+    Modification {
+        range: Some([r - 1.2, r + 3.0]),
+        slope: of(0, 0.012),
+        crowning: if which == 5 { -0.01 } else { of(1, 0.008) },
+        tip_relief: is(2).then(|| relief(0.02, r + 0.6, false)),
+        root_relief: is(3).then(|| relief(0.015, r - 0.4, true)),
+        traces: Vec::from_iter(is(4).then_some(wavy)),
     }
-    if is(1) {
-        one.crowning = 0.008;
-    }
-    if is(2) {
-        one.tip_relief = relief(0.02, r + 0.6, false);
-    }
-    if is(3) {
-        one.root_relief = relief(0.015, r - 0.4, true);
-    }
-    if is(4) {
-        let rolls = (0..40).map(|k| 0.1 + 0.02 * f64::from(k));
-        let points = rolls.map(|roll| (roll, 0.003 * (9.0 * roll).sin()));
-        one.traces = vec![trace(None, points)];
-    }
-    if which == 5 {
-        one.crowning = -0.01;
-    }
-    one
 }
 
 fn trace(tooth: Option<u32>, points: impl IntoIterator<Item = (f64, f64)>) -> Trace {
@@ -143,10 +127,8 @@ fn traces_come_out_as_they_went_in() {
         let found = &read.flank(Flank::Right).tooth(tooth).points;
         for (roll, mm) in &trace(1, times).points {
             let length = base * roll;
-            let Some(pair) = found
-                .windows(2)
-                .find(|w| w[0].0 <= length && length <= w[1].0)
-            else {
+            let mut pairs = found.windows(2);
+            let Some(pair) = pairs.find(|w| w[0].0 <= length && length <= w[1].0) else {
                 continue;
             };
             let part = (length - pair[0].0) / (pair[1].0 - pair[0].0);
@@ -253,9 +235,8 @@ fn a_stated_size_is_read_back() {
     }
 }
 
-/// Spans and pins all round, pitch of both flanks, traces of single teeth: each reading is read back. The flanks turn by what the readings say
-/// of each tooth, and touches
-/// it elsewhere; the square of that turn is left out of the mean thickness, 0.1 nm.
+/// Spans all round, pitch of both flanks, traces of single teeth: each reading is read back. The flanks turn by what the readings say of each tooth;
+/// the square of that turn is left out of the mean thickness, 0.1 nm.
 #[test]
 fn readings_of_each_tooth_are_read_back() {
     let teeth = 21;
@@ -273,10 +254,8 @@ fn readings_of_each_tooth_are_read_back() {
     profiles[0].traces = vec![trace(3), trace(8), trace(17)];
     profiles[1].traces = vec![trace(5)];
     let (right, left) = (wave(6.0, 2.0), wave(5.0, 3.0));
-    let spans: Vec<(u32, f64)> = (1..)
-        .zip(wave(0.004, 4.0))
-        .map(|(i, w)| (i, 23.2 + w))
-        .collect();
+    let spans = wave(0.004, 4.0).into_iter().map(|w| 23.2 + w);
+    let spans: Vec<(u32, f64)> = (1..).zip(spans).collect();
     for face in [Face::Front, Face::Back] {
         let measurements = Measurements {
             thickness: ThicknessStatement::SpanReadings {

@@ -19,6 +19,7 @@ fn an_eccentric_gear_moves_by_twice_its_eccentricity() {
     let eccentric = |e| spur(44, 3.0).runout(e, 1.0);
     let every = Settings::default;
     let over = |from, to| over_face([from, to]);
+    let wound = helical(40, 20.0, Hand::Right, 0.0).runout(0.02, 1.0);
     for (make, settings) in [
         (perfect(44, 0.0, 0.0), every()),
         (perfect(21, 0.0, 0.02), every()),
@@ -29,14 +30,8 @@ fn an_eccentric_gear_moves_by_twice_its_eccentricity() {
         (eccentric(0.005), every()),
         (eccentric(0.02), every()),
         (eccentric(0.08), every()),
-        (
-            helical(40, 20.0, Hand::Right, 0.0).runout(0.02, 1.0),
-            over(0.0, 0.0),
-        ),
-        (
-            helical(40, 20.0, Hand::Right, 0.0).runout(0.02, 1.0),
-            over(-5.0, 30.0),
-        ),
+        (wound.clone(), over(0.0, 0.0)),
+        (wound, over(-5.0, 30.0)),
     ] {
         let part = make.front();
         let (e, z) = (part.eccentricity(), part.gear().basic_data().teeth());
@@ -79,20 +74,16 @@ fn an_eccentric_gear_moves_by_twice_its_eccentricity() {
 fn extremes_between_poses_are_bracketed() {
     for (teeth, shift, e) in [(9, 0.4, 0.0), (9, 0.4, 0.006), (23, 0.0, 0.01)] {
         let wave = |seed| scaled(&made_up(teeth, seed), 6e-3);
-        let mut make = spur(teeth, 2.0).shift(shift).runout(e, 2.3);
-        make.deviations.per_tooth = wave(1);
-        let part = make.pitch(&wave(2), &wave(3)).front();
+        let make = spur(teeth, 2.0).shift(shift).runout(e, 2.3);
+        let part = make.per_tooth(wave(1)).pitch(&wave(2), &wave(3)).front();
         let [few, many] = [16, 16 * 5].map(|steps| rolled(&part, steps));
         let error = 2.0 * few.reading_error();
         // Over the even poses alone, which share nothing with the search.
         let ends = |poses: &[RollPose]| ends(poses.iter().map(|pose| pose.distance));
         let [least, most] = ends(&many.poses);
         let total = few.total;
-        assert!(
-            most - least <= total.found + total.missed + error,
-            "{total:?}"
-        );
-        assert!(total.missed <= 1e-6, "z {teeth}: {total:?}");
+        let known = total.found + total.missed + error;
+        assert!(most - least <= known && total.missed <= 1e-6, "{total:?}");
         let count = many.poses.len();
         let windows = (0..count).map(|first| {
             let window = (first..=first + 16 * 5).map(|i| many.poses[i % count]);
@@ -116,10 +107,8 @@ fn extremes_between_poses_are_bracketed() {
 fn polygons_close_at_every_distance_of_a_deviated_eccentric_gear() {
     const BESIDE: f64 = 1e-7;
     let wave = |seed| scaled(&made_up(23, seed), 8e-3);
-    let part = spur(23, 2.0)
-        .pitch(&wave(4), &wave(5))
-        .runout(0.02, 3.4)
-        .front();
+    let part = spur(23, 2.0).pitch(&wave(4), &wave(5));
+    let part = part.runout(0.02, 3.4).front();
     let roll = rolled(&part, 3);
     let master = AsBuilt::perfect(roll.master.clone(), Face::Back);
     let cut = CutPair::new(&part, &master, 1e-3);

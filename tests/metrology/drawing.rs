@@ -66,27 +66,18 @@ fn what_is_no_field_is_refused() {
 /// 64; the table is rounded from them.
 #[test]
 fn js_is_half_the_grade_of_the_tolerance_factor() {
-    let bounds = [
-        3.0, 6.0, 10.0, 18.0, 30.0, 50.0, 80.0, 120.0, 180.0, 250.0, 315.0, 400.0, 500.0,
-    ];
-    let multiples = [
-        (5, 7.0),
-        (6, 10.0),
-        (7, 16.0),
-        (8, 25.0),
-        (9, 40.0),
-        (10, 64.0),
-    ];
+    let bounds = "3 6 10 18 30 50 80 120 180 250 315 400 500";
+    let bounds = bounds.split(' ').map(|bound| bound.parse().unwrap());
+    let bounds: Vec<f64> = bounds.collect();
     for ends in bounds.windows(2) {
         let mean = f64::sqrt(ends[0] * ends[1]);
         let factor = 0.45 * mean.cbrt() + 0.001 * mean;
         for nominal in [ends[0] + 0.001, ends[1]] {
-            for (grade, multiple) in multiples {
+            for (grade, multiple) in (5..=10).zip([7.0, 10.0, 16.0, 25.0, 40.0, 64.0]) {
                 let distance: DesignatedDistance = format!("{nominal} js{grade}").parse().unwrap();
                 let [lower, upper] = distance.deviations_um().unwrap();
                 let found = upper - lower;
-                let off = (found - multiple * factor).abs();
-                assert!(off < 0.6 + 0.03 * found, "{nominal} js{grade}: {found}");
+                near(distance, found, multiple * factor, 0.6 + 0.03 * found);
             }
         }
     }
@@ -115,10 +106,9 @@ fn measured(thickness: ThicknessStatement) -> Toleranced<Gear> {
         thickness,
         ..Measurements::nominal(spur(24, 2.0).design, Face::Front)
     };
-    let gear = statement.measure().unwrap();
-    gear.as_built
-        .try_map(|built| Ok::<_, GearError>(built.gear().clone()))
-        .unwrap()
+    let gears = statement.measure().unwrap().as_built;
+    let of = gears.try_map(|built| Ok::<_, GearError>(built.gear().clone()));
+    of.unwrap()
 }
 
 /// Source: normals of both flanks at the contact lie on the line of action: four flanks moved in by δ each leave 2 δ a side of normal backlash more.

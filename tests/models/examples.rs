@@ -23,19 +23,13 @@ fn um(table: &str) -> Vec<f64> {
     numbers.collect()
 }
 
-/// ISO 21771: `j_bt = 2 a cos α_w (inv α_w − inv α) − Δs` on the base circles, `j_wt = j_bt/cos α_w`.
+/// Thicker by the shift of the pinion, thinner by both allowances.
 #[test]
 fn a_pair_as_drawn_has_the_play_of_the_formula() {
     let table = drawing_pair::table().unwrap();
-    let alpha = 20f64.to_radians();
-    let r_b = (51.0 + 23.0) * alpha.cos();
+    let thinner = 0.11 - 4.0 * 0.2 * 20f64.to_radians().tan();
     for (a, found) in [74.3, 74.35, 74.4, 74.45].into_iter().zip(um(&table)) {
-        let alpha_w = (r_b / a).acos();
-        // Thicker by the shift of the pinion, thinner by both allowances.
-        let thicker = 4.0 * 0.2 * alpha.tan() - 0.11;
-        let j_bt = 2.0 * r_b * (inv(alpha_w) - inv(alpha)) - thicker * alpha.cos();
-        let j_wt = 1e3 * j_bt / alpha_w.cos();
-        near(a, found, j_wt, 2e-3);
+        near(a, found, 1e3 * j_wt(a, 74.0, thinner), 2e-3);
     }
     assert_eq!(table.lines().count(), 4);
 }
@@ -46,12 +40,8 @@ fn a_pair_from_spans_and_runout_has_its_play() {
     let table = measured_pair::table().unwrap();
     let alpha = 20f64.to_radians();
     let nominal = 3.0 * alpha.cos() * (5.5 * PI + 44.0 * inv(alpha));
-    let thinner = 2.0 * nominal - 50.55 - 50.56;
-    let j_wt = |a: f64| {
-        let alpha_w = (132.0 * alpha.cos() / a).acos();
-        let j_bt = 2.0 * 132.0 * alpha.cos() * (inv(alpha_w) - inv(alpha)) + thinner;
-        1e3 * j_bt / alpha_w.cos()
-    };
+    let thinner = (2.0 * nominal - 50.55 - 50.56) / alpha.cos();
+    let j_wt = |a: f64| 1e3 * j_wt(a, 132.0, thinner);
     let found = um(&table);
     assert_eq!(found.len(), 4);
     let [least, most] = ends(found.iter().copied());

@@ -8,10 +8,6 @@ fn right(z: u32, module: f64, beta_deg: f64, shift: f64) -> Make {
     gear.helix(beta_deg, Hand::Right)
 }
 
-fn data_and_base(gear: &Make) -> (BasicGearData, f64) {
-    (gear.design.basic_data, gear.gear().base_thickness())
-}
-
 /// ISO 21771: `W_k = m_n cos α_n (π (k − ½) + z inv α_t) + 2 x m_n sin α_n + A_sn cos α_n`, in other symbols than the code's.
 #[test]
 fn spans_lie_in_the_normal_section() {
@@ -30,7 +26,7 @@ fn spans_lie_in_the_normal_section() {
                 + 2.0 * shift * module * alpha.sin()
                 + allowance * alpha.cos();
             let gear = right(z, module, beta_deg, shift).allowance(allowance);
-            let (data, base) = data_and_base(&gear);
+            let (data, base) = (gear.design.basic_data, gear.gear().base_thickness());
             let span = thickness::span_from_base(&data, k, base);
             near((z, k), span, expected, 1e-12 * expected);
             let back = thickness::base_from_span(&data, k, span);
@@ -87,16 +83,9 @@ fn undercut_of_helical_gears_begins_at_its_shift() {
 /// diameters, which a circle in place of the ellipse would put 33 to 47 µm lower.
 #[test]
 fn form_diameters_of_the_elliptic_tip_round() {
-    let fva = [
-        (27, 4.5, 21.0, 0.26489334408474646),
-        (23, 6.5, 10.0, 0.2756953920586706),
-    ];
-    let printed = [
-        (124.21168451170895, 121.27815682366175),
-        (144.12170239598015, 139.1403185736816),
-    ];
-    for ((z, module, beta, x_e), (form, root)) in fva.into_iter().zip(printed) {
-        let gear = right(z, module, beta, x_e).gear();
+    for row in rows::<[f64; 6]>(include_str!("data/form_diameters_fva.csv")) {
+        let [z, module, beta, x_e, form, root] = row;
+        let gear = right(z as u32, module, beta, x_e).gear();
         near(z, 2.0 * gear.form_radius(), form, 1e-9);
         near(z, 2.0 * gear.root_radius(), root, 1e-9);
         // The involute and the envelope of the ellipse meet there, and run on into each other.
@@ -106,16 +95,9 @@ fn form_diameters_of_the_elliptic_tip_round() {
         let half = gear.half_angle_at_roll(gear.form_roll());
         near(z, -end.y.atan2(end.x), half, 1e-13);
     }
-    let wheel_x = 0.6690882620776267;
-    for (z, shift, allowance, printed) in [
-        (24, 0.48, 0.0, 328.991),
-        (24, 0.48, -0.13, 328.754),
-        (24, 0.48, -0.19, 328.645),
-        (95, wheel_x, 0.0, 1341.487),
-        (95, wheel_x, -0.24, 1340.862),
-        (95, wheel_x, -0.34, 1340.603),
-    ] {
-        let gear = right(z, 14.0, 10.0, shift).rack(1.0, 1.25, 0.38);
+    for row in rows::<[f64; 4]>(include_str!("data/form_diameters_kisssoft.csv")) {
+        let [z, shift, allowance, printed] = row;
+        let gear = right(z as u32, 14.0, 10.0, shift).rack(1.0, 1.25, 0.38);
         let form = gear.allowance(allowance).gear().form_radius();
         near((z, allowance), 2.0 * form, printed, 5.1e-4);
     }
@@ -125,67 +107,37 @@ fn form_diameters_of_the_elliptic_tip_round() {
 /// printed 0.359 … 0.571 mm.
 #[test]
 fn backlash_of_published_meshes() {
-    let fva = [189.977, 190.023];
-    let thinned = [[-0.115, -0.165]; 2];
-    let kisssoft = [[-0.13, -0.19], [-0.24, -0.34]];
-    let first = [27, 51].into_iter().zip([0.3, 0.1628301985916763]);
-    let second = [23, 34].into_iter().zip([0.3, 0.0014790906759136746]);
-    let third = [24, 95].into_iter().zip([0.48, 0.6690882620776267]);
-    let exact = [
-        [0.2296391511516653, 0.37665968616658085],
-        [0.21750255035542532, 0.3568872280662292],
-        [0.358822838, 0.571440497],
-    ];
-    for (k, (gears, module, beta, distances, allowances)) in [
-        (first, 4.5, 21.0, fva, thinned),
-        (second, 6.5, 10.0, fva, thinned),
-        (third, 14.0, 10.0, [860.972, 861.028], kisssoft),
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        let gears: Vec<Make> = gears.map(|(z, x)| right(z, module, beta, x)).collect();
-        for end in [0, 1] {
-            let gear = |k: usize| gears[k].clone().allowance(allowances[k][end]);
-            let wheel = gear(0).helix(beta, Hand::Left);
-            let pair = pair(&wheel, &gear(1), distances[end]);
-            let j_wt = InvolutePair::of(&pair).circumferential_backlash(distances[end]);
-            let j_wt = j_wt.unwrap();
-            near((k, end), j_wt, exact[k][end], 1e-9);
-            let backlash = pair.backlash(j_wt);
-            let data = pair.gear(Member::Wheel).gear().basic_data();
-            // j_bn = j_t cos α_n cos β.
-            let normal = backlash.j_t * 20f64.to_radians().cos() * data.helix_angle().cos();
-            near((k, end), backlash.j_bn, normal, 1e-15);
-            let of_base = backlash.j_bt(&pair) * data.base_helix_angle().cos();
-            near((k, end), of_base, normal, 1e-15);
-        }
+    for row in rows::<[f64; 10]>(include_str!("data/meshes.csv")) {
+        let [z_1, x_1, z_2, x_2, module, beta, distance, a_1, a_2, exact] = row;
+        let gear = |z, x, allowance| right(z as u32, module, beta, x).allowance(allowance);
+        let wheel = gear(z_1, x_1, a_1).helix(beta, Hand::Left);
+        let pair = pair(&wheel, &gear(z_2, x_2, a_2), distance);
+        let j_wt = InvolutePair::of(&pair).circumferential_backlash(distance);
+        let j_wt = j_wt.unwrap();
+        near(row, j_wt, exact, 1e-9);
+        let backlash = pair.backlash(j_wt);
+        let data = pair.gear(Member::Wheel).gear().basic_data();
+        // j_bn = j_t cos α_n cos β.
+        let normal = backlash.j_t * 20f64.to_radians().cos() * data.helix_angle().cos();
+        near(row, backlash.j_bn, normal, 1e-15);
+        let of_base = backlash.j_bt(&pair) * data.base_helix_angle().cos();
+        near(row, of_base, normal, 1e-15);
     }
 }
 
 #[test]
 fn what_is_no_helical_pair_is_refused() {
     let gear = |degrees: f64, hand| spur(30, 2.0).helix(degrees, hand).front();
-    let left = || gear(20.0, Hand::Left);
-    let pair = |other| GearPair::new(left(), other, 70.0);
-    for (other, message) in [
-        (
-            left(),
-            "both gears are left-handed: teeth of an external pair wind opposite ways",
-        ),
-        (
-            gear(21.0, Hand::Right),
-            "helix angle (degrees) differs: wheel 20",
-        ),
-        (
-            gear(0.0, Hand::Right),
-            "helix angle (degrees) differs: wheel 20",
-        ),
+    let pair = |degrees, hand| GearPair::new(gear(20.0, Hand::Left), gear(degrees, hand), 70.0);
+    for (degrees, hand, message) in [
+        (20.0, Hand::Left, "both gears are left-handed"),
+        (21.0, Hand::Right, "helix angle (degrees) differs: wheel 20"),
+        (0.0, Hand::Right, "helix angle (degrees) differs: wheel 20"),
     ] {
-        let said = pair(other).unwrap_err().to_string();
+        let said = pair(degrees, hand).unwrap_err().to_string();
         assert!(said.starts_with(message), "{said}");
     }
-    let helical = pair(gear(20.0, Hand::Right)).unwrap();
+    let helical = pair(20.0, Hand::Right).unwrap();
     for face in [[5.0, 4.0], [0.0, f64::NAN]] {
         assert!(helical.clone().with_face(face).is_err(), "{face:?}");
     }

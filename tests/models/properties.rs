@@ -7,11 +7,9 @@ use common::random_pair::Case;
 fn same(one: [Option<f64>; 3], other: [Option<f64>; 3]) -> Result<(), TestCaseError> {
     for (model, (one, other)) in one.into_iter().zip(other).enumerate() {
         match (one, other) {
-            (Some(one), Some(other)) => prop_assert!(
-                (one - other).abs() <= ROUNDING,
-                "model {}: {one} {other}",
-                model + 1
-            ),
+            (Some(one), Some(other)) => {
+                prop_assert!((one - other).abs() <= ROUNDING, "{model}: {one} {other}")
+            }
             (one, other) => prop_assert_eq!(one, other),
         }
     }
@@ -122,32 +120,24 @@ proptest! {
         prop_assert!(at(reference + off).abs() <= off * off);
     }
 
-    /// A contact ratio above 1 leaves each side one pair at least.
+    /// A contact ratio above 1 leaves each side one pair at least. Of rough gears, and of gears of unequal temperature, which have unequal base pitches, a
+    /// gear that cannot exist is no case.
     #[test]
-    fn contacts_touch_and_no_pair_is_missed(case in case()) {
+    fn contacts_touch_and_no_pair_is_missed(
+        case in case(),
+        rough in rough_case(),
+        expansion in prop::array::uniform2(-0.008..0.008f64),
+    ) {
         let contacts = check_contacts(&case.assemble(1.0), case.mating)?;
         prop_assert!(contacts >= 2);
-    }
-
-    #[test]
-    fn contacts_touch_and_no_pair_is_missed_on_rough_gears(case in rough_case()) {
-        // A gear that cannot exist is no case.
-        if let Ok(assembly) = case.try_assemble(1.0) {
-            check_contacts(&assembly, case.mating)?;
-            for value in case.backlash(1.0) {
+        if let Ok(assembly) = rough.try_assemble(1.0) {
+            check_contacts(&assembly, rough.mating)?;
+            for value in rough.backlash(1.0) {
                 prop_assert!(value.is_none_or(f64::is_finite));
             }
         }
-    }
-
-    /// Gears of unequal temperature have unequal base pitches.
-    #[test]
-    fn contacts_touch_and_no_pair_is_missed_on_gears_unequally_warm(
-        case in rough_case(),
-        expansion in prop::array::uniform2(-0.008..0.008f64),
-    ) {
-        if let Ok(assembly) = case.warmed(expansion) {
-            check_contacts(&assembly, case.mating)?;
+        if let Ok(assembly) = rough.warmed(expansion) {
+            check_contacts(&assembly, rough.mating)?;
         }
     }
 }
@@ -171,10 +161,8 @@ fn touch(
     let flank = tooth_1 + gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
     let point = profile.point(ProfilePart::Involute, roll, side).coords;
     let centre = assembly.axis(member).coords + gear.displacement(tooth_1);
-    (
-        centre + turned(flank, point),
-        turned(flank, profile.normal(ProfilePart::Involute, roll, side)),
-    )
+    let normal = profile.normal(ProfilePart::Involute, roll, side);
+    (centre + turned(flank, point), turned(flank, normal))
 }
 
 /// The contacts model 3 reports are contacts: points coincide, normals oppose, on the gears' own profiles,
@@ -197,18 +185,10 @@ fn check_contacts(assembly: &GearPair, mating: Mating) -> Result<usize, TestCase
                 prop_assert!(radius < gear.tip_radius() + 1e-9);
                 Ok(touch(assembly, member, rotation, side, tooth, roll))
             };
-            let locked = of(
-                assembly.locked(),
-                pose.locked_rotation(),
-                contact.locked_tooth,
-                contact.locked_roll,
-            )?;
-            let free = of(
-                assembly.free(),
-                contact.rotation,
-                contact.free_tooth,
-                contact.free_roll,
-            )?;
+            let (tooth, roll) = (contact.locked_tooth, contact.locked_roll);
+            let locked = of(assembly.locked(), pose.locked_rotation(), tooth, roll)?;
+            let (tooth, roll) = (contact.free_tooth, contact.free_roll);
+            let free = of(assembly.free(), contact.rotation, tooth, roll)?;
             prop_assert!((locked.0 - free.0).norm() < ROUNDING, "{contact:?}");
             prop_assert!((locked.1 + free.1).norm() < 1e-13, "{contact:?}");
             let ahead = contact.rotation - tightest.unwrap().rotation;
@@ -230,10 +210,7 @@ fn check_contacts(assembly: &GearPair, mating: Mating) -> Result<usize, TestCase
 /// Whether the contact of one facing pair is on both involutes, by the equations of model 3. They are written out for
 /// each side in the picture frame, with the free gear's rotation by plain iteration.
 fn plain_contact(assembly: &GearPair, pose: &Pose, side: Side, steps: i64) -> bool {
-    let (locked, free) = (
-        assembly.gear(assembly.locked()),
-        assembly.gear(assembly.free()),
-    );
+    let [locked, free] = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
     let locked_tooth = locked.counter_clockwise(pose.mating().tooth(assembly.locked()), steps);
     let free_tooth = pose.facing_tooth(assembly, side, steps);
     let (base_1, base_2) = (locked.gear().base_radius(), free.gear().base_radius());

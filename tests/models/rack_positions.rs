@@ -83,10 +83,9 @@ impl Cutting {
         let (mut low, mut high) = (best - step, best + step);
         for _ in 0..60 {
             let third = (high - low) / 3.0;
-            if clear(low + third) <= clear(high - third) {
-                high -= third;
-            } else {
-                low += third;
+            match clear(low + third) <= clear(high - third) {
+                true => high -= third,
+                false => low += third,
             }
         }
         0.5 * (low + high)
@@ -98,12 +97,6 @@ impl Cutting {
         let [along, deep] = self.off_centre(point, phi);
         along * (x - self.radius) * self.cos_beta + deep * y
     }
-}
-
-fn gear(teeth: u32, helix_deg: f64, shift: f64, [high, round]: [f64; 2], alpha_deg: f64) -> Gear {
-    let mut gear = spur(teeth, 2.0).shift(shift).rack(high, 1.25, round);
-    gear.design.basic_data = BasicGearData::new(teeth, 2.0, alpha_deg.to_radians()).unwrap();
-    gear.helix(helix_deg, Hand::Left).gear()
 }
 
 /// Undercut and not, the centre of the round below the pitch line and above it (shift 1.2), sharp tools and full rounds, spur and up to 45° of helix.
@@ -122,7 +115,8 @@ fn gears() -> Vec<Gear> {
             (200, -0.4, [1.0, 0.0], 25.0),
             (31, 0.1, [1.0, full], 20.0),
         ] {
-            gears.push(gear(teeth, helix, shift, rack, alpha));
+            let gear = spur_of_angle(teeth, 2.0, alpha).rack(rack[0], 1.25, rack[1]);
+            gears.push(gear.shift(shift).helix(helix, Hand::Left).gear());
         }
     }
     gears
@@ -164,10 +158,9 @@ fn the_tool_touches_what_it_leaves_and_covers_none_of_it() {
                 assert!(cutting.slope(at, low) < 0.0 && cutting.slope(at, high) > 0.0);
                 for _ in 0..60 {
                     phi = 0.5 * (low + high);
-                    if cutting.slope(at, phi) < 0.0 {
-                        low = phi
-                    } else {
-                        high = phi
+                    match cutting.slope(at, phi) < 0.0 {
+                        true => low = phi,
+                        false => high = phi,
                     }
                 }
                 let [along, deep] = cutting.off_centre(at, phi);

@@ -1,20 +1,18 @@
-//! A pair of gears and one of its poses, from a seed and a number.
-//!
-//! The draws go far outside practice on purpose. Impossible gears (pointed teeth, closed spaces, no involute left) are drawn again.
+//! A pair of gears and one of its poses, from a seed and a number. Impossible gears (pointed teeth, closed spaces) are drawn again.
 
 use super::gear::Numbers;
-use super::pair_file;
 use super::random::Random;
 use gearlash::analytic::InvolutePair;
 use gearlash::gear::{AsBuilt, Hand, Side};
 use gearlash::pair::{GearPair, Mating, Member};
+use serde_json::json;
 use std::sync::Arc;
 
 /// Poses per pair, each with its own centre distance, locked gear, mating and fraction.
 pub const POSES_A_PAIR: u64 = 4;
 
 /// The gears of a campaign.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
 pub enum Teeth {
     Spur,
     /// Helix angles of 0.5 to 50°, faces of up to 100 modules that begin before the measuring plane and end behind it.
@@ -25,7 +23,7 @@ pub enum Teeth {
 const HELIX: u64 = 0x4845_4c49;
 
 /// The distance of the gears of a pose.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum, serde::Deserialize)]
 pub enum Depth {
     /// From jammed to tips that barely reach; mostly in mesh
     Any,
@@ -35,16 +33,10 @@ pub enum Depth {
     OnRoot,
 }
 
-impl Depth {
-    pub const ALL: [Depth; 3] = [Depth::Any, Depth::Grazing, Depth::OnRoot];
-}
-
 /// A drawn pair.
 pub struct Pair {
     numbers: Arc<[Numbers; 2]>,
     gears: [AsBuilt; 2],
-    /// Number of impossible gears and pairs drawn before.
-    pub redrawn: u64,
     seed: u64,
     number: u64,
     /// The common face, mm.
@@ -56,7 +48,6 @@ pub struct Drawn {
     pub gears: Arc<[Numbers; 2]>,
     pub assembly: GearPair,
     pub mating: Mating,
-    pub depth: Depth,
 }
 
 impl Pair {
@@ -74,7 +65,6 @@ impl Pair {
         let widest = winding.pick(&[10.0, 30.0, 100.0]);
         let width = winding.within(0.01 * widest, widest);
         let from = -width * winding.within(0.0, 1.0);
-        let mut redrawn = 0;
         loop {
             let undercut = random.chance(0.25);
             let first = random.decades(3.0, if undercut { 16.0 } else { 401.0 }) as u32;
@@ -100,16 +90,13 @@ impl Pair {
                     if kind == Teeth::Helical {
                         numbers.wind(angle_deg, hands[k]);
                     }
-                    let built = numbers.build();
-                    redrawn += u64::from(built.is_none());
-                    built.map(|gear| (numbers, gear))
+                    numbers.build().map(|gear| (numbers, gear))
                 })
             });
             if let (Some(wheel), Some(pinion)) = (wheel, pinion) {
                 return Pair {
                     numbers: Arc::new([wheel.0, pinion.0]),
                     gears: [wheel.1, pinion.1],
-                    redrawn,
                     seed,
                     number,
                     face: match kind {
@@ -158,7 +145,6 @@ impl Pair {
             gears: Arc::clone(&self.numbers),
             assembly,
             mating,
-            depth,
         }
     }
 
@@ -183,8 +169,8 @@ impl Pair {
                 random.within(jammed, jammed.max(tips + 0.5 * off))
             }
             Depth::Grazing => {
-                { tips + random.within(-1.0, 1.0) * off - random.decades(1e-4, 0.2) * module }
-                    .max(least)
+                let aside = random.within(-1.0, 1.0) * off;
+                (tips + aside - random.decades(1e-4, 0.2) * module).max(least)
             }
             Depth::OnRoot => {
                 let beyond = random.decades(1e-4, 0.1) * module;
@@ -206,7 +192,24 @@ impl Drawn {
         Pair::of(kind, seed, index / POSES_A_PAIR).pose(index % POSES_A_PAIR, depth)
     }
 
+    /// The pose as a pair file in JSON that reproduces it to the last bit, its flank in the title (a pair file runs both).
     pub fn pair_file(&self) -> String {
-        pair_file::text(self)
+        let (assembly, mating) = (&self.assembly, &self.mating);
+        let gears = self.gears.each_ref();
+        let [wheel, pinion] = gears.map(|gear| gear.table(assembly.face()));
+        let file = json!({
+            "title": format!("pose at the {} flank", mating.flank.name()),
+            "wheel": wheel,
+            "pinion": pinion,
+            "assembly": {
+                "center_distance_mm": assembly.center_distance(),
+                "locked": assembly.locked().name(),
+            },
+            "sweep": {
+                "mating": [[mating.wheel_tooth, mating.pinion_tooth]],
+                "fraction": [mating.fraction],
+            },
+        });
+        format!("{file:#}")
     }
 }

@@ -1,70 +1,35 @@
 //! One gear of the campaign, as the numbers of a pair file.
 
 use super::random::Random;
-use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, thickness,
-};
+use crate::kit::Make;
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign, Hand};
+use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_4, PI};
 
-/// The kind of basic rack that cut a gear.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum RackKind {
-    /// ISO 53 A.
-    Standard,
-    /// Addendum 0.3 to 0.8.
-    Stub,
-    /// Addendum 1.3.
-    Long,
-    /// Root radius 0.
-    Sharp,
-    /// The greatest root radius that fits.
-    FullRound,
-    /// Any value in between.
-    Any,
-}
-
-impl RackKind {
-    pub const ALL: [RackKind; 6] = [
-        RackKind::Standard,
-        RackKind::Stub,
-        RackKind::Long,
-        RackKind::Sharp,
-        RackKind::FullRound,
-        RackKind::Any,
-    ];
-
-    /// Addendum, dedendum, root radius in modules, at the pressure angle `alpha`.
-    fn draw(self, random: &mut Random, alpha: f64) -> [f64; 3] {
-        let addendum = match self {
-            RackKind::Standard => return [1.0, 1.25, 0.38],
-            RackKind::Stub if random.chance(0.5) => 0.8,
-            RackKind::Stub => random.within(0.3, 0.8),
-            RackKind::Long => 1.3,
-            _ => random.within(0.8, 1.25),
-        };
-        let dedendum = addendum + random.within(0.1, 0.4);
-        // Half the tool's flat: π/4 − (h_fP − ρ) tan α − ρ/cos α = 0.
-        let (sin, cos) = alpha.sin_cos();
-        let fits = ((FRAC_PI_4 * cos - dedendum * sin) / (1.0 - sin)).clamp(0.0, dedendum);
-        let root_radius = match self {
-            RackKind::Sharp => 0.0,
-            RackKind::FullRound => fits,
-            _ => random.within(0.0, fits.min(0.45)),
-        };
-        [addendum, dedendum, root_radius]
-    }
-}
-
-/// Difference of the tip circle from that of the rack and `x`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Tip {
-    AsGenerated,
-    TurnedDown,
-    Raised,
-}
-
-impl Tip {
-    pub const ALL: [Tip; 3] = [Tip::AsGenerated, Tip::TurnedDown, Tip::Raised];
+/// Addendum, dedendum and root radius of a rack in modules, at the pressure angle `alpha`.
+fn rack(random: &mut Random, alpha: f64) -> [f64; 3] {
+    let kind = random.one_of(6);
+    let addendum = match kind {
+        // ISO 53 A.
+        1 => return [1.0, 1.25, 0.38],
+        // Stub.
+        2 if random.chance(0.5) => 0.8,
+        2 => random.within(0.3, 0.8),
+        // Long.
+        3 => 1.3,
+        _ => random.within(0.8, 1.25),
+    };
+    let dedendum = addendum + random.within(0.1, 0.4);
+    // Half the tool's flat: π/4 − (h_fP − ρ) tan α − ρ/cos α = 0.
+    let (sin, cos) = alpha.sin_cos();
+    let fits = ((FRAC_PI_4 * cos - dedendum * sin) / (1.0 - sin)).clamp(0.0, dedendum);
+    let root_radius = match kind {
+        // Sharp, and full round.
+        4 => 0.0,
+        5 => fits,
+        _ => random.within(0.0, fits.min(0.45)),
+    };
+    [addendum, dedendum, root_radius]
 }
 
 /// The numbers of one gear, as in a pair file.
@@ -73,9 +38,7 @@ pub struct Numbers {
     pub module_mm: f64,
     pub pressure_angle_deg: f64,
     pub profile_shift: f64,
-    pub kind: RackKind,
     pub rack: [f64; 3],
-    pub tip: Tip,
     pub tip_diameter_mm: f64,
     pub allowance_um: f64,
     pub face: Face,
@@ -106,20 +69,18 @@ impl Numbers {
         module_mm: f64,
         pressure_angle_deg: f64,
     ) -> Numbers {
-        use Tip::{AsGenerated, Raised, TurnedDown};
-        let kind = random.pick(&RackKind::ALL);
-        let rack = kind.draw(random, pressure_angle_deg.to_radians());
+        let rack = rack(random, pressure_angle_deg.to_radians());
         let profile_shift = if random.chance(0.15) {
             0.0
         } else {
             random.within(-0.6, 1.2)
         };
         let plain = f64::from(teeth) * module_mm + 2.0 * module_mm * (rack[0] + profile_shift);
-        let tip = random.pick(&[AsGenerated, AsGenerated, TurnedDown, Raised]);
-        let longer = match tip {
-            AsGenerated => 0.0,
-            TurnedDown => -random.decades(0.01, 0.8),
-            Raised => random.decades(0.01, 0.6),
+        // As generated, turned down, or raised.
+        let longer = match random.one_of(4) {
+            1 | 2 => 0.0,
+            3 => -random.decades(0.01, 0.8),
+            _ => random.decades(0.01, 0.6),
         };
         let tip_diameter_mm = plain + 2.0 * module_mm * longer;
         let allowance = if random.chance(0.5) {
@@ -132,9 +93,7 @@ impl Numbers {
             module_mm,
             pressure_angle_deg,
             profile_shift,
-            kind,
             rack,
-            tip,
             tip_diameter_mm,
             allowance_um: allowance * module_mm * 1e3,
             face: random.pick(&[Face::Front, Face::Back]),
@@ -200,27 +159,53 @@ impl Numbers {
         let mm = |list: &[f64]| list.iter().map(|um| um / 1e3).collect::<Vec<f64>>();
         let alpha = self.pressure_angle_deg.to_radians();
         let (angle_deg, hand) = self.helix.unwrap_or((0.0, Hand::Right));
-        let basic_data = BasicGearData::new(self.teeth, self.module_mm, alpha).ok()?;
-        let basic_data = basic_data.with_helix(angle_deg.to_radians(), hand).ok()?;
-        let design = GearDesign {
-            basic_data,
-            profile_shift: self.profile_shift,
-            rack: BasicRack::new(self.rack[0], self.rack[1], self.rack[2]).ok()?,
-            tip_diameter: Some(self.tip_diameter_mm),
+        let data = BasicGearData::new(self.teeth, self.module_mm, alpha).ok()?;
+        let data = data.with_helix(angle_deg.to_radians(), hand).ok()?;
+        let mut gear = Make::of(GearDesign::standard(data)).shift(self.profile_shift);
+        gear.design.rack = BasicRack::new(self.rack[0], self.rack[1], self.rack[2]).ok()?;
+        let gear = gear.tip_diameter(self.tip_diameter_mm);
+        let gear = gear.allowance(self.allowance_um / 1e3);
+        let gear = gear.runout(self.runout_um / 1e3 / 2.0, self.high_tooth);
+        let gear = gear.per_tooth(mm(&self.per_tooth_um));
+        let gear = match self.right_um.is_empty() {
+            true => gear,
+            false => gear.pitch(&mm(&self.right_um), &mm(&self.left_um)),
         };
-        let base = thickness::base_from_allowance(
-            &design.basic_data,
-            design.nominal_base_thickness(),
-            self.allowance_um / 1e3,
-        );
-        let pitch = !self.right_um.is_empty();
-        let deviations = Deviations {
-            per_tooth: mm(&self.per_tooth_um),
-            pitch: pitch.then(|| Pitch::from_cumulative(&mm(&self.right_um), &mm(&self.left_um))),
-            eccentricity: self.runout_um / 1e3 / 2.0,
-            high_tooth: self.high_tooth,
-            ..Deviations::default()
+        gear.try_built(self.face)
+    }
+
+    /// The gear as a table of a pair file, a helical one with its face, mm.
+    pub fn table(&self, face: [f64; 2]) -> Value {
+        let seen = match self.face {
+            Face::Front => "front",
+            Face::Back => "back",
         };
-        AsBuilt::new(Gear::new(design, base).ok()?, self.face, &deviations).ok()
+        let [addendum, dedendum, root_radius] = self.rack;
+        let mut table = json!({
+            "teeth": self.teeth,
+            "reference_face": seen,
+            "module_mm": self.module_mm,
+            "pressure_angle_deg": self.pressure_angle_deg,
+            "profile_shift": self.profile_shift,
+            "tip_diameter_mm": self.tip_diameter_mm,
+            "rack": { "addendum": addendum, "dedendum": dedendum, "root_radius": root_radius },
+            "thickness": { "allowance_um": self.allowance_um },
+        });
+        if let Some((angle_deg, hand)) = self.helix {
+            table["helix_angle_deg"] = json!(angle_deg);
+            table["hand"] = json!(hand.name());
+            table["face_mm"] = json!(face);
+        }
+        if !self.per_tooth_um.is_empty() {
+            table["thickness"]["per_tooth_um"] = json!(self.per_tooth_um);
+        }
+        if self.runout_um > 0.0 {
+            table["runout"] = json!({ "total_um": self.runout_um, "high_tooth": self.high_tooth });
+        }
+        if !self.right_um.is_empty() {
+            let (right, left) = (&self.right_um, &self.left_um);
+            table["pitch"] = json!({ "kind": "cumulative", "right_um": right, "left_um": left });
+        }
+        table
     }
 }

@@ -2,50 +2,35 @@
 
 use super::draw::Drawn;
 use gearlash::contact::{
-    Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, PolygonDifference, PoseResult,
-    Prover, Status, Touch, sweep,
+    Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, PoseResult, Prover, Status,
+    Touch, sweep,
 };
 use gearlash::error::Error;
 use gearlash::gear::{Profile, ProfilePart, Side};
 use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
 
 /// Distance from the form circle, mm, within which a contact is at the joint of involute and fillet.
 const JOINT: f64 = 1e-6;
-
-/// The timed methods: exact, polygon, certificate, proof by directions.
-pub const METHODS: [&str; 4] = ["exact", "polygon", "certificate", "proof"];
 
 /// Number of bounds by which a result is moved; then neither certificate nor prover may accept it.
 const MOVED: f64 = 3.0;
 
 /// The outcome of a pose.
 pub enum Verdict {
-    /// Both methods are within their bounds of each other, and the certificate confirms them.
-    Confirmed(Agreement),
+    /// Both methods are within their bounds of each other, and the certificate confirms them; or statuses differ within their uncertainty, and why.
+    Confirmed(Option<&'static str>),
     /// One method gave up: the pose is unproven, not wrong.
     Unproven(String),
     /// They contradict each other.
     Fault(String),
 }
 
-/// Agreement of two methods.
-#[derive(Default)]
-pub struct Agreement {
-    /// Greatest difference of a rotation, and both bounds together, µm of `j_wt`.
-    pub difference_um: f64,
-    pub bound_um: f64,
-    /// Statuses that differ within their uncertainty.
-    pub border: Option<&'static str>,
-}
-
 /// One pose, with its results.
 pub struct Outcome {
     pub exact: Option<LostMotion>,
     pub verdict: Verdict,
-    pub times: [Duration; 4],
     /// The reason why the exact result is left to the polygons, if the prover does not prove it.
     pub left_to_polygons: Option<&'static str>,
     /// Effort of the exact method, and its limit.
@@ -60,29 +45,17 @@ impl Outcome {
         }
         let assembly = &drawn.assembly;
         let pose = Pose::new(assembly, drawn.mating);
-        let start = Instant::now();
         let kernel = ExactKernel::new(assembly);
         let exact = kernel.lost_motion(&pose);
-        let exact_took = start.elapsed();
-        let effort = kernel.effort(&pose);
-        let start = Instant::now();
         let polygon = has_polygon_method.then(|| cut.refined_kernel(assembly).lost_motion(&pose));
-        let polygon_took = start.elapsed();
-        let start = Instant::now();
         let certifier = Certifier::new(cut.kernel(assembly));
-        let certificate = match &exact {
-            Ok(exact) => certifier.check(&pose, exact),
-            Err(_) => Ok(()),
-        };
-        let certificate_took = start.elapsed();
+        let certificate = exact.as_ref().map(|exact| certifier.check(&pose, exact));
+        let certificate = certificate.unwrap_or(Ok(()));
         let prover = Prover::new(assembly, &kernel);
-        let start = Instant::now();
-        let proof = exact.as_ref().ok().map(|exact| prover.check(&pose, exact));
-        let times = [exact_took, polygon_took, certificate_took, start.elapsed()];
-        let moved = exact
-            .as_ref()
-            .ok()
-            .and_then(|exact| accepts_moved(&drawn.assembly, &certifier, &prover, &pose, exact));
+        let found = exact.as_ref().ok();
+        let proof = found.map(|exact| prover.check(&pose, exact));
+        let moved =
+            found.and_then(|exact| accepts_moved(assembly, &certifier, &prover, &pose, exact));
         let verdict = match (&exact, &polygon, certificate) {
             _ if moved.is_some() => Verdict::Fault(moved.unwrap_or_default()),
             (_, _, Err(error @ Error::CertificateFailed { .. })) => {
@@ -93,16 +66,55 @@ impl Outcome {
             (_, Some(Err(error)), _) => Verdict::Unproven(format!("polygon: {error}")),
             (_, _, Err(error)) => Verdict::Unproven(format!("certificate: {error}")),
             (Ok(exact), Some(Ok(polygon)), Ok(())) => judge(drawn, cut, exact, polygon),
-            (Ok(_), None, Ok(())) => Verdict::Confirmed(Agreement::default()),
+            (Ok(_), None, Ok(())) => Verdict::Confirmed(None),
         };
         Outcome {
             exact: exact.ok(),
             verdict,
-            times,
-            effort,
+            effort: kernel.effort(&pose),
             left_to_polygons: proof.and_then(Result::err),
         }
     }
+}
+
+/// `found` with another contact on a side.
+pub fn with_contact(found: &LostMotion, side: Side, contact: Option<Contact>) -> LostMotion {
+    let mut found = *found;
+    match side {
+        Side::Right => found.right = contact,
+        Side::Left => found.left = contact,
+    }
+    found
+}
+
+pub fn turned(contact: Contact, by: f64) -> Contact {
+    let rotation = contact.rotation + by;
+    Contact {
+        rotation,
+        ..contact
+    }
+}
+
+/// `angle` without whole turns.
+pub fn without_turns(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// A contradiction of two results: a side with one contact, or rotations apart by more than both bounds and `more` rad.
+pub fn differ(one: &LostMotion, other: &LostMotion, more: f64) -> Option<String> {
+    Side::BOTH.into_iter().find_map(|side| {
+        let known = match (one.on(side), other.on(side)) {
+            (None, None) => return None,
+            (Some(one), Some(other)) => {
+                let off = one.rotation - other.rotation;
+                // The last term is the rounding of an angle of this many turns.
+                let bound = one.error + other.error + more + 1e-14 * (off / TAU).round().abs();
+                without_turns(off).abs() <= bound
+            }
+            _ => false,
+        };
+        (!known).then(|| format!("{side:?}: {one:?}\nbut {other:?}"))
+    })
 }
 
 /// The name of the certificate or the prover if it confirms a result that `prover` proves also after a move by [`MOVED`] of its own bounds.
@@ -124,21 +136,17 @@ fn accepts_moved(
         let contact = found.on(side.side)?;
         let arm = contact.point - assembly.axis(assembly.free());
         let lever = arm.perp(&contact.normal).abs();
-        let turned = 1.0 + pose.locked_rotation().abs() + pose.free_rotation().abs();
+        let turns = 1.0 + pose.locked_rotation().abs() + pose.free_rotation().abs();
         // Above the polygons' resolution and rounding.
-        let resolution = 400.0 * f64::EPSILON * assembly.center_distance() * turned / lever;
+        let resolution = 400.0 * f64::EPSILON * assembly.center_distance() * turns / lever;
         let bounds = [
             0.5 * (open - touch.closed).abs(),
             contact.error + resolution,
         ];
         for (judge, bound) in ["prover", "certificate"].into_iter().zip(bounds) {
             for by in [MOVED * bound, -MOVED * bound] {
-                let mut moved = *found;
-                let contact = match side.side {
-                    Side::Right => &mut moved.right,
-                    Side::Left => &mut moved.left,
-                };
-                contact.as_mut()?.rotation += by;
+                let contact = found.on(side.side)?;
+                let moved = with_contact(found, side.side, Some(turned(contact, by)));
                 let accepted = match judge {
                     "prover" => prover.check(pose, &moved).is_ok(),
                     // A certificate of a jam passes if the polygons find a jam too.
@@ -156,69 +164,32 @@ fn accepts_moved(
     None
 }
 
-/// Both rotations of both methods must be within the sum of both bounds, also for jammed poses. Statuses must be equal,
-/// unless the difference is within the bounds. If teeth are in the mate's body at every rotation (`solid`) and both
-/// methods report a jam, a tooth meets the mate several times. Then the reported contact has no meaning.
+/// Both rotations of both methods must be within the sum of both bounds, also for jammed poses. Statuses must be equal, unless the difference is within
+/// the bounds. If teeth are in the mate's body at every rotation (`solid`) and both methods report a jam, a tooth meets the mate several times. Then the
+/// reported contact has no meaning.
 fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion) -> Verdict {
     let assembly = &drawn.assembly;
-    let fault =
-        |what: String| Verdict::Fault(format!("{what}\nexact   {exact:?}\npolygon {polygon:?}"));
-    let both_jammed = [exact, polygon].map(LostMotion::status) == [Status::Jammed; 2];
-    let um = assembly.operating_pitch_radius(assembly.free()) * 1e3;
-    let mut agreement = Agreement::default();
-    for side in Side::BOTH {
-        let name = side.name();
-        match (exact.on(side), polygon.on(side)) {
-            (None, None) => {}
-            (Some(one), Some(other)) => {
-                let turn = one.rotation - other.rotation;
-                let apart = (turn - TAU * (turn / TAU).round()).abs();
-                let bound = one.error + other.error;
-                if !(apart <= bound) && both_jammed && (exact.solid || polygon.solid) {
-                    agreement.border = Some("a tooth in the mate's body: other contacts");
-                    return Verdict::Confirmed(agreement);
-                }
-                if !(apart <= bound) {
-                    let (apart, bound) = (apart * um, bound * um);
-                    return fault(format!(
-                        "{name}: {apart:.3e} µm apart, both bounds together {bound:.3e} µm"
-                    ));
-                }
-                agreement.difference_um = agreement.difference_um.max(apart * um);
-                agreement.bound_um = agreement.bound_um.max(bound * um);
+    let statuses = [exact, polygon].map(LostMotion::status);
+    if let Some(what) = differ(exact, polygon, 0.0) {
+        let one_alone = |side| exact.on(side).is_some() != polygon.on(side).is_some();
+        let is_solid = statuses == [Status::Jammed; 2] && (exact.solid || polygon.solid);
+        return match Side::BOTH.into_iter().any(one_alone) {
+            true if loses_contact_nearby(drawn, cut) => Verdict::Confirmed(Some("contact or none")),
+            false if is_solid => {
+                Verdict::Confirmed(Some("a tooth in the mate's body: other contacts"))
             }
-            _ if loses_contact_nearby(drawn, cut) => {
-                agreement.border = Some("contact or none");
-                return Verdict::Confirmed(agreement);
-            }
-            _ => {
-                return fault(format!(
-                    "{name}: one method has a contact, the other has none"
-                ));
-            }
-        }
+            _ => Verdict::Fault(what),
+        };
     }
-    agreement.border = match (exact.status(), polygon.status()) {
-        (one, other) if one == other => None,
+    Verdict::Confirmed(match statuses {
+        [one, other] if one == other => None,
         // Rotations agree: lost motions of opposite sign are within the bounds of zero.
-        (Status::Clear, _) | (_, Status::Clear) => Some("lost motion zero"),
+        [Status::Clear, _] | [_, Status::Clear] => Some("lost motion zero"),
         // Rotations agree, names do not.
         _ if begins_a_land(assembly, exact) || begins_a_land(assembly, polygon) => {
             Some("where a root land begins")
         }
-        (one, other) => {
-            let (one, other) = (one.name(), other.name());
-            return fault(format!("the statuses differ: {one} and {other}"));
-        }
-    };
-    Verdict::Confirmed(agreement)
-}
-
-/// Whether a tip circle reaches the centre of the mate's outline: jammed by definition, and rotations have no meaning.
-pub fn reaches_the_centre(assembly: &GearPair) -> bool {
-    Member::BOTH.into_iter().any(|one| {
-        let (one, other) = (assembly.gear(one), assembly.gear(one.mate()));
-        one.reach() + other.eccentricity() >= assembly.center_distance()
+        _ => return Verdict::Fault(format!("{statuses:?}: {exact:?}\npolygon {polygon:?}")),
     })
 }
 
@@ -256,7 +227,7 @@ fn loses_contact_nearby(drawn: &Drawn, cut: &CutPair) -> bool {
         ];
         let found = found.into_iter().flatten();
         found
-            .map(|m| [m.right.is_some(), m.left.is_some()])
+            .map(|one| Side::BOTH.map(|side| one.on(side).is_some()))
             .collect()
     };
     let (nearer, farther) = (sides(-1e3), sides(1e3));
@@ -279,61 +250,42 @@ pub fn combination(assembly: &GearPair, contact: &Contact) -> String {
     format!("{} on {}", name(assembly.locked()), name(assembly.free()))
 }
 
-/// The results of both methods, and of exact method and certificate, for a helical pose. The times of the polygon
-/// method and of the certificate include that of the exact method and of their kernels.
+/// The results of both methods, and of exact method and certificate, for a helical pose.
 fn over_face(drawn: &Drawn, cut: &CutPair) -> Outcome {
     let assembly = &drawn.assembly;
     let pose = Pose::new(assembly, drawn.mating);
     let kernel = ExactKernel::new(assembly);
-    let start = Instant::now();
     let exact = kernel.lost_motion(&pose);
-    let took = start.elapsed();
-    let by = |method| -> (PoseResult, Duration) {
-        let start = Instant::now();
-        let matings = [drawn.mating];
+    let by = |method| -> PoseResult {
         let going_on = || ControlFlow::Continue(());
-        let mut found = sweep(assembly, cut, method, &matings, 0.0, &going_on)
-            .expect("what is of one pose is in its result");
-        (found.remove(0), start.elapsed())
+        let found = sweep(assembly, cut, method, &[drawn.mating], 0.0, &going_on);
+        found.unwrap().remove(0)
     };
-    let (both, both_took) = by(Method::Both);
-    let (certified, certified_took) = by(Method::Checked);
     Outcome {
         verdict: match &exact {
             Err(error) => Verdict::Unproven(format!("exact: {error}")),
-            Ok(_) => judge_over_face(drawn, &both, &certified),
+            Ok(_) => judge_over_face(by(Method::Both), by(Method::Checked)),
         },
         exact: exact.ok(),
-        times: [took, both_took, certified_took, Duration::ZERO],
         left_to_polygons: None,
         effort: kernel.effort(&pose),
     }
 }
 
-/// Faults are a failed certificate, and methods that differ by more than both bounds or in status. If effort ends a
-/// method, the pose is unproven.
-fn judge_over_face(drawn: &Drawn, both: &PoseResult, certified: &PoseResult) -> Verdict {
-    let um = drawn.assembly.operating_pitch_radius(drawn.assembly.free()) * 1e3;
-    if let Err(unproven) = &certified.found {
+/// Faults are a failed certificate, and methods that differ by more than both bounds or in status. If effort ends a method, the pose is unproven.
+fn judge_over_face(both: PoseResult, certified: PoseResult) -> Verdict {
+    if let Err(unproven) = certified.found {
         let reason = format!("certificate: {}", unproven.reason);
-        return if reason.contains("effort") {
-            Verdict::Unproven(reason)
-        } else {
-            Verdict::Fault(reason)
+        return match reason.contains("effort") {
+            true => Verdict::Unproven(reason),
+            false => Verdict::Fault(reason),
         };
     }
-    let mut agreement = Agreement::default();
-    match &both.found {
-        Ok(found) => {
-            if let Some(PolygonDifference::Value(mm)) = both.polygon_difference {
-                agreement.difference_um = mm.abs() * 1e3;
-            }
-            agreement.bound_um = found.error().unwrap_or(0.0) * um;
-            Verdict::Confirmed(agreement)
-        }
+    match both.found {
+        Ok(_) => Verdict::Confirmed(None),
         Err(unproven) if unproven.reason.starts_with("the exact") => {
-            Verdict::Fault(unproven.reason.clone())
+            Verdict::Fault(unproven.reason)
         }
-        Err(unproven) => Verdict::Unproven(unproven.reason.clone()),
+        Err(unproven) => Verdict::Unproven(unproven.reason),
     }
 }

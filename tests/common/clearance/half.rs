@@ -153,10 +153,9 @@ impl Half {
     fn rolled_to(&self, gamma: f64) -> [f64; 2] {
         let (sin, cos) = gamma.sin_cos();
         let size = (self.wide * sin).hypot(self.round * cos);
-        let from_centre = if size > 0.0 {
-            [self.wide * self.wide * sin, self.round * self.round * cos].map(|v| v / size)
-        } else {
-            [0.0; 2]
+        let from_centre = match size > 0.0 {
+            true => [self.wide * self.wide * sin, self.round * self.round * cos].map(|v| v / size),
+            false => [0.0; 2],
         };
         let deep = self.depth + from_centre[1];
         [deep, (deep * gamma.tan() - from_centre[0]) / self.reference]
@@ -166,7 +165,6 @@ impl Half {
     fn gamma_at(&self, radius: f64) -> f64 {
         let k = self.table.partition_point(|&r| r <= radius).clamp(1, TABLE);
         let at = |k: usize| self.gamma * k as f64 / TABLE as f64;
-        let off = |gamma: f64| self.fillet(gamma).0 - radius;
         let (mut a, mut b) = (at(k - 1), at(k));
         let (mut fa, mut fb) = (self.table[k - 1] - radius, self.table[k] - radius);
         if fa >= 0.0 {
@@ -176,36 +174,24 @@ impl Half {
             return b;
         }
         for _ in 0..100 {
-            let mut c = (a * fb - b * fa) / (fb - fa);
-            if !(c > a && c < b) {
-                c = 0.5 * (a + b);
-                if !(c > a && c < b) {
-                    break;
-                }
-            }
-            let fc = off(c);
-            if fc == 0.0 {
-                return c;
-            }
-            if fc < 0.0 {
-                (a, fa) = (c, fc);
-                fb *= 0.5;
-            } else {
-                (b, fb) = (c, fc);
-                fa *= 0.5;
-            }
-            if b - a <= 1e-16 * self.gamma {
+            let secant = (a * fb - b * fa) / (fb - fa);
+            let is_inside = secant > a && secant < b;
+            let c = if is_inside { secant } else { 0.5 * (a + b) };
+            if b - a <= 1e-16 * self.gamma || !(c > a && c < b) {
                 break;
+            }
+            let fc = self.fillet(c).0 - radius;
+            match fc < 0.0 {
+                true => (a, fa, fb) = (c, fc, 0.5 * fb),
+                false => (b, fb, fa) = (c, fc, 0.5 * fa),
             }
         }
         0.5 * (a + b)
     }
 
     fn involute(&self, radius: f64) -> f64 {
-        let tangent = ((radius - self.base) * (radius + self.base))
-            .max(0.0)
-            .sqrt()
-            / self.base;
+        let tangent = f64::sqrt(((radius - self.base) * (radius + self.base)).max(0.0));
+        let tangent = tangent / self.base;
         self.half_base - (self.rolled(tangent) - tangent.atan())
     }
 
@@ -255,10 +241,9 @@ impl Half {
         let to_corner = (radius - self.tip).hypot(beyond);
         let to_space = over_root.hypot(before);
         if over_root <= 0.0 {
-            let (cut, end) = if before > beyond {
-                (before, to_space)
-            } else {
-                (beyond, to_corner)
+            let (cut, end) = match before > beyond {
+                true => (before, to_space),
+                false => (beyond, to_corner),
             };
             return Clearance {
                 mm: if cut > 0.0 { end } else { over_root.max(cut) },
@@ -270,10 +255,9 @@ impl Half {
         let beside = (-half - angle) * radius * across;
         // Past the end of the space the whole half tooth is on the other side of the radius there.
         let from_flank = beside.max(radius - self.tip).max(before);
-        let from_tooth = if from_flank < 0.0 && beyond > 0.0 {
-            to_corner
-        } else {
-            from_flank.max(beyond)
+        let from_tooth = match from_flank < 0.0 && beyond > 0.0 {
+            true => to_corner,
+            false => from_flank.max(beyond),
         };
         let over_land = if before > 0.0 { to_space } else { over_root };
         Clearance {

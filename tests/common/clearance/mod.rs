@@ -1,9 +1,8 @@
 //! Brute force: clearance of dense points of either gear in the other's own frame.
 //!
-//! It uses nothing of either method: no gap over the radius, no search tree, no polygons, no distance of shapes. The crate only defines a
-//! pose and the position of a tooth (`Pose`, `AsBuilt`: angles, offsets, displacement, the middle of a space). `half` computes the half
-//! tooth independently. Turn the free gear in from open. The contact of the right side is where a right half tooth first touches the right
-//! half tooth it faces; left halves likewise. There the least clearance of all points of all facing pairs changes its sign.
+//! It uses nothing of either method: no gap over the radius, no search tree, no polygons. The crate only defines a pose and the position of a tooth
+//! (`Pose`, `AsBuilt`); `half` computes the half tooth independently. The contact of the right side is where a right half tooth first touches the
+//! right half tooth it faces as the free gear turns in from open; left halves likewise. There the least clearance of all points changes its sign.
 
 #![allow(dead_code, unused_imports)] // each test binary uses its part
 
@@ -49,27 +48,40 @@ pub struct Referee<'a> {
     module: f64,
 }
 
+/// A point that does not matter.
+const FAR: Clearance = Clearance {
+    mm: f64::INFINITY,
+    cut: false,
+    end: f64::INFINITY,
+};
+
 /// Golden section.
 const RATIO: f64 = 0.618_033_988_749_894_8;
 
-/// Least value of `f` that a golden section search finds between `low` and `high`.
-fn least_between(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+/// Where between `low` and `high` a golden section search finds `f` least, and the value.
+fn least_between(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
+    let mut best = (low, f64::INFINITY);
+    let mut at = |place: f64| {
+        let value = f(place);
+        if value < best.1 {
+            best = (place, value);
+        }
+        value
+    };
     let (mut c, mut d) = (high - RATIO * (high - low), low + RATIO * (high - low));
-    let (mut at_c, mut at_d) = (f(c), f(d));
-    let mut least = at_c.min(at_d);
+    let (mut at_c, mut at_d) = (at(c), at(d));
     for _ in 0..48 {
         if at_c < at_d {
             (high, d, at_d) = (d, c, at_c);
             c = high - RATIO * (high - low);
-            at_c = f(c);
+            at_c = at(c);
         } else {
             (low, c, at_c) = (c, d, at_d);
             d = low + RATIO * (high - low);
-            at_d = f(d);
+            at_d = at(d);
         }
-        least = least.min(at_c).min(at_d);
     }
-    least
+    best
 }
 
 /// Whether any stretch of negative values begins or ends at a curve.
@@ -82,10 +94,9 @@ fn crosses(found: &[f64], along: impl Fn(usize) -> f64, at: impl Fn(f64) -> Clea
         };
         for _ in 0..40 {
             let middle = 0.5 * (clear + over);
-            if at(middle).mm < 0.0 {
-                over = middle
-            } else {
-                clear = middle
+            match at(middle).mm < 0.0 {
+                true => over = middle,
+                false => clear = middle,
             }
         }
         !at(over).cut
@@ -147,12 +158,7 @@ impl<'a> Referee<'a> {
 
     /// Least clearance of the side, mm, with the free gear at `rotation`.
     pub fn least(&self, rotation: f64) -> f64 {
-        self.look(rotation, 4.0 * self.module)
-    }
-
-    /// Least clearance, if it is below `most`.
-    fn look(&self, rotation: f64, most: f64) -> f64 {
-        let mut least = most;
+        let mut least = 4.0 * self.module;
         for pair in &self.pairs {
             let free = self.free.frame(rotation, self.side, pair.free_tooth);
             let [ours, theirs] = pair.ends;
@@ -189,14 +195,9 @@ impl<'a> Referee<'a> {
         let out = other.tip + NEAR * self.module + least.max(0.0);
         let at = |t: f64| {
             let [x, y] = to.seen(from.out(one.along(t, its)));
-            if x.hypot(y) > out {
-                Clearance {
-                    mm: f64::INFINITY,
-                    cut: false,
-                    end: f64::INFINITY,
-                }
-            } else {
-                other.clearance(x, y, ends)
+            match x.hypot(y) > out {
+                true => FAR,
+                false => other.clearance(x, y, ends),
             }
         };
         let along = |k: usize| k as f64 / POINTS as f64;
@@ -211,10 +212,9 @@ impl<'a> Referee<'a> {
         // A minimum between two points is shallow: its bound is where it came in.
         let shallow = |t: f64| {
             let found = at(t);
-            if found.mm < 0.0 && found.cut {
-                found.end
-            } else {
-                found.mm
+            match found.mm < 0.0 && found.cut {
+                true => found.end,
+                false => found.mm,
             }
         };
         for k in 0..=4 * POINTS {
@@ -231,7 +231,7 @@ impl<'a> Referee<'a> {
             // On either side, because curves meet at an angle.
             for (i, j) in [(k.saturating_sub(1), k), (k, (k + 1).min(4 * POINTS))] {
                 if found[i] >= 0.0 && found[j] >= 0.0 && i < j {
-                    least = least.min(least_between(along(i), along(j), shallow));
+                    least = least.min(least_between(along(i), along(j), shallow).1);
                 }
             }
         }
@@ -301,19 +301,9 @@ impl<'a> Referee<'a> {
     }
 
     /// A rotation between two at which something overlaps, if any.
-    fn dip(&self, mut low: f64, mut high: f64) -> Option<f64> {
-        for _ in 0..60 {
-            let (c, d) = (high - RATIO * (high - low), low + RATIO * (high - low));
-            let (at_c, at_d) = (self.least(c), self.least(d));
-            if at_c < 0.0 {
-                return Some(c);
-            }
-            if at_d < 0.0 {
-                return Some(d);
-            }
-            if at_c < at_d { high = d } else { low = c }
-        }
-        None
+    fn dip(&self, low: f64, high: f64) -> Option<f64> {
+        let (rotation, least) = least_between(low, high, |rotation| self.least(rotation));
+        (least < 0.0).then_some(rotation)
     }
 
     /// The contact between a clear rotation and an overlapping one.
@@ -323,10 +313,9 @@ impl<'a> Referee<'a> {
             if middle == clear || middle == over {
                 break;
             }
-            if self.least(middle) < 0.0 {
-                over = middle
-            } else {
-                clear = middle
+            match self.least(middle) < 0.0 {
+                true => over = middle,
+                false => clear = middle,
             }
         }
         over

@@ -6,7 +6,7 @@ use super::{Referee, Stood};
 use gearlash::contact::{Contact, LostMotion, ToothPlace, Touch};
 use gearlash::gear::{ProfilePart, Side};
 use gearlash::pair::{GearPair, Member, Pose};
-use nalgebra::{Point2, Vector2};
+use nalgebra::Point2;
 use std::rc::Rc;
 
 /// Step off a curve that shows the direction of its normal, in modules.
@@ -28,13 +28,10 @@ impl Named {
 
 /// Contradictions in the teeth, curves, radii, points and normals of `found`.
 pub fn named(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String> {
-    let sides = [(Side::Right, found.right), (Side::Left, found.left)];
-    let contacts = sides
-        .into_iter()
-        .filter_map(|(side, contact)| Some((side, contact?)));
-    contacts
-        .flat_map(|(side, contact)| of_side(assembly, pose, side, &contact))
-        .collect()
+    let contacts = Side::BOTH.map(|side| Some((side, found.on(side)?)));
+    let contacts = contacts.into_iter().flatten();
+    let each = contacts.flat_map(|(side, contact)| of_side(assembly, pose, side, &contact));
+    each.collect()
 }
 
 fn of_side(assembly: &GearPair, pose: &Pose, side: Side, contact: &Contact) -> Vec<String> {
@@ -50,11 +47,7 @@ fn of_side(assembly: &GearPair, pose: &Pose, side: Side, contact: &Contact) -> V
     ] {
         let named = half_tooth(assembly, pose, (side, member), contact, &touch);
         let mut complain = |what: &str, mm: f64| {
-            complaints.push(format!(
-                "{} {}: {what}, {mm:.2e} mm",
-                side.name(),
-                member.name()
-            ));
+            complaints.push(format!("{side:?} {member:?}: {what}, {mm:.2e} mm"));
         };
         let off = named.clearance(contact.point);
         if !(off.abs() <= known) {
@@ -89,14 +82,10 @@ fn of_side(assembly: &GearPair, pose: &Pose, side: Side, contact: &Contact) -> V
         |touch: &Touch| touch.curve == ProfilePart::Tip || touch.curve == ProfilePart::Root;
     let corners = corner(&contact.wheel) && corner(&contact.pinion);
     if !corners && !slopes.iter().any(|slope| (slope - 1.0).abs() <= 0.02) {
-        complaints.push(format!(
-            "{}: a normal of neither curve, {slopes:?}",
-            side.name()
-        ));
+        complaints.push(format!("{side:?}: a normal of neither curve, {slopes:?}"));
     }
-    let length: Vector2<f64> = contact.normal;
-    if (length.norm() - 1.0).abs() > 1e-9 {
-        complaints.push(format!("{}: no unit normal", side.name()));
+    if (contact.normal.norm() - 1.0).abs() > 1e-9 {
+        complaints.push(format!("{side:?}: no unit normal"));
     }
     complaints
 }
@@ -109,10 +98,9 @@ fn half_tooth(
     touch: &Touch,
 ) -> Named {
     let stood = Stood::new(assembly, member);
-    let rotation = if member == assembly.locked() {
-        pose.locked_rotation()
-    } else {
-        contact.rotation
+    let rotation = match member == assembly.locked() {
+        true => pose.locked_rotation(),
+        false => contact.rotation,
     };
     Named {
         frame: stood.frame(rotation, side, touch.tooth),

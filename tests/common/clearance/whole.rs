@@ -47,8 +47,7 @@ pub fn overlap_just_inside(assembly: &GearPair, pose: &Pose, found: &LostMotion)
     ];
     inside.into_iter().find_map(|(name, rotation)| {
         let deep = overlap(assembly, pose, rotation);
-        (deep > 0.0)
-            .then(|| format!("whole gears overlap by {deep:e} mm inside the {name} contact"))
+        (deep > 0.0).then(|| format!("{deep:e} mm overlap inside the {name} contact"))
     })
 }
 

@@ -234,6 +234,24 @@ impl OutlineGear {
         self.tip_radius + self.eccentricity()
     }
 
+    /// This gear with its classes of teeth, which are equal about the geometric centre.
+    pub(super) fn classified(self) -> OutlineGear {
+        let classes = ToothClasses::of(&self.halves, |tooth| self.tooth_angle(tooth));
+        OutlineGear {
+            classes: Arc::new(classes),
+            ..self
+        }
+    }
+
+    /// The classes of teeth that are equal at their even places. Each tooth of an eccentric gear is a class of its own.
+    pub(crate) fn tooth_classes(&self) -> Arc<ToothClasses> {
+        if self.eccentricity() > 0.0 {
+            Arc::new(ToothClasses::each(self.teeth()))
+        } else {
+            Arc::clone(&self.classes)
+        }
+    }
+
     /// The half tooth on a side of `tooth` (1 to z).
     pub(crate) fn half(&self, side: Side, tooth: u32) -> &HalfOutline {
         &self.halves[side.index()][tooth as usize - 1]

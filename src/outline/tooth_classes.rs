@@ -1,6 +1,5 @@
 //! Which teeth of an outline are equal, so that one of them stands for the others.
 
-use super::gear::OutlineGear;
 use super::half::{HalfOutline, HalfPiece};
 use crate::gear::{PartCurve, Side};
 use nalgebra::{Complex, Point2};
@@ -20,6 +19,48 @@ pub(crate) struct ToothClasses {
 }
 
 impl ToothClasses {
+    /// The classes of half teeth on both sides, tooth 1 first, that are equal at their even places. `place` is the angle of a tooth's.
+    ///
+    /// The curves of equal teeth are of the same kinds in the same order.
+    pub(super) fn of(halves: &[Arc<[HalfOutline]>; 2], place: impl Fn(f64) -> f64) -> ToothClasses {
+        let equal = |one: u32, other: u32| {
+            let between = place(f64::from(other)) - place(f64::from(one));
+            let sides = Side::BOTH.map(|side| {
+                let half = |tooth: u32| &halves[side.index()][tooth as usize - 1];
+                // The left side is mirrored.
+                let turn = Complex::from_polar(1.0, -side.sense() * between);
+                apart(half(one), half(other), turn)
+            });
+            let [right, left] = sides;
+            Some(right?.max(left?))
+        };
+        let mut firsts: Vec<u32> = Vec::new();
+        let mut most: f64 = 0.0;
+        let first = (1..=halves[0].len() as u32).map(|tooth| {
+            let mut known = firsts.iter();
+            let known = known.find_map(|&first| Some((first, equal(first, tooth)?)));
+            let (first, apart) = known.unwrap_or((tooth, 0.0));
+            if first == tooth {
+                firsts.push(tooth);
+            }
+            most = most.max(apart);
+            first
+        });
+        ToothClasses {
+            first: first.collect(),
+            // Both are that far from the first one.
+            apart: 2.0 * most,
+        }
+    }
+
+    /// Each tooth is a class of its own.
+    pub(super) fn each(teeth: u32) -> ToothClasses {
+        ToothClasses {
+            first: (1..=teeth).collect(),
+            apart: 0.0,
+        }
+    }
+
     /// The first tooth that `tooth` equals.
     pub fn first(&self, tooth: u32) -> u32 {
         self.first[tooth as usize - 1]
@@ -28,55 +69,6 @@ impl ToothClasses {
     /// Whether all teeth are of one class.
     pub fn is_one(&self) -> bool {
         self.first.iter().all(|&first| first == 1)
-    }
-}
-
-impl OutlineGear {
-    /// The classes of teeth that are equal at their even places. Each tooth of an eccentric gear is a class of its own.
-    pub(crate) fn tooth_classes(&self) -> Arc<ToothClasses> {
-        if self.eccentricity() > 0.0 {
-            return Arc::new(ToothClasses {
-                first: (1..=self.teeth()).collect(),
-                apart: 0.0,
-            });
-        }
-        Arc::clone(&self.classes)
-    }
-
-    /// This gear with its classes of teeth, which are equal about the geometric centre.
-    ///
-    /// The curves of equal teeth are of the same kinds in the same order.
-    pub(super) fn classified(self) -> OutlineGear {
-        let mut firsts: Vec<u32> = Vec::new();
-        let mut most: f64 = 0.0;
-        let first = (1..=self.teeth()).map(|tooth| {
-            let equal = firsts
-                .iter()
-                .find_map(|&first| Some((first, self.equal_within(first, tooth)?)));
-            let (first, apart) = equal.unwrap_or((tooth, 0.0));
-            if first == tooth {
-                firsts.push(tooth);
-            }
-            most = most.max(apart);
-            first
-        });
-        let first = first.collect();
-        // Both are that far from the first one.
-        let apart = 2.0 * most;
-        let classes = Arc::new(ToothClasses { first, apart });
-        OutlineGear { classes, ..self }
-    }
-
-    /// A bound on the distance between two teeth at their even places, mm; `None` where they are not equal.
-    fn equal_within(&self, one: u32, other: u32) -> Option<f64> {
-        let between = self.tooth_angle(f64::from(other)) - self.tooth_angle(f64::from(one));
-        let sides = Side::BOTH.map(|side| {
-            // The left side is mirrored.
-            let turn = Complex::from_polar(1.0, -side.sense() * between);
-            apart(self.half(side, one), self.half(side, other), turn)
-        });
-        let [right, left] = sides;
-        Some(right?.max(left?))
     }
 }
 

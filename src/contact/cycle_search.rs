@@ -12,7 +12,6 @@ use super::lost_motion::Status;
 use crate::numeric::rank;
 use crate::pair::Mating;
 use crate::parallel;
-use std::cmp::Ordering;
 use std::collections::HashSet;
 
 /// Cells a pitch to begin with (tuned).
@@ -96,6 +95,15 @@ impl Cell {
             End::Greatest => (-self.high.0, self.high.1),
         }
     }
+}
+
+/// The cell with the best known pose, the first of equal ones.
+fn first_best(cells: &[Cell], end: End) -> Option<&Cell> {
+    let values = cells.iter().filter_map(|cell| cell.value(end));
+    let best = values.reduce(f64::min)?;
+    let is_best = |cell: &&Cell| cell.value(end).is_some_and(|value| value <= best + EQUAL);
+    let equal = cells.iter().filter(is_best);
+    equal.min_by(|a, b| a.known.total_cmp(&b.known))
 }
 
 /// A mesh cycle whose cells can be bounded.
@@ -248,10 +256,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
 
     /// Examines a pose on either side of the best one, at half the distance once neither is better.
     fn polish(&self, cells: &mut Vec<Cell>, end: End) {
-        let valued = cells.iter().filter(|cell| cell.value(end).is_some());
-        let order = |a: &&Cell, b: &&Cell| a.value(end).partial_cmp(&b.value(end));
-        let best = valued.min_by(|a, b| order(a, b).unwrap_or(Ordering::Equal));
-        let Some(mut best) = best.copied() else {
+        let Some(mut best) = first_best(cells, end).copied() else {
             return;
         };
         let mut apart = best.half;
@@ -284,12 +289,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
 
     /// The bracket that cells leave, the first of the equal poses with it.
     fn extreme(&self, cells: &[Cell], end: End, closed: bool) -> Option<Extreme> {
-        let best = cells.iter().filter_map(|cell| cell.value(end));
-        let best = best.reduce(f64::min)?;
-        let equal = cells
-            .iter()
-            .filter(|cell| cell.value(end).is_some_and(|value| value <= best + EQUAL));
-        let pose = equal.min_by(|a, b| a.known.total_cmp(&b.known))?;
+        let pose = first_best(cells, end)?;
         let (angle, error) = pose.angle?;
         let bounds = cells.iter().map(|cell| {
             let (bound, open) = cell.bound(end);

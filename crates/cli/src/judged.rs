@@ -100,8 +100,9 @@ pub(super) struct StepSummary(Option<PathBuf>);
 impl StepSummary {
     /// The step summary, if `format` writes one; never one of `sources`.
     fn prepare(format: JudgedFormat, sources: &Sources) -> Result<StepSummary, Error> {
-        let named = std::env::var_os("GITHUB_STEP_SUMMARY").map(PathBuf::from);
-        let Some(summary) = named.filter(|_| format == JudgedFormat::Github) else {
+        let named = std::env::var_os("GITHUB_STEP_SUMMARY").filter(|name| !name.is_empty());
+        let named = named.filter(|_| format == JudgedFormat::Github);
+        let Some(summary) = named.map(PathBuf::from) else {
             return Ok(StepSummary(None));
         };
         check_not_input(sources, &summary)?;

@@ -368,7 +368,7 @@ pub fn remarks(result: &ToleranceResult) -> Vec<String> {
     remarks.extend(phases_of_limits(about).map(str::to_owned));
     if about.limit_cases.is_some() && !about.without_end.is_empty() {
         remarks.push(format!(
-            "Worst case: at its limits (3 standard deviations, or as stated) {}.",
+            "Worst case: all at their limits; without these at 3 standard deviations, or as stated: {}.",
             about.without_end.join(", ")
         ));
     }

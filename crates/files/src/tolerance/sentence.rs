@@ -115,8 +115,10 @@ fn largest(found: &Contributions) -> Option<String> {
     let each = found.each.iter();
     let most = each.max_by(|a, b| a.total.value.total_cmp(&b.total.value))?;
     let percent = (100.0 * most.total.value).round().clamp(0.0, 100.0);
-    Some(format!(
-        "{percent} % of the scatter from the {}",
-        most.factor.name()
-    ))
+    let article = match most.factor {
+        Factor::Gear(_) => "",
+        _ => "the ",
+    };
+    let name = most.factor.name();
+    Some(format!("{percent} % of the scatter from {article}{name}"))
 }

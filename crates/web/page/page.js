@@ -430,7 +430,9 @@
   }
 
   function showPose(pose) {
-    const say = pose.failed ?? (pose.j_wt_um === null ? pose.status.replaceAll("_", " ") : `${pose.j_wt} µm`);
+    const backlash = pose.j_wt_um === null ? [] : [`${pose.j_wt} µm`];
+    const status = backlash.length && pose.status === "clear" ? [] : [pose.status?.replaceAll("_", " ")];
+    const say = pose.failed ?? [...status, ...backlash].join(", ");
     byId("here").textContent = say;
     byId("viewer").classList.toggle("old", Boolean(pose.failed));
     if (pose.failed || !mesh) return;
@@ -463,8 +465,8 @@
       return;
     }
     const rows = band.rows.map(({ name, value }) => `${name} ${value}`).join(", ");
-    // Without a least or a greatest the status says why.
-    const status = band.rows.length < 2 ? `${band.status} ` : "";
+    // Numbers alone do not say that the pair fails, or why a least or a greatest is missing.
+    const status = band.rows.length < 2 || ["fail", "unproven"].includes(band.state) ? `${band.status} ` : "";
     byId("cycle").textContent = rows ? `${status}${rows}. ${band.proof}` : band.status;
     scale(band);
   }

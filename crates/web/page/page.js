@@ -65,6 +65,7 @@
   const text = byId("text");
   const isText = (name) => /\.(toml|json)$/i.test(name);
   const isDrawing = (name) => /\.(dxf|svg)$/i.test(name);
+  const isJson = (text) => text.trimStart().startsWith("{");
   const decoded = (bytes) => new TextDecoder().decode(bytes);
   const MOST_BYTES = 64 * 2 ** 20;
   // The editor of a longer text would not follow the keys.
@@ -74,7 +75,7 @@
     main = name;
     text.value = decoded(files.get(name));
     byId("text-label").textContent = name;
-    number();
+    edited();
     listFiles();
   }
 
@@ -173,8 +174,13 @@
   const FOLLOWED = 1000;
   const PAUSE = 400;
   let typing = null;
-  text.addEventListener("input", () => {
+  // What was said of the text before no longer holds.
+  function edited() {
     number();
+    for (const id of ["linked", "kept"]) byId(id).textContent = "";
+  }
+  text.addEventListener("input", () => {
+    edited();
     clearTimeout(typing);
     if (took < FOLLOWED) typing = setTimeout(calculate, PAUSE);
   });
@@ -510,9 +516,19 @@
   for (const field of [fields.turn, fields.wheel, fields.pinion, fields.flank, fields.material]) field.addEventListener("input", live);
 
   byId("keep").addEventListener("click", () => {
-    const key = /^(\s*center_distance_mm\s*=\s*)(\[[^\]]*\]|\{[^}]*\}|[^#\n]*?)(\s*(?:#.*)?)$/m;
-    text.value = text.value.replace(key, (_, before, __, after) => before + distance() + after);
-    number();
+    // In TOML, also behind a prefix or in an inline table, or in JSON; not in comments.
+    const key = /(\bcent(?:er|re)_distance_mm["']?\s*[=:]\s*)(\[[^\]]*\]|\{[^}]*\}|"[^"\n]*"|'[^'\n]*'|[^\s,#}\]]+)/g;
+    const isComment = ({ index }) => !isJson(text.value) && text.value.slice(text.value.lastIndexOf("\n", index) + 1, index).includes("#");
+    const stated = [...text.value.matchAll(key)].filter((found) => !isComment(found));
+    if (stated.length !== 1) {
+      byId("kept").textContent = "The pair file states no single centre distance that could be replaced. It is unchanged.";
+      return;
+    }
+    const [{ index, 0: all, 1: name, 2: value }] = stated;
+    text.value = text.value.slice(0, index) + name + distance() + text.value.slice(index + all.length);
+    edited();
+    const isNumber = !Number.isNaN(Number(value.replaceAll("_", "")));
+    byId("kept").textContent = isNumber ? "" : `${distance()} now stands in place of ${value.replace(/\s+/g, " ")}.`;
     calculate();
   });
 
@@ -584,7 +600,7 @@
   // ---- input
   byId("paste").addEventListener("click", () => {
     text.value = `${text.value.trimEnd()}\n\n${byId("understood-toml").textContent}`;
-    number();
+    edited();
     calculate();
   });
 

@@ -593,8 +593,35 @@
     if (!location.hash.startsWith(LINK)) return null;
     const code = location.hash.slice(LINK.length).replaceAll("-", "+").replaceAll("_", "/");
     const packed = Uint8Array.from(atob(code), (char) => char.charCodeAt(0));
-    const bytes = new Uint8Array(await through(packed, new DecompressionStream("gzip")));
-    return { main: "pair.toml", files: { "pair.toml": base64(bytes) } };
+    const parts = [];
+    let size = 0;
+    const reader = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")).getReader();
+    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      size += part.value.length;
+      if (size > MOST_TEXT) throw new Error(`more than ${MOST_TEXT / 2 ** 20} MiB`);
+      parts.push(part.value);
+    }
+    const content = decoded(await new Blob(parts).arrayBuffer());
+    const name = isJson(content) ? "pair.json" : "pair.toml";
+    return { main: name, texts: { [name]: content } };
+  }
+
+  // Opens the pair of the link; without one, `other`. The link of the pair that is open changes nothing.
+  async function openLinked(other) {
+    let held = other;
+    try {
+      held = (await linked()) ?? other;
+    } catch {
+      run += 1;
+      byId("working").hidden = true;
+      byId("examples").value = "";
+      files.clear();
+      files.set("pair.toml", new Uint8Array());
+      edit("pair.toml");
+      showProblems([{ reason: "the link in the address holds no pair that can be read", help: "copy the whole link again, or open a pair file" }]);
+      return;
+    }
+    if (held && held.texts?.[held.main] !== text.value) open(held);
   }
 
   // ---- input
@@ -637,6 +664,8 @@
     module = await unpacked(byId("wasm").textContent);
     await Promise.all(["long", "live", "band"].map(begin));
     byId("save-page").textContent += ` (${(source.length / 1e6).toFixed(1)} MB)`;
-    open(own ?? (await linked().catch(() => null)) ?? examples[0]);
+    if (own) open(own);
+    else await openLinked(examples[0]);
+    window.addEventListener("hashchange", () => quietly(openLinked(null)));
   })().catch((fault) => showProblems([{ reason: `this browser cannot run the page: ${fault.message}`, help: "use Chrome 103, Firefox 114, Safari 16.4 or later" }]));
 })();

@@ -59,8 +59,6 @@
 
   // ---- files: names and bytes; one of them is the pair file in the editor
   const files = new Map();
-  // The names of an example, which another pair replaces.
-  let ofExample = [];
   let main = "pair.toml";
   const text = byId("text");
   const isText = (name) => /\.(toml|json)$/i.test(name);
@@ -95,30 +93,38 @@
     }));
   }
 
+  const isNamed = (name, content) => content.split(/["'/\\]/).includes(name);
+
+  // The files of the former pair leave; those stay that came with the next one, or that only the next one names.
+  function dismiss(next, others) {
+    const isFormer = (name) => name === main || isNamed(name, text.value) || !isNamed(name, next);
+    for (const name of files.keys()) if (!others.includes(name) && isFormer(name)) files.delete(name);
+    byId("examples").value = "";
+  }
+
   async function take(given) {
-    const added = [];
-    byId("unit-row").hidden = true;
-    byId("unit").value = "";
-    const names = Array.from(given, ({ name }) => name);
-    if (names.some(isText) || names.filter(isDrawing).length === 2) {
-      for (const name of ofExample) files.delete(name);
-      ofExample = [];
-      byId("examples").value = "";
-    }
+    const added = new Map();
     for (const file of given) {
       const most = isText(file.name) ? MOST_TEXT : MOST_BYTES;
       if (file.size > most) {
         showProblems([{ reason: `${file.name} has more than ${most / 2 ** 20} MiB`, help: "check that this is the file you mean" }]);
         return;
       }
-      files.set(file.name, new Uint8Array(await file.arrayBuffer()));
-      added.push(file.name);
+      added.set(file.name, new Uint8Array(await file.arrayBuffer()));
     }
-    const pair = added.find(isText);
-    const drawings = added.filter(isDrawing);
-    listFiles();
+    byId("unit-row").hidden = true;
+    byId("unit").value = "";
     byId("understood").hidden = true;
-    const tables = added.filter((name) => !isText(name) && !isDrawing(name));
+    const names = [...added.keys()];
+    // A text that a pair file names is the file of a gear.
+    const texts = names.filter(isText);
+    const isOfOther = (name) => texts.some((other) => other !== name && isNamed(name, decoded(added.get(other))));
+    const pair = texts.find((name) => !isOfOther(name) && (name === main || !isNamed(name, text.value)));
+    if (pair) dismiss(decoded(added.get(pair)), names);
+    for (const [name, bytes] of added) files.set(name, bytes);
+    listFiles();
+    const drawings = names.filter(isDrawing);
+    const tables = names.filter((name) => !isText(name) && !isDrawing(name));
     if (!pair && tables.length === 1 && drawings.length === 0) await understand(tables[0]);
     if (pair) edit(pair);
     else if (drawings.length === 2 && !(await startFromDrawings(drawings))) return;
@@ -129,6 +135,7 @@
   async function startFromDrawings([wheel, pinion]) {
     const now = ++run;
     byId("found").classList.add("old");
+    byId("examples").value = "";
     work("Drawings");
     let made;
     try {
@@ -144,6 +151,7 @@
       byId("unit-row").hidden = false;
       return false;
     }
+    dismiss(made.text, [wheel, pinion]);
     files.set("pair.toml", new TextEncoder().encode(made.text));
     edit("pair.toml");
     return true;
@@ -633,7 +641,6 @@
 
   function open(held) {
     files.clear();
-    ofExample = Object.keys(held.texts ?? {});
     byId("examples").value = examples.includes(held) ? examples.indexOf(held) : "";
     for (const [name, content] of Object.entries(held.texts ?? {})) files.set(name, new TextEncoder().encode(content));
     for (const [name, content] of Object.entries(held.files ?? {})) files.set(name, Uint8Array.from(atob(content), (char) => char.charCodeAt(0)));

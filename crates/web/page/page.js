@@ -83,14 +83,20 @@
   }
 
   function listFiles() {
+    const buttons = () => [...byId("files").querySelectorAll("button")];
+    const focused = buttons().indexOf(document.activeElement);
     byId("files").replaceChildren(...[...files.keys()].map((name) => {
-      const item = make("li", name, { className: name === main ? "now" : "" });
+      // The pair file is replaced by another.
+      if (name === main) return make("li", name, { className: "now" });
+      const item = make("li", name);
       const out = make("button", "×", { type: "button" });
       out.setAttribute("aria-label", `Remove ${name}`);
       out.addEventListener("click", () => { files.delete(name); calculate(); });
       item.append(" ", out);
       return item;
     }));
+    // Where the button with the focus left, the next one has it.
+    if (focused >= 0) (buttons()[focused] ?? buttons().at(-1) ?? byId("open")).focus();
   }
 
   const isNamed = (name, content) => content.split(/["'/\\]/).includes(name);

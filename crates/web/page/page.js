@@ -195,13 +195,15 @@
   }
   text.addEventListener("input", () => {
     edited();
+    byId("found").classList.add("old");
     clearTimeout(typing);
     if (took < FOLLOWED) typing = setTimeout(calculate, PAUSE);
   });
 
   async function calculate() {
     const now = ++run;
-    files.set(main, new TextEncoder().encode(text.value));
+    const content = text.value;
+    files.set(main, new TextEncoder().encode(content));
     listFiles();
     clearTimeout(typing);
     clearTimeout(settling);
@@ -227,6 +229,7 @@
         return;
       }
       show(result);
+      byId("found").classList.toggle("old", text.value !== content);
       took = performance.now() - since;
       quietly(findMarks(now));
     } catch (fault) {
@@ -253,7 +256,7 @@
     begun = heard = performance.now();
     byId("working").hidden = false;
     byId("stage").textContent = stage;
-    byId("silence").textContent = "";
+    byId("silence").textContent = byId("cancelled").textContent = "";
     byId("progress").removeAttribute("value");
   }
 
@@ -275,6 +278,7 @@
     run += 1;
     quietly(begin("long"));
     byId("working").hidden = true;
+    byId("cancelled").textContent = "Cancelled.";
   }
 
   // ---- problems, each with its place in the text

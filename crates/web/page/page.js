@@ -91,7 +91,11 @@
       const item = make("li", name);
       const out = make("button", "×", { type: "button" });
       out.setAttribute("aria-label", `Remove ${name}`);
-      out.addEventListener("click", () => { files.delete(name); calculate(); });
+      out.addEventListener("click", () => {
+        files.delete(name);
+        if (isDrawing(name) && !isNamed(name, text.value)) quietly(useDrawings());
+        else calculate();
+      });
       item.append(" ", out);
       return item;
     }));
@@ -132,14 +136,32 @@
     const drawings = names.filter(isDrawing);
     const tables = names.filter((name) => !isText(name) && !isDrawing(name));
     if (!pair && tables.length === 1 && drawings.length === 0) await understand(tables[0]);
+    if (!pair && tables.filter((name) => !isNamed(name, text.value)).length > 1) tell(`${tables.length} tables`, "Drop one table alone to see what is understood of it.");
     if (pair) edit(pair);
-    else if (drawings.length === 2 && !(await startFromDrawings(drawings))) return;
+    else if (drawings.length > 0) return useDrawings();
     calculate();
   }
 
+  // Drawings that the pair file does not name: two become a pair.
+  async function useDrawings() {
+    const drawings = [...files.keys()].filter((name) => isDrawing(name) && !isNamed(name, text.value));
+    if (drawings.length === 0) return calculate();
+    if (drawings.length === 2) return (await startFromDrawings(drawings)) && calculate();
+    run += 1;
+    byId("working").hidden = true;
+    listFiles();
+    const [verb, help] = drawings.length === 1
+      ? ["is", "drop the drawing of the other gear too, or name this one in the pair file"]
+      : ["are", "keep two drawings: remove the others by ×"];
+    showProblems([{ reason: `${drawings.join(", ")} ${verb} not named in the pair file`, help }]);
+  }
+
+  // The drawings of the last start, for another unit.
+  let offered = [];
   // Two drawings without a pair file: a text to go on from, at the distance without play.
   async function startFromDrawings([wheel, pinion]) {
     const now = ++run;
+    offered = [wheel, pinion];
     byId("found").classList.add("old");
     byId("examples").value = "";
     work("Drawings");
@@ -168,11 +190,15 @@
     await send("live");
     const found = await answer("live", "understand", name);
     const reasons = (found.problems ?? []).map(({ reason, help }) => `${reason}; ${help}`);
+    tell(`Understood of ${name}`, found.text ?? (reasons.join("\n") || found.failed), found.toml);
+  }
+
+  function tell(title, words, toml = "") {
     byId("understood").hidden = false;
-    byId("understood-title").textContent = `Understood of ${name}`;
-    byId("understood-text").textContent = found.text ?? (reasons.join("\n") || found.failed);
-    byId("understood-toml").textContent = found.toml ?? "";
-    byId("paste").hidden = !found.toml;
+    byId("understood-title").textContent = title;
+    byId("understood-text").textContent = words;
+    byId("understood-toml").textContent = toml;
+    byId("paste").hidden = !toml;
   }
 
   async function send(name) {
@@ -662,8 +688,7 @@
   byId("examples").addEventListener("change", (event) => open(examples[event.target.value]));
   byId("open").addEventListener("change", (event) => quietly(take(event.target.files)));
   byId("unit").addEventListener("change", () => {
-    const drawings = [...files.keys()].filter(isDrawing);
-    if (drawings.length === 2) quietly(startFromDrawings(drawings).then((made) => made && calculate()));
+    if (offered.every((name) => files.has(name))) quietly(startFromDrawings(offered).then((made) => made && calculate()));
   });
   byId("calculate").addEventListener("click", calculate);
   byId("cancel").addEventListener("click", cancel);

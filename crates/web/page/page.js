@@ -175,7 +175,8 @@
     }
     if (now !== run) return false;
     if (!made.text) {
-      showProblems(made.problems ?? [{ reason: made.failed }]);
+      // Their lines are not those of the text that is shown.
+      showProblems((made.problems ?? [{ reason: made.failed }]).map((problem) => ({ ...problem, line: null })));
       byId("unit-row").hidden = false;
       return false;
     }

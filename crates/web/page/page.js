@@ -419,7 +419,7 @@
   const livePose = newest("live", "here", async () => {
     const at = place();
     if (!mesh) await drawMesh(at);
-    showPose(await answer("live", "pose", "live", ...at));
+    showPose(await answer("live", "pose", "live", ...at), at);
   });
   // A part of the effort while the slider moves; all of it at rest, where that leaves a band unproven.
   async function bandAt(a, isWhole) {
@@ -480,7 +480,7 @@
     });
   }
 
-  function showPose(pose) {
+  function showPose(pose, [, , wheel, pinion]) {
     const backlash = pose.j_wt_um === null ? [] : [`${pose.j_wt} µm`];
     const status = backlash.length && pose.status === "clear" ? [] : [pose.status?.replaceAll("_", " ")];
     const say = pose.failed ?? [...status, ...backlash].join(", ");
@@ -488,7 +488,7 @@
     byId("viewer").classList.toggle("old", Boolean(pose.failed));
     if (pose.failed || !mesh) return;
     mesh.show(pose.mesh.runs[0], 0, pose.mesh.words);
-    byId("viewer-picture").setAttribute("aria-label", `Mesh of wheel tooth ${fields.wheel.value} and pinion tooth ${fields.pinion.value}, ${say}`);
+    byId("viewer-picture").setAttribute("aria-label", `Mesh of wheel tooth ${wheel} and pinion tooth ${pinion}, ${say}`);
   }
 
   // Places on the slider: each has its distance and words; where the pair does not assemble is shaded.
@@ -548,17 +548,20 @@
 
   fields.a.addEventListener("input", () => { fields.number.value = fields.a.value; live(); });
   fields.number.addEventListener("input", () => { fields.a.value = fields.number.value; live(); });
-  for (const field of [fields.a, fields.number]) field.addEventListener("keydown", (event) => {
+  for (const field of [fields.a, fields.number, fields.turn]) field.addEventListener("keydown", (event) => {
     const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
     // In the number field these move the cursor.
     const isInText = field === fields.number && /Left|Right/.test(event.key);
     if (!steps || isInText) return;
     event.preventDefault();
-    const um = steps * (event.shiftKey ? 10 : 1);
-    fields.number.value = fields.a.value = Number((distance() + um / 1000).toFixed(6));
+    const many = steps * (event.shiftKey ? 10 : 1);
+    if (field === fields.turn) field.value = Number(field.value) + many / 200;
+    else fields.number.value = fields.a.value = Number((distance() + many / 1000).toFixed(6));
     live();
   });
   for (const field of [fields.turn, fields.wheel, fields.pinion, fields.flank, fields.material]) field.addEventListener("input", live);
+  // The tooth that is shown.
+  for (const field of [fields.wheel, fields.pinion]) field.addEventListener("change", () => { field.value = counted(field); });
 
   byId("keep").addEventListener("click", () => {
     // In TOML, also behind a prefix or in an inline table, or in JSON; not in comments.

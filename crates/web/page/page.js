@@ -64,7 +64,7 @@
   const isText = (name) => /\.(toml|json)$/i.test(name);
   const isDrawing = (name) => /\.(dxf|svg)$/i.test(name);
   const isJson = (text) => text.trimStart().startsWith("{");
-  const decoded = (bytes) => new TextDecoder().decode(bytes);
+  const decoded = (bytes) => new TextDecoder("utf-8", { fatal: true }).decode(bytes);
   const MOST_BYTES = 64 * 2 ** 20;
   // The editor of a longer text would not follow the keys.
   const MOST_TEXT = 2 ** 20;
@@ -120,7 +120,14 @@
         showProblems([{ reason: `${file.name} has more than ${most / 2 ** 20} MiB`, help: "check that this is the file you mean" }]);
         return;
       }
-      added.set(file.name, new Uint8Array(await file.arrayBuffer()));
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      added.set(file.name, bytes);
+      try {
+        if (isText(file.name)) decoded(bytes);
+      } catch {
+        showProblems([{ reason: `${file.name} is not UTF-8`, help: "save it as UTF-8" }]);
+        return;
+      }
     }
     byId("unit-row").hidden = true;
     byId("unit").value = "";

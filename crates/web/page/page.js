@@ -562,11 +562,12 @@
     if (!steps || isInText) return;
     event.preventDefault();
     const many = steps * (event.shiftKey ? 10 : 1);
-    if (field === fields.turn) field.value = Number(field.value) + many / 200;
+    if (field === fields.turn) field.value = Number((Number(field.value) + many / 200).toFixed(6));
     else fields.number.value = fields.a.value = Number((distance() + many / 1000).toFixed(6));
     live();
   });
-  for (const field of [fields.turn, fields.wheel, fields.pinion, fields.flank, fields.material]) field.addEventListener("input", live);
+  for (const field of [fields.wheel, fields.pinion, fields.flank, fields.material]) field.addEventListener("input", live);
+  fields.turn.addEventListener("input", () => { fields.turn.value = Number(fields.turn.value).toFixed(3); live(); });
   // The tooth that is shown.
   for (const field of [fields.wheel, fields.pinion]) field.addEventListener("change", () => { field.value = counted(field); });
 

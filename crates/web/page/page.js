@@ -603,24 +603,33 @@
     const picture = await answer("live", "pose", "picture", ...place());
     if (picture.svg) save(`${opened.stem}.svg`, "image/svg+xml", picture.svg);
   });
-  onClick("save-zip", async () => {
-    files.set(main, new TextEncoder().encode(text.value));
-    await send("live");
-    save("gearlash.zip", "application/zip", await ask("live", "zip"));
-  });
-  onClick("save-report", async () => {
+  async function report() {
     const now = run;
     work("Report");
     try {
       await free("long");
       await send("long");
       await ask("long", "open", main);
-      const report = await answer("long", "report", new Date().toISOString().slice(0, 10));
-      if (report.failed) showProblems([{ reason: report.failed }]);
-      else save(`${opened.stem}.html`, "text/html", report.html);
+      return await answer("long", "report", new Date().toISOString().slice(0, 10));
     } finally {
       if (now === run) byId("working").hidden = true;
     }
+  }
+  // Report and picture are in it where the pair has a result.
+  onClick("save-zip", async () => {
+    files.set(main, new TextEncoder().encode(text.value));
+    const isShown = !byId("found").hidden && !byId("found").classList.contains("old");
+    const { html } = isShown ? await report() : {};
+    const { svg } = isShown ? await answer("live", "pose", "picture", ...place()) : {};
+    await send("live");
+    const made = { [`report of ${opened?.stem}.html`]: html, [`picture of ${opened?.stem}.svg`]: svg };
+    for (const [name, content] of Object.entries(made)) if (content) await ask("live", "add", name, new TextEncoder().encode(content));
+    save("gearlash.zip", "application/zip", await ask("live", "zip"));
+  });
+  onClick("save-report", async () => {
+    const made = await report();
+    if (made.failed) showProblems([{ reason: made.failed }]);
+    else save(`${opened.stem}.html`, "text/html", made.html);
   });
   byId("save-page").addEventListener("click", () => {
     files.set(main, new TextEncoder().encode(text.value));

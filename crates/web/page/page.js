@@ -73,6 +73,7 @@
     main = name;
     text.value = decoded(files.get(name));
     byId("text-label").textContent = name;
+    byId("understood").hidden = true;
     edited();
     listFiles();
   }
@@ -93,6 +94,7 @@
       out.setAttribute("aria-label", `Remove ${name}`);
       out.addEventListener("click", () => {
         files.delete(name);
+        byId("understood").hidden = true;
         if (isDrawing(name) && !isNamed(name, text.value)) quietly(useDrawings());
         else calculate();
       });

@@ -688,7 +688,7 @@
       showProblems([{ reason: "the link in the address holds no pair that can be read", help: "copy the whole link again, or open a pair file" }]);
       return;
     }
-    if (held && held.texts?.[held.main] !== text.value) open(held);
+    if (other || (held && held.texts[held.main] !== text.value)) open(held);
   }
 
   // ---- input

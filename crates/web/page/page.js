@@ -59,13 +59,12 @@
 
   // ---- files: names and bytes; one of them is the pair file in the editor
   const files = new Map();
-  // The names of an example, which another pair replaces.
-  let ofExample = [];
   let main = "pair.toml";
   const text = byId("text");
   const isText = (name) => /\.(toml|json)$/i.test(name);
   const isDrawing = (name) => /\.(dxf|svg)$/i.test(name);
-  const decoded = (bytes) => new TextDecoder().decode(bytes);
+  const isJson = (text) => text.trimStart().startsWith("{");
+  const decoded = (bytes) => new TextDecoder("utf-8", { fatal: true }).decode(bytes);
   const MOST_BYTES = 64 * 2 ** 20;
   // The editor of a longer text would not follow the keys.
   const MOST_TEXT = 2 ** 20;
@@ -74,7 +73,8 @@
     main = name;
     text.value = decoded(files.get(name));
     byId("text-label").textContent = name;
-    number();
+    byId("understood").hidden = true;
+    edited();
     listFiles();
   }
 
@@ -84,50 +84,95 @@
   }
 
   function listFiles() {
+    const buttons = () => [...byId("files").querySelectorAll("button")];
+    const focused = buttons().indexOf(document.activeElement);
     byId("files").replaceChildren(...[...files.keys()].map((name) => {
-      const item = make("li", name, { className: name === main ? "now" : "" });
+      // The pair file is replaced by another.
+      if (name === main) return make("li", name, { className: "now" });
+      const item = make("li", name);
       const out = make("button", "×", { type: "button" });
       out.setAttribute("aria-label", `Remove ${name}`);
-      out.addEventListener("click", () => { files.delete(name); calculate(); });
+      out.addEventListener("click", () => {
+        files.delete(name);
+        byId("understood").hidden = true;
+        if (isDrawing(name) && !isNamed(name, text.value)) quietly(useDrawings());
+        else calculate();
+      });
       item.append(" ", out);
       return item;
     }));
+    // Where the button with the focus left, the next one has it.
+    if (focused >= 0) (buttons()[focused] ?? buttons().at(-1) ?? byId("open")).focus();
+  }
+
+  const isNamed = (name, content) => content.split(/["'/\\]/).includes(name);
+
+  // The files of the former pair leave; those stay that came with the next one, or that only the next one names.
+  function dismiss(next, others) {
+    const isFormer = (name) => name === main || isNamed(name, text.value) || !isNamed(name, next);
+    for (const name of files.keys()) if (!others.includes(name) && isFormer(name)) files.delete(name);
+    byId("examples").value = "";
   }
 
   async function take(given) {
-    const added = [];
-    byId("unit-row").hidden = true;
-    byId("unit").value = "";
-    const names = Array.from(given, ({ name }) => name);
-    if (names.some(isText) || names.filter(isDrawing).length === 2) {
-      for (const name of ofExample) files.delete(name);
-      ofExample = [];
-      byId("examples").value = "";
-    }
+    const added = new Map();
     for (const file of given) {
       const most = isText(file.name) ? MOST_TEXT : MOST_BYTES;
       if (file.size > most) {
         showProblems([{ reason: `${file.name} has more than ${most / 2 ** 20} MiB`, help: "check that this is the file you mean" }]);
         return;
       }
-      files.set(file.name, new Uint8Array(await file.arrayBuffer()));
-      added.push(file.name);
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      added.set(file.name, bytes);
+      try {
+        if (isText(file.name)) decoded(bytes);
+      } catch {
+        showProblems([{ reason: `${file.name} is not UTF-8`, help: "save it as UTF-8" }]);
+        return;
+      }
     }
-    const pair = added.find(isText);
-    const drawings = added.filter(isDrawing);
-    listFiles();
+    byId("unit-row").hidden = true;
+    byId("unit").value = "";
     byId("understood").hidden = true;
-    const tables = added.filter((name) => !isText(name) && !isDrawing(name));
+    const names = [...added.keys()];
+    // A text that a pair file names is the file of a gear.
+    const texts = names.filter(isText);
+    const isOfOther = (name) => texts.some((other) => other !== name && isNamed(name, decoded(added.get(other))));
+    const pair = texts.find((name) => !isOfOther(name) && (name === main || !isNamed(name, text.value)));
+    if (pair) dismiss(decoded(added.get(pair)), names);
+    for (const [name, bytes] of added) files.set(name, bytes);
+    listFiles();
+    const drawings = names.filter(isDrawing);
+    const tables = names.filter((name) => !isText(name) && !isDrawing(name));
     if (!pair && tables.length === 1 && drawings.length === 0) await understand(tables[0]);
+    if (!pair && tables.filter((name) => !isNamed(name, text.value)).length > 1) tell(`${tables.length} tables`, "Drop one table alone to see what is understood of it.");
     if (pair) edit(pair);
-    else if (drawings.length === 2 && !(await startFromDrawings(drawings))) return;
+    else if (drawings.length > 0) return useDrawings();
     calculate();
   }
 
+  // Drawings that the pair file does not name: two become a pair.
+  async function useDrawings() {
+    const drawings = [...files.keys()].filter((name) => isDrawing(name) && !isNamed(name, text.value));
+    if (drawings.length === 0) return calculate();
+    if (drawings.length === 2) return (await startFromDrawings(drawings)) && calculate();
+    run += 1;
+    byId("working").hidden = true;
+    listFiles();
+    const [verb, help] = drawings.length === 1
+      ? ["is", "drop the drawing of the other gear too, or name this one in the pair file"]
+      : ["are", "keep two drawings: remove the others by ×"];
+    showProblems([{ reason: `${drawings.join(", ")} ${verb} not named in the pair file`, help }]);
+  }
+
+  // The drawings of the last start, for another unit.
+  let offered = [];
   // Two drawings without a pair file: a text to go on from, at the distance without play.
   async function startFromDrawings([wheel, pinion]) {
     const now = ++run;
+    offered = [wheel, pinion];
     byId("found").classList.add("old");
+    byId("examples").value = "";
     work("Drawings");
     let made;
     try {
@@ -139,10 +184,12 @@
     }
     if (now !== run) return false;
     if (!made.text) {
-      showProblems(made.problems ?? [{ reason: made.failed }]);
+      // Their lines are not those of the text that is shown.
+      showProblems((made.problems ?? [{ reason: made.failed }]).map((problem) => ({ ...problem, line: null })));
       byId("unit-row").hidden = false;
       return false;
     }
+    dismiss(made.text, [wheel, pinion]);
     files.set("pair.toml", new TextEncoder().encode(made.text));
     edit("pair.toml");
     return true;
@@ -153,11 +200,15 @@
     await send("live");
     const found = await answer("live", "understand", name);
     const reasons = (found.problems ?? []).map(({ reason, help }) => `${reason}; ${help}`);
+    tell(`Understood of ${name}`, found.text ?? (reasons.join("\n") || found.failed), found.toml);
+  }
+
+  function tell(title, words, toml = "") {
     byId("understood").hidden = false;
-    byId("understood-title").textContent = `Understood of ${name}`;
-    byId("understood-text").textContent = found.text ?? (reasons.join("\n") || found.failed);
-    byId("understood-toml").textContent = found.toml ?? "";
-    byId("paste").hidden = !found.toml;
+    byId("understood-title").textContent = title;
+    byId("understood-text").textContent = words;
+    byId("understood-toml").textContent = toml;
+    byId("paste").hidden = !toml;
   }
 
   async function send(name) {
@@ -173,15 +224,22 @@
   const FOLLOWED = 1000;
   const PAUSE = 400;
   let typing = null;
-  text.addEventListener("input", () => {
+  // What was said of the text before no longer holds.
+  function edited() {
     number();
+    for (const id of ["linked", "kept"]) byId(id).textContent = "";
+  }
+  text.addEventListener("input", () => {
+    edited();
+    byId("found").classList.add("old");
     clearTimeout(typing);
     if (took < FOLLOWED) typing = setTimeout(calculate, PAUSE);
   });
 
   async function calculate() {
     const now = ++run;
-    files.set(main, new TextEncoder().encode(text.value));
+    const content = text.value;
+    files.set(main, new TextEncoder().encode(content));
     listFiles();
     clearTimeout(typing);
     clearTimeout(settling);
@@ -207,6 +265,7 @@
         return;
       }
       show(result);
+      byId("found").classList.toggle("old", text.value !== content);
       took = performance.now() - since;
       quietly(findMarks(now));
     } catch (fault) {
@@ -233,7 +292,7 @@
     begun = heard = performance.now();
     byId("working").hidden = false;
     byId("stage").textContent = stage;
-    byId("silence").textContent = "";
+    byId("silence").textContent = byId("cancelled").textContent = "";
     byId("progress").removeAttribute("value");
   }
 
@@ -255,6 +314,7 @@
     run += 1;
     quietly(begin("long"));
     byId("working").hidden = true;
+    byId("cancelled").textContent = "Cancelled.";
   }
 
   // ---- problems, each with its place in the text
@@ -368,7 +428,7 @@
   const livePose = newest("live", "here", async () => {
     const at = place();
     if (!mesh) await drawMesh(at);
-    showPose(await answer("live", "pose", "live", ...at));
+    showPose(await answer("live", "pose", "live", ...at), at);
   });
   // A part of the effort while the slider moves; all of it at rest, where that leaves a band unproven.
   async function bandAt(a, isWhole) {
@@ -429,13 +489,15 @@
     });
   }
 
-  function showPose(pose) {
-    const say = pose.failed ?? (pose.j_wt_um === null ? pose.status.replaceAll("_", " ") : `${pose.j_wt} µm`);
+  function showPose(pose, [, , wheel, pinion]) {
+    const backlash = pose.j_wt_um === null ? [] : [`${pose.j_wt} µm`];
+    const status = backlash.length && pose.status === "clear" ? [] : [pose.status?.replaceAll("_", " ")];
+    const say = pose.failed ?? [...status, ...backlash].join(", ");
     byId("here").textContent = say;
     byId("viewer").classList.toggle("old", Boolean(pose.failed));
     if (pose.failed || !mesh) return;
     mesh.show(pose.mesh.runs[0], 0, pose.mesh.words);
-    byId("viewer-picture").setAttribute("aria-label", `Mesh of wheel tooth ${fields.wheel.value} and pinion tooth ${fields.pinion.value}, ${say}`);
+    byId("viewer-picture").setAttribute("aria-label", `Mesh of wheel tooth ${wheel} and pinion tooth ${pinion}, ${say}`);
   }
 
   // Places on the slider: each has its distance and words; where the pair does not assemble is shaded.
@@ -463,8 +525,8 @@
       return;
     }
     const rows = band.rows.map(({ name, value }) => `${name} ${value}`).join(", ");
-    // Without a least or a greatest the status says why.
-    const status = band.rows.length < 2 ? `${band.status} ` : "";
+    // Numbers alone do not say that the pair fails, or why a least or a greatest is missing.
+    const status = band.rows.length < 2 || ["fail", "unproven"].includes(band.state) ? `${band.status} ` : "";
     byId("cycle").textContent = rows ? `${status}${rows}. ${band.proof}` : band.status;
     scale(band);
   }
@@ -495,22 +557,36 @@
 
   fields.a.addEventListener("input", () => { fields.number.value = fields.a.value; live(); });
   fields.number.addEventListener("input", () => { fields.a.value = fields.number.value; live(); });
-  for (const field of [fields.a, fields.number]) field.addEventListener("keydown", (event) => {
+  for (const field of [fields.a, fields.number, fields.turn]) field.addEventListener("keydown", (event) => {
     const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
     // In the number field these move the cursor.
     const isInText = field === fields.number && /Left|Right/.test(event.key);
     if (!steps || isInText) return;
     event.preventDefault();
-    const um = steps * (event.shiftKey ? 10 : 1);
-    fields.number.value = fields.a.value = Number((distance() + um / 1000).toFixed(6));
+    const many = steps * (event.shiftKey ? 10 : 1);
+    if (field === fields.turn) field.value = Number((Number(field.value) + many / 200).toFixed(6));
+    else fields.number.value = fields.a.value = Number((distance() + many / 1000).toFixed(6));
     live();
   });
-  for (const field of [fields.turn, fields.wheel, fields.pinion, fields.flank, fields.material]) field.addEventListener("input", live);
+  for (const field of [fields.wheel, fields.pinion, fields.flank, fields.material]) field.addEventListener("input", live);
+  fields.turn.addEventListener("input", () => { fields.turn.value = Number(fields.turn.value).toFixed(3); live(); });
+  // The tooth that is shown.
+  for (const field of [fields.wheel, fields.pinion]) field.addEventListener("change", () => { field.value = counted(field); });
 
   byId("keep").addEventListener("click", () => {
-    const key = /^(\s*center_distance_mm\s*=\s*)(\[[^\]]*\]|\{[^}]*\}|[^#\n]*?)(\s*(?:#.*)?)$/m;
-    text.value = text.value.replace(key, (_, before, __, after) => before + distance() + after);
-    number();
+    // In TOML, also behind a prefix or in an inline table, or in JSON; not in comments.
+    const key = /(\bcent(?:er|re)_distance_mm["']?\s*[=:]\s*)(\[[^\]]*\]|\{[^}]*\}|"[^"\n]*"|'[^'\n]*'|[^\s,#}\]]+)/g;
+    const isComment = ({ index }) => !isJson(text.value) && text.value.slice(text.value.lastIndexOf("\n", index) + 1, index).includes("#");
+    const stated = [...text.value.matchAll(key)].filter((found) => !isComment(found));
+    if (stated.length !== 1) {
+      byId("kept").textContent = "The pair file states no single centre distance that could be replaced. It is unchanged.";
+      return;
+    }
+    const [{ index, 0: all, 1: name, 2: value }] = stated;
+    text.value = text.value.slice(0, index) + name + distance() + text.value.slice(index + all.length);
+    edited();
+    const isNumber = !Number.isNaN(Number(value.replaceAll("_", "")));
+    byId("kept").textContent = isNumber ? "" : `${distance()} now stands in place of ${value.replace(/\s+/g, " ")}.`;
     calculate();
   });
 
@@ -529,24 +605,33 @@
     const picture = await answer("live", "pose", "picture", ...place());
     if (picture.svg) save(`${opened.stem}.svg`, "image/svg+xml", picture.svg);
   });
-  onClick("save-zip", async () => {
-    files.set(main, new TextEncoder().encode(text.value));
-    await send("live");
-    save("gearlash.zip", "application/zip", await ask("live", "zip"));
-  });
-  onClick("save-report", async () => {
+  async function report() {
     const now = run;
     work("Report");
     try {
       await free("long");
       await send("long");
       await ask("long", "open", main);
-      const report = await answer("long", "report", new Date().toISOString().slice(0, 10));
-      if (report.failed) showProblems([{ reason: report.failed }]);
-      else save(`${opened.stem}.html`, "text/html", report.html);
+      return await answer("long", "report", new Date().toISOString().slice(0, 10));
     } finally {
       if (now === run) byId("working").hidden = true;
     }
+  }
+  // Report and picture are in it where the pair has a result.
+  onClick("save-zip", async () => {
+    files.set(main, new TextEncoder().encode(text.value));
+    const isShown = !byId("found").hidden && !byId("found").classList.contains("old");
+    const { html } = isShown ? await report() : {};
+    const { svg } = isShown ? await answer("live", "pose", "picture", ...place()) : {};
+    await send("live");
+    const made = { [`report of ${opened?.stem}.html`]: html, [`picture of ${opened?.stem}.svg`]: svg };
+    for (const [name, content] of Object.entries(made)) if (content) await ask("live", "add", name, new TextEncoder().encode(content));
+    save("gearlash.zip", "application/zip", await ask("live", "zip"));
+  });
+  onClick("save-report", async () => {
+    const made = await report();
+    if (made.failed) showProblems([{ reason: made.failed }]);
+    else save(`${opened.stem}.html`, "text/html", made.html);
   });
   byId("save-page").addEventListener("click", () => {
     files.set(main, new TextEncoder().encode(text.value));
@@ -575,20 +660,46 @@
     if (!location.hash.startsWith(LINK)) return null;
     const code = location.hash.slice(LINK.length).replaceAll("-", "+").replaceAll("_", "/");
     const packed = Uint8Array.from(atob(code), (char) => char.charCodeAt(0));
-    const bytes = new Uint8Array(await through(packed, new DecompressionStream("gzip")));
-    return { main: "pair.toml", files: { "pair.toml": base64(bytes) } };
+    const parts = [];
+    let size = 0;
+    const reader = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")).getReader();
+    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      size += part.value.length;
+      if (size > MOST_TEXT) throw new Error(`more than ${MOST_TEXT / 2 ** 20} MiB`);
+      parts.push(part.value);
+    }
+    const content = decoded(await new Blob(parts).arrayBuffer());
+    const name = isJson(content) ? "pair.json" : "pair.toml";
+    return { main: name, texts: { [name]: content } };
+  }
+
+  // Opens the pair of the link; without one, `other`. The link of the pair that is open changes nothing.
+  async function openLinked(other) {
+    let held = other;
+    try {
+      held = (await linked()) ?? other;
+    } catch {
+      run += 1;
+      byId("working").hidden = true;
+      byId("examples").value = "";
+      files.clear();
+      files.set("pair.toml", new Uint8Array());
+      edit("pair.toml");
+      showProblems([{ reason: "the link in the address holds no pair that can be read", help: "copy the whole link again, or open a pair file" }]);
+      return;
+    }
+    if (other || (held && held.texts[held.main] !== text.value)) open(held);
   }
 
   // ---- input
   byId("paste").addEventListener("click", () => {
     text.value = `${text.value.trimEnd()}\n\n${byId("understood-toml").textContent}`;
-    number();
+    edited();
     calculate();
   });
 
   function open(held) {
     files.clear();
-    ofExample = Object.keys(held.texts ?? {});
     byId("examples").value = examples.includes(held) ? examples.indexOf(held) : "";
     for (const [name, content] of Object.entries(held.texts ?? {})) files.set(name, new TextEncoder().encode(content));
     for (const [name, content] of Object.entries(held.files ?? {})) files.set(name, Uint8Array.from(atob(content), (char) => char.charCodeAt(0)));
@@ -600,8 +711,7 @@
   byId("examples").addEventListener("change", (event) => open(examples[event.target.value]));
   byId("open").addEventListener("change", (event) => quietly(take(event.target.files)));
   byId("unit").addEventListener("change", () => {
-    const drawings = [...files.keys()].filter(isDrawing);
-    if (drawings.length === 2) quietly(startFromDrawings(drawings).then((made) => made && calculate()));
+    if (offered.every((name) => files.has(name))) quietly(startFromDrawings(offered).then((made) => made && calculate()));
   });
   byId("calculate").addEventListener("click", calculate);
   byId("cancel").addEventListener("click", cancel);
@@ -619,6 +729,8 @@
     module = await unpacked(byId("wasm").textContent);
     await Promise.all(["long", "live", "band"].map(begin));
     byId("save-page").textContent += ` (${(source.length / 1e6).toFixed(1)} MB)`;
-    open(own ?? (await linked().catch(() => null)) ?? examples[0]);
+    if (own) open(own);
+    else await openLinked(examples[0]);
+    window.addEventListener("hashchange", () => quietly(openLinked(null)));
   })().catch((fault) => showProblems([{ reason: `this browser cannot run the page: ${fault.message}`, help: "use Chrome 103, Firefox 114, Safari 16.4 or later" }]));
 })();

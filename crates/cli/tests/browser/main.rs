@@ -66,6 +66,7 @@ fn main() {
         web::page_hostile_files_are_problems,
         web::page_examples_have_the_verdict_of_the_program,
         web::page_problems_have_their_places,
+        web::page_says_in_words_what_fails,
         web::page_slider_gives_the_extremes_of_the_program,
         web::page_fits_its_window,
         web::page_saved_has_its_pair,

@@ -215,19 +215,42 @@ pub fn page_takes_workbooks_and_drawings(browser: &Chromium, _: &Site) {
     drop_files(&mut tab, &files);
     settled(&mut tab);
     assert_verdict(&mut tab, &file);
-    for name in ["book.toml", "pitch.xlsx"] {
-        tab.eval(&format!(
-            "[...document.querySelectorAll('#files li')].find((item) => item.textContent.includes('{name}'))?.querySelector('button').click()"
-        ));
-        settled(&mut tab);
-    }
-    drop_files(&mut tab, &read(&DRAWN[1..]));
+    // The drawings come one after the other.
+    drop_files(&mut tab, &read(&DRAWN[1..2]));
+    tab.until(
+        "document.getElementById('problem-list').innerText.includes('wheel_20.dxf is not named')",
+    );
+    drop_files(&mut tab, &read(&DRAWN[2..]));
     tab.until_within(
         "document.getElementById('text').value.includes('wheel_20.dxf')",
         CALCULATION,
     );
     settled(&mut tab);
     assert!(text(&mut tab, "verdict").contains("Assembles"));
+    let files = text(&mut tab, "files");
+    assert!(
+        !files.contains("book.toml") && !files.contains("pitch.xlsx"),
+        "{files}"
+    );
+}
+
+/// The live bar has a word for a pair that fails, and the page says what it cannot read or replaces.
+pub fn page_says_in_words_what_fails(browser: &Chromium, _: &Site) {
+    let mut tab = opened(browser, 1280);
+    tab.eval("(() => { const a = document.getElementById('a-number'); a.value = 29.85; a.dispatchEvent(new Event('input')); })()");
+    tab.until("document.getElementById('cycle').innerText.startsWith('Does not assemble')");
+    tab.until("document.getElementById('here').innerText.startsWith('interference')");
+    tab.eval("document.getElementById('keep').click()");
+    tab.until("document.getElementById('kept').innerText.includes('30 js7')");
+    settled(&mut tab);
+    drop_files(
+        &mut tab,
+        &[("latin.toml".to_owned(), b"title = \"Pr\xfcf\"".to_vec())],
+    );
+    tab.until("document.getElementById('problem-list').innerText.includes('not UTF-8')");
+    tab.eval("location.hash = '#pair=garbage'");
+    tab.until("document.getElementById('problem-list').innerText.includes('link')");
+    tab.assert_silent();
 }
 
 /// Moves the distance to `a` plus each of `count` steps of `step` mm, waits for the mesh, and returns the list of `then`.

@@ -169,8 +169,7 @@ fn the_fillet_of_86_21_costs_what_no_formula_sees() {
     near("onset", onset(&farther), near_by, 2e-5);
 }
 
-/// The measured length from the base circle's tangent point to the form point is, without undercut, the one the rack
-/// generates: `r sin α − (h_f − ρ (1 − sin α) − x) m/sin α` (with undercut the margin is negative and the trochoid cuts higher).
+/// Without undercut the margin is `r sin α − (h_f − ρ (1 − sin α) − x) m/sin α`; with it the margin is negative, and the trochoid cuts higher.
 /// Source: the rack's round leaves its flank at `h_f − ρ (1 − sin α)` below the pitch line (ISO 53).
 #[test]
 fn the_margin_to_undercut_is_the_racks() {
@@ -183,12 +182,10 @@ fn the_margin_to_undercut_is_the_racks() {
         let round = 1.25 - 0.38 * (1.0 - sin);
         let expected = 1.5 * f64::from(teeth) * sin - (round - x) * 3.0 / sin;
         near(teeth, undercut.margin.unwrap(), expected, 1e-9);
-        let verdict = match expected > 0.0 {
-            true => Verdict::Pass,
-            false => Verdict::Warn,
-        };
+        let passes = expected > 0.0;
+        let verdict = if passes { Verdict::Pass } else { Verdict::Warn };
         assert_eq!(undercut.verdict, verdict, "{teeth}");
-        if expected > 0.0 {
+        if passes {
             near(teeth, undercut.outlines.unwrap(), expected, 1e-9);
         }
     }

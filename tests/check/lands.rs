@@ -1,6 +1,5 @@
-//! Radial clearance as built, beside the nearest of many points of tip lands and root lands at many rotations.
-//!
-//! The crate defines a pose, the position of a tooth and the corner of a tip; the ends of root lands follow from the drawing.
+//! Radial clearance as built, beside the nearest of many points of tip lands and root lands at many rotations. The crate defines a pose, the position
+//! of a tooth and the corner of a tip; the ends of root lands follow from the drawing.
 
 use super::*;
 
@@ -24,11 +23,8 @@ fn lands(pair: &GearPair, member: Member, mating: Mating) -> Lands {
     let free = pair.free();
     let play = InvolutePair::of(pair).circumferential_backlash(pair.center_distance());
     let half_play = 0.5 * play.unwrap() / pair.operating_pitch_radius(free);
-    let middle = if member == free {
-        -mating.flank.sense() * half_play
-    } else {
-        0.0
-    };
+    let ahead = if member == free { half_play } else { 0.0 };
+    let middle = -mating.flank.sense() * ahead;
     let tooth_1 = pair.mate_direction(member) + pose.rotation(pair, member) + middle;
     let centre = pair.axis(member) + built.displacement(tooth_1);
     let direction = |tooth: u32| tooth_1 + built.tooth_angle(f64::from(tooth));

@@ -66,10 +66,8 @@ fn has_no_play(seed: u64, per_pitch: u32, all: bool) {
     assert!(plays(&pair, low - 1e-10, &here)[0] < 0.0, "{told}");
     assert!(plays(&pair, high + 1e-10, &here)[0] > 0.0, "{told}");
     let beyond = high + 1e-9;
-    let half = match all {
-        true => 128 * pair.teeth(pair.locked()) as i32,
-        false => 128,
-    };
+    let pitches = if all { pair.teeth(pair.locked()) } else { 1 };
+    let half = 128 * pitches as i32;
     let on = |k: i32, per_pitch: f64| found.mating.onward(&pair, f64::from(k) / per_pitch);
     let all = (-half..=half).map(|k| on(k, 256.0));
     let beside = (-64..=64).map(|k| on(k, 4096.0));

@@ -112,12 +112,8 @@ fn the_foremost_run_is_the_first_of_equals() {
     ] {
         let runs = backlashes.map(at);
         let said = said(&runs);
-        let found = if is_max {
-            said.greatest()
-        } else {
-            said.least()
-        };
-        let (found, _) = found.unwrap();
+        let both = [said.least(), said.greatest()];
+        let (found, _) = both[usize::from(is_max)].unwrap();
         let is_it = std::ptr::eq(found, &runs[which]);
         assert!(is_it, "{backlashes:?} {is_max}");
     }
@@ -142,22 +138,18 @@ fn the_foremost_run_is_the_first_of_equals() {
 #[test]
 fn distances_are_of_all_runs_that_fail() {
     let run = run();
+    let between = |low, high| Threshold {
+        low,
+        high,
+        doubt: None,
+        mating: Mating::FIRST,
+    };
     let failing = |high: Option<f64>| RunExtremes {
-        assembles_from: high.map(|high| Threshold {
-            low: high - WIDTH,
-            high,
-            doubt: None,
-            mating: mating(1, 1),
-        }),
+        assembles_from: high.map(|high| between(high - WIDTH, high)),
         ..with_status(&run, Status::Jammed)
     };
     let apart = |low: Option<f64>| RunExtremes {
-        meshes_to: low.map(|low| Threshold {
-            mating: Mating::FIRST,
-            low,
-            high: low + WIDTH,
-            doubt: None,
-        }),
+        meshes_to: low.map(|low| between(low, low + WIDTH)),
         ..with_status(&run, Status::NoContact)
     };
     let (clear, other) = (run.clone(), apart(Some(140.0)));

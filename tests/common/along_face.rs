@@ -33,11 +33,8 @@ pub fn drawn(seed: u64, index: u64, profiles: bool) -> (GearPair, Pose) {
 
 fn one(random: &mut Random, profiles: bool) -> Option<(GearPair, Pose)> {
     let module = random.decades(1.0, 6.0);
-    let helix = if random.chance(0.25) {
-        0.0
-    } else {
-        random.within(0.5, 35.0).to_radians()
-    };
+    let spur = random.chance(0.25);
+    let helix = if spur { 0.0 } else { random.within(0.5, 35.0) };
     let hand = random.pick(&[Hand::Right, Hand::Left]);
     let width = random.within(3.0, 16.0) * module;
     let from = -width * random.within(0.05, 0.95);
@@ -58,7 +55,7 @@ fn one(random: &mut Random, profiles: bool) -> Option<(GearPair, Pose)> {
     let data = [hand, hand.mate()].map(|hand| {
         let teeth = random.decades(17.0, 90.0) as u32;
         let data = BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap();
-        data.with_helix(helix, hand).unwrap()
+        data.with_helix(f64::to_radians(helix), hand).unwrap()
     });
     let wheel = gear(random, data[0], faces[0], &kinds)?;
     let pinion = gear(random, data[1], faces[1], &kinds)?;
@@ -276,9 +273,8 @@ fn reach(pair: &GearPair) -> [f64; 2] {
     [from - over, to + over]
 }
 
-/// Contradictions to the contacts of a pose that is not jammed: a section that is tighter than the whole face, or a face that is tighter than any
-/// section. Examined are `count` sections and that of the contact, and then others ever nearer to the tightest of them. A section may be tighter by
-/// `looser`, and the face by `tighter`, rad.
+/// A section that is tighter than the whole face by more than `looser`, rad, or a face that is tighter than any section by more than `tighter`, unless
+/// the pose is jammed. Examined are `count` sections and that of the contact, and then others ever nearer to the tightest of them.
 pub fn against_sections(
     pair: &GearPair,
     pose: &Pose,

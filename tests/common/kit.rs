@@ -46,6 +46,20 @@ pub fn ends(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     values.into_iter().fold(start, wider)
 }
 
+/// `low` and `high`, with `is_low` at `low` and not at `high`, after so many halvings of what is between.
+pub fn halved(
+    mut low: f64,
+    mut high: f64,
+    halvings: u32,
+    is_low: impl Fn(f64) -> bool,
+) -> [f64; 2] {
+    for _ in 0..halvings {
+        let middle = 0.5 * (low + high);
+        *if is_low(middle) { &mut low } else { &mut high } = middle;
+    }
+    [low, high]
+}
+
 /// A gear to make. It is nominal and perfect where nothing else is said.
 #[derive(Clone)]
 pub struct Make {
@@ -148,10 +162,8 @@ impl Make {
     }
 
     pub fn try_gear(&self) -> Result<Gear, GearError> {
-        let (data, nominal) = (
-            &self.design.basic_data,
-            self.design.nominal_base_thickness(),
-        );
+        let data = &self.design.basic_data;
+        let nominal = self.design.nominal_base_thickness();
         let base = thickness::base_from_allowance(data, nominal, self.allowance) - self.thinner;
         Gear::new(self.design, base)
     }

@@ -6,6 +6,4 @@ pub mod published_case;
 pub mod random_pair;
 mod reference;
 
-pub use reference::{
-    ReferenceContact, ReferencePair, ReferencePose, reference_file, reference_names, reference_pair,
-};
+pub use reference::*;

@@ -36,11 +36,8 @@ impl Recipe {
             profile_shift: self.shift,
             ..GearDesign::standard(data)
         };
-        let base = thickness::base_from_allowance(
-            &design.basic_data,
-            design.nominal_base_thickness(),
-            self.allowance_um * um,
-        );
+        let nominal = design.nominal_base_thickness();
+        let base = thickness::base_from_allowance(&data, nominal, self.allowance_um * um);
         let column =
             |n: usize| -> Vec<f64> { self.per_tooth_um.iter().map(|row| row[n] * um).collect() };
         let deviations = Deviations {
@@ -108,10 +105,8 @@ impl Case {
 
     pub fn try_assemble(&self, scale: f64) -> Result<GearPair, GearError> {
         let (wheel, pinion) = (self.wheel.build(scale)?, self.pinion.build(scale)?);
-        let zero = InvolutePair::new(wheel.gear(), pinion.gear())
-            .center_distance(0.0)
-            .unwrap();
-        let distance = zero + 2.0 * scale * self.radial_play;
+        let zero = InvolutePair::new(wheel.gear(), pinion.gear()).center_distance(0.0);
+        let distance = zero.unwrap() + 2.0 * scale * self.radial_play;
         GearPair::with_locked(wheel, pinion, distance, self.locked)
     }
 

@@ -74,10 +74,9 @@ pub fn reference_file(name: &str) -> String {
 
 pub fn reference_pair(name: &str) -> ReferencePair {
     let poses = reference_file(&format!("lost_motion/{name}.json"));
+    let pair = study(format!("fixtures/reference/lost_motion/{name}.toml"));
     ReferencePair {
-        assembly: pair_of(&study(format!(
-            "fixtures/reference/lost_motion/{name}.toml"
-        ))),
+        assembly: pair_of(&pair),
         poses: serde_json::from_str(&poses).unwrap(),
     }
 }

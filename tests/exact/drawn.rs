@@ -97,16 +97,9 @@ fn cycloidal(pitch: f64, rolling: f64, depth: [f64; 2], points: u32) -> Vec<Vect
             sum * t.sin() - rolling * inner.sin(),
         )
     };
-    let (mut low, mut high) = (0.0, PI * rolling / pitch);
-    for _ in 0..100 {
-        let middle = 0.5 * (low + high);
-        if at(middle).norm() < pitch + depth[0] {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
-    let above = (0..=points).map(|k| at(low * f64::from(points - k) / f64::from(points)));
+    let is_below = |t: f64| at(t).norm() < pitch + depth[0];
+    let [tip, _] = halved(0.0, PI * rolling / pitch, 100, is_below);
+    let above = (0..=points).map(|k| at(tip * f64::from(points - k) / f64::from(points)));
     above.chain([Vector2::new(pitch - depth[1], 0.0)]).collect()
 }
 

@@ -150,19 +150,14 @@ fn rig(distance: f64, runouts: [f64; 2]) -> GearPair {
         let thinner = nominal.base_thickness() - base;
         gear.thinner(thinner).runout(runout / 2.0, 33.0)
     };
-    pair(
-        &gear(50.561, runouts[0]),
-        &gear(50.567, runouts[1]),
-        distance,
-    )
+    let (wheel, pinion) = (gear(50.561, runouts[0]), gear(50.567, runouts[1]));
+    pair(&wheel, &pinion, distance)
 }
 
 const RUNOUTS: [f64; 2] = [0.0066, 0.010];
 
-/// Two pitches in steps of a sixteenth, with either method, the search and brute force. Where tips are further from the line of centres than the
-/// intersection of the tip circles, nothing touches. At 137.91 mm 8 of 32 poses were reported as out of mesh although the far half of a tip land
-/// blocks them. At 23, 23 and 0.625 the middle of a land stands where the tip circles cross: the fast path saw nothing, and the polygons' steps along the
-/// land had no end. Source of the counts: a Python study of solid teeth.
+/// At 137.91 mm 8 of 32 poses were reported as out of mesh although the far half of a tip land blocks them; at 23, 23 and 0.625 the fast path saw
+/// nothing, and the polygons' steps along the land had no end. Source of the counts: a Python study of solid teeth.
 #[test]
 fn the_rig_pair_just_before_it_is_out_of_mesh() {
     for (distance, expected_clear) in [(137.89, 26), (137.9, 26), (137.91, 24)] {
@@ -186,9 +181,8 @@ fn tooth_1_at_mate(assembly: &GearPair) -> f64 {
     -assembly.operating_half_angle(Member::Wheel) / wheel.basic_data().angular_pitch()
 }
 
-/// Tip circles of 69 mm each. A picometre below 138 mm a corner of the free gear meets the locked land where the circles
-/// cross, `β = acos(a/(2 r_a))` beside the line of centres on either side: of the free gear's space `τ − 2 ψ_a`
-/// remain `τ − 2 ψ_a − 2 β`. At 138 mm the circles touch in a point: there is no overlap, and nothing to touch.
+/// Just below 138 mm a corner of the free gear meets the locked land where the tip circles cross, `β = acos(a/(2 r_a))` on either side of the line of
+/// centres: `τ − 2 ψ_a − 2 β` of the free gear's space remain. At 138 mm there is no overlap, and nothing to touch.
 #[test]
 fn tip_circles_that_just_touch() {
     let tip = 69.0;

@@ -1,11 +1,10 @@
-//! Helical pairs against other ways to the same contact: single sections, which are spur pairs, polygons, and model 3.
-//!
-//! Half of the drawn pairs have gears that expand differently: one base helix angle, two base pitches.
+//! Helical pairs against single sections, which are spur pairs, polygons, and model 3. Half of the pairs have two base pitches.
 
 use super::*;
 use crate::along_face::{against_sections, evenly, exact, held_back, of_section};
 use crate::helical_pairs::{drawn, pair_of_the_prototype, try_drawn};
 use crate::random::{self, Random};
+use crate::witnesses::{depth, listed};
 use crate::{clearance, posed};
 
 /// Any place of a mating of any of the first six teeth.
@@ -105,12 +104,6 @@ fn against_jam(pair: &GearPair, pose: &Pose, found: &LostMotion) -> Option<Strin
 type Posed = (Option<Depth>, u64, u64);
 
 const GRAZING: Option<Depth> = Some(Depth::Grazing);
-const ON_ROOT: Option<Depth> = Some(Depth::OnRoot);
-
-/// Poses of seed 2 at which a mutant was found, as those of `witnesses` are. Each third number of five grazes, and each fourth is on a root.
-const WITNESSES: [u64; 19] = [
-    3, 7, 8, 12, 13, 14, 19, 24, 25, 31, 35, 39, 41, 46, 48, 59, 71, 74, 79,
-];
 
 fn posed((depth, seed, index): Posed) -> (GearPair, Pose, LostMotion) {
     let drawn = Drawn::of(Teeth::Helical, depth, seed, index);
@@ -125,15 +118,12 @@ const TURNS: f64 = 1e-12;
 /// Source: single sections, which are spur pairs, and 2001 of them for jams; and brute force.
 #[test]
 fn contacts_and_jams_between_sections_are_found() {
-    let poses: Vec<(Option<Depth>, u64, u64, String)> =
-        rows(include_str!("data/between_sections.csv"));
-    let poses: Vec<(Posed, bool)> = (poses.into_iter())
-        .map(|(depth, seed, index, judge)| ((depth, seed, index), judge == "jams"))
-        .collect();
-    let against = complaints(&poses, |&(case, jams)| {
-        let (pair, pose, found) = posed(case);
+    type Row = (Option<Depth>, u64, u64, String);
+    let poses: Vec<Row> = rows(include_str!("data/between_sections.csv"));
+    let against = complaints(&poses, |(depth, seed, index, judge)| {
+        let (pair, pose, found) = posed((*depth, *seed, *index));
         let mut against = against_sections(&pair, &pose, &found, 200, [TURNS; 2]);
-        if jams {
+        if judge == "jams" {
             against.extend(against_jam(&pair, &pose, &found));
             return against;
         }
@@ -162,13 +152,8 @@ fn a_tip_in_a_root_jams_anywhere_along_the_face() {
         let there = of_section(&pair, &pose, sections[0], &exact);
         assert!(there[0].0 > -there[1].0, "{number}: {there:?}");
         for (side, (held, _)) in Side::BOTH.into_iter().zip(there) {
-            let named = found.on(side).unwrap();
-            near(
-                number,
-                held_back(&pair, &pose, side, 0.0, &named),
-                held,
-                1e-12,
-            );
+            let own = held_back(&pair, &pose, side, 0.0, &found.on(side).unwrap());
+            near(number, own, held, 1e-12);
         }
     }
 }
@@ -176,15 +161,12 @@ fn a_tip_in_a_root_jams_anywhere_along_the_face() {
 /// Poses from far beyond what anybody makes, tips that barely reach each other among them. Source: single sections.
 #[test]
 fn no_section_of_wild_pairs_is_tighter_than_the_face() {
-    let witnesses = WITNESSES.map(|index| match index % 5 {
-        3 => (GRAZING, 2, index),
-        4 => (ON_ROOT, 2, index),
-        _ => (None, 2, index),
-    });
+    let witnesses = listed("helical").into_iter();
+    let witnesses = witnesses.map(|index| (depth(index), 2, index));
     let wild = (0..100u64)
         .map(|index| (GRAZING, 3, index))
         .chain((0..50).map(|index| (None, 4, index)));
-    let cases: Vec<Posed> = witnesses.into_iter().chain(wild).collect();
+    let cases: Vec<Posed> = witnesses.chain(wild).collect();
     let against = complaints(&cases, |&(depth, seed, index)| {
         let drawn = Drawn::of(Teeth::Helical, depth, seed, index);
         let pose = Pose::new(&drawn.assembly, drawn.mating);

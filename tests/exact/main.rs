@@ -50,7 +50,7 @@ use gearlash::gear::{
 };
 use gearlash::outline::{OutlineError, OutlineGear, OutlinePair, OutlineReading, PathSegment};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use kit::{Make, at, at_flank, near, on, pair, rows, spur, spur_of_angle, um};
+use kit::{Make, at, at_flank, halved, near, on, pair, rows, spur, spur_of_angle, um};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::ControlFlow;

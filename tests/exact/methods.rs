@@ -1,6 +1,4 @@
-//! The exact method against the polygon method, its own search, and brute force, on random poses and on hard ones.
-//!
-//! Longer campaigns are `tests/tools/campaign.rs`.
+//! The exact method against the polygon method, its own search, and brute force. Longer campaigns are `tests/tools/campaign.rs`.
 
 use super::*;
 use crate::campaign::{Tally, run, turned};
@@ -106,9 +104,8 @@ fn polygons_alone_see_what_touches_between_the_sections() {
         assert_eq!(differ(&exact, &polygon, 0.0), None, "pose {index}");
         let sections = ExactKernel::new(assembly).sections();
         let contacts = [exact.right, exact.left].into_iter().flatten();
-        between += contacts
-            .filter(|one| !sections.contains(&one.section))
-            .count();
+        let beside = contacts.filter(|one| !sections.contains(&one.section));
+        between += beside.count();
     }
     assert!(between > 5, "{between}");
 }
@@ -246,12 +243,7 @@ fn the_quick_method_finds_what_branch_and_bound_finds() {
         assert!(met.len() >= settled && quick >= direct && met.len() - quick >= searched);
         assert!(statuses.iter().all(|count| *count >= each), "{statuses:?}");
     }
-}
-
-/// The locked corner is outside the free tip circle at the greatest gap so far. It meets the circle slightly later, because the free gear
-/// is eccentric. So a place outside the tip alone does not rule it out (a mutant that assumed it was off by 3 µrad).
-#[test]
-fn a_corner_outside_an_eccentric_tip_is_not_omitted() {
+    // A corner outside the tip circle of an eccentric gear meets it slightly later: a mutant that omitted it was off by 3 µrad.
     let drawn = Drawn::new(Some(Depth::Grazing), 7, 49_556);
     let pose = Pose::new(&drawn.assembly, drawn.mating);
     assert!(quick_as_search(&drawn.assembly, &pose, "49 556").is_some());

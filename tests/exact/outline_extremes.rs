@@ -52,11 +52,9 @@ impl Drawn {
         let step = (tip - root) / f64::from(count);
         let point = |k: u32, random: &mut Random| {
             let off = |random: &mut Random| random.within(-1.0, 1.0);
-            let along = match k > 0 && k < count {
-                true => 0.3 * step * off(random),
-                false => 0.0,
-            };
-            let radius = root + step * f64::from(k) + along;
+            let is_inner = k > 0 && k < count;
+            let along = if is_inner { off(random) } else { 0.0 };
+            let radius = root + step * (f64::from(k) + 0.3 * along);
             let angle = self.half_angle(radius) + self.rough * off(random) / radius;
             Point2::new(radius * angle.sin(), radius * angle.cos())
         };
@@ -64,10 +62,8 @@ impl Drawn {
         match self.flanks {
             Flanks::Chords(_) => lines(&points),
             Flanks::Arcs(_) => {
-                let three = points.windows(3).step_by(2);
-                three
-                    .map(|three| arc([three[0], three[1], three[2]]))
-                    .collect()
+                let piece = |three: &[Point2<f64>]| arc([three[0], three[1], three[2]]);
+                points.windows(3).step_by(2).map(piece).collect()
             }
             Flanks::Cubics(_) => {
                 let slope = |k: usize| {
@@ -115,11 +111,13 @@ fn pair(
         false => 0.0,
     };
     let runout = random.chance(0.08);
+    let (few, more) = if unlike > 0 || runout {
+        (7, 4)
+    } else {
+        (8, 40)
+    };
     let mut drawn = || Drawn {
-        teeth: match unlike > 0 || runout {
-            true => 7 + random.one_of(4),
-            false => 8 + random.one_of(40),
-        },
+        teeth: few + random.one_of(more),
         flanks: flanks(random),
         shift: random.within(-0.1, 0.5),
         tip: random.within(0.8, 1.0),
@@ -129,13 +127,11 @@ fn pair(
     let each = [drawn(), drawn()];
     let [wheel, pinion] = each.map(|drawn| {
         let gear = drawn.gear(random).unwrap();
-        match runout {
-            true => {
-                let high = 1.0 + random.within(0.0, f64::from(drawn.teeth));
-                gear.with_runout(random.within(0.0, 0.02), high).unwrap()
-            }
-            false => gear,
+        if !runout {
+            return gear;
         }
+        let high = 1.0 + random.within(0.0, f64::from(drawn.teeth));
+        gear.with_runout(random.within(0.0, 0.02), high).unwrap()
     });
     let [one, other] = each.map(|drawn| 0.5 * f64::from(drawn.teeth) + drawn.shift);
     let a = one + other + random.within(-0.03, 0.2);
@@ -177,10 +173,8 @@ fn hold(pair: &OutlinePair, case: &str) -> [f64; 2] {
         let pose = kernel.lost_motion(&mating).unwrap();
         let (angle, error) = pose.angle().zip(pose.error()).unwrap();
         let [low, high] = [angle - error, angle + error].map(|angle| angle * radius);
-        assert!(
-            high >= least.low && low <= greatest.high,
-            "{case}: {low} {mating:?} {least:?} {greatest:?}"
-        );
+        let is_held = high >= least.low && low <= greatest.high;
+        assert!(is_held, "{case}: {low} {mating:?} {least:?} {greatest:?}");
     }
     // Both ends are attained, the inner ones by the poses named.
     for end in [least, greatest] {
@@ -210,10 +204,7 @@ fn all_hold(
 
 /// The unlike teeth of a gear: none, or in some pairs all.
 fn mostly_equal(random: &mut Random) -> u32 {
-    match random.chance(0.08) {
-        true => u32::MAX,
-        false => 0,
-    }
+    if random.chance(0.08) { u32::MAX } else { 0 }
 }
 
 /// A pitch in which only equal teeth meet stands for all such pitches. Source, as of both tests below: poses of the same pairs, 400 per pitch.
@@ -231,10 +222,9 @@ fn no_pose_of_polygons_lies_outside_the_bracket() {
 
 #[test]
 fn no_pose_of_arcs_and_cubics_lies_outside_the_bracket() {
-    all_hold((2, 24), mostly_equal, |random| match random.chance(0.5) {
-        true => Flanks::Arcs(1 + random.one_of(3)),
-        false => Flanks::Cubics(1 + random.one_of(3)),
-    });
+    let kinds: [fn(u32) -> Flanks; 2] = [Flanks::Arcs, Flanks::Cubics];
+    let flanks = |random: &mut Random| either(random, kinds)(1 + random.one_of(3));
+    all_hold((2, 24), mostly_equal, flanks);
 }
 
 /// A pair of irregular teeth, each with points of its own, apart by more than their sum of pitch radii; `None` where curves cross.
@@ -330,10 +320,9 @@ fn odd_teeth_overlap_just_outside_the_play() {
             } else if found.status() == Status::Interference {
                 for share in [0.0, 0.3, 0.7, 1.0] {
                     let between = left.rotation + share * (right.rotation - left.rotation);
-                    assert!(
-                        cross(&pair, &mating, between) || right.rotation - left.rotation < 1e-3,
-                        "{seed} {k} {found:?}"
-                    );
+                    let is_narrow = right.rotation - left.rotation < 1e-3;
+                    let overlaps = is_narrow || cross(&pair, &mating, between);
+                    assert!(overlaps, "{seed} {k} {found:?}");
                 }
                 tight += 1;
             }

@@ -69,10 +69,8 @@ pub fn drawn(built: &AsBuilt, chord: f64) -> Option<OutlineGear> {
     let placed = Placed::new(built, Point2::origin(), FRAC_PI_2);
     let points = placed.outline_near(Point2::origin(), 2.0 * built.reach(), chord);
     let mirror = -built.face().ascending();
-    let points = points
-        .iter()
-        .map(|point| Point2::new(mirror * point.x, point.y));
-    let points: Vec<Point2<f64>> = points.collect();
+    let mirrored = |point: &Point2<f64>| Point2::new(mirror * point.x, point.y);
+    let points: Vec<Point2<f64>> = points.iter().map(mirrored).collect();
     let reading = OutlineReading {
         centre: Point2::new(mirror * placed.centre().x, placed.centre().y),
         face: built.face(),
@@ -149,13 +147,11 @@ fn refuses_any_other(certifier: &OutlineCertifier, mating: &Mating, found: &Lost
 fn claims(found: &LostMotion, pitch: f64) -> Vec<(LostMotion, bool)> {
     let mut claims = vec![(*found, true)];
     for side in Side::BOTH {
-        let Some(contact) = found.on(side) else {
-            continue;
-        };
-        let off = 1e-6 + 3.0 * contact.error;
+        let Some(one) = found.on(side) else { continue };
+        let off = 1e-6 + 3.0 * one.error;
         // A contact hardly known anywhere is not refused anywhere.
-        let known = contact.error <= 1e-3 * pitch;
-        let moved = [off, -off].map(|off| turned(contact, off));
+        let known = one.error <= 1e-3 * pitch;
+        let moved = [off, -off].map(|off| turned(one, off));
         let moved = moved.into_iter().filter(|_| known).map(Some);
         for wrong in moved.chain([None]) {
             let claimed = with_contact(found, side, wrong);
@@ -329,12 +325,8 @@ fn dense_traces_touch_where_the_search_finds_them_to() {
         let met = (0..4).map(|_| {
             let teeth = [random.one_of(18), random.one_of(18)];
             let fraction = random.within(-0.5, 0.5);
-            let mating = at_flank(
-                teeth[0],
-                teeth[1],
-                either(&mut random, Side::BOTH),
-                fraction,
-            );
+            let flank = either(&mut random, Side::BOTH);
+            let mating = at_flank(teeth[0], teeth[1], flank, fraction);
             let found = exact.lost_motion(&same(&pair, &outlines, mating, 0.0));
             let (found, witness) = (found.unwrap(), search.lost_motion(&mating).unwrap());
             assert_eq!(differ(&found, &witness, 1e-13), None, "{seed}");

@@ -73,9 +73,8 @@ fn perfect_gears_follow_the_closed_form_to_a_tenth_of_a_picometre() {
     assert!(20 * on_path > 19 * poses && negative > 100);
 }
 
-/// The tie goes to the contact nearer to the pitch point. Between two equally near ones it goes at right flanks to the one clockwise on the
-/// locked gear, at left flanks to the one counter-clockwise. As the gears turn from one named contact to the next, the name changes where
-/// the first is further by 1e-6 mm. Source: the rule, and the two points named.
+/// The tie goes to the contact nearer to the pitch point, by 1e-6 mm; else at right flanks to the one clockwise on the locked gear, at left flanks to the
+/// one counter-clockwise. Source: the rule, and the two points named where the name changes.
 #[test]
 fn of_pairs_that_tie_the_nearer_to_the_pitch_point_is_named() {
     let mut changes = 0;
@@ -92,19 +91,12 @@ fn of_pairs_that_tie_the_nearer_to_the_pitch_point_is_named() {
                 };
                 let tooth = |contact: &Contact| contact.touch(member).tooth;
                 for k in 0..40 {
-                    let [mut low, mut high] = [0, 1].map(|on| f64::from(k + on) / 40.0);
-                    if tooth(&at(low)) == tooth(&at(high)) {
+                    let [low, high] = [0, 1].map(|on| f64::from(k + on) / 40.0);
+                    let first = tooth(&at(low));
+                    if first == tooth(&at(high)) {
                         continue;
                     }
-                    for _ in 0..50 {
-                        let middle = 0.5 * (low + high);
-                        if tooth(&at(middle)) == tooth(&at(low)) {
-                            low = middle
-                        } else {
-                            high = middle
-                        }
-                    }
-                    let both = [at(low), at(high)];
+                    let both = halved(low, high, 50, |middle| tooth(&at(middle)) == first).map(at);
                     // Both are on one straight path of contact, a base pitch apart.
                     let gap = (both[0].point - both[1].point).norm();
                     let built = pair.gear(member);
@@ -112,10 +104,8 @@ fn of_pairs_that_tie_the_nearer_to_the_pitch_point_is_named() {
                     let away = both.map(|contact| (contact.point - pitch_point).norm());
                     let preferred = if side == Side::Right { -1 } else { 1 };
                     let next = built.counter_clockwise(tooth(&both[0]), preferred);
-                    let farther = match next == tooth(&both[1]) {
-                        true => away[1] - away[0],
-                        false => away[0] - away[1],
-                    };
+                    let sense = if next == tooth(&both[1]) { 1.0 } else { -1.0 };
+                    let farther = sense * (away[1] - away[0]);
                     // Contacts whose distances from the pitch point differ by less are equally near.
                     near((teeth, side), farther, 1e-6, 1e-8);
                     changes += 1;

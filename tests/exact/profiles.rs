@@ -127,9 +127,8 @@ fn pitch(built: &AsBuilt) -> Pitch {
         let side = built.face().seen_from_front(own);
         let teeth = 1..=built.gear().basic_data().teeth();
         let along = built.face().ascending() * r;
-        teeth
-            .map(|tooth| along * built.flank_offset(side, tooth))
-            .collect()
+        let places = teeth.map(|tooth| along * built.flank_offset(side, tooth));
+        places.collect()
     };
     Pitch::from_cumulative(&curve(Flank::Right), &curve(Flank::Left))
 }

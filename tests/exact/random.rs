@@ -1,7 +1,7 @@
 //! Seeded random pairs and poses, leaning towards the awkward: undercut, tips on fillets,
 //! alternating pitch errors at hand-over, eccentric axes, interference.
 
-pub use crate::campaign::random::Random;
+pub use crate::campaign::random::{Random, either};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side, involute,
 };
@@ -32,11 +32,6 @@ pub const WILD: Kind = Kind {
     shift: (-0.3, 0.4),
 };
 
-/// The first with a probability of a half.
-pub fn either<T>(random: &mut Random, [one, other]: [T; 2]) -> T {
-    if random.chance(0.5) { one } else { other }
-}
-
 /// A pair of `kind` that can exist.
 pub fn pair(random: &mut Random, kind: Kind) -> GearPair {
     std::iter::repeat_with(|| try_pair(random, kind))
@@ -48,12 +43,8 @@ fn try_pair(random: &mut Random, kind: Kind) -> Option<GearPair> {
     let module = random.decades(0.05, 20.0);
     let alpha = random.within(14.5, 28.0).to_radians();
     let addendum = random.within(0.8, 1.25);
-    let rack = BasicRack::new(
-        addendum,
-        addendum + random.within(0.1, 0.35),
-        random.within(0.0, 0.4),
-    )
-    .ok()?;
+    let dedendum = addendum + random.within(0.1, 0.35);
+    let rack = BasicRack::new(addendum, dedendum, random.within(0.0, 0.4)).ok()?;
     let gears: Vec<Gear> = (0..2)
         .map(|_| {
             let teeth = random.decades(kind.teeth.0, kind.teeth.1) as u32;
@@ -77,11 +68,8 @@ fn try_pair(random: &mut Random, kind: Kind) -> Option<GearPair> {
     let distance = tight + random.within(kind.shift.0, kind.shift.1) * module;
     let locked = either(random, Member::BOTH);
     let style = random.within(0.0, 1.0);
-    let built: Vec<AsBuilt> = gears
-        .into_iter()
-        .map(|gear| as_built(random, gear, kind.deviation, style))
-        .collect::<Option<_>>()?;
-    let [wheel, pinion] = <[AsBuilt; 2]>::try_from(built).ok()?;
+    let built = (gears.into_iter()).map(|gear| as_built(random, gear, kind.deviation, style));
+    let [wheel, pinion] = <[_; 2]>::try_from(built.collect::<Option<Vec<AsBuilt>>>()?).ok()?;
     GearPair::with_locked(wheel, pinion, distance, locked).ok()
 }
 
@@ -92,12 +80,11 @@ fn as_built(random: &mut Random, gear: Gear, deviation: f64, style: f64) -> Opti
     // Ordinary: 10 µm of pitch and thickness, 20 µm of runout at module 3.
     let scale = deviation * random.within(0.0, 1.0) * 0.003 * module;
     let list = |random: &mut Random, alternating: bool| -> Vec<f64> {
-        (0..teeth)
-            .map(|k| {
-                let sign = if alternating && k % 2 == 0 { 2.0 } else { 0.0 };
-                scale * (random.within(-1.0, 1.0) + sign)
-            })
-            .collect()
+        let each = (0..teeth).map(|k| {
+            let sign = if alternating && k % 2 == 0 { 2.0 } else { 0.0 };
+            scale * (random.within(-1.0, 1.0) + sign)
+        });
+        each.collect()
     };
     let mut deviations = Deviations::default();
     if deviation > 0.0 {

@@ -1,7 +1,5 @@
-//! Poses that expose a small mistake in the program.
-//!
-//! Each is the first of thousands of random poses at which a one-line change of `src/contact` (a mutant: `tests/README.md`) gave a wrong contact or
-//! a wrong verdict, and which a method without the change refuses.
+//! Poses that expose a small mistake in the program: the first of thousands at which a one-line change of `src/contact` (a mutant: `tests/README.md`)
+//! gave a wrong contact or a wrong verdict, and which a method without the change refuses.
 
 use super::*;
 use crate::campaign::turned;
@@ -13,34 +11,14 @@ use gearlash::error::Error;
 /// Seed of the campaign's pairs.
 const SEED: u64 = 2;
 
-/// Spur poses at [`depth`].
-const SPUR: [u64; 48] = [
-    0, 1, 2, 4, 10, 15, 21, 22, 29, 33, 34, 71, 72, 80, 81, 91, 148, 161, 191, 244, 247, 249, 302,
-    390, 397, 404, 436, 460, 496, 502, 506, 539, 880, 967, 1326, 1941, 2224, 2259, 2294, 2465,
-    2591, 3322, 3919, 3986, 7574, 11364, 14025, 15617,
-];
-
-/// Spur poses whose tips graze: far corners of lands, and corners just beyond a tip.
-const GRAZING: [u64; 3] = [5855, 13216, 25825];
-
-/// Spur poses for the names of contacts.
-const NAMED: [u64; 28] = [
-    2, 5, 14, 16, 17, 18, 19, 30, 39, 42, 46, 52, 60, 72, 75, 80, 121, 129, 214, 285, 390, 397,
-    436, 471, 496, 669, 1145, 1326,
-];
-
-/// Spur poses for the polygons and their certificate.
-const CERTIFIED: [u64; 13] = [0, 2, 3, 4, 10, 14, 27, 55, 148, 182, 414, 459, 904];
-
-/// Pairs whose profiles deviate; multiples of 3 have traces.
-const MODIFIED: [u64; 40] = [
-    4, 11, 14, 22, 24, 33, 37, 38, 47, 50, 53, 101, 115, 142, 180, 191, 210, 222, 358, 373, 484,
-    512, 562, 773, 967, 1490, 3006, 3008, 3019, 3024, 3026, 3032, 3044, 3063, 3121, 3324, 3354,
-    3369, 3435, 3536,
-];
+/// The poses of a list of `data/witnesses.toml`.
+pub fn listed(list: &str) -> Vec<u64> {
+    let lists: toml::Table = include_str!("data/witnesses.toml").parse().unwrap();
+    lists[list].clone().try_into().unwrap()
+}
 
 /// One pose in five grazes, and one has a tip on a root.
-fn depth(index: u64) -> Option<Depth> {
+pub fn depth(index: u64) -> Option<Depth> {
     match index % 5 {
         3 => Some(Depth::Grazing),
         4 => Some(Depth::OnRoot),
@@ -61,9 +39,11 @@ fn of_spur(depth: Option<Depth>, index: u64) -> Vec<String> {
 /// Source: the polygon method and its certificate.
 #[test]
 fn spur_poses_hold_against_polygons() {
-    let mut against = complaints(&SPUR, |&index| of_spur(depth(index), index));
+    let mut against = complaints(&listed("spur"), |&index| of_spur(depth(index), index));
     let grazing = Some(Depth::Grazing);
-    against.extend(complaints(&GRAZING, |&index| of_spur(grazing, index)));
+    against.extend(complaints(&listed("grazing"), |&index| {
+        of_spur(grazing, index)
+    }));
     assert!(against.is_empty(), "{against:#?}");
 }
 
@@ -79,7 +59,7 @@ fn a_pose_that_both_methods_may_get_wrong_holds_against_brute_force() {
 /// Source: the independent half teeth of the clearance, and the teeth found by polygons.
 #[test]
 fn contacts_are_where_reported() {
-    let against = complaints(&NAMED, |&index| {
+    let against = complaints(&listed("named"), |&index| {
         let (assembly, pose) = drawn(index);
         let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
         let mut against = clearance::named(&assembly, &pose, &found);
@@ -159,7 +139,7 @@ fn misjudged(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String
 /// Source: both methods, which agree on the right contacts.
 #[test]
 fn the_certificate_confirms_right_contacts_and_refuses_wrong_ones() {
-    let against = complaints(&CERTIFIED, |&index| {
+    let against = complaints(&listed("certified"), |&index| {
         let (assembly, pose) = drawn(index);
         let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
         let mut against = of_spur(depth(index), index);
@@ -172,7 +152,7 @@ fn the_certificate_confirms_right_contacts_and_refuses_wrong_ones() {
 /// Source: the polygon method and its certificate.
 #[test]
 fn deviating_profiles_hold_against_polygons() {
-    let against = complaints(&MODIFIED, |&seed| {
+    let against = complaints(&listed("modified"), |&seed| {
         let mut random = Random(seed ^ 0x77aa);
         let assembly = crate::profiles::deviating_pair(&mut random, seed % 3 == 0).unwrap();
         let pose = Pose::new(&assembly, random::mating(&mut random, &assembly));

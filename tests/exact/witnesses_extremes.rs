@@ -4,15 +4,10 @@ use super::*;
 use crate::cycle;
 use crate::extremes::{ROUNDING, WIDTH};
 use crate::helical_pairs::try_drawn;
+use crate::kit::ends;
 use crate::random::{self, Kind, Random};
+use crate::witnesses::listed;
 use gearlash::contact::Extreme;
-
-/// Every fifth is helical. Half of the others are close to practice, half from the campaign.
-/// The least of cycle 86 is not proven: the far flank of a locked tooth is in reach.
-const CYCLES: [u64; 27] = [
-    4, 5, 9, 10, 14, 15, 19, 29, 34, 42, 44, 50, 60, 64, 69, 91, 97, 115, 195, 217, 221, 291, 329,
-    365, 367, 427, 604,
-];
 
 /// Poses spread over the stretch by the golden ratio.
 const POSES: u32 = 250;
@@ -73,10 +68,7 @@ fn against(number: u64) -> Vec<String> {
         let Some(extreme) = extreme.filter(Extreme::is_proven) else {
             return against.push(format!("not proven: {found:?}"));
         };
-        let [outer, inner] = match sign > 0.0 {
-            true => [extreme.low, extreme.high],
-            false => [-extreme.high, -extreme.low],
-        };
+        let [outer, inner] = ends([extreme.low, extreme.high].map(|end| sign * end));
         let seen = least(|place| sign * play(place), matings as f64);
         let attained = at(extreme.mating).angle();
         let attained = attained.map(|angle| sign * angle * radius);
@@ -98,6 +90,6 @@ fn against(number: u64) -> Vec<String> {
 /// No pose is outside a bracket, its reported pose attains it, it is narrow, and it is proven. Source: poses of the exact method.
 #[test]
 fn extremes_of_these_cycles_hold() {
-    let against = complaints(&CYCLES, |&number| against(number));
+    let against = complaints(&listed("cycles"), |&number| against(number));
     assert!(against.is_empty(), "{against:#?}");
 }

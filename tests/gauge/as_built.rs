@@ -47,10 +47,8 @@ fn spans_pitch_and_thickness() {
             let cumulative = stands.iter().map(|stands| stands - mean);
             all_near(own.cumulative.flank(flank).to_vec(), cumulative, PICOMETRE);
             let before = stands.iter().cycle().skip(stands.len() - 1);
-            let single = stands
-                .iter()
-                .zip(before)
-                .map(|(here, before)| here - before);
+            let both = stands.iter().zip(before);
+            let single = both.map(|(here, before)| here - before);
             all_near(own.single(flank), single, PICOMETRE);
         }
 
@@ -110,14 +108,7 @@ fn spans_pitch_and_runout_readings_give_the_gear_back() {
             readings: spans.map(|span| (span.first_tooth, span.length)).collect(),
             per_tooth: true,
         },
-        pitch: Some(PitchStatement {
-            kind: PitchKind::Cumulative,
-            axis: PitchAxis::Own,
-            sense: PitchSense::Numbers,
-            eccentricity: None,
-            right_um: scaled(&made.right, 1e3),
-            left_um: scaled(&made.left, 1e3),
-        }),
+        pitch: Some(own_pitch(scaled(&made.right, 1e3), scaled(&made.left, 1e3))),
         runout: RunoutStatement::Readings(ProbeReadings {
             um: scaled(&found.runout.unwrap().deviations(), 1e3),
             with: ReadWith::Ball(5.25),

@@ -69,14 +69,9 @@ fn other_flanks_are_no_involutes() {
         PathSegment::Cubic([a, one, other, b])
     };
     for bulge in [0.0, 0.1] {
-        let [a, b, c, d, next] = [
-            (17.5, -0.4),
-            (22.0, -0.1),
-            (22.0, 0.1),
-            (17.5, 0.4),
-            (17.5, 0.6),
-        ]
-        .map(|(radius, pitches)| polar(radius, FRAC_PI_2 + pitches * TAU / 20.0));
+        let at = |radius, pitches| polar(radius, FRAC_PI_2 + pitches * TAU / 20.0);
+        let [a, b, c] = [at(17.5, -0.4), at(22.0, -0.1), at(22.0, 0.1)];
+        let [d, next] = [at(17.5, 0.4), at(17.5, 0.6)];
         let tooth = [
             between(a, b, bulge),
             PathSegment::Line([b, c]),
@@ -237,12 +232,9 @@ fn arcs_between_the_same_corners() {
     let known = height(9.0) - height(12.0);
     for (a, b, sign) in [(&flatter, &fuller, 1.0), (&fuller, &flatter, -1.0)] {
         let found = OutlineDifference::new(a, b, 1e-6).unwrap();
-        let [far, near_by] = match sign > 0.0 {
-            true => [found.greatest.beyond, found.least.beyond],
-            false => [found.least.beyond, found.greatest.beyond],
-        };
-        near(sign, far, sign * known, found.bound);
-        near(sign, near_by, 0.0, found.bound);
+        let [least, most] = kit::ends([0.0, sign * known]);
+        near(sign, found.greatest.beyond, most, found.bound);
+        near(sign, found.least.beyond, least, found.bound);
         near(sign, found.rotation, 0.0, 1e-9);
     }
 }

@@ -7,17 +7,8 @@ use super::*;
 #[test]
 fn published_dimensions_over_balls_and_over_pins() {
     for row in rows::<[f64; 9]>(include_str!("data/published_helical.csv")) {
-        let [
-            teeth,
-            module,
-            helix_deg,
-            shift,
-            ball,
-            over_balls,
-            over_pins,
-            first,
-            second,
-        ] = row;
+        let [teeth, module, helix_deg, shift, ball, sizes @ ..] = row;
+        let [over_balls, over_pins, first, second] = sizes;
         for (allowance, off, hand) in [
             (0.0, 0.0, Hand::Left),
             (-0.115, first, Hand::Right),

@@ -50,10 +50,8 @@ fn leads_come_out_as_they_went_in() {
     let (right, left, crown) = (0.010, -0.006, 0.008);
     for (beta_deg, face) in CASES {
         // A spur gear is read as if it were right hand.
-        let hand = match beta_deg == 0.0 {
-            true => Hand::Right,
-            false => Hand::Left,
-        };
+        let is_spur = beta_deg == 0.0;
+        let hand = if is_spur { Hand::Right } else { Hand::Left };
         let [right_lead, left_lead] = [(right, Flank::Right), (left, Flank::Left)]
             .map(|(slope, flank)| Lead::slope_of_helix(slope, hand, flank));
         let gear = gear_of(beta_deg).leads([lead(right_lead, 0.0), lead(left_lead, crown)]);
@@ -81,9 +79,8 @@ fn leads_come_out_as_they_went_in() {
     }
 }
 
-/// A wobble `t` alone: traces about the axis of the teeth are straight. About the rotation axis a trace is `n·t b + s τ' r_b t·q` to first
-/// order, where `n` and the point `q` on the reference circle wind with the teeth; its slope is that of least squares. A gear that is turned
-/// over has the same readings. Source: the exact section of a leaning gear, derived by hand.
+/// A wobble `t` alone: traces about the axis of the teeth are straight. About the rotation axis a trace is `n·t b + s τ' r_b t·q` to first order, with
+/// `n` and the point `q` on the reference circle. Turned over the readings are the same. Source: the section of a leaning gear, by hand.
 #[test]
 fn wobble_is_in_leads_about_the_rotation_axis() {
     let wobble = 2e-4;

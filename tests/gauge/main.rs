@@ -82,6 +82,18 @@ fn over_face(face: [f64; 2]) -> Settings {
     Settings { face, ..quick() }
 }
 
+/// Cumulative pitch about the axis of the teeth.
+fn own_pitch(right_um: Vec<f64>, left_um: Vec<f64>) -> PitchStatement {
+    PitchStatement {
+        kind: PitchKind::Cumulative,
+        axis: PitchAxis::Own,
+        sense: PitchSense::Numbers,
+        eccentricity: None,
+        right_um,
+        left_um,
+    }
+}
+
 /// A helical gear of module 3 with room at its tips.
 fn helical(teeth: u32, beta_deg: f64, hand: Hand, shift: f64) -> Make {
     let gear = spur(teeth, 3.0).rack(1.0, 1.25, 0.25).shift(shift);

@@ -17,16 +17,6 @@ fn arc(radius: f64, start: f64, end: f64) -> PathSegment {
     }
 }
 
-/// Lengths and bounds agree, one by one.
-fn agree(what: &str, found: &[(u32, f64, f64)], expected: &[(u32, f64, f64)], slack: f64) {
-    assert_eq!(found.len(), expected.len(), "{what}");
-    for (one, other) in found.iter().zip(expected) {
-        assert_eq!(one.0, other.0, "{what}");
-        near((what, one.0), one.1, other.1, one.2 + other.2);
-        assert!(one.2 <= slack, "{what} at {}: bound {}", one.0, one.2);
-    }
-}
-
 fn over(list: &[OverPins]) -> Vec<(u32, f64, f64)> {
     let each = list.iter();
     each.map(|one| (one.tooth, one.length, one.error)).collect()
@@ -63,19 +53,18 @@ fn an_outline_of_a_gear_reads_as_the_gear() {
         ] {
             let found = gauge_outline(&outline, Some(spans.teeth), Some(pins.diameter));
             let (on, over_pins) = (found.spans.unwrap(), found.pins.unwrap());
-            agree(
-                "span",
-                &spans_of(&on.readings),
-                &spans_of(&spans.readings),
-                slack,
-            );
-            agree("two pins", &over(&over_pins.two), &over(&pins.two), slack);
-            agree(
-                "three pins",
-                &over(&over_pins.three),
-                &over(&pins.three),
-                slack,
-            );
+            for (what, found, expected) in [
+                ("span", spans_of(&on.readings), spans_of(&spans.readings)),
+                ("two pins", over(&over_pins.two), over(&pins.two)),
+                ("three pins", over(&over_pins.three), over(&pins.three)),
+            ] {
+                assert_eq!(found.len(), expected.len(), "{what}");
+                for ((tooth, length, bound), other) in found.into_iter().zip(expected) {
+                    assert_eq!(tooth, other.0, "{what}");
+                    near((what, tooth), length, other.1, bound + other.2);
+                    assert!(bound <= slack, "{what} at {tooth}: bound {bound}");
+                }
+            }
             for (seat, data) in over_pins.seats.iter().zip(&pins.seats) {
                 for (found, data) in seat.touched.iter().zip(&data.touched) {
                     assert_eq!(found.tooth, data.tooth);
@@ -107,9 +96,8 @@ fn straight(teeth: u32, lean: f64, h: f64, [root, tip]: [f64; 2]) -> Vec<PathSeg
     all_round(teeth, &half)
 }
 
-/// Flanks whose lean is half the angle between the outer teeth of a span lie flat on the anvils: W_k = 2 h. A pin touches two lines whose
-/// normals stand β + π/z from the middle of the space's square: its centre at ρ = (h + R) / sin(β + π/z); with an odd number of teeth
-/// M = 2 ρ cos(π/2z) + D over two, ρ (1 + cos(π/z)) + D over three pins.
+/// Flanks whose lean β is half the angle between the outer teeth of a span lie flat on the anvils: W_k = 2 h. A pin's centre is at ρ = (h + R)/sin(β + π/z);
+/// of odd teeth M = 2 ρ cos(π/2z) + D over two, ρ (1 + cos(π/z)) + D over three pins.
 #[test]
 fn straight_flanks_by_their_closed_form() {
     for (teeth, k) in [(24u32, 3u32), (17, 2), (16, 2)] {

@@ -144,9 +144,8 @@ fn traces_come_out_as_they_went_in() {
     assert!(read.flank(Flank::Left).shapes[0].total < 10.0 * read.error);
 }
 
-/// Runout read with a ball on flanks of which each tooth has its own profile: what these do to the readings is no eccentricity.
-/// Source: the eccentricity that was put in, 10 µm towards tooth 6.25. The traces alone read as more than 0.1 µm of it. (That of
-/// tooth 5 is 1e-19 mm, less than the rounding of a roll: no reason to refuse the flank.)
+/// Runout read with a ball on flanks of which each tooth has its own profile: what these do is no eccentricity, and alone reads as more than 0.1 µm of it.
+/// Source: the eccentricity put in, 10 µm towards tooth 6.25. The trace of tooth 5 is 1e-19 mm, below the rounding of a roll, and no reason to refuse it.
 #[test]
 fn profiles_of_single_teeth_are_no_eccentricity() {
     let teeth = 20;
@@ -263,14 +262,7 @@ fn readings_of_each_tooth_are_read_back() {
                 readings: spans.clone(),
                 per_tooth: true,
             },
-            pitch: Some(PitchStatement {
-                kind: PitchKind::Cumulative,
-                axis: PitchAxis::Own,
-                sense: PitchSense::Numbers,
-                eccentricity: None,
-                right_um: right.clone(),
-                left_um: left.clone(),
-            }),
+            pitch: Some(own_pitch(right.clone(), left.clone())),
             profiles: profiles.clone(),
             ..Measurements::nominal(shifted(teeth).design, face)
         };

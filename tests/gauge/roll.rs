@@ -10,28 +10,26 @@ fn rolled(part: &AsBuilt, steps_per_pitch: u32) -> Roll {
     measure(part, settings).roll.unwrap()
 }
 
-/// F_i'' ≈ 2 e of a pure eccentricity. Tight mesh keeps the distance of both centres at a_0, that of model 2 with zero play.
-/// About the axis a'' = e cos χ + √(a_0² − e² sin² χ). That is 2 e exactly between χ = 0 and π, and in between
-/// e² sin² χ/(2 a_0) below the cosine. A perfect gear does not move. A helical gear moves equally in every section of any face.
+/// F_i'' ≈ 2 e of a pure eccentricity: a'' = e cos χ + √(a_0² − e² sin² χ) about the axis, with a_0 that of model 2 with zero play. A perfect gear does
+/// not move, and a helical gear moves equally in every section of any face.
 #[test]
 fn an_eccentric_gear_moves_by_twice_its_eccentricity() {
     let perfect = |teeth, shift, thinner| spur(teeth, 3.0).shift(shift).thinner(thinner);
     let eccentric = |e| spur(44, 3.0).runout(e, 1.0);
     let every = Settings::default;
-    let over = |from, to| over_face([from, to]);
     let wound = helical(40, 20.0, Hand::Right, 0.0).runout(0.02, 1.0);
     for (make, settings) in [
         (perfect(44, 0.0, 0.0), every()),
         (perfect(21, 0.0, 0.02), every()),
         (perfect(12, 0.4, 0.01), every()),
         (perfect(86, -0.2, 0.03), every()),
-        (helical(23, 24.0, Hand::Left, 0.2), over(-10.0, 25.0)),
-        (helical(40, 8.0, Hand::Left, 0.2), over(0.0, 0.0)),
+        (helical(23, 24.0, Hand::Left, 0.2), over_face([-10.0, 25.0])),
+        (helical(40, 8.0, Hand::Left, 0.2), over_face([0.0, 0.0])),
         (eccentric(0.005), every()),
         (eccentric(0.02), every()),
         (eccentric(0.08), every()),
-        (wound.clone(), over(0.0, 0.0)),
-        (wound, over(-5.0, 30.0)),
+        (wound.clone(), over_face([0.0, 0.0])),
+        (wound, over_face([-5.0, 30.0])),
     ] {
         let part = make.front();
         let (e, z) = (part.eccentricity(), part.gear().basic_data().teeth());

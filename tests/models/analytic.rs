@@ -115,10 +115,8 @@ fn model_3_is_the_reference_on_the_line_of_action_and_never_below_it() {
             let what = (&name, reference);
             let pose = Pose::new(assembly, reference.mating());
             let model = LineOfAction::new(assembly, &pose);
-            let mut curves = Side::BOTH
-                .iter()
-                .map(|side| reference.contact(*side).curves());
-            let on_line = curves.all(|curves| curves == ["involute"; 2]);
+            let mut sides = Side::BOTH.iter();
+            let on_line = sides.all(|side| reference.contact(*side).curves() == ["involute"; 2]);
             let Some(backlash) = model.backlash(assembly) else {
                 assert!(!on_line, "{what:?}");
                 continue;

@@ -27,9 +27,8 @@ fn the_formula_takes_the_deviation_where_it_touches() {
         for pose in poses(&pair, 200) {
             let found = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
             let contacts = [found.right.unwrap(), found.left.unwrap()];
-            let mut touched = contacts
-                .iter()
-                .flat_map(|c| [c.wheel.curve, c.pinion.curve]);
+            let curves = contacts.map(|c| [c.wheel.curve, c.pinion.curve]);
+            let mut touched = curves.into_iter().flatten();
             if touched.any(|curve| curve != ProfilePart::Involute) {
                 continue;
             }
@@ -46,9 +45,8 @@ fn the_formula_takes_the_deviation_where_it_touches() {
     assert!(compared > 300, "{compared}");
 }
 
-/// A deep parabolic relief of a short tip reaches the tip circle where its flank first does, not where its parabola comes back beyond the fold.
-///
-/// Source: `r_b ξ + δ(ξ) = r_b ξ_a` solved as the quadratic it is.
+/// A deep parabolic relief of a short tip reaches the tip circle where its flank first does, not where its parabola comes back beyond the fold. Source:
+/// `r_b ξ + δ(ξ) = r_b ξ_a` solved as the quadratic it is.
 #[test]
 fn a_deep_short_relief_ends_at_the_nearest_roll() {
     let plain = spur(44, 3.0).gear();

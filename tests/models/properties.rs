@@ -19,8 +19,7 @@ fn same(one: [Option<f64>; 3], other: [Option<f64>; 3]) -> Result<(), TestCaseEr
 proptest! {
     /// Gears without eccentricity and deviations: models 2 and 3 are one.
     #[test]
-    fn models_2_and_3_agree_on_perfect_gears(case in case()) {
-        let mut case = case;
+    fn models_2_and_3_agree_on_perfect_gears(mut case in case()) {
         for recipe in [&mut case.wheel, &mut case.pinion] {
             recipe.runout_um = 0.0;
             recipe.per_tooth_um.fill([0.0; 3]);
@@ -94,30 +93,24 @@ proptest! {
 
     /// Model 1 is model 2's tangent where the gears are nominal, and equals it at a_ref always.
     #[test]
-    fn michalec_touches_the_involute_model(case in case(), off in -0.01..0.01) {
-        let mut case = case;
+    fn michalec_touches_the_involute_model(mut case in case(), off in -0.01..0.01) {
         for recipe in [&mut case.wheel, &mut case.pinion] {
             recipe.runout_um = 0.0;
         }
         let reference = limits::nominal_zero_backlash_distance(&case.assemble(1.0)).unwrap();
-        let at = |a: f64| {
+        let at = |case: &Case, a: f64| {
             let assembly = case.assemble(1.0).at(a).unwrap();
             let pose = Pose::new(&assembly, case.mating);
             let found = evaluate(&assembly, &pose);
             prop_assert!((effective_center_distance(&assembly, &pose) - a).abs() == 0.0);
             Ok(found.michalec.unwrap() - found.involute.unwrap())
         };
-        prop_assert!(at(reference)?.abs() <= ROUNDING);
+        prop_assert!(at(&case, reference)?.abs() <= ROUNDING);
         for recipe in [&mut case.wheel, &mut case.pinion] {
             recipe.allowance_um = 0.0;
         }
-        let at = |a: f64| {
-            let assembly = case.assemble(1.0).at(a).unwrap();
-            let found = evaluate(&assembly, &Pose::new(&assembly, case.mating));
-            found.michalec.unwrap() - found.involute.unwrap()
-        };
         // j_wt = j_bn a/R: its second derivative is below 1/mm for these gears.
-        prop_assert!(at(reference + off).abs() <= off * off);
+        prop_assert!(at(&case, reference + off)?.abs() <= off * off);
     }
 
     /// A contact ratio above 1 leaves each side one pair at least. Of rough gears, and of gears of unequal temperature, which have unequal base pitches, a
@@ -165,9 +158,8 @@ fn touch(
     (centre + turned(flank, point), turned(flank, normal))
 }
 
-/// The contacts model 3 reports are contacts: points coincide, normals oppose, on the gears' own profiles,
-/// within both gears' circles. Every facing pair that counts is found, and the tightest of them taken: all locked teeth are tried by a plain
-/// contraction, without a window. Returns how many contacts there are.
+/// How many contacts model 3 reports: points coincide and normals oppose on the gears' own profiles, within both gears' circles. Every facing pair that
+/// counts is found, by a plain contraction of all locked teeth without a window, and the tightest is taken.
 fn check_contacts(assembly: &GearPair, mating: Mating) -> Result<usize, TestCaseError> {
     let pose = Pose::new(assembly, mating);
     let model = LineOfAction::new(assembly, &pose);

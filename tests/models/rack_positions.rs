@@ -1,8 +1,5 @@
-//! Fillet, involute and root land, compared with the rack tool that cuts them at many positions of its roll.
-//!
-//! No equation is solved. The tool is a trapezium with circular tips in the normal section. For a point of the
-//! transverse section its lengths along the pitch line are multiplied by `cos β`. Removed material is inside the tool
-//! at some position. The tool touches the remaining flank and covers it nowhere.
+//! Fillet, involute and root land, compared with the rack tool at many positions of its roll: it touches the flank that remains and covers it nowhere.
+//! The tool is a trapezium with circular tips in the normal section; lengths of the transverse section along the pitch line are multiplied by `cos β`.
 
 use super::*;
 
@@ -151,18 +148,12 @@ fn the_tool_touches_what_it_leaves_and_covers_none_of_it() {
                     continue;
                 }
                 // Where it touches the round, the normal there is the parameter's and the fillet's.
-                let mut phi = cutting.nearest(|phi| cutting.clear_of_round(at, phi));
+                let phi = cutting.nearest(|phi| cutting.clear_of_round(at, phi));
                 let clear = cutting.clear_of_round(at, phi);
                 near((&what, part, t), clear, 0.0, 1e-13 * cutting.radius);
-                let (mut low, mut high) = (phi - 1e-4, phi + 1e-4);
+                let (low, high) = (phi - 1e-4, phi + 1e-4);
                 assert!(cutting.slope(at, low) < 0.0 && cutting.slope(at, high) > 0.0);
-                for _ in 0..60 {
-                    phi = 0.5 * (low + high);
-                    match cutting.slope(at, phi) < 0.0 {
-                        true => low = phi,
-                        false => high = phi,
-                    }
-                }
+                let [phi, _] = halved(low, high, 60, |phi| cutting.slope(at, phi) < 0.0);
                 let [along, deep] = cutting.off_centre(at, phi);
                 let gamma = (along * cutting.cos_beta).atan2(deep);
                 near(&what, gamma, t, 1e-9);

@@ -1,7 +1,7 @@
 //! A pair of gears and one of its poses, from a seed and a number. Impossible gears (pointed teeth, closed spaces) are drawn again.
 
 use super::gear::Numbers;
-use super::random::Random;
+use super::random::{Random, either};
 use gearlash::analytic::InvolutePair;
 use gearlash::gear::{AsBuilt, Hand, Side};
 use gearlash::pair::{GearPair, Mating, Member};
@@ -76,11 +76,7 @@ impl Pair {
             } else {
                 random.within(14.5, 30.0)
             };
-            let teeth = if random.chance(0.5) {
-                [second, first]
-            } else {
-                [first, second]
-            };
+            let teeth = either(&mut random, [[second, first], [first, second]]);
             let hands = [hand, hand.mate()];
             let [wheel, pinion] = [0, 1].map(|k: usize| {
                 let teeth = teeth[k];

@@ -1,6 +1,6 @@
 //! One gear of the campaign, as the numbers of a pair file.
 
-use super::random::Random;
+use super::random::{Random, either};
 use crate::kit::Make;
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign, Hand};
 use serde_json::{Value, json};
@@ -70,11 +70,8 @@ impl Numbers {
         pressure_angle_deg: f64,
     ) -> Numbers {
         let rack = rack(random, pressure_angle_deg.to_radians());
-        let profile_shift = if random.chance(0.15) {
-            0.0
-        } else {
-            random.within(-0.6, 1.2)
-        };
+        let none = random.chance(0.15);
+        let profile_shift = if none { 0.0 } else { random.within(-0.6, 1.2) };
         let plain = f64::from(teeth) * module_mm + 2.0 * module_mm * (rack[0] + profile_shift);
         // As generated, turned down, or raised.
         let longer = match random.one_of(4) {
@@ -83,11 +80,8 @@ impl Numbers {
             _ => random.decades(0.01, 0.6),
         };
         let tip_diameter_mm = plain + 2.0 * module_mm * longer;
-        let allowance = if random.chance(0.5) {
-            random.within(-0.03, 0.005)
-        } else {
-            random.within(-0.3, 0.25)
-        };
+        let [low, high] = either(random, [[-0.03, 0.005], [-0.3, 0.25]]);
+        let allowance = random.within(low, high);
         let mut numbers = Numbers {
             teeth,
             module_mm,

@@ -1,7 +1,5 @@
-//! Random poses for both methods, from a seed: the campaign of exact against polygon, each exact result certified.
-//!
-//! A pair is drawn as the numbers of a pair file, so that any pose can be printed and run again. The draws go far beyond practice and favour
-//! difficult cases: undercut teeth, tips turned down or raised, eccentric axes, tips deep in roots, and tips that barely reach.
+//! Random poses for both methods, each certified, drawn as the numbers of a pair file, so that any pose can be printed and run again. The draws go
+//! far beyond practice: undercut teeth, tips turned down or raised, eccentric axes, tips deep in roots, and tips that barely reach.
 
 #![allow(dead_code, unused_imports)] // each test binary uses its part
 

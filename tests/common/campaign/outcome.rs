@@ -139,10 +139,8 @@ fn accepts_moved(
         let turns = 1.0 + pose.locked_rotation().abs() + pose.free_rotation().abs();
         // Above the polygons' resolution and rounding.
         let resolution = 400.0 * f64::EPSILON * assembly.center_distance() * turns / lever;
-        let bounds = [
-            0.5 * (open - touch.closed).abs(),
-            contact.error + resolution,
-        ];
+        let proven = 0.5 * (open - touch.closed).abs();
+        let bounds = [proven, contact.error + resolution];
         for (judge, bound) in ["prover", "certificate"].into_iter().zip(bounds) {
             for by in [MOVED * bound, -MOVED * bound] {
                 let contact = found.on(side.side)?;
@@ -164,9 +162,8 @@ fn accepts_moved(
     None
 }
 
-/// Both rotations of both methods must be within the sum of both bounds, also for jammed poses. Statuses must be equal, unless the difference is within
-/// the bounds. If teeth are in the mate's body at every rotation (`solid`) and both methods report a jam, a tooth meets the mate several times. Then the
-/// reported contact has no meaning.
+/// Both rotations of both methods must agree within the sum of their bounds, and statuses unless the difference is within the bounds. Where both report
+/// a jam in the mate's body (`solid`), a tooth meets the mate several times, and the contact has no meaning.
 fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion) -> Verdict {
     let assembly = &drawn.assembly;
     let statuses = [exact, polygon].map(LostMotion::status);
@@ -210,9 +207,8 @@ fn begins_a_land(assembly: &GearPair, found: &LostMotion) -> bool {
     })
 }
 
-/// Whether, within the rounding of the centre distance, a method finds a side both with contact and without. That
-/// rounding is 1000 ulps, for some dozens of operations on lengths up to the distance. It concerns tips that graze each
-/// other so closely that the distance as a number does not decide.
+/// Whether a method finds a side both with contact and without within the rounding of the centre distance, 1000 ulps for dozens of operations: tips
+/// graze so closely that the distance as a number does not decide.
 fn loses_contact_nearby(drawn: &Drawn, cut: &CutPair) -> bool {
     let here = &drawn.assembly;
     let a = here.center_distance();
@@ -225,10 +221,8 @@ fn loses_contact_nearby(drawn: &Drawn, cut: &CutPair) -> bool {
             ExactKernel::new(&beside).lost_motion(&pose),
             cut.refined_kernel(&beside).lost_motion(&pose),
         ];
-        let found = found.into_iter().flatten();
-        found
-            .map(|one| Side::BOTH.map(|side| one.on(side).is_some()))
-            .collect()
+        let touched = |one: LostMotion| Side::BOTH.map(|side| one.on(side).is_some());
+        found.into_iter().flatten().map(touched).collect()
     };
     let (nearer, farther) = (sides(-1e3), sides(1e3));
     // Both methods agree on either side of the border, and differ across it.

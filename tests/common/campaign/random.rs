@@ -40,3 +40,8 @@ impl Random {
         choices[self.one_of(choices.len() as u32) as usize - 1]
     }
 }
+
+/// The first with a probability of a half.
+pub fn either<T>(random: &mut Random, [one, other]: [T; 2]) -> T {
+    if random.chance(0.5) { one } else { other }
+}

@@ -112,9 +112,8 @@ impl Tally {
         let expected = sides.chain([("status", &statuses[..])]);
         let each = expected.flat_map(|(class, names)| names.iter().map(move |name| (class, name)));
         let missing = each.filter(|(class, name)| self.count(class, name) == 0);
-        missing
-            .map(|(class, name)| format!("{class}: {name}"))
-            .collect()
+        let named = missing.map(|(class, name)| format!("{class}: {name}"));
+        named.collect()
     }
 
     /// The counts as text.

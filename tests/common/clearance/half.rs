@@ -1,8 +1,7 @@
-//! An independent half tooth from formulas: half the tooth's thickness as an angle over the radius, and the signed clearance of any point.
-//!
-//! Frame: the gear's centre is the origin, and the tooth's centre line, turned with the flank, is on +x. The flank is
-//! at negative angles. Left half teeth are mirrored into this frame.
+//! An independent half tooth from formulas: half the tooth's thickness as an angle over the radius, and the signed clearance of any point. About the
+//! gear's centre, the tooth's centre line lies on +x and the flank at negative angles. Left half teeth are mirrored into this frame.
 
+use crate::kit::halved;
 use gearlash::gear::{AsBuilt, DeviationCurve, Gear, Side};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -126,30 +125,22 @@ impl Half {
             return;
         }
         // Metal is outside both the tip radius and the flank; past the crossing the tip radius removes less.
-        let (mut low, mut high) = (0.0, self.gamma);
-        for _ in 0..200 {
-            let middle = 0.5 * (low + high);
-            let (radius, angle) = self.fillet(middle);
-            let inner = radius < self.base || -angle < self.involute(radius);
-            if inner { low = middle } else { high = middle }
-        }
-        self.gamma = high;
+        let is_inner = |gamma: f64| {
+            let (radius, angle) = self.fillet(gamma);
+            radius < self.base || -angle < self.involute(radius)
+        };
+        [_, self.gamma] = halved(0.0, self.gamma, 200, is_inner);
     }
 
-    /// Polar coordinates of the fillet at `γ`, where the contact normal has that angle from the radius through the pitch point.
-    ///
-    /// The normal through the pitch point makes `γ` with the depth, so the point is (depth) × tan γ beside it.
+    /// Polar coordinates of the fillet at `γ`, where the contact normal through the pitch point has that angle from the depth: (depth) × tan γ beside it.
     fn fillet(&self, gamma: f64) -> (f64, f64) {
         let [deep, rolled] = self.rolled_to(gamma);
         let (out, aside) = (self.reference - deep, deep * gamma.tan());
         (out.hypot(aside), aside.atan2(out) - rolled - self.land)
     }
 
-    /// The point on the tool's tip whose normal makes `γ` with the depth: its depth below the pitch line, mm, and the
-    /// roll, rad, until that normal passes the pitch point.
-    ///
-    /// The tip is an ellipse, `ρ/cos β` wide along the pitch line and `ρ` deep. From its centre at the depth `h` the
-    /// point is `(ρ/cos β)² sin γ/N` aside and `ρ² cos γ/N` deeper, with `N = √((ρ/cos β)² sin² γ + ρ² cos² γ)`.
+    /// The point on the tool's tip whose normal makes `γ` with the depth: its depth below the pitch line, mm, and the roll, rad, until that normal
+    /// passes the pitch point. The ellipse has the half axes `ρ/cos β` along the pitch line and `ρ`.
     fn rolled_to(&self, gamma: f64) -> [f64; 2] {
         let (sin, cos) = gamma.sin_cos();
         let size = (self.wide * sin).hypot(self.round * cos);
@@ -229,10 +220,8 @@ impl Half {
         (-angle, (pitch_point - gamma - angle).sin().abs())
     }
 
-    /// Signed clearance of the point (x, y): its distance to first order near the half tooth's curves, negative in the metal.
-    ///
-    /// The metal is below the tip circle between flank and far corner, and below the root circle to the middle of the
-    /// space. Metal past an end belongs to other half teeth, so it is cut off along the radius there.
+    /// Signed clearance of the point (x, y): its distance to first order near the half tooth's curves, negative in the metal. Metal past the far corner
+    /// or the middle of the space belongs to other half teeth, so it is cut off along the radius there.
     pub fn clearance(&self, x: f64, y: f64, ends: Ends) -> Clearance {
         let (radius, angle) = (x.hypot(y), y.atan2(x));
         let beyond = (angle - ends.far) * radius;

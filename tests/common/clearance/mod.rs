@@ -1,8 +1,5 @@
-//! Brute force: clearance of dense points of either gear in the other's own frame.
-//!
-//! It uses nothing of either method: no gap over the radius, no search tree, no polygons. The crate only defines a pose and the position of a tooth
-//! (`Pose`, `AsBuilt`); `half` computes the half tooth independently. The contact of the right side is where a right half tooth first touches the
-//! right half tooth it faces as the free gear turns in from open; left halves likewise. There the least clearance of all points changes its sign.
+//! Brute force: clearance of dense points of either gear in the other's own frame, with nothing of either method. The crate only defines a pose and the
+//! position of a tooth. As the free gear turns in from open, contact is where the least clearance of half teeth that face each other changes its sign.
 
 #![allow(dead_code, unused_imports)] // each test binary uses its part
 
@@ -12,6 +9,7 @@ mod stood;
 mod verdict;
 mod whole;
 
+use crate::kit::halved;
 use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Member, Pose};
 use half::{Clearance, Ends, Half};
@@ -87,18 +85,12 @@ fn least_between(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> (f64, f
 /// Whether any stretch of negative values begins or ends at a curve.
 fn crosses(found: &[f64], along: impl Fn(usize) -> f64, at: impl Fn(f64) -> Clearance) -> bool {
     (1..found.len()).any(|k| {
-        let (mut clear, mut over) = match (found[k - 1] < 0.0, found[k] < 0.0) {
+        let (clear, over) = match (found[k - 1] < 0.0, found[k] < 0.0) {
             (false, true) => (along(k - 1), along(k)),
             (true, false) => (along(k), along(k - 1)),
             _ => return false,
         };
-        for _ in 0..40 {
-            let middle = 0.5 * (clear + over);
-            match at(middle).mm < 0.0 {
-                true => over = middle,
-                false => clear = middle,
-            }
-        }
+        let [_, over] = halved(clear, over, 40, |place| at(place).mm >= 0.0);
         !at(over).cut
     })
 }
@@ -181,10 +173,8 @@ impl<'a> Referee<'a> {
         least
     }
 
-    /// Least clearance of one half tooth's points from the other, at most `least`.
-    ///
-    /// It is negative only where one crosses the other's *curve*. A stretch in the metal that came in over the cut at
-    /// an end of the half tooth crosses the curve of another tooth, or none.
+    /// Least clearance of one half tooth's points from the other, at most `least`. It is negative only where one crosses the other's *curve*: metal that
+    /// came in over the cut at an end of the half tooth crosses the curve of another tooth, or none.
     fn points(
         &self,
         (one, from, its): (&Half, Frame, Ends),
@@ -243,21 +233,16 @@ impl<'a> Referee<'a> {
         -self.side.sense()
     }
 
-    /// Whether the tip circles are apart for any direction of the eccentricities.
-    fn out_of_reach(&self) -> bool {
-        let reach = Member::BOTH.map(|member| self.assembly.gear(member).reach());
-        reach[0] + reach[1] < self.assembly.center_distance()
-    }
-
-    /// The first contact when the free gear is turned in over `pitches` of its own on either side of `near`; `None` without any.
-    ///
-    /// Steps are a 200th of a pitch. A step whose least clearance is inside it is refined.
+    /// The first contact when the free gear is turned in over `pitches` of its own on either side of `near`, in steps of a 200th of a pitch; a step whose
+    /// least clearance is inside it is refined.
     pub fn contact(&self, near: f64, pitches: f64) -> Option<f64> {
         let gear = self.assembly.gear(self.assembly.free()).gear();
         let pitch = gear.basic_data().angular_pitch();
         let steps = (400.0 * pitches) as i64;
         let at = |k: i64| near + self.opening() * pitch * (pitches - k as f64 / 200.0);
-        if self.pairs.is_empty() || self.out_of_reach() {
+        // Tip circles may be apart for any direction of the eccentricities.
+        let reach = Member::BOTH.map(|member| self.assembly.gear(member).reach());
+        if self.pairs.is_empty() || reach[0] + reach[1] < self.assembly.center_distance() {
             return None;
         }
         let mut before = [self.least(at(0)), self.least(at(1))];
@@ -307,17 +292,7 @@ impl<'a> Referee<'a> {
     }
 
     /// The contact between a clear rotation and an overlapping one.
-    pub fn between(&self, mut clear: f64, mut over: f64) -> f64 {
-        for _ in 0..60 {
-            let middle = 0.5 * (clear + over);
-            if middle == clear || middle == over {
-                break;
-            }
-            match self.least(middle) < 0.0 {
-                true => over = middle,
-                false => clear = middle,
-            }
-        }
-        over
+    pub fn between(&self, clear: f64, over: f64) -> f64 {
+        halved(clear, over, 60, |rotation| self.least(rotation) >= 0.0)[1]
     }
 }

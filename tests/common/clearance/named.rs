@@ -45,7 +45,16 @@ fn of_side(assembly: &GearPair, pose: &Pose, side: Side, contact: &Contact) -> V
         (Member::Wheel, contact.wheel, contact.normal),
         (Member::Pinion, contact.pinion, -contact.normal),
     ] {
-        let named = half_tooth(assembly, pose, (side, member), contact, &touch);
+        let stood = Stood::new(assembly, member);
+        let rotation = match member == assembly.locked() {
+            true => pose.locked_rotation(),
+            false => contact.rotation,
+        };
+        let named = Named {
+            frame: stood.frame(rotation, side, touch.tooth),
+            half: stood.half(side, touch.tooth),
+            ends: stood.ends(side, touch.tooth),
+        };
         let mut complain = |what: &str, mm: f64| {
             complaints.push(format!("{side:?} {member:?}: {what}, {mm:.2e} mm"));
         };
@@ -88,23 +97,4 @@ fn of_side(assembly: &GearPair, pose: &Pose, side: Side, contact: &Contact) -> V
         complaints.push(format!("{side:?}: no unit normal"));
     }
     complaints
-}
-
-fn half_tooth(
-    assembly: &GearPair,
-    pose: &Pose,
-    (side, member): (Side, Member),
-    contact: &Contact,
-    touch: &Touch,
-) -> Named {
-    let stood = Stood::new(assembly, member);
-    let rotation = match member == assembly.locked() {
-        true => pose.locked_rotation(),
-        false => contact.rotation,
-    };
-    Named {
-        frame: stood.frame(rotation, side, touch.tooth),
-        half: stood.half(side, touch.tooth),
-        ends: stood.ends(side, touch.tooth),
-    }
 }

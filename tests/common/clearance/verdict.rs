@@ -10,12 +10,8 @@ use gearlash::pair::{GearPair, Member, Pose};
 /// eccentricities of a third of a pitch are included; anything further from the nominal rotation faces other teeth.
 const PITCHES: f64 = 1.5;
 
-/// Contradictions to `found`; empty if it is right.
-///
-/// At a rotation more open by the error bound, and at all further open ones, nothing may overlap by more than rounding. At a rotation more
-/// closed by the bound something must overlap, or be as near as rounding. Without a reported contact there must be none. In the middle of
-/// the lost motion of a clear pose no metal may be in the other gear. In a solid pose metal must be in metal at every rotation of the free
-/// gear. If a tip reaches over the mate's axis every pose must be jammed.
+/// Contradictions to `found`: overlap where a contact is more open by its bound or further, none where it is more closed, and a contact not claimed;
+/// metal in metal in the middle of a clear pose, or a solid pose free at some rotation. A tip over the mate's axis must jam.
 pub fn against(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String> {
     let reach = |member: Member| {
         assembly.gear(member).reach() + assembly.gear(member.mate()).eccentricity()

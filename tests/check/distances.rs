@@ -72,7 +72,7 @@ fn tip_from_base(pair: &GearPair, gear: Member, distance: f64) -> f64 {
     line - (mate.tip_radius().powi(2) - mate.base_radius().powi(2)).sqrt()
 }
 
-/// At the limits a tip is on the form circle, or on the base circle, of one gear and outside that of the other, or has the named clearance from roots.
+/// At the limits a tip is on the form or base circle of one gear and outside that of the other, or it has the named clearance from roots.
 /// Rows are even and cover all limits plus a 20th of a module, without tips in roots. A cell has the backlash of a pair that stands there.
 #[test]
 fn limits_of_a_map_have_their_meaning() {

@@ -206,8 +206,8 @@ fn a_requirement_holds_for_the_axes_moved_too() {
     }
 }
 
-/// A row of drawn pairs: seed and count, helix angle, degrees, greatest single pitch deviation as a share of the module, whether the runout of the
-/// wheel, and of the pinion, has any direction, and the locked gear.
+/// A row of drawn pairs: seed, count, helix angle in degrees, greatest single pitch deviation in modules. Then whether the runout of wheel and pinion
+/// has any direction, and the locked gear.
 type Drawn = (u64, u32, f64, f64, [bool; 2], Member);
 
 fn gear(random: &mut Random, hand: Hand, (_, _, helix, share, ..): Drawn, open: bool) -> Make {

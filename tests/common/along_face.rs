@@ -273,8 +273,8 @@ fn reach(pair: &GearPair) -> [f64; 2] {
     [from - over, to + over]
 }
 
-/// A section that is tighter than the whole face by more than `looser`, rad, or a face that is tighter than any section by more than `tighter`, unless
-/// the pose is jammed. Examined are `count` sections and that of the contact, and then others ever nearer to the tightest of them.
+/// A section tighter than the whole face by more than `looser`, rad, or a face tighter than any section by more than `tighter`. Jammed poses have none.
+/// It examines `count` sections and that of the contact, and then others ever nearer to the tightest of them.
 pub fn against_sections(
     pair: &GearPair,
     pose: &Pose,

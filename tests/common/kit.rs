@@ -46,7 +46,7 @@ pub fn ends(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     values.into_iter().fold(start, wider)
 }
 
-/// `low` and `high`, with `is_low` at `low` and not at `high`, after so many halvings of what is between.
+/// Halves the interval from `low`, where `is_low` holds, to `high`, where it does not. Returns both ends.
 pub fn halved(
     mut low: f64,
     mut high: f64,

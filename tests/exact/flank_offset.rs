@@ -5,7 +5,7 @@ use crate::drawn::{gear, pin};
 use crate::outlines::drawn;
 use crate::paths::repeated;
 
-/// Round heads with straight sides: moved out by `d`, heads, sides and roots are those drawn `d` farther out. Inwards as well.
+/// Round heads with straight sides, moved out by `d`, are those drawn `d` farther out, roots included. Inwards as well.
 #[test]
 fn a_moved_pin_is_a_greater_pin() {
     let pins = |head, root| gear(&repeated(24, &pin(48.0, head, root)), 0.0);

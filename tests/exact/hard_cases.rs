@@ -182,7 +182,7 @@ fn tooth_1_at_mate(assembly: &GearPair) -> f64 {
 }
 
 /// Just below 138 mm a corner of the free gear meets the locked land where the tip circles cross, `β = acos(a/(2 r_a))` on either side of the line of
-/// centres: `τ − 2 ψ_a − 2 β` of the free gear's space remain. At 138 mm there is no overlap, and nothing to touch.
+/// centres: `τ − 2 ψ_a − 2 β` of the free gear's space remain. The tips do not overlap at 138 mm, so nothing touches.
 #[test]
 fn tip_circles_that_just_touch() {
     let tip = 69.0;

@@ -91,8 +91,8 @@ fn datum_axis_pitch_separates_again() {
     }
 }
 
-/// Spans all round, the pitch that was put in, and runout read by a ball: the flanks and the eccentricity come out as they went in. What the thickness of
-/// each tooth by the spans does to the readings is no eccentricity.
+/// Spans all round, the pitch that was put in, and runout read by a ball: the flanks and the eccentricity come out as they went in. The
+/// thickness of each tooth changes the readings too, but adds no eccentricity.
 #[test]
 fn spans_pitch_and_runout_readings_give_the_gear_back() {
     let made = made(21, 0.0, Hand::Right, Face::Front, 0.021);

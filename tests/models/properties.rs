@@ -113,8 +113,8 @@ proptest! {
         prop_assert!(at(&case, reference + off)?.abs() <= off * off);
     }
 
-    /// A contact ratio above 1 leaves each side one pair at least. Of rough gears, and of gears of unequal temperature, which have unequal base pitches, a
-    /// gear that cannot exist is no case.
+    /// A contact ratio above 1 leaves each side one pair at least. The test skips rough gears, and gears of unequal
+    /// temperature, that cannot exist. Unequal temperatures give unequal base pitches.
     #[test]
     fn contacts_touch_and_no_pair_is_missed(
         case in case(),

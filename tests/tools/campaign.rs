@@ -1,8 +1,8 @@
 //! The campaign: exact against polygon method on seeded random poses, each exact result certified. Options: `--help`.
 //!
 //! Whole gears are a further referee: just inside both contacts of a clear pose no metal may be in the other gear. The program exits with 1 if
-//! the methods differ by more than both error bounds or in status, if the certificate refuses, if a class of contact did not occur, or if the prover
-//! leaves an ordinary pose to the polygons. Abandoned poses are counted and named. The first faulty poses are printed as pair files.
+//! the methods differ by more than both error bounds or in status, or if the certificate refuses. It does so, too, if a class of contact did not
+//! occur, or if the prover leaves an ordinary pose to the polygons. Abandoned poses are counted and named. The first faulty poses are printed as pair files.
 
 #[path = "../common/along_face.rs"]
 mod along_face;
@@ -125,7 +125,7 @@ fn main() -> ExitCode {
     })
 }
 
-/// What is `against` the result of the exact method, or that there is none.
+/// The finding `against` the result of the exact method, or that it has none.
 fn of_exact(
     pair: &GearPair,
     pose: &Pose,

@@ -2,7 +2,7 @@
 //!
 //! K (8) forbids a tip to reach past the point where the line of action touches the mate's base circle. A tool that cuts a flank so far down undercuts
 //! it, and takes away the metal that the tip would have touched. The involute begins at the form circle, so a tip may touch a fillet where K (8) is
-//! content. Nominal pairs of module 1 stand at the play-free distance and closer: what is less than the formula's backlash is lost.
+//! met. Nominal pairs of module 1 stand at the play-free distance and closer. The loss is the formula's backlash less that of the outlines.
 //!
 //! `cargo run --release --example k8_against_geometry`
 

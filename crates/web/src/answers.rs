@@ -23,7 +23,7 @@ use gearlash_results::grades::grades;
 use gearlash_results::text::check::shown;
 use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{
-    ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up,
+    ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
 };
 use serde_json::{Value, json};
 use std::fmt::Display;
@@ -113,7 +113,7 @@ impl Page {
         };
         let plan = Plan::new(&pair.study, METHOD)
             .with_revolution()
-            .with_remedies()
+            .with_remedies(pair.spec.scales())
             .with_checks();
         let analysis = match analysed(&plan, report) {
             Ok(analysis) => analysis,
@@ -138,7 +138,7 @@ impl Page {
             })
         });
         json!({
-            "verdict": verdict_json(&lines(&verdict)),
+            "verdict": verdict_json(&uncut(&verdict), lines(&verdict).to_string()),
             "checks": checks,
             "remedies": remedies.text(!pair.study.requirements.is_empty()),
             "curve": curve(&analysis, &verdict),
@@ -347,7 +347,7 @@ impl Page {
             let found = extremes::band(&study, METHOD, parts, &|| ControlFlow::Continue(()))?;
             let verdict = Verdict::of_study(&study, &found.each, Vec::new());
             let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
-            let shown = lines(&verdict);
+            let shown = uncut(&verdict);
             let rows = shown.rows.iter();
             // Without the sentences on distances that follow from the extremes: those are not searched.
             Ok(json!({
@@ -443,8 +443,8 @@ fn analysed<'a>(plan: &Plan<'a>, report: &OnStep) -> Result<Analysis<'a>, gearla
     )
 }
 
-/// The verdict in its lines and in parts.
-fn verdict_json(lines: &VerdictLines) -> Value {
+/// The verdict in parts, and its `text` in lines.
+fn verdict_json(lines: &VerdictLines, text: String) -> Value {
     let row = |row: &ExtremeRow| {
         json!({
             "name": row.name,
@@ -459,7 +459,7 @@ fn verdict_json(lines: &VerdictLines) -> Value {
         "proof": lines.proof,
         "rows": lines.rows.iter().map(row).collect::<Vec<_>>(),
         "qualifiers": lines.qualifiers,
-        "text": lines.to_string(),
+        "text": text,
     })
 }
 

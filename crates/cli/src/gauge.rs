@@ -120,7 +120,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
             gauged: match source {
                 GearSource::Data(as_built, spec) => {
                     let settings = spec.gauge_settings(given);
-                    gauge(as_built, &settings, &more, &|| progress.tick())?
+                    gauge(as_built, &settings, &more, &|steps| progress.tick(steps))?
                 }
                 GearSource::Drawn(outline) => gauge_outline(outline, args.span_teeth, args.pin_mm),
             },

@@ -2,7 +2,7 @@
 
 use crate::analytic::limits;
 use crate::contact::{PairAtDistance, reach};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::numeric::{rank, try_bisect};
 use crate::pair::{GearPair, Mating};
 
@@ -48,13 +48,15 @@ pub struct ZeroDistance {
 /// touching base circles and tips that pass each other.
 ///
 /// # Errors
-/// A lost contact.
+/// A lost contact; [`Error::Interrupted`].
 pub fn zero_distance(
     assembly: &GearPair,
     matings: &[Mating],
+    tick: &Tick,
 ) -> Result<Option<ZeroDistance>, Error> {
     let as_assembled = PairAtDistance::new(assembly);
     let least_of = |matings: &[Mating], distance| -> Result<f64, Error> {
+        Error::if_stopped(tick(0))?;
         let plays = as_assembled.at(distance)?.plays(matings)?;
         Ok(plays.into_iter().fold(f64::INFINITY, f64::min))
     };

@@ -4,9 +4,10 @@
 //! away (`| head`) is no error. A failed write to standard error is ignored: nobody is left to read it.
 
 use crate::error::Error;
+use gearlash::analysis::verdict::Verdict;
 use gearlash_files::Sources;
 use gearlash_files::characters::plain;
-use gearlash_results::verdict::VerdictLines;
+use gearlash_results::verdict::{lines, uncut};
 use std::io::{BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -116,9 +117,11 @@ pub(super) fn print_error_line(line: &str) {
         .and_then(|()| output.write_all(b"\n"));
 }
 
-/// Writes the verdict to standard error.
-pub(super) fn print_verdict_lines(verdict: &VerdictLines) {
-    for line in verdict.lines() {
+/// Writes the verdict to standard error; cut on a terminal alone.
+pub(super) fn print_verdict_lines(verdict: &Verdict) {
+    let is_terminal = std::io::stderr().is_terminal();
+    let lines = if is_terminal { lines } else { uncut };
+    for line in lines(verdict).lines() {
         print_error_line(&line);
     }
 }

@@ -355,7 +355,7 @@
   }
 
   // ---- result
-  function verdict(into, { state, word, status, proof, rows, qualifiers, left_out }) {
+  function verdict(into, { state, word, status, proof, rows, qualifiers }) {
     const list = make("dl", undefined, { className: "extremes" });
     for (const { name, value, arcmin, place } of rows) {
       const row = make("div");
@@ -366,7 +366,7 @@
     }
     into.className = `verdict ${state}`;
     into.replaceChildren(make("p", word, { className: "word" }), make("p", status, { className: "status" }), list,
-      ...[...qualifiers, ...left_out].map((line) => make("p", line)), make("p", proof, { className: "proof" }));
+      ...qualifiers.map((line) => make("p", line)), make("p", proof, { className: "proof" }));
   }
 
   function checks(table) {

@@ -25,7 +25,7 @@ use gearlash_results::grades::grades;
 use gearlash_results::text::check::shown;
 use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{
-    ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up,
+    ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
 };
 use serde_json::{Value, json};
 use std::fmt::Display;
@@ -116,7 +116,7 @@ impl Page {
         };
         let plan = Plan::new(&pair.study, METHOD)
             .with_revolution()
-            .with_remedies()
+            .with_remedies(pair.spec.scales())
             .with_checks();
         let analysis = match analysed(&plan, report) {
             Ok(analysis) => analysis,
@@ -141,7 +141,7 @@ impl Page {
             })
         });
         json!({
-            "verdict": verdict_json(&lines(&verdict), &verdict),
+            "verdict": verdict_json(&verdict),
             "checks": checks,
             "remedies": remedies.text(!pair.study.requirements.is_empty()),
             "curve": curve(&analysis, &verdict),
@@ -499,8 +499,9 @@ fn word(state: diagnosis::Verdict, verdict: &Verdict) -> &'static str {
     }
 }
 
-/// The verdict in its lines and in parts.
-fn verdict_json(lines: &VerdictLines, verdict: &Verdict) -> Value {
+/// The verdict in parts, and its `text` in lines.
+fn verdict_json(verdict: &Verdict) -> Value {
+    let shown = uncut(verdict);
     let row = |row: &ExtremeRow| {
         json!({
             "name": format!("{} backlash", row.name),
@@ -510,14 +511,13 @@ fn verdict_json(lines: &VerdictLines, verdict: &Verdict) -> Value {
         })
     };
     json!({
-        "state": lines.state.name(),
-        "word": word(lines.state, verdict),
-        "status": lines.status,
-        "proof": lines.proof,
-        "rows": lines.rows.iter().map(row).collect::<Vec<_>>(),
-        "qualifiers": lines.qualifiers,
-        "left_out": lines.left_out,
-        "text": lines.to_string(),
+        "state": shown.state.name(),
+        "word": word(shown.state, verdict),
+        "status": shown.status,
+        "proof": shown.proof,
+        "rows": shown.rows.iter().map(row).collect::<Vec<_>>(),
+        "qualifiers": shown.qualifiers,
+        "text": lines(verdict).to_string(),
     })
 }
 

@@ -137,8 +137,8 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, PictureError> {
         let of = match curve.followed {
             Followed::Pose(_) => " at the pose that binds".to_owned(),
             Followed::Teeth(wheel, pinion) => {
-                let binds = if number == 0 { ", which bind" } else { "" };
-                format!(", teeth {wheel} and {pinion}{binds}")
+                let binds = if number == 0 { " (least backlash)" } else { "" };
+                format!(", mating {wheel}·{pinion}{binds}")
             }
         };
         let title = format!("Backlash over the centre distance{of}");

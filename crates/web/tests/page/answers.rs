@@ -55,7 +55,7 @@ fn a_verdict_is_that_of_the_files_on_disk() {
         assert!(found["stem"].is_string(), "{names:?}: {found}");
         let result = page.result(&silent);
         let study = study(names[0]);
-        let plan = certified(&study).with_remedies().with_checks();
+        let plan = certified(&study).with_remedies([1.0; 2]).with_checks();
         let analysis = Analysis::silently(&plan).unwrap();
         let text = lines(&analysis.verdict()).to_string();
         assert_eq!(result["verdict"]["text"], text, "{names:?}");

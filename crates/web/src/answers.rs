@@ -223,12 +223,16 @@ impl Page {
             Ok(analysis) => analysis,
             Err(error) => return failed(error),
         };
+        // All steps are done.
+        let tick = |_| report(1, 1, "(report)");
+        let _ = tick(0);
         let page = gearlash_render::report(&Report {
             pair,
             file: &self.main,
             date,
             analysis: &analysis,
             grades: &grades(pair),
+            tick: &tick,
         });
         match page {
             Ok(html) => json!({ "html": html }),

@@ -522,12 +522,12 @@ fn distance_words(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, 
 
 /// A distance, mm, rounded up to a ten thousandth: at a lower printed one the pair would interfere.
 pub fn rounded_up(distance: f64) -> f64 {
-    (distance * 1e4).ceil() * 1e-4
+    (distance * 1e4).ceil() / 1e4
 }
 
 /// A distance, mm, rounded down to a ten thousandth: at a higher printed one tips would pass each other.
 pub fn rounded_down(distance: f64) -> f64 {
-    (distance * 1e4).floor() * 1e-4
+    (distance * 1e4).floor() / 1e4
 }
 
 /// Whether all poses of a run have equal backlash.

@@ -2,10 +2,10 @@
 //!
 //! `cargo run --release --example gauge`
 
+use gearlash::error::go_on;
 use gearlash::gauge::{Settings, gauge};
 use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
 use std::error::Error;
-use std::ops::ControlFlow;
 
 /// Prints span and runout.
 pub fn readings() -> Result<String, Box<dyn Error>> {
@@ -17,7 +17,7 @@ pub fn readings() -> Result<String, Box<dyn Error>> {
         steps_per_pitch: 1,
         ..Settings::default()
     };
-    let gauged = gauge(&gear, &settings, &|_| (), &|| ControlFlow::Continue(()))?;
+    let gauged = gauge(&gear, &settings, &|_| (), &go_on)?;
     let spans = gauged.spans.map_err(|error| error.to_string())?;
     let runout = gauged.runout.map_err(|error| error.to_string())?;
     let span = format!("span over 3 teeth  {:8.4} mm\n", spans.mean());

@@ -6,8 +6,15 @@
 use nalgebra::Point2;
 use std::ops::ControlFlow;
 
-/// Called from any thread as a step of a calculation begins; a break ends the calculation with [`Error::Interrupted`].
-pub type Tick<'a> = dyn Fn() -> ControlFlow<()> + Sync + 'a;
+/// Called from any thread with 1 as a step of a calculation begins, and with 0 many times a second within long steps.
+///
+/// A break ends the calculation with [`Error::Interrupted`]. Further calls must break, too.
+pub type Tick<'a> = dyn Fn(u64) -> ControlFlow<()> + Sync + 'a;
+
+/// A [`Tick`] that never ends the calculation.
+pub fn go_on(_: u64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
 
 /// A gear or a pair that cannot exist. Values are in mm and radians; messages print mm and degrees.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -9,6 +9,7 @@ use gearlash::analytic::LineOfAction;
 use gearlash::contact::{
     Certifier, ExactKernel, Method, OutlineCertifier, OutlineKernel, Prover, sweep,
 };
+use gearlash::error::go_on;
 use gearlash::gear::Face;
 use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, of_gear};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
@@ -20,7 +21,6 @@ use gears::{
 use nalgebra::Point2;
 use newcomer::newcomer;
 use std::hint::black_box;
-use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// Rounds of which the fastest counts.
@@ -131,9 +131,8 @@ fn swept(assembly: &GearPair, matings: &[Mating], method: Method, threads: usize
     let cut = cut(assembly);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
     let pool = pool.build().unwrap();
-    let on = || ControlFlow::Continue(());
     let time = fastest(|| {
-        pool.install(|| black_box(sweep(assembly, &cut, method, matings, 0.0, &on)).unwrap());
+        pool.install(|| black_box(sweep(assembly, &cut, method, matings, 0.0, &go_on)).unwrap());
     });
     time.as_secs_f64()
 }

@@ -10,7 +10,7 @@ use gearlash_fuzz::pose::agree;
 use libfuzzer_sys::{Corpus, fuzz_target};
 use std::f64::consts::PI;
 use std::fmt::Write;
-use std::ops::ControlFlow;
+use gearlash::error::go_on;
 
 /// A place in a range; 0, which fuzzers are fond of, is its ordinary one.
 #[derive(Arbitrary, Clone, Copy, Debug)]
@@ -274,7 +274,6 @@ fn over_the_face(study: &Study) -> Result<(), String> {
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| pair.gear(member));
     let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
     for method in [Method::Both, Method::Exact { certify: true }] {
-        let go_on = || ControlFlow::Continue(());
         let poses = sweep(pair, &cut, method, &plan.matings[..1], 0.0, &go_on);
         let poses = poses.map_err(|error| error.to_string())?;
         for unproven in poses.iter().flat_map(|pose| pose.unproven()) {

@@ -127,7 +127,7 @@ impl BacklashMap {
                 })
             });
             let cells: Vec<BacklashCell> = cells.collect();
-            Error::if_stopped(tick()).map(|()| cells)
+            Error::if_stopped(tick(1)).map(|()| cells)
         });
         let rows: Result<Vec<Vec<BacklashCell>>, Error> = rows.into_iter().collect();
         Ok(BacklashMap {

@@ -10,7 +10,7 @@ use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, PROVEN_WIDTH,
     PROVEN_WIDTH_DRAWN, Status,
 };
-use crate::error::Error;
+use crate::error::{Error, Tick, go_on};
 use crate::gear::Side;
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{FaceDeviation, GearPair, Mating, Member, SweepPlan, ToothNumbers};
@@ -56,7 +56,7 @@ impl CyclePair for OutlinePair {
 
     fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
         let kernel = OutlineKernel::new(self);
-        let over = cycle_of_outlines(self, cycle.over());
+        let over = cycle_of_outlines(self, cycle.over(), cycle.tick);
         let found = kernel.extremes(self, &over, cycle.ends(), PROVEN_WIDTH_DRAWN);
         let assembles_from = match cycle.alone {
             Some(_) => None,
@@ -73,12 +73,15 @@ impl CyclePair for OutlinePair {
     }
 
     fn end(&self, cycle: &Planned, end: End, _: &Effort) -> Result<Extremes, Error> {
-        let over = cycle_of_outlines(self, cycle.over());
+        let over = cycle_of_outlines(self, cycle.over(), cycle.tick);
         Ok(OutlineKernel::new(self).extremes(self, &over, &[end], PROVEN_WIDTH_DRAWN))
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
-        let (over, width) = (cycle_of_outlines(self, over), width.max(PROVEN_WIDTH_DRAWN));
+        let (over, width) = (
+            cycle_of_outlines(self, over, &go_on),
+            width.max(PROVEN_WIDTH_DRAWN),
+        );
         Ok(OutlineKernel::new(self).extremes(self, &over, &End::BOTH, width))
     }
 
@@ -141,7 +144,7 @@ impl CyclePair for GearPair {
                 End::Least => &[End::Least],
                 End::Greatest => &[End::Greatest],
             };
-            let whole = Effort::of_extremes(self).left();
+            let whole = Effort::of_extremes(self, cycle.tick).left();
             let parts = AXES * whole / (effort.left() / PARTS_OF_REST).max(1);
             let there = Planned {
                 alone: Some(Alone {
@@ -161,7 +164,7 @@ impl CyclePair for GearPair {
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
-        let effort = &Effort::of_extremes(self);
+        let effort = &Effort::of_extremes(self, &go_on);
         if is_open(self) {
             Ok(any_direction(self, over, &End::BOTH, width, effort)?.found)
         } else {
@@ -183,7 +186,7 @@ const PARTS_OF_REST: u64 = 4;
 
 /// A run and the start of its cycle.
 #[derive(Clone)]
-pub(super) struct Planned {
+pub(super) struct Planned<'t> {
     pub run: Run,
     first: Mating,
     /// Number of distinct matings.
@@ -200,6 +203,7 @@ pub(super) struct Planned {
     bearing_ends: Option<BearingEnds>,
     /// Searches the extremes alone: no distances that follow from them, and no losses along the face.
     pub alone: Option<Alone>,
+    tick: &'t Tick<'t>,
 }
 
 /// A search for extremes alone.
@@ -259,7 +263,7 @@ impl Searched {
     }
 }
 
-impl Planned {
+impl<'t> Planned<'t> {
     /// Wheel and pinion tooth that name its assembly phase; `None` if the pair has only one, or all are equal.
     pub fn covers(&self) -> Option<(u32, u32)> {
         self.differ
@@ -268,18 +272,21 @@ impl Planned {
 
     /// The extremes, over all leans of the axes that are open.
     pub fn search(&self) -> Result<Searched, Error> {
-        match &self.run.assembly {
+        let searched = match &self.run.assembly {
             AssembledPair::Data(pair) if self.open_lean != [0.0; 2] => {
-                self.over_axes(&Axes::new(pair, self.open_lean, None), pair)
+                self.over_axes(&Axes::new(pair, self.open_lean, None), pair)?
             }
             assembly => {
                 let mut searched = self.search_as_stated()?;
                 if let AssembledPair::Data(pair) = assembly {
                     searched.face_loss = self.face_loss(pair, &searched.found)?;
                 }
-                Ok(searched)
+                searched
             }
-        }
+        };
+        // A search that was stopped has less effort.
+        Error::if_stopped((self.tick)(0))?;
+        Ok(searched)
     }
 
     /// The extremes of `pair` over all places of its axes. [`super::axes`] says why they are.
@@ -391,7 +398,7 @@ impl Planned {
     }
 
     /// This cycle of another pair with the same teeth, whose axes are where it states them.
-    fn stated(&self, pair: GearPair) -> Planned {
+    fn stated(&self, pair: GearPair) -> Planned<'t> {
         Planned {
             open_lean: [0.0; 2],
             bearing_ends: None,
@@ -400,7 +407,7 @@ impl Planned {
     }
 
     /// This cycle of another pair with the same teeth.
-    fn with(&self, assembly: AssembledPair) -> Planned {
+    fn with(&self, assembly: AssembledPair) -> Planned<'t> {
         Planned {
             run: Run {
                 assembly,
@@ -482,14 +489,15 @@ impl Planned {
     }
 
     /// Effort of a change of `assembly` that meets the requirements: as much as one verdict may take.
-    pub fn effort_of_remedy(&self, assembly: &GearPair) -> Effort {
+    pub fn effort_of_remedy(&self, assembly: &GearPair) -> Effort<'t> {
         let places = if self.open_lean == [0.0; 2] { 1 } else { AXES };
-        Effort::new(places * Effort::of_extremes(assembly).left())
+        let one = Effort::of_extremes(assembly, self.tick).left();
+        Effort::new(places * one, self.tick)
     }
 
     /// Effort of the search of `assembly`.
-    fn effort(&self, assembly: &GearPair) -> Effort {
-        Effort::of_extremes(assembly).part(self.phases * self.parts())
+    fn effort(&self, assembly: &GearPair) -> Effort<'t> {
+        Effort::of_extremes(assembly, self.tick).part(self.phases * self.parts())
     }
 
     /// [`Alone::parts`]; 1 for a whole search.
@@ -549,7 +557,7 @@ impl Planned {
 }
 
 /// Every centre distance and material in every assembly phase of the study: those of its listed matings, or all.
-pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
+pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<Planned<'t>>, Error> {
     let mut plans: Vec<Planned> = Vec::new();
     for RunPlan { run, matings } in study.runs()? {
         let mut phases: Vec<u32> = if study.all_phases {
@@ -584,6 +592,7 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
                 open_lean: study.open_lean,
                 bearing_ends: study.bearing_ends,
                 alone: None,
+                tick,
             });
         }
     }
@@ -605,11 +614,16 @@ pub fn extremes_of_phase(
 }
 
 /// The cycle of a pair with a drawn gear: its first mating, and the number of distinct ones.
-fn cycle_of_outlines(pair: &OutlinePair, (first, distinct): (Mating, u64)) -> OutlineCycle {
+fn cycle_of_outlines<'t>(
+    pair: &OutlinePair,
+    (first, distinct): (Mating, u64),
+    tick: &'t Tick,
+) -> OutlineCycle<'t> {
     OutlineCycle {
         first,
         distinct,
         matings: hunting_pitches(pair),
+        tick,
         classes: [pair.locked(), pair.free()].map(|member| pair.gear(member).tooth_classes()),
     }
 }

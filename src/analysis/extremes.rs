@@ -17,10 +17,10 @@ use super::phases::phase_count;
 use super::simulate::simulate_plans;
 use super::study::{Material, Run, RunPlan, Study};
 use crate::contact::{Doubt, End, Extreme, Method, Status, is_proven};
+use crate::error::go_on;
 use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
 use crate::parallel;
-use std::ops::ControlFlow;
 
 pub(crate) use super::cycles::phases_differ;
 pub use super::cycles::{WIDTH, extremes_of_phase, proven_width};
@@ -267,7 +267,7 @@ impl RunExtremes {
 /// # Errors
 /// As [`super::simulate::simulate`].
 pub fn extremes(study: &Study, method: Method, tick: &Tick) -> Result<CycleExtremes, Error> {
-    of_plans(study, plans(study)?, method, tick)
+    of_plans(study, plans(study, tick)?, method, tick)
 }
 
 /// Least and greatest backlash alone, in one run for each centre distance and assembly phase of `study`. With several materials the least is
@@ -285,7 +285,7 @@ pub fn band(
     parts: u64,
     tick: &Tick,
 ) -> Result<CycleExtremes, Error> {
-    let mut plans = plans(study)?;
+    let mut plans = plans(study, tick)?;
     let has = |wanted| plans.iter().any(|plan| plan.run.material == wanted);
     let is_band = has(Material::Most) && has(Material::Least);
     for plan in &mut plans {
@@ -317,7 +317,7 @@ fn of_plans(
     tick: &Tick,
 ) -> Result<CycleExtremes, Error> {
     let found = parallel::map(0..plans.len() as u64, |index| {
-        Error::if_stopped(tick())?;
+        Error::if_stopped(tick(1))?;
         let plan = &plans[index as usize];
         let clearance = study.bearing_clearance;
         let ends = (clearance > 0.0).then(|| plan.at_ends(clearance));
@@ -339,8 +339,7 @@ fn of_plans(
         each.filter_map(|end| Some(pose_plan(planned, &[end.pose.as_ref()?])))
     });
     let simulated = |study: &Study, plans: Vec<RunPlan>| {
-        let on = || ControlFlow::Continue(());
-        simulate_plans(study, plans, method.of_extremes(), &on)
+        simulate_plans(study, plans, method.of_extremes(), &go_on)
     };
     let runs = simulated(study, own.collect())?;
     // There the bearings have no further play.
@@ -379,7 +378,7 @@ fn pose_plan(planned: &Planned, poses: &[&Directed]) -> RunPlan {
 /// # Errors
 /// As [`Study::runs`].
 pub fn run_count(study: &Study) -> Result<u64, Error> {
-    Ok(plans(study)?.len() as u64)
+    Ok(plans(study, &go_on)?.len() as u64)
 }
 
 /// The assembly phases that extremes cover.

@@ -37,8 +37,8 @@ use self::simulate::simulate;
 use self::study::Study;
 use self::verdict::Verdict;
 use crate::contact::{Method, MethodAgreement};
+use crate::error::go_on;
 use crate::error::{Error, Tick};
-use std::ops::ControlFlow;
 
 /// Parts of an analysis of a pair, and the method.
 #[derive(Debug, Clone)]
@@ -258,7 +258,7 @@ impl<'a> Analysis<'a> {
         }
         if plan.remedies {
             (progress.stage)("(remedies)");
-            analysis.remedies = remedies::remedies(study, &analysis.verdict())?;
+            analysis.remedies = remedies::remedies(study, &analysis.verdict(), tick)?;
         }
         Ok(analysis)
     }
@@ -270,7 +270,7 @@ impl<'a> Analysis<'a> {
     pub fn silently(plan: &Plan<'a>) -> Result<Analysis<'a>, Error> {
         let mut progress = Progress {
             stage: &mut |_| (),
-            tick: &|| ControlFlow::Continue(()),
+            tick: &go_on,
         };
         Analysis::run(plan, &mut progress)
     }

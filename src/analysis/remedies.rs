@@ -12,7 +12,7 @@ use super::requirement::{Limits, Quantity};
 use super::study::{Material, Study};
 use super::verdict::Verdict;
 use crate::contact::{Effort, End, Status};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::gear::{AsBuilt, Deviations, thickness};
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{GearPair, Member};
@@ -135,7 +135,7 @@ impl Remedies {
 ///
 /// # Errors
 /// As [`super::extremes::extremes`].
-pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
+pub fn remedies(study: &Study, verdict: &Verdict, tick: &Tick) -> Result<Remedies, Error> {
     let jams = |run: &RunExtremes| run.assembles() == Some(false);
     let fails = |is_max: bool| verdict.unmet.iter().any(|unmet| unmet.is_max == is_max);
     let too_tight = verdict.runs.iter().any(jams) || fails(false);
@@ -155,7 +155,7 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     let Some(worst) = worst else {
         return Ok(Remedies::default());
     };
-    let plans = plans(study)?;
+    let plans = plans(study, tick)?;
     let pair = &plans[worst].run.assembly;
     let effort = || match pair.data() {
         Some(pair) => plans[worst].effort_of_remedy(pair),
@@ -193,6 +193,8 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
         found.missing.retain(is_found);
         found.missing.push(NoRemedy::NotEnough);
     }
+    // A search that was stopped has less effort.
+    Error::if_stopped(tick(0))?;
     Ok(found)
 }
 
@@ -213,7 +215,7 @@ fn worst(runs: &[RunExtremes], too_tight: bool) -> Option<usize> {
 struct Search<'a> {
     study: &'a Study,
     /// Every centre distance, material and phase.
-    plans: &'a [Planned],
+    plans: &'a [Planned<'a>],
     /// The index of the worst run, and its pair.
     worst: usize,
     pair: &'a AssembledPair,
@@ -237,7 +239,7 @@ struct Thinning<'a> {
     units: &'a [(Change, f64)],
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
     /// The remedy by the centre distance.
     fn distance(&self, effort: &Effort) -> Result<Option<Remedy>, Error> {
         let own = self.pair.center_distance();
@@ -359,7 +361,7 @@ impl Search<'_> {
     fn of_drawn(
         &self,
         pair: &OutlinePair,
-        effort: &dyn Fn() -> Effort,
+        effort: &dyn Fn() -> Effort<'a>,
         found: &mut Remedies,
     ) -> Result<(), Error> {
         let Some(own) = self.flank_offsets() else {
@@ -378,7 +380,7 @@ impl Search<'_> {
     fn of_drawn(
         &self,
         _: &OutlinePair,
-        _: &dyn Fn() -> Effort,
+        _: &dyn Fn() -> Effort<'a>,
         found: &mut Remedies,
     ) -> Result<(), Error> {
         found.missing.push(NoRemedy::Drawn);

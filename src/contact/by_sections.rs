@@ -125,6 +125,7 @@ impl Sections<'_> {
 mod tests {
     use super::*;
     use crate::contact::ExactKernel;
+    use crate::error::go_on;
     use crate::gear::{Deviations, Face, GearDesign, Hand};
     use crate::pair::Mating;
 
@@ -158,11 +159,11 @@ mod tests {
         // Every section costs its share: half of it is not enough for all.
         assert!(polygons > sections.places.len() as u64);
         for least in [1, polygons / 2] {
-            let short = Effort::new(least);
+            let short = Effort::new(least, &go_on);
             let lost = sections.lost_motion(&pose, Some(&exact), &short);
             assert!(lost.unwrap_err().to_string().contains("effort"));
         }
-        let short = Effort::new((effort.used() - polygons) / 2);
+        let short = Effort::new((effort.used() - polygons) / 2, &go_on);
         let failed = sections.check(&pose, &exact, &short).unwrap_err();
         assert!(failed.to_string().contains("effort"), "{failed}");
     }

@@ -9,6 +9,7 @@
 use super::effort::Effort;
 use super::exact::{Doubt, End, Extreme, Extremes};
 use super::lost_motion::Status;
+use crate::error::Tick;
 use crate::numeric::rank;
 use crate::pair::Mating;
 use crate::parallel;
@@ -136,6 +137,7 @@ pub(super) struct CycleSearch<'a, T> {
     pub width: f64,
     /// Arc of one radian, mm.
     pub radius: f64,
+    pub tick: &'a Tick<'a>,
 }
 
 impl<T: CycleCells> CycleSearch<'_, T> {
@@ -154,7 +156,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                 return None;
             }
             let mut cells = cells.clone();
-            let effort = Effort::new(MOST_EFFORT);
+            let effort = Effort::new(MOST_EFFORT, self.tick);
             let closed = self.close(&mut cells, end, &effort);
             used += effort.used();
             self.polish(&mut cells, end);
@@ -202,7 +204,16 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             let likeness = self.cells.likeness(at, half);
             likeness.is_none_or(|teeth| seen.insert((rank(at.fract()), teeth)))
         });
-        parallel::map(each, |(at, half)| self.look(at, half, ends))
+        let each: Vec<(f64, f64)> = each.collect();
+        let mut cells = Vec::new();
+        for some in each.chunks(ROUND) {
+            if (self.tick)(0).is_break() {
+                break;
+            }
+            let some = some.iter().copied();
+            cells.extend(parallel::map(some, |(at, half)| self.look(at, half, ends)));
+        }
+        cells
     }
 
     /// Divides cells until none of them may be better than the best pose by the wanted width. Returns whether the effort sufficed.

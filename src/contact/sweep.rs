@@ -9,12 +9,11 @@ use super::outline::{OutlineCertifier, OutlineKernel};
 use super::over_face::FoundOverFace;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
 use super::pose_result::{PolygonDifference, PoseResult, Unproven};
-use crate::error::{Error, REPORT_PAIR};
+use crate::error::{Error, REPORT_PAIR, Tick};
 use crate::gear::AsBuilt;
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{GearPair, Mating, Member, Pose};
 use crate::parallel;
-use std::ops::ControlFlow;
 
 /// The method that finds lost motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -331,7 +330,7 @@ pub fn sweep(
     method: Method,
     matings: &[Mating],
     clearance: f64,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
 ) -> Result<Vec<PoseResult>, Error> {
     let assembly = AssembledPair::from(assembly.clone());
     let mut all = Vec::with_capacity(matings.len());
@@ -359,7 +358,7 @@ pub fn sweep_blocks<E: From<Error>>(
     method: Method,
     matings: &[Mating],
     clearance: f64,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
     each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
 ) -> Result<(), E> {
     let apart = |distance: f64| assembly.at(assembly.center_distance() + distance);
@@ -481,11 +480,11 @@ fn each_pose<E: From<Error>>(
     here: &dyn FindPose,
     ends: Option<[&dyn FindPose; 2]>,
     matings: &[Mating],
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    tick: &Tick,
     each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
 ) -> Result<(), E> {
     let find = |(index, mating): (usize, &Mating)| {
-        Error::if_stopped(tick())?;
+        Error::if_stopped(tick(1))?;
         pose_result(here, ends, mating, index)
     };
     for block in matings.chunks(BLOCK) {

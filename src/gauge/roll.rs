@@ -82,7 +82,7 @@ pub(super) fn roll(
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
     let bench = PairAtDistance::new(&assembly);
     let take = |step: usize, beyond: f64| {
-        Error::if_stopped(tick())?;
+        Error::if_stopped(tick(1))?;
         let mating = matings[step].onward(&assembly, beyond / f64::from(steps_per_pitch));
         sample(&bench, guess, &mating)
     };

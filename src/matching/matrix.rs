@@ -114,7 +114,7 @@ impl Matrix {
         let pairs = |wheel| pinions.iter().map(move |pinion| (wheel, pinion));
         let gears = wheels.iter().flat_map(pairs);
         let cells = parallel::map(gears, |(wheel, pinion)| {
-            Error::if_stopped(tick())?;
+            Error::if_stopped(tick(1))?;
             PairFit::new(wheel, pinion, phases, terms)
         });
         cells.into_iter().collect()

@@ -12,7 +12,7 @@
 //! use gearlash::matching::{Matrix, Terms};
 //! use gearlash::pair::Member;
 //! use gearlash::population::Requirement;
-//! use std::ops::ControlFlow;
+//! use gearlash::error::go_on;
 //!
 //! let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! let wheels = [0.002, 0.006].map(|e| AsBuilt::perfect(gear.clone(), Face::Front).with_runout(e, 1.0));
@@ -27,7 +27,7 @@
 //!     requirement: Requirement::new(Some(0.064), None),
 //!     target: None,
 //! };
-//! let matrix = Matrix::new(&wheels?, &pinions?, &terms, &|| ControlFlow::Continue(()))?;
+//! let matrix = Matrix::new(&wheels?, &pinions?, &terms, &go_on)?;
 //! assert_eq!(matrix.assign().pairs.len(), 2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -272,7 +272,7 @@ pub fn contributions(
     let mut sums = [vec![group.clone(); GROUPS], vec![group; GROUPS]];
     for block in chunks(&(1..rows + 1), BLOCK) {
         let evaluated = parallel::map(chunks(&block, ROWS_CHUNK), |chunk| {
-            Error::if_stopped(tick())?;
+            Error::if_stopped(tick(1))?;
             let rows = chunk.map(|number| Evaluated::new(population, seed, number));
             rows.collect::<Result<Vec<Evaluated>, Error>>()
         });

@@ -16,7 +16,7 @@
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
 //! use gearlash::population::{Population, Requirement, Sample, Scatter, Scatters, Statistics, Tally};
-//! use std::ops::ControlFlow;
+//! use gearlash::error::go_on;
 //!
 //! let pair = GearPair::new(wheel, pinion, 40.1)?;
 //! let center_distance = Some(Scatter::normal(0.0, 0.01)?);
@@ -25,7 +25,7 @@
 //! let requirement = Requirement::new(Some(0.06), None);
 //! let sample = Sample { population: &population, requirement, seed: 1 };
 //! let mut tally = Tally::default();
-//! for row in sample.rows(1..201, &|| ControlFlow::Continue(()))? {
+//! for row in sample.rows(1..201, &go_on)? {
 //!     tally.count(&row, 200)?;
 //! }
 //! let statistics = Statistics::of(&tally, &requirement);

@@ -58,7 +58,7 @@ impl Sample<'_> {
     /// As [`Sample::outcome`]; [`Error::Interrupted`].
     pub fn rows(&self, numbers: Range<u64>, tick: &Tick) -> Result<Vec<Row>, Error> {
         let chunks = parallel::map(chunks(&numbers, CHUNK), |chunk| {
-            Error::if_stopped(tick())?;
+            Error::if_stopped(tick(1))?;
             let rows = chunk.map(|number| {
                 let (outcome, standing) = self.outcome(number)?;
                 Ok(Row::new(number, &outcome, &standing))

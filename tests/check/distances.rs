@@ -2,8 +2,9 @@
 
 use super::*;
 use gearlash::analysis::diagnosis::{MAP_ROWS, pitch_count};
+use gearlash::error::go_on;
 use std::collections::BTreeSet;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 const NO_RUNOUT: [(f64, f64); 2] = [(0.0, 1.0); 2];
 
@@ -18,7 +19,7 @@ fn zero_backlash_distance_of_perfect_gears_is_k_17() {
             steps_per_pitch: 16,
             start: (1, 1),
         };
-        let found = zero_distance(&assembly, &plan.matings(&assembly));
+        let found = zero_distance(&assembly, &plan.matings(&assembly), &go_on);
         let found = found.unwrap().unwrap();
         let expected = limits::zero_backlash_distance(&assembly).unwrap();
         near("distance", found.distance, expected, 1e-9);
@@ -30,15 +31,21 @@ fn zero_backlash_distance_of_perfect_gears_is_k_17() {
 #[test]
 fn each_pitch_of_the_clearance_ticks_once() {
     let study = study("fixtures/karba_44x44.toml");
-    let ticks = AtomicUsize::new(0);
+    let ticks = AtomicU64::new(0);
     let runs = compared(&study);
-    diagnose(&study, &runs, &Default::default(), &mut |_| Ok(()), &|| {
-        ticks.fetch_add(1, Ordering::Relaxed);
-        on()
-    })
+    diagnose(
+        &study,
+        &runs,
+        &Default::default(),
+        &mut |_| Ok(()),
+        &|steps| {
+            ticks.fetch_add(steps, Ordering::Relaxed);
+            go_on(steps)
+        },
+    )
     .unwrap();
     let expected = pitch_count(&study.runs().unwrap());
-    assert_eq!(ticks.into_inner(), expected);
+    assert_eq!(ticks.into_inner(), expected as u64);
     assert!(expected > 1);
 }
 
@@ -82,7 +89,7 @@ fn limits_of_a_map_have_their_meaning() {
     ] {
         let pair = eccentric(distance, high, pinion);
         let found = diagnosed(&Study::of_pair("map", &pair, 1));
-        let map = map(&found.groups[0], mating(1, 1), &on).unwrap();
+        let map = map(&found.groups[0], mating(1, 1), &go_on).unwrap();
         let at = |name: &str| {
             let all = map.limits.iter().filter(|limit| limit.name == name);
             let all: Vec<f64> = all.map(|limit| limit.distance).collect();

@@ -39,16 +39,17 @@ use gearlash::analytic::{InvolutePair, SideContact, limits};
 use gearlash::contact::{
     ContactClass, ContactKind, Doubt, ExactKernel, Method, Moment, PoseClass, Status,
 };
+use gearlash::error::go_on;
 use gearlash::gear::{Face, Hand, Lead, Side, Trace};
 use gearlash::outline::OutlineGear;
 use gearlash::pair::{FaceDeviation, GearPair, Mating, Member, Pose, SweepPlan};
-use kit::{Make, ends, near, on, pair, spur, study};
+use kit::{Make, ends, near, pair, spur, study};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::ops::ControlFlow;
 
 /// The extremes of each run of a study.
 fn runs_of(study: &Study, certify: bool) -> Vec<RunExtremes> {
-    extremes(study, Method::Exact { certify }, &on)
+    extremes(study, Method::Exact { certify }, &go_on)
         .unwrap()
         .each
 }
@@ -63,12 +64,12 @@ fn extremes_of(pair: &GearPair) -> RunExtremes {
 }
 
 fn compared(study: &Study) -> Vec<ComparedRun> {
-    simulate(study, Method::Exact { certify: true }, &on).unwrap()
+    simulate(study, Method::Exact { certify: true }, &go_on).unwrap()
 }
 
 fn diagnosed(study: &Study) -> Diagnosis {
     let runs = compared(study);
-    diagnose(study, &runs, &Default::default(), &mut |_| Ok(()), &on).unwrap()
+    diagnose(study, &runs, &Default::default(), &mut |_| Ok(()), &go_on).unwrap()
 }
 
 fn check<'a>(diagnosis: &'a Diagnosis, id: &str, gear: Option<Member>) -> &'a Check {
@@ -82,7 +83,7 @@ fn failing(study: &Study) -> (Vec<&'static str>, Analysis<'_>) {
     let plan = Plan::new(study, Method::Exact { certify: false });
     let analysis = Analysis::silently(&plan.with_extremes().with_checks()).unwrap();
     let evidence: Vec<PoseEvidence> = analysis.runs.iter().filter_map(PoseEvidence::of).collect();
-    let failed = failed_checks(study, &evidence, &analysis.extremes, &on).unwrap();
+    let failed = failed_checks(study, &evidence, &analysis.extremes, &go_on).unwrap();
     (failed.iter().map(|check| check.id).collect(), analysis)
 }
 

@@ -4,6 +4,7 @@ use super::*;
 use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::analysis::verdict::Requirement;
+use gearlash::error::go_on;
 
 fn study_of(pair: &GearPair) -> Study {
     let [wheel, pinion] = Member::BOTH.map(|member| OutlineGear::from(pair.gear(member)));
@@ -84,7 +85,7 @@ fn a_pair_that_turns_has_a_map_and_the_play_of_its_bearings() {
         near(a, end.as_ref().unwrap().found(), known(a), 1e-9);
     }
     let each = [run];
-    let maps = BacklashMap::of_study(&study, &each, &on).unwrap();
+    let maps = BacklashMap::of_study(&study, &each, &go_on).unwrap();
     let map = &maps[0];
     assert_eq!(map.cells.len(), map.distances.len() * map.columns);
     for (a, row) in map.distances.iter().zip(map.cells.chunks(map.columns)) {
@@ -96,7 +97,7 @@ fn a_pair_that_turns_has_a_map_and_the_play_of_its_bearings() {
         }
     }
     // Stopped, there is no map.
-    assert!(BacklashMap::of_study(&study, &each, &|| ControlFlow::Break(())).is_err());
+    assert!(BacklashMap::of_study(&study, &each, &|_| ControlFlow::Break(())).is_err());
 }
 
 fn unit(random: &mut Random) -> f64 {

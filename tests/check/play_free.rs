@@ -7,6 +7,7 @@ mod drawn;
 use super::*;
 use drawn::{Kind, Random};
 use gearlash::contact::Contact;
+use gearlash::error::go_on;
 
 /// Drawn pairs that tell the program from one with a small mistake in it (a mutant: `tests/README.md`).
 const PLAY_FREE: [u64; 9] = [0, 2, 4, 7, 8, 9, 10, 11, 13];
@@ -56,7 +57,7 @@ fn least(plays: Vec<f64>) -> f64 {
 /// given. Source: those poses, by the exact method.
 fn has_no_play(seed: u64, per_pitch: u32, all: bool) {
     let (pair, matings) = pair(seed, per_pitch);
-    let found = zero_distance(&pair, &matings).unwrap().unwrap();
+    let found = zero_distance(&pair, &matings, &go_on).unwrap().unwrap();
     let told = format!("{seed}: {found:?}");
     let [low, high] = found.bracket;
     assert!(high - low <= 1.001e-10, "{told}");
@@ -107,7 +108,9 @@ fn the_worst_of_a_stretch_that_jams_is_found() {
 fn no_pose_touches_off_the_involutes_above_the_onset() {
     for seed in ONSET {
         let (pair, matings) = pair(seed, [1, 2, 4][seed as usize % 3]);
-        let found = non_involute_onset(&pair, &matings).unwrap().unwrap();
+        let found = non_involute_onset(&pair, &matings, &go_on)
+            .unwrap()
+            .unwrap();
         let class = |distance: f64, mating: &Mating| {
             let pair = pair.at(distance).unwrap();
             let pose = Pose::new(&pair, *mating);

@@ -1,6 +1,7 @@
 //! Populations against closed forms: perfect gears, whose backlash is linear in thickness.
 
 use super::*;
+use gearlash::error::go_on;
 use gearlash::outline::OutlinePair;
 use gearlash::population::{
     Draw, Estimate, Factor, GearScatter, OutcomeKind, Population, PopulationError, Requirement,
@@ -19,7 +20,7 @@ pub(super) fn sample(population: &Population, requirement: Requirement, seed: u6
 /// The sums over the assemblies 1 to `total`.
 pub(super) fn sums(sample: &Sample, total: u64) -> Tally {
     let mut tally = Tally::default();
-    for row in sample.rows(1..total + 1, &on).unwrap() {
+    for row in sample.rows(1..total + 1, &go_on).unwrap() {
         tally.count(&row, total).unwrap();
     }
     tally
@@ -149,7 +150,7 @@ fn contributions_of_a_linear_case_lie_within_their_errors() {
     let sum: f64 = parts.iter().sum();
     let (mut inside, mut all) = (0, 0);
     for seed in 0..50 {
-        for found in contributions(&population, seed, 512, &on).unwrap() {
+        for found in contributions(&population, seed, 512, &go_on).unwrap() {
             assert_eq!((found.rows, found.left_out, found.each.len()), (512, 0, 3));
             for (one, part) in found.each.iter().zip(parts) {
                 for estimate in [one.first, one.total] {
@@ -178,7 +179,7 @@ fn the_direction_of_whole_gears_contributes() {
     let wheel = Member::Wheel;
     let factors = [Factor::Runout(wheel), Factor::Gear(wheel)];
     assert_eq!(population.factors(), factors);
-    for found in contributions(&population, 1, 256, &on).unwrap() {
+    for found in contributions(&population, 1, 256, &go_on).unwrap() {
         let [direction, which] = [found.each[0], found.each[1]];
         assert!(admits(&direction.total, 1.0, 5.0) && admits(&direction.first, 1.0, 5.0));
         assert_eq!(which.total.value, 0.0);
@@ -192,12 +193,12 @@ fn sums_do_not_depend_on_how_their_rows_were_cut() {
     let all = sample(&population, Requirement::new(Some(0.05), Some(0.4)), 11);
     let whole = sums(&all, 200);
     assert!((1..200).contains(&whole.outside), "{}", whole.outside);
-    let contributed = contributions(&population, 11, 40, &on).unwrap();
+    let contributed = contributions(&population, 11, 40, &go_on).unwrap();
     for cuts in [3u64, 7, 64] {
         let mut tally = Tally::default();
         for k in (0..cuts).rev() {
             let range = 1 + 200 * k / cuts..1 + 200 * (k + 1) / cuts;
-            for row in all.rows(range, &on).unwrap().iter().rev() {
+            for row in all.rows(range, &go_on).unwrap().iter().rev() {
                 tally.count(row, 200).unwrap();
             }
         }
@@ -208,7 +209,7 @@ fn sums_do_not_depend_on_how_their_rows_were_cut() {
         let pool = pool.build().unwrap();
         let tally = pool.install(|| sums(&all, 200));
         assert_eq!(tally, whole, "{threads}");
-        let again = pool.install(|| contributions(&population, 11, 40, &on).unwrap());
+        let again = pool.install(|| contributions(&population, 11, 40, &go_on).unwrap());
         assert_eq!(again, contributed, "{threads}");
     }
 }
@@ -249,7 +250,7 @@ fn outlines_scatter_as_their_data() {
     ];
     let rows = populations.each_ref().map(|population| {
         let sample = sample(population, Requirement::new(None, None), 3);
-        sample.rows(1..5, &on).unwrap()
+        sample.rows(1..5, &go_on).unwrap()
     });
     // Tenths of a nanometre: proven brackets of outlines are 50 nm wide.
     let is_near =

@@ -11,13 +11,7 @@ use gearlash::gear::{
 use gearlash::pair::{GearPair, Mating, Member};
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
-use std::ops::ControlFlow;
 use std::path::Path;
-
-/// Never stops.
-pub fn on() -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
 
 /// `found` is `expected` within `within`; the message names `what`.
 #[track_caller]

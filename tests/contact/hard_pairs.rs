@@ -1,11 +1,12 @@
 //! The pairs of fixtures/reference/hard by every method: exact and certified, polygon, both. The right results have other sources
 //! (`fixtures/reference/hard/README.md`; brute force is `tests/common/clearance`).
 
-use crate::kit::{on, rows, study};
+use crate::kit::{rows, study};
 use gearlash::analysis::extremes::extremes;
 use gearlash::analysis::simulate::simulate;
 use gearlash::analysis::study::Study;
 use gearlash::contact::{Certifier, CutPair, Doubt, Method, MethodAgreement, PoseResult, Status};
+use gearlash::error::go_on;
 use gearlash::pair::{Member, Pose};
 use serde::Deserialize;
 
@@ -21,7 +22,7 @@ fn hard(name: &str) -> Study {
 
 /// All poses of a pair by one method. That they come to an end at all was once the question.
 fn poses(name: &str, method: Method) -> Vec<PoseResult> {
-    let runs = simulate(&hard(name), method, &on).unwrap();
+    let runs = simulate(&hard(name), method, &go_on).unwrap();
     let poses = runs.into_iter().flat_map(|run| run.poses);
     poses.map(|pose| pose.simulated).collect()
 }
@@ -113,7 +114,7 @@ fn polygon_results_are_certified() {
 #[test]
 fn tips_that_just_meet_5_18() {
     let study = study("fixtures/grazing/tips_just_meet_5_18.toml");
-    let runs = simulate(&study, Method::Both, &on).unwrap();
+    let runs = simulate(&study, Method::Both, &go_on).unwrap();
     let pair = runs[0].run.assembly.data().unwrap();
     let tips = Member::BOTH.map(|member| pair.gear(member).gear().tip_radius());
     assert!((pair.center_distance() - tips[0] - tips[1]).abs() < 2e-13);
@@ -141,7 +142,7 @@ fn extremes_of_hard_pairs_end_by_their_effort() {
         ("grazing/lands_pass_clear", Status::NoContact),
     ] {
         let study = study(format!("fixtures/{name}.toml"));
-        for run in extremes(&study, METHODS[0], &on).unwrap().each {
+        for run in extremes(&study, METHODS[0], &go_on).unwrap().each {
             assert_eq!(run.status, status, "{name}");
             assert!(!run.is_proven(), "{name}");
             for extreme in run.least.iter().chain(&run.greatest) {

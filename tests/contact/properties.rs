@@ -2,9 +2,9 @@
 //! result depends on the pose alone.
 
 use crate::common::random_pair::{Case, case, rough_case};
-use crate::kit::on;
 use gearlash::analytic::evaluate;
 use gearlash::contact::{CutPair, ExactKernel, LostMotion, Method, PoseResult, Status, sweep};
+use gearlash::error::go_on;
 use gearlash::gear::ProfilePart;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use proptest::prelude::*;
@@ -108,7 +108,7 @@ fn swept(
 ) -> Vec<PoseResult> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
     let pool = pool.build().unwrap();
-    pool.install(|| sweep(assembly, cut, method, matings, 0.0, &on).unwrap())
+    pool.install(|| sweep(assembly, cut, method, matings, 0.0, &go_on).unwrap())
 }
 
 /// Every number of a result, bit by bit.

@@ -6,6 +6,7 @@ use crate::extremes::{ROUNDING, WIDTH, held, held_from, proven};
 use crate::helical_pairs::{drawn, expanded, pair_of_the_prototype};
 use crate::random::Random;
 use gearlash::analysis::face_width::{AtWidth, FaceExtreme, over_widths};
+use gearlash::error::go_on;
 
 /// The prototype's pair, of six curves of pitch each: proven both ways at any width, and the least no greater of the wider.
 #[test]
@@ -145,8 +146,8 @@ fn a_wider_face_costs() {
         let pair = pair.with_face([-20.0, 40.0]).unwrap();
         let method = Method::Exact { certify: true };
         let study = Study::of_pair("pair", &pair, 4);
-        let full = extremes(&study, method, &on).unwrap().each;
-        let widths = over_widths(&study, &full, method, &on).unwrap();
+        let full = extremes(&study, method, &go_on).unwrap().each;
+        let widths = over_widths(&study, &full, method, &go_on).unwrap();
         let faces: Vec<[f64; 2]> = widths.iter().map(|at| at.face).collect();
         let held = [[10.0, 10.0], [2.5, 17.5], [-5.0, 25.0], [-12.5, 32.5]];
         assert_eq!(faces[..4], held);
@@ -162,7 +163,7 @@ fn a_wider_face_costs() {
         let [free, dear] = [least[0].min(greatest[0]) > -3e-6, greatest[1] < -1e-3];
         assert!(if costs { dear } else { free }, "{least:?} {greatest:?}");
         let study = Study::of_pair("section", &pair.section(10.0), 4);
-        let alone = &extremes(&study, method, &on).unwrap().each[0];
+        let alone = &extremes(&study, method, &go_on).unwrap().each[0];
         let sections = [&alone.least, &alone.greatest].map(|end| end.as_ref().unwrap());
         for ([width, _], section) in both(&widths[0], &widths[0]).into_iter().zip(sections) {
             assert!(width.low <= section.high && section.low <= width.high);
@@ -182,8 +183,8 @@ fn faces_of_gears_that_lean_cost_micrometres() {
     let pair = pair.with_face([-20.0, 40.0]).unwrap();
     let method = Method::Exact { certify: false };
     let study = Study::of_pair("leans", &pair, 4);
-    let full = extremes(&study, method, &on).unwrap().each;
-    let widths = over_widths(&study, &full, method, &on).unwrap();
+    let full = extremes(&study, method, &go_on).unwrap().each;
+    let widths = over_widths(&study, &full, method, &go_on).unwrap();
     assert_eq!(widths[0].face, [2.5, 17.5]);
     for [whole, narrow] in both(&widths[3], &widths[0]) {
         near("width", whole.found, narrow.found, 0.03);
@@ -192,7 +193,7 @@ fn faces_of_gears_that_lean_cost_micrometres() {
         open_lean: [1e-4, 1e-4],
         ..study
     };
-    let found = extremes(&open, method, &on).unwrap().each;
+    let found = extremes(&open, method, &go_on).unwrap().each;
     let greatest = found[0].greatest.as_ref().unwrap();
     assert!(greatest.high - greatest.found() < 0.03, "{greatest:?}");
 }

@@ -44,13 +44,13 @@ use gearlash::analytic::{InvolutePair, LineOfAction};
 use gearlash::contact::{
     Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, OutlineKernel, Status, sweep,
 };
+use gearlash::error::go_on;
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Flank, Gear, GearDesign, Hand,
     Modification, Pitch, ProfilePart, Side, Trace, involute,
 };
 use gearlash::outline::{OutlineError, OutlineGear, OutlinePair, OutlineReading, PathSegment};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use kit::{Make, at, at_flank, halved, near, on, pair, rows, spur, spur_of_angle, um};
+use kit::{Make, at, at_flank, halved, near, pair, rows, spur, spur_of_angle, um};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use std::ops::ControlFlow;

@@ -94,9 +94,8 @@ fn polygons_alone_see_what_touches_between_the_sections() {
         let drawn = Drawn::of(Teeth::Helical, Some(Depth::Grazing), 1, index);
         let assembly = &drawn.assembly;
         let cut = cut(assembly);
-        let going_on = || ControlFlow::Continue(());
         let by = |method| {
-            let found = sweep(assembly, &cut, method, &[drawn.mating], 0.0, &going_on);
+            let found = sweep(assembly, &cut, method, &[drawn.mating], 0.0, &go_on);
             found.unwrap().remove(0).found.unwrap()
         };
         let (exact, polygon) = (by(Method::Exact { certify: true }), by(Method::Polygon));

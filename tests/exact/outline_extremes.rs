@@ -9,6 +9,7 @@ use crate::paths::{READING, arc, closed_by_arcs, lines, turned};
 use crate::random::{self, Random, either};
 use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::study::Material;
+use gearlash::error::go_on;
 
 /// The kind of curve of a flank.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,7 +149,7 @@ fn found(pair: &OutlinePair) -> RunExtremes {
     };
     let distances = vec![pair.center_distance()];
     let study = Study::of_drawn("drawn", gears, pair.locked(), distances, sweep);
-    let found = extremes(&study, Method::Exact { certify: false }, &on).unwrap();
+    let found = extremes(&study, Method::Exact { certify: false }, &go_on).unwrap();
     found.each.into_iter().next().unwrap()
 }
 

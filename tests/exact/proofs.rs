@@ -307,10 +307,7 @@ fn polygons_check_every_64th_pose() {
     let cut = certificates(&pair);
     let plan = SweepPlan::wheel_revolution(&pair, 12, (1, 1));
     let matings = plan.matings(&pair);
-    let by = |method| {
-        let go_on = || ControlFlow::Continue(());
-        sweep(&pair, &cut, method, &matings, 0.0, &go_on).unwrap()
-    };
+    let by = |method| sweep(&pair, &cut, method, &matings, 0.0, &go_on).unwrap();
     let sampled = by(Method::Exact { certify: true });
     for (method, checked, with_proof) in [
         (Method::Exact { certify: true }, &[0, 64, 128][..], false),

@@ -18,6 +18,7 @@ mod made_up;
 
 use gearlash::analytic::InvolutePair;
 use gearlash::contact::{ContactKind, CutPair, PoseClass, ToothPlace};
+use gearlash::error::go_on;
 use gearlash::gauge::{
     FaceReadings, Gauged, OverPins, ProfileReadings, Roll, RollPose, Seat, Settings, Span,
     StatedThickness, Unmeasured, gauge, gauge_outline,
@@ -33,7 +34,7 @@ use gearlash::metrology::{
 };
 use gearlash::outline::{OutlineDifference, OutlineGear, OutlineReading, PathSegment, of_gear};
 use gearlash::pair::{GearPair, Member, Pose};
-use kit::{Make, ends, inv, near, on, rows, spur, spur_of_angle};
+use kit::{Make, ends, inv, near, rows, spur, spur_of_angle};
 use made_up::{made_up, scaled};
 use nalgebra::{Point2, Point3, Rotation2, Vector2, Vector3};
 use paths::{READING, arc, polar, polygon, repeated, symmetrical, turned};
@@ -45,7 +46,7 @@ const PICOMETRE: f64 = 1e-9;
 const ALPHA: f64 = PI / 9.0;
 
 fn measure(gear: &AsBuilt, settings: Settings) -> Gauged {
-    gauge(gear, &settings, &|_| (), &on).unwrap()
+    gauge(gear, &settings, &|_| (), &go_on).unwrap()
 }
 
 /// A few poses of the roll test only: for tests of the other gauges.

@@ -23,7 +23,7 @@ use gearlash::gear::{
     Side, involute, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
-use kit::{Make, at, ends, halved, inv, j_wt, near, on, pair, rows, spur, spur_of_angle};
+use kit::{Make, at, ends, halved, inv, j_wt, near, pair, rows, spur, spur_of_angle};
 use nalgebra::{Point2, Rotation2, Vector2};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};

@@ -188,7 +188,7 @@ impl DrawnChart {
         let poses = curves::over_distance_pose_count(study);
         input::allow(&args.pair, poses, &input::HELD)?;
         let progress = Progress::of(poses, "poses");
-        let (method, tick) = (args.method.method(), || progress.tick());
+        let (method, tick) = (args.method.method(), |steps| progress.tick(steps));
         let cycle = whole.as_ref().map_or(&[][..], |whole| &whole.extremes.each);
         let curve = curves::over_distance(study, followed, cycle, method, &tick);
         let curve = curve.map_err(|error| match (error, args.mating) {

@@ -142,7 +142,7 @@ fn compared(
 ) -> Result<Judged, Error> {
     let (study, method) = (&file.study, args.method.method());
     let tolerance_um = tolerance_um(study, args.tolerance_um);
-    let tick = || progress.tick();
+    let tick = |steps| progress.tick(steps);
     let none = &mut |_: Piece| Ok::<(), Error>(());
     let runs = simulate_by_blocks(study, method, tolerance_um, unproven, &tick, none)?;
     let found = progress.searching(|| extremes(study, method, &tick))?;

@@ -12,20 +12,20 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::{Piece, RunTally, simulate_by_blocks};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::{ContactClass, ContactKind, Method, PoseResult};
+use gearlash::error::go_on;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Mating;
 use gearlash_files::distance_refused;
 use gearlash_results::verdict::lines;
-use std::ops::ControlFlow;
 
 /// The certified extremes of `study`, and the checks that fail at its poses, under a progress bar.
 fn extremes_and_failed_checks(study: &Study) -> Result<(CycleExtremes, Vec<CheckName>), Error> {
     let progress = Progress::of(run_count(study)? + study.pose_count(), "steps");
     let method = Method::Exact { certify: true };
-    let cycle = progress.searching(|| extremes(study, method, &|| progress.tick()))?;
+    let cycle = progress.searching(|| extremes(study, method, &|steps| progress.tick(steps)))?;
     let exact = Method::Exact { certify: false };
-    let tick = || progress.tick();
+    let tick = |steps| progress.tick(steps);
     let none = &mut |_: Piece| Ok::<(), Error>(());
     let runs = simulate_by_blocks(study, exact, study.tolerance_um, 0, &tick, none)?;
     let failed = failed_checks(study, &runs, &cycle)?;
@@ -39,8 +39,7 @@ pub(super) fn failed_checks(
     cycle: &CycleExtremes,
 ) -> Result<Vec<CheckName>, Error> {
     let evidence: Vec<PoseEvidence> = runs.iter().filter_map(|run| run.evidence.clone()).collect();
-    let on = || ControlFlow::Continue(());
-    Ok(diagnosis::failed_checks(study, &evidence, cycle, &on)?)
+    Ok(diagnosis::failed_checks(study, &evidence, cycle, &go_on)?)
 }
 
 /// A pose of the mesh cycle.
@@ -167,7 +166,14 @@ fn least_of(
         }
         Ok::<(), Error>(())
     };
-    simulate_by_blocks(study, exact, tolerance, 0, &|| progress.tick(), take)?;
+    simulate_by_blocks(
+        study,
+        exact,
+        tolerance,
+        0,
+        &|steps| progress.tick(steps),
+        take,
+    )?;
     let Some((_, material, assembly, mating)) = least else {
         return Ok(None);
     };

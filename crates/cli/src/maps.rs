@@ -70,7 +70,7 @@ fn of_contacts(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Er
     let progress = Progress::of(drawn.len() as u64 * u64::from(MAP_ROWS), "rows of the map");
     let maps = drawn.into_iter().map(|(group, zero)| {
         let material = group.material;
-        let map = map(group, zero.pose, &|| progress.tick())?;
+        let map = map(group, zero.pose, &|steps| progress.tick(steps))?;
         let teeth = |member| group.assembly.teeth(member);
         let caption = format!(
             "{} and {} teeth, {}: what touches, over one pitch from the pose with the least backlash",
@@ -91,7 +91,7 @@ fn of_contacts(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Er
 fn of_backlash(study: &Study, each: &[RunExtremes]) -> Result<Vec<DrawnMap>, Error> {
     let rows = study.material_count() as u64 * u64::from(BACKLASH_MAP_ROWS);
     let progress = Progress::of(rows, "rows of the map");
-    let maps = BacklashMap::of_study(study, each, &|| progress.tick())?;
+    let maps = BacklashMap::of_study(study, each, &|steps| progress.tick(steps))?;
     let drawn = maps.iter().map(|map| {
         Ok(DrawnMap {
             material: map.material,

@@ -106,6 +106,6 @@ fn check_folders(args: &Args, output: Option<&Path>) -> Result<(), Error> {
 fn matched(file: &MatchFile) -> Result<MatchResult, Error> {
     let (wheels, pinions) = (file.wheels.len(), file.pinions.len());
     let bar = Progress::of((wheels * pinions) as u64, "pairs");
-    let cells = file.cells(0..wheels, &|| bar.tick())?;
+    let cells = file.cells(0..wheels, &|steps| bar.tick(steps))?;
     Ok(MatchResult::new(file, cells)?)
 }

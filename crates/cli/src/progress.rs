@@ -90,9 +90,9 @@ impl Progress {
         self.bar.inc_length(steps as u64);
     }
 
-    /// Counts one step. It never breaks the work: a signal ends the process from a thread of its own.
-    pub fn tick(&self) -> ControlFlow<()> {
-        self.bar.inc(1);
+    /// Counts `steps`. It never breaks the work: a signal ends the process from a thread of its own.
+    pub fn tick(&self, steps: u64) -> ControlFlow<()> {
+        self.bar.inc(steps);
         ControlFlow::Continue(())
     }
 }
@@ -109,7 +109,7 @@ pub(super) fn run_under_bar<'a>(plan: &Plan<'a>) -> Result<Analysis<'a>, Error> 
         bar.show_estimate(doing != analysis::MESH_CYCLE);
         bar.now(doing);
     };
-    let tick = || bar.tick();
+    let tick = |steps| bar.tick(steps);
     let mut progress = analysis::Progress {
         stage: &mut stage,
         tick: &tick,

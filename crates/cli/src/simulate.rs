@@ -77,7 +77,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     } else {
         Progress::of(study.pose_count() + run_count(study)?, "steps")
     };
-    let tick = || progress.tick();
+    let tick = |steps| progress.tick(steps);
     let found = progress.searching(|| extremes(study, method, &tick))?;
     let [json, csv] = outputs(args.results.format, folder.as_mut())?;
     let mut writer = ResultWriter::begin(file, json, csv).map_err(unwritable)?;

@@ -10,11 +10,11 @@ use crate::output::Target;
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::contact::{CutPair, Exaggeration, MeshSection, Method, PoseResult, sweep_blocks};
+use gearlash::error::go_on;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use gearlash_render::Snapshot;
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 /// Draw the contact at one pose as SVG
@@ -294,7 +294,6 @@ fn pitch(assembly: &AssembledPair, pose: &Pose) -> Result<Vec<PoseResult>, Error
     };
     let cut = assembly.data().map(cut);
     let method = Method::Exact { certify: true };
-    let tick = || ControlFlow::Continue(());
     let between = |[from, to]: [f64; 2], steps: u32| {
         let at = |step: u32| from + (to - from) * (f64::from(step) / f64::from(steps));
         let matings: Vec<Mating> = (0..=steps)
@@ -308,7 +307,7 @@ fn pitch(assembly: &AssembledPair, pose: &Pose) -> Result<Vec<PoseResult>, Error
             found.extend(poses);
             Ok::<(), Error>(())
         };
-        sweep_blocks(assembly, cut.as_ref(), method, &matings, 0.0, &tick, each)?;
+        sweep_blocks(assembly, cut.as_ref(), method, &matings, 0.0, &go_on, each)?;
         Ok::<Vec<PoseResult>, Error>(found)
     };
     let start = pose.mating().fraction;

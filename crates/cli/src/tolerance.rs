@@ -85,7 +85,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     }
     let bar = Progress::of(run.contribution_rows().div_ceil(ROWS_CHUNK), "steps");
     bar.now("contributions");
-    let result = run.result(tally, &|| bar.tick());
+    let result = run.result(tally, &|steps| bar.tick(steps));
     drop(bar);
     let result = result.map_err(|error| match error {
         ContributionsError::Error(error) => Error::Run(error),
@@ -137,7 +137,7 @@ fn draw(
     bar.now("assemblies");
     let mut tally = RowsTally::new(run);
     let mut counted = |block| -> Result<Vec<Row>, Error> {
-        let drawn = run.rows(block, &|| bar.tick())?;
+        let drawn = run.rows(block, &|steps| bar.tick(steps))?;
         let added = drawn.iter().try_for_each(|row| tally.add(row));
         added.map_err(|error| Error::Usage(error.to_string()))?;
         match run.too_many_impossible(tally.tally()) {

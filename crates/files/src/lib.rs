@@ -20,6 +20,7 @@ pub mod characters;
 mod check;
 mod common_face;
 mod data_file;
+mod distance;
 pub mod drawing;
 mod encoding;
 mod error;
@@ -83,6 +84,7 @@ pub fn named(path: &Path) -> &Path {
     }
 }
 
+pub use distance::with_distance;
 pub use error::{InputError, Problem};
 pub use gauged_file::{NoGearFile, gauged_file};
 pub use helix::short_for_span;

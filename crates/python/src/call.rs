@@ -42,7 +42,7 @@ pub fn work<T: Send>(
     work: impl FnOnce(&Tick) -> Result<T, Error> + Send,
 ) -> Outcome<T> {
     let stop = AtomicBool::new(false);
-    let tick = || {
+    let tick = |_| {
         if stop.load(Ordering::Relaxed) {
             ControlFlow::Break(())
         } else {

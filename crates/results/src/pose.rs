@@ -171,11 +171,11 @@ fn columns() -> Vec<Column<PoseRow>> {
         "phase_pinion_tooth" Plain [no_json, rank(0)] => row.phase.map(|phase| phase.1);
         "wheel_rotation_rad" Plain => row.rotation(Member::Wheel);
         "pinion_rotation_rad" Plain => row.rotation(Member::Pinion);
-        "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0), array("wheel_tooth", Values::COUNTS), page("wheel_tooth")] => row.mating().wheel_tooth;
-        "mating.pinion_tooth" Plain [csv("pinion_tooth"), rank(0), array("pinion_tooth", Values::COUNTS), page("pinion_tooth")] => row.mating().pinion_tooth;
+        "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0), array("wheel_tooth", Values::COUNTS)] => row.mating().wheel_tooth;
+        "mating.pinion_tooth" Plain [csv("pinion_tooth"), rank(0), array("pinion_tooth", Values::COUNTS)] => row.mating().pinion_tooth;
         "" Plain [people(shown("mating"))] => row.mating_words();
         "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank")), array("flank", Values::Words(Vec::new(), &FLANKS)), page("flank")] => row.mating().flank.name();
-        "mating.fraction" Plain [csv("fraction"), rank(0), array("fraction", Values::NUMBERS), page("fraction")] => row.mating().fraction;
+        "mating.fraction" Plain [csv("fraction"), rank(0), array("fraction", Values::NUMBERS)] => row.mating().fraction;
         "" Angle [only_page("locked_rad")] => row.result().pose.locked_rotation();
         "" Angle [only_page("free_rad")] => row.free_rotation();
         "right_rad" Plain => row.right_rad();
@@ -189,8 +189,8 @@ fn columns() -> Vec<Column<PoseRow>> {
         "lost_motion_arcmin.pinion" Plain [csv("lost_motion_pinion_arcmin"), rank(3), array("pinion_arcmin", Values::NUMBERS)] => row.arcmin[1];
         "j_wt_range_um.0" Plain [csv("j_wt_range_min_um")] => Value::um(row.result().range()[0]);
         "j_wt_range_um.1" Plain [csv("j_wt_range_max_um")] => Value::um(row.result().range()[1]);
-        "error_bound_um" Bound [heading(shown("± bound").spare(6)), array("error_bound_um", Values::NUMBERS), page("error_bound_um")] => Value::um(row.angle.and(row.result().error_bound));
-        "status" Grave [heading(shown("status")), array("status", Values::Words(Vec::new(), &STATUSES)), page("status")] => row.result().status().name();
+        "error_bound_um" Bound [heading(shown("± bound").spare(6)), array("error_bound_um", Values::NUMBERS)] => Value::um(row.angle.and(row.result().error_bound));
+        "status" Grave [heading(shown("status")), array("status", Values::Words(Vec::new(), &STATUSES))] => row.result().status().name();
     });
     let unproven = Unproven::columns();
     columns.extend(unproven.within("unproven", |row: &PoseRow| row.unproven()));
@@ -305,7 +305,6 @@ row_type!(row: ContactRow {
     "normal.0" Plain [no_csv] => row.contact.normal.x;
     "normal.1" Plain [no_csv] => row.contact.normal.y;
     "" Angle [only_page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);
-    "" Plain [only_page("class")] => row.class_words();
     "class" Plain [no_csv] => row.class.map(|class| class.kind.name());
     "tip_gear" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.tip).map(Member::name));
     "tip_moment" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.moment).map(|moment| moment.name()));

@@ -6,10 +6,10 @@ use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::contact::{Doubt, Method};
+use gearlash::error::go_on;
 use gearlash::pair::Member;
 use gearlash_files::{PairFile, read_text};
 use gearlash_results::verdict::{COLUMNS, LINES, lines};
-use std::ops::ControlFlow;
 use std::path::Path;
 
 const PAIR: &str = include_str!("pair.toml");
@@ -20,8 +20,7 @@ fn study(text: &str) -> PairFile {
 
 fn found(file: &PairFile) -> Vec<RunExtremes> {
     let method = Method::Exact { certify: true };
-    let on = || ControlFlow::Continue(());
-    extremes(&file.study, method, &on).unwrap().each
+    extremes(&file.study, method, &go_on).unwrap().each
 }
 
 /// The bracket of an extreme, mm, as a search that ended early leaves it.

@@ -53,9 +53,14 @@
   const free = async (name) => { if (workers[name].waiting.size > 0) await begin(name); };
   const answer = async (name, call, ...args) => JSON.parse(await ask(name, call, ...args));
 
+  const onClick = (name, act) => byId(name).addEventListener("click", () => quietly(act()));
   // Work that newer work may end.
   const quietly = (work) => work.catch((fault) => { if (fault !== STOPPED) fail(fault); });
-  const fail = (fault) => showProblems([{ reason: `an internal fault: ${fault.message}`, help: `report it with this pair file and the version, ${document.querySelector("meta[name=generator]").content}` }]);
+  const fail = (fault) => {
+    const version = document.querySelector("meta[name=generator]").content;
+    const to = byId("report") ? ` at ${byId("report").href}` : "";
+    showProblems([{ reason: `an internal fault: ${fault.message}`, help: `report it${to} with this pair file and the version, ${version}` }]);
+  };
 
   // ---- files: names and bytes; one of them is the pair file in the editor
   const files = new Map();
@@ -185,7 +190,7 @@
     if (now !== run) return false;
     if (!made.text) {
       // Their lines are not those of the text that is shown.
-      showProblems((made.problems ?? [{ reason: made.failed }]).map((problem) => ({ ...problem, line: null })));
+      showProblems((made.problems ?? [{ reason: made.failed }]).map((problem) => ({ ...problem, line: null })), made.title);
       byId("unit-row").hidden = false;
       return false;
     }
@@ -253,7 +258,7 @@
       for (const name of ["live", "band"]) await ask(name, "open", main);
       if (now !== run) return;
       if (found.problems || found.failed) {
-        showProblems(found.problems ?? [{ reason: found.failed }]);
+        showProblems(found.problems ?? [{ reason: found.failed }], found.title);
         return;
       }
       opened = found;
@@ -282,6 +287,7 @@
       opened.marks.push(...found);
       marks(opened.marks);
     }
+    byId("searching").textContent = "";
   }
 
   // ---- what is being done, and the time gone; a second without news is told
@@ -292,12 +298,17 @@
     begun = heard = performance.now();
     byId("working").hidden = false;
     byId("stage").textContent = stage;
-    byId("silence").textContent = byId("cancelled").textContent = "";
+    for (const id of ["silence", "cancelled", "searching"]) byId(id).textContent = "";
     byId("progress").removeAttribute("value");
   }
 
   function showProgress({ done, of, stage }) {
     heard = performance.now();
+    // The marks are searched behind a result.
+    if (byId("working").hidden) {
+      byId("searching").textContent = stage;
+      return;
+    }
     byId("progress").max = of;
     byId("progress").value = Math.min(done, of);
     byId("stage").textContent = stage || "Poses";
@@ -318,11 +329,11 @@
   }
 
   // ---- problems, each with its place in the text
-  function showProblems(problems) {
+  function showProblems(problems, title = "1 problem") {
     byId("found").hidden = true;
     byId("found").classList.remove("old");
     byId("problems").hidden = false;
-    byId("problems-title").textContent = problems.length === 1 ? "1 problem" : `${problems.length} problems`;
+    byId("problems-title").textContent = title;
     byId("problem-list").replaceChildren(...problems.map(({ key, value, reason, help, line, from, to }) => {
       const item = make("li");
       if (key) item.append(make("code", value === null || value === undefined ? key : `${key} = ${value}`), ": ");
@@ -344,20 +355,18 @@
   }
 
   // ---- result
-  const words = { pass: "Pass", warn: "Warning", unproven: "Unproven", fail: "Fail" };
-
-  function verdict(into, { state, status, proof, rows, qualifiers }) {
+  function verdict(into, { state, word, status, proof, rows, qualifiers, left_out }) {
     const list = make("dl", undefined, { className: "extremes" });
     for (const { name, value, arcmin, place } of rows) {
       const row = make("div");
-      row.append(make("dt", `${name} backlash`), make("dd", value, { className: "number" }));
+      row.append(make("dt", name), make("dd", value, { className: "number" }));
       if (arcmin) row.append(make("dd", arcmin));
       row.append(make("dd", place));
       list.append(row);
     }
     into.className = `verdict ${state}`;
-    into.replaceChildren(make("p", words[state] ?? state, { className: "word" }), make("p", status, { className: "status" }), list,
-      ...qualifiers.map((line) => make("p", line)), make("p", proof, { className: "proof" }));
+    into.replaceChildren(make("p", word, { className: "word" }), make("p", status, { className: "status" }), list,
+      ...[...qualifiers, ...left_out].map((line) => make("p", line)), make("p", proof, { className: "proof" }));
   }
 
   function checks(table) {
@@ -384,10 +393,9 @@
     byId("remedies").textContent = result.remedies.trim();
     byId("checks-title").hidden = !result.checks && !result.remedies.trim();
     byId("checks").replaceChildren(...(result.checks ? checks(result.checks) : []));
-    const notes = [...opened.warnings, ...opened.remarks];
-    byId("notes").hidden = notes.length === 0;
-    byId("notes").querySelector("summary").textContent = notes.length === 1 ? "1 note on the input" : `${notes.length} notes on the input`;
-    byId("notes").querySelector("ul").replaceChildren(...notes.map((note) => make("li", note)));
+    byId("notes").hidden = opened.notes.length === 0;
+    byId("notes").querySelector("summary").textContent = opened.notes_title;
+    byId("notes").querySelector("ul").replaceChildren(...opened.notes.map((note) => make("li", note)));
     document.title = `${opened.title}: gearlash`;
     startLive(result.start);
   }
@@ -428,7 +436,7 @@
   const livePose = newest("live", "here", async () => {
     const at = place();
     if (!mesh) await drawMesh(at);
-    showPose(await answer("live", "pose", "live", ...at), at);
+    showPose(await answer("live", "pose", "live", ...at));
   });
   // A part of the effort while the slider moves; all of it at rest, where that leaves a band unproven.
   async function bandAt(a, isWhole) {
@@ -444,7 +452,7 @@
     await bandAt(distance(), false);
     clearTimeout(resting);
     resting = setTimeout(() => {
-      byId("spoken").textContent = `At ${distance()} mm: this mating ${byId("here").textContent}, whole cycle ${byId("cycle").textContent}`;
+      byId("spoken").replaceChildren(...["here", "cycle"].map((name) => make("span", byId(name).dataset.spoken)));
     }, 1000);
   });
   const wholeBand = newest("band", "cycle", () => bandAt(distance(), true));
@@ -489,15 +497,18 @@
     });
   }
 
-  function showPose(pose, [, , wheel, pinion]) {
-    const backlash = pose.j_wt_um === null ? [] : [`${pose.j_wt} µm`];
-    const status = backlash.length && pose.status === "clear" ? [] : [pose.status?.replaceAll("_", " ")];
-    const say = pose.failed ?? [...status, ...backlash].join(", ");
-    byId("here").textContent = say;
+  // Words at once, and those that are spoken when the slider rests.
+  function say(name, { failed, words = failed, spoken = failed }) {
+    byId(name).textContent = words;
+    byId(name).dataset.spoken = spoken;
+  }
+
+  function showPose(pose) {
+    say("here", pose);
     byId("viewer").classList.toggle("old", Boolean(pose.failed));
     if (pose.failed || !mesh) return;
     mesh.show(pose.mesh.runs[0], 0, pose.mesh.words);
-    byId("viewer-picture").setAttribute("aria-label", `Mesh of wheel tooth ${wheel} and pinion tooth ${pinion}, ${say}`);
+    byId("viewer-picture").setAttribute("aria-label", pose.picture);
   }
 
   // Places on the slider: each has its distance and words; where the pair does not assemble is shaded.
@@ -519,16 +530,8 @@
   }
 
   function showBand(band) {
-    if (band.failed) {
-      byId("cycle").textContent = band.failed;
-      scale(null);
-      return;
-    }
-    const rows = band.rows.map(({ name, value }) => `${name} ${value}`).join(", ");
-    // Numbers alone do not say that the pair fails, or why a least or a greatest is missing.
-    const status = band.rows.length < 2 || ["fail", "unproven"].includes(band.state) ? `${band.status} ` : "";
-    byId("cycle").textContent = rows ? `${status}${rows}. ${band.proof}` : band.status;
-    scale(band);
+    say("cycle", band);
+    scale(band.failed ? null : band);
   }
 
   // Least to greatest as a band, with the limits of the requirement as lines.
@@ -573,21 +576,16 @@
   // The tooth that is shown.
   for (const field of [fields.wheel, fields.pinion]) field.addEventListener("change", () => { field.value = counted(field); });
 
-  byId("keep").addEventListener("click", () => {
-    // In TOML, also behind a prefix or in an inline table, or in JSON; not in comments.
-    const key = /(\bcent(?:er|re)_distance_mm["']?\s*[=:]\s*)(\[[^\]]*\]|\{[^}]*\}|"[^"\n]*"|'[^'\n]*'|[^\s,#}\]]+)/g;
-    const isComment = ({ index }) => !isJson(text.value) && text.value.slice(text.value.lastIndexOf("\n", index) + 1, index).includes("#");
-    const stated = [...text.value.matchAll(key)].filter((found) => !isComment(found));
-    if (stated.length !== 1) {
-      byId("kept").textContent = "The pair file states no single centre distance that could be replaced. It is unchanged.";
-      return;
+  onClick("keep", async () => {
+    const before = text.value;
+    const made = await answer("live", "with_distance", main, before, distance());
+    if (text.value !== before) return;
+    if (made.text) {
+      text.value = made.text;
+      edited();
+      calculate();
     }
-    const [{ index, 0: all, 1: name, 2: value }] = stated;
-    text.value = text.value.slice(0, index) + name + distance() + text.value.slice(index + all.length);
-    edited();
-    const isNumber = !Number.isNaN(Number(value.replaceAll("_", "")));
-    byId("kept").textContent = isNumber ? "" : `${distance()} now stands in place of ${value.replace(/\s+/g, " ")}.`;
-    calculate();
+    byId("kept").textContent = made.failed ?? made.said;
   });
 
   // ---- saves
@@ -600,7 +598,6 @@
   const base64 = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 
   byId("save-pair").addEventListener("click", () => save(main, "text/plain", text.value));
-  const onClick = (name, act) => byId(name).addEventListener("click", () => quietly(act()));
   onClick("save-picture", async () => {
     const picture = await answer("live", "pose", "picture", ...place());
     if (picture.svg) save(`${opened.stem}.svg`, "image/svg+xml", picture.svg);

@@ -2,19 +2,21 @@
 
 use crate::archive::archive;
 use gearlash::analysis::curves::courses;
+use gearlash::analysis::diagnosis;
 use gearlash::analysis::extremes::{self, RunExtremes};
 use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
 use gearlash::analysis::{Analysis, Plan, Progress};
-use gearlash::contact::{Doubt, Method, PoseResult};
+use gearlash::contact::{Doubt, Method, PoseResult, Status};
+use gearlash::error::Tick;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{BacklashUnit, Mating, Member, SweepPlan};
 use gearlash_files::numbers::{trimmed, um};
 use gearlash_files::outlines::{Drawings, OutlineOptions};
-use gearlash_files::{Files, InputError, PairFile, import, read_files};
+use gearlash_files::{Files, InputError, PairFile, import, read_files, with_distance};
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::viewer::LivePose;
 use gearlash_render::{Report, dark_style, pose_picture};
@@ -90,11 +92,12 @@ impl Page {
         }
         let materials = study.materials.iter().map(|gears| gears.0);
         let materials = materials.chain(study.drawn.iter().map(|gears| gears.0));
+        let notes: Vec<String> = [&pair.warnings[..], &pair.remarks[..]].concat();
         let found = json!({
             "title": study.title,
             "stem": pair.stem,
-            "warnings": pair.warnings,
-            "remarks": pair.remarks,
+            "notes": notes,
+            "notes_title": counted(notes.len(), "note on the input", "notes on the input"),
             "teeth": study.teeth(),
             "distances_mm": study.center_distances,
             "materials": materials.map(|material| material.words()).collect::<Vec<_>>(),
@@ -138,7 +141,7 @@ impl Page {
             })
         });
         json!({
-            "verdict": verdict_json(&lines(&verdict)),
+            "verdict": verdict_json(&lines(&verdict), &verdict),
             "checks": checks,
             "remedies": remedies.text(!pair.study.requirements.is_empty()),
             "curve": curve(&analysis, &verdict),
@@ -148,8 +151,9 @@ impl Page {
     }
 
     /// The distance from which the pair assembles, as marks of the slider.
-    pub fn mark_of_jam(&self) -> Value {
-        self.mark_at(0, |verdict| {
+    pub fn mark_of_jam(&self, report: &OnStep) -> Value {
+        let tick = |_| report(0, 0, "Searching the distance from which it assembles");
+        self.mark_at(0, &tick, |verdict| {
             let from = verdict.assembles_from()?;
             Some(mark(
                 rounded_up(from.high),
@@ -161,8 +165,9 @@ impl Page {
     }
 
     /// The distance up to which the pair is in mesh, as marks of the slider. It takes seconds.
-    pub fn mark_of_mesh(&self) -> Value {
-        self.mark_at(1, |verdict| {
+    pub fn mark_of_mesh(&self, report: &OnStep) -> Value {
+        let tick = |_| report(0, 0, "Searching the distance up to which it is in mesh");
+        self.mark_at(1, &tick, |verdict| {
             let to = verdict.meshes_to()?;
             Some(mark(
                 rounded_down(to.low),
@@ -174,17 +179,32 @@ impl Page {
     }
 
     /// The mark that the verdict at an end of the slider's range gives, if any.
-    fn mark_at(&self, end: usize, mark: impl Fn(&Verdict) -> Option<Value>) -> Value {
+    fn mark_at(&self, end: usize, tick: &Tick, mark: impl Fn(&Verdict) -> Option<Value>) -> Value {
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
         let a = range(&pair.study)[end];
         let found = movable(&pair.study).at(vec![a]).and_then(|study| {
-            let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
+            let found = extremes::extremes(&study, METHOD, tick)?;
             Ok(mark(&Verdict::of_study(&study, &found.each, Vec::new())))
         });
         // A pair without a result there has no mark.
         found.ok().flatten().into_iter().collect()
+    }
+
+    /// The pair file `name` with another centre distance: `{text, said}`; `{failed}` where it states no single one.
+    pub fn with_distance(&self, name: &str, text: &str, mm: f64) -> Value {
+        match with_distance(Path::new(name), text, mm) {
+            None => failed(
+                "The pair file states no single centre distance that could be replaced. It is unchanged.",
+            ),
+            Some((text, before)) => {
+                let is_number = before.replace('_', "").parse::<f64>().is_ok();
+                let before: Vec<&str> = before.split_whitespace().collect();
+                let said = format!("{} replaces {}.", trimmed(mm, 0, 6), before.join(" "));
+                json!({ "text": text, "said": if is_number { "" } else { &said } })
+            }
+        }
     }
 
     /// The files in a zip archive, as they were given.
@@ -236,7 +256,7 @@ impl Page {
 
     /// A pair file for two of the drawings, at the centre distance without play: `{text}`, or all problems of the drawings.
     /// `unit` is that of drawings without one, or empty.
-    pub fn of_drawings(&self, drawings: [&str; 2], unit: &str) -> Value {
+    pub fn of_drawings(&self, drawings: [&str; 2], unit: &str, report: &OnStep) -> Value {
         const NAME: &str = "pair.toml";
         let [wheel, pinion] = drawings.map(Path::new);
         let options = OutlineOptions {
@@ -260,23 +280,30 @@ impl Page {
             let nearest = nearest.ok_or_else(|| failed("these files are no drawings"))?;
             let tight = apart.at(vec![nearest]).map_err(failed)?;
             let plan = Plan::new(&tight.study, METHOD).with_extremes();
-            let analysis = Analysis::silently(&plan).map_err(failed)?;
+            let analysis = analysed(&plan, report).map_err(failed)?;
             let found = WithoutPlay::of(&analysis.verdict(), nearest);
             Ok(json!({ "text": text(found.map_or(nearest, |found| found.distance)) }))
         };
         found().unwrap_or_else(|failed| failed)
     }
 
-    /// One pose at another centre distance: status, backlash, and the columns that move the mesh.
+    /// One pose at another centre distance: status and backlash in words, a text for the picture, and the columns that move the mesh.
     pub fn live(&self, at: &LivePlace) -> Value {
         let answer = |study: &Study, pairs: &Pairs, pose: PoseResult| {
-            let (status, j_wt) = (pose.status().name(), pose.backlash);
+            let (status, j_wt) = (pose.status(), pose.backlash);
+            let number = j_wt.map(|j_wt| format!("{} µm", um(j_wt, 2)));
+            let is_number_enough = status == Status::Clear && number.is_some();
+            let status = (!is_number_enough).then(|| status.name().replace('_', " "));
+            let words: Vec<String> = status.into_iter().chain(number).collect();
+            let words = words.join(", ");
+            let [wheel, pinion] = at.teeth;
             let live = LivePose::new(study, pairs, at.material, pose)?;
             Some(live.columns().map_or_else(failed, |mesh| {
                 json!({
-                    "status": status,
                     "j_wt_um": j_wt.map(|mm| mm * 1e3),
-                    "j_wt": um(j_wt, 2),
+                    "words": words,
+                    "picture": format!("Mesh of wheel tooth {wheel} and pinion tooth {pinion}: {words}"),
+                    "spoken": format!("At {} mm, this mating: {words}.", trimmed(at.distance, 0, 6)),
                     "mesh": mesh,
                 })
             }))
@@ -338,23 +365,20 @@ impl Page {
 
     /// Least and greatest backlash of the whole mesh cycle at another centre distance, in the lines of the verdict. It takes a part of the
     /// effort of a verdict, or all of it; `is_proven` says whether more effort finds nothing else.
-    pub fn live_band(&self, a: f64, is_whole: bool) -> Value {
+    pub fn live_band(&self, a: f64, is_whole: bool, tick: &Tick) -> Value {
         let parts = if is_whole { 1 } else { LIVE_PARTS };
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
         let found = movable(&pair.study).at(vec![a]).and_then(|study| {
-            let found = extremes::band(&study, METHOD, parts, &|| ControlFlow::Continue(()))?;
+            let found = extremes::band(&study, METHOD, parts, tick)?;
             let verdict = Verdict::of_study(&study, &found.each, Vec::new());
             let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
-            let shown = lines(&verdict);
-            let rows = shown.rows.iter();
             // Without the sentences on distances that follow from the extremes: those are not searched.
+            let words = band_words(&lines(&verdict));
             Ok(json!({
-                "state": shown.state.name(),
-                "status": shown.status,
-                "proof": shown.proof,
-                "rows": rows.map(|row| json!({ "name": row.name, "value": row.value })).collect::<Vec<_>>(),
+                "spoken": format!("Whole cycle: {words}"),
+                "words": words,
                 "is_proven": found.each.iter().all(RunExtremes::is_proven),
                 "least_um": value(verdict.least().map(|(_, least)| least.low)),
                 "greatest_um": value(verdict.greatest().map(|(_, greatest)| greatest.high)),
@@ -423,8 +447,8 @@ const APART_MM: f64 = 1e6;
 fn analysed<'a>(plan: &Plan<'a>, report: &OnStep) -> Result<Analysis<'a>, gearlash::error::Error> {
     let of = plan.steps()?;
     let (done, stage) = (AtomicU64::new(0), std::sync::Mutex::new(String::new()));
-    let tick = || {
-        let done = done.fetch_add(1, Ordering::Relaxed);
+    let tick = |steps| {
+        let done = done.fetch_add(steps, Ordering::Relaxed);
         let stage = stage.lock().map(|stage| stage.clone()).unwrap_or_default();
         report(done, of, &stage)
     };
@@ -443,11 +467,43 @@ fn analysed<'a>(plan: &Plan<'a>, report: &OnStep) -> Result<Analysis<'a>, gearla
     )
 }
 
+/// The extremes in a line. Numbers alone do not say that the pair fails, or why a least or a greatest is missing: the status does.
+fn band_words(lines: &VerdictLines) -> String {
+    let rows = lines.rows.iter();
+    let rows: Vec<String> = rows
+        .map(|row| format!("{} {}", row.name, row.value))
+        .collect();
+    let is_enough = rows.len() > 1
+        && matches!(
+            lines.state,
+            diagnosis::Verdict::Pass | diagnosis::Verdict::Warn
+        );
+    match &rows[..] {
+        [] => lines.status.clone(),
+        _ if is_enough => format!("{}. {}", rows.join(", "), lines.proof),
+        _ => format!("{} {}. {}", lines.status, rows.join(", "), lines.proof),
+    }
+}
+
+/// The verdict in a word, which says the same as its colour.
+fn word(state: diagnosis::Verdict, verdict: &Verdict) -> &'static str {
+    let mut runs = verdict.runs.iter();
+    match state {
+        diagnosis::Verdict::Pass => "Assembles",
+        diagnosis::Verdict::Warn => "Assembles, with warnings",
+        diagnosis::Verdict::Unproven => "Unproven",
+        diagnosis::Verdict::Fail if runs.all(|run| run.assembles() == Some(true)) => {
+            "Assembles, but checks fail"
+        }
+        diagnosis::Verdict::Fail => "Does not assemble",
+    }
+}
+
 /// The verdict in its lines and in parts.
-fn verdict_json(lines: &VerdictLines) -> Value {
+fn verdict_json(lines: &VerdictLines, verdict: &Verdict) -> Value {
     let row = |row: &ExtremeRow| {
         json!({
-            "name": row.name,
+            "name": format!("{} backlash", row.name),
             "value": row.value,
             "arcmin": row.arcmin.as_ref().map(|(value, member)| format!("{value} arcmin at the {}", member.name())),
             "place": row.place_words(),
@@ -455,10 +511,12 @@ fn verdict_json(lines: &VerdictLines) -> Value {
     };
     json!({
         "state": lines.state.name(),
+        "word": word(lines.state, verdict),
         "status": lines.status,
         "proof": lines.proof,
         "rows": lines.rows.iter().map(row).collect::<Vec<_>>(),
         "qualifiers": lines.qualifiers,
+        "left_out": lines.left_out,
         "text": lines.to_string(),
     })
 }
@@ -517,7 +575,12 @@ fn problems(error: &InputError) -> Value {
             "to": span.as_ref().map(|span| units(span.end)),
         })
     });
-    json!({ "problems": each.collect::<Vec<_>>() })
+    let each: Vec<Value> = each.collect();
+    json!({ "title": counted(each.len(), "problem", "problems"), "problems": each })
+}
+
+fn counted(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
 }
 
 fn failed(error: impl Display) -> Value {

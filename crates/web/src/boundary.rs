@@ -1,6 +1,7 @@
 //! The boundary to JavaScript: the functions that the page calls, each of texts and bytes.
 
 use crate::answers::{LivePlace, Page};
+use gearlash::error::go_on;
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
@@ -55,15 +56,20 @@ impl Gearlash {
 
     /// The centre distance from which the pair assembles: `[{mm, kind, words}]`, empty without one.
     pub fn mark_of_jam(&self) -> String {
-        self.page.mark_of_jam().to_string()
+        self.page.mark_of_jam(&progress).to_string()
     }
 
     /// The centre distance up to which the pair is in mesh: `[{mm, kind, words}]`, empty without one.
     pub fn mark_of_mesh(&self) -> String {
-        self.page.mark_of_mesh().to_string()
+        self.page.mark_of_mesh(&progress).to_string()
     }
 
-    /// Reads the pair file `main`: `{title, stem, warnings, remarks, teeth, distances_mm, materials}`, or `{problems}`.
+    /// The pair file `name` with the centre distance `mm`: `{text, said}`, or `{failed}`.
+    pub fn with_distance(&self, name: &str, text: &str, mm: f64) -> String {
+        self.page.with_distance(name, text, mm).to_string()
+    }
+
+    /// Reads the pair file `main`: `{title, stem, notes, teeth, distances_mm, materials}`, or `{title, problems}`.
     pub fn open(&mut self, main: &str) -> String {
         self.page.open(main).to_string()
     }
@@ -106,7 +112,7 @@ impl Gearlash {
 
     /// Least and greatest backlash of the whole mesh cycle at the centre distance `a`, mm, by a part or all of the effort of a verdict.
     pub fn live_band(&self, a: f64, is_whole: bool) -> String {
-        self.page.live_band(a, is_whole).to_string()
+        self.page.live_band(a, is_whole, &go_on).to_string()
     }
 
     /// The content of a table among the files, and the lines of a pair file that name it.
@@ -116,7 +122,8 @@ impl Gearlash {
 
     /// A pair file for the drawings `wheel` and `pinion` at the distance without play; `unit` is that of drawings without one.
     pub fn of_drawings(&self, wheel: &str, pinion: &str, unit: &str) -> String {
-        self.page.of_drawings([wheel, pinion], unit).to_string()
+        let drawings = [wheel, pinion];
+        self.page.of_drawings(drawings, unit, &progress).to_string()
     }
 }
 

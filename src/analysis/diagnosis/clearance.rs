@@ -6,13 +6,13 @@
 
 use super::lands::{Land, between_lands, near, root_land, tip_land};
 use crate::analytic::InvolutePair;
+use crate::error::go_on;
 use crate::error::{Error, Tick};
 use crate::gear::Placed;
 use crate::pair::{GearPair, Mating, Member, Pose};
 use crate::parallel;
 use std::collections::HashSet;
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 
 /// Samples per pitch before the least distance is refined (tuned: a root land takes part in a twentieth of a pitch;
 /// elsewhere the distance grows steadily).
@@ -44,9 +44,8 @@ pub fn radial_clearance(
     matings: &[Mating],
 ) -> Option<RadialClearance> {
     let pitches = pitches(assembly, matings);
-    let on = || ControlFlow::Continue(());
     // The search is never interrupted.
-    least_over(assembly, member, &pitches, &on).ok()?
+    least_over(assembly, member, &pitches, &go_on).ok()?
 }
 
 /// The least distance over one pitch from each of `pitches`; `tick` is called once for each.
@@ -67,7 +66,7 @@ pub(super) fn least_over(
     let reached = rolling.within_pitch(pitches[first]).distance;
     let found = parallel::map(pitches.iter().zip(&bounds), |(mating, bound)| {
         let looked_at = || (*bound <= reached).then(|| rolling.within_pitch(*mating));
-        Error::if_stopped(tick()).map(|()| looked_at())
+        Error::if_stopped(tick(1)).map(|()| looked_at())
     });
     // In order, so that the first of equals is taken with any number of threads.
     let mut least: Option<RadialClearance> = None;

@@ -96,7 +96,7 @@ pub fn map(group: &Group, start: Mating, tick: &Tick) -> Result<Map, Error> {
                 }
             })
             .collect();
-        Error::if_stopped(tick()).and(cells)
+        Error::if_stopped(tick(1)).and(cells)
     });
     let mut cells = Vec::new();
     for row in rows {

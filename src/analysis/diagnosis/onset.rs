@@ -2,7 +2,7 @@
 
 use crate::analytic::limits;
 use crate::contact::{PairAtDistance, PoseClass, reach};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::pair::{GearPair, Mating, Member};
 use crate::parallel;
 
@@ -44,14 +44,21 @@ pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
 /// poses needs no search of its own. `None` if no pose has such contact even at the least distance that the base circles allow.
 ///
 /// # Errors
-/// A lost contact.
-pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Option<Onset>, Error> {
+/// A lost contact; [`Error::Interrupted`].
+pub fn non_involute_onset(
+    assembly: &GearPair,
+    matings: &[Mating],
+    tick: &Tick,
+) -> Result<Option<Onset>, Error> {
     let [nearest, farthest] = reach(assembly);
     let form = |member| form_onset(assembly, member);
     let guess = form(Member::Wheel).max(form(Member::Pinion));
     let mut from = guess.clamp(nearest, farthest);
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
-    let bench = PairAtDistance::new(assembly);
+    let bench = &Bench {
+        pair: PairAtDistance::new(assembly),
+        tick,
+    };
 
     // An odd number, so that each group has poses from all over a pitch.
     let groups = matings.len().isqrt() | 1;
@@ -60,19 +67,19 @@ pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Opt
         let group = matings.iter().skip(group).step_by(groups);
         let group: Vec<Mating> = group.copied().collect();
         let mut low = from;
-        let mut active = touching(&bench, low, &group)?;
+        let mut active = touching(bench, low, &group)?;
         let mut stride = 0.02 * module;
         while active.is_empty() && found.is_none() && low > nearest {
             low = (low - stride).max(nearest);
             stride *= 2.0;
-            active = touching(&bench, low, &group)?;
+            active = touching(bench, low, &group)?;
         }
         if active.is_empty() {
             // Without an onset, `low` is the least distance.
             from = low;
             continue;
         }
-        from = close(&bench, &mut low, from, &mut active)?;
+        from = close(bench, &mut low, from, &mut active)?;
         found = Some(low);
     }
     let Some(mut low) = found else {
@@ -81,7 +88,7 @@ pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Opt
     let mut high = from;
     let mut active = Vec::new();
     for some in matings.chunks(groups) {
-        active = touching(&bench, low, some)?;
+        active = touching(bench, low, some)?;
         if !active.is_empty() {
             break;
         }
@@ -93,10 +100,10 @@ pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Opt
         let beside: Vec<Mating> = steps
             .map(|step| first.onward(assembly, f64::from(step) * span / 8.0))
             .collect();
-        let mut sooner = touching(&bench, high, &beside)?;
+        let mut sooner = touching(bench, high, &beside)?;
         if !sooner.is_empty() {
             low = high;
-            high = close(&bench, &mut low, high, &mut sooner)?;
+            high = close(bench, &mut low, high, &mut sooner)?;
             active = sooner;
         }
         span /= 8.0;
@@ -106,18 +113,19 @@ pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Opt
         distance: 0.5 * (low + high),
         bracket: [low, high],
         mating,
-        class: bench.at(low)?.class(&mating)?,
+        class: bench.pair.at(low)?.class(&mating)?,
     }))
 }
 
+/// The pair at any distance, and the tick of the search.
+struct Bench<'a> {
+    pair: PairAtDistance,
+    tick: &'a Tick<'a>,
+}
+
 /// Raises `low`, where all of `active` (not empty) touch, until none does at the returned distance, [`WIDTH`] above it.
-fn close(
-    bench: &PairAtDistance,
-    low: &mut f64,
-    known: f64,
-    active: &mut Vec<Mating>,
-) -> Result<f64, Error> {
-    let [_, farthest] = reach(bench.assembly());
+fn close(bench: &Bench, low: &mut f64, known: f64, active: &mut Vec<Mating>) -> Result<f64, Error> {
+    let [_, farthest] = reach(bench.pair.assembly());
     let mut stride = f64::max(2.0 * (known - *low), 16.0 * WIDTH);
     let mut high = loop {
         let high = *low + stride;
@@ -145,12 +153,9 @@ fn close(
 }
 
 /// The poses of `matings` with contact below an involute at `distance`, in order.
-fn touching(
-    bench: &PairAtDistance,
-    distance: f64,
-    matings: &[Mating],
-) -> Result<Vec<Mating>, Error> {
-    let bench = bench.at(distance)?;
+fn touching(bench: &Bench, distance: f64, matings: &[Mating]) -> Result<Vec<Mating>, Error> {
+    Error::if_stopped((bench.tick)(0))?;
+    let bench = bench.pair.at(distance)?;
     let classes = parallel::map(matings, |mating| bench.class(mating));
     let mut touching = Vec::new();
     for (class, mating) in classes.into_iter().zip(matings) {

@@ -240,7 +240,7 @@ impl Helical {
         &'a self,
         posed: &'a PosedFlanks,
         nominal: f64,
-        effort: &'a Effort,
+        effort: &'a Effort<'a>,
     ) -> AlongFace<'a> {
         AlongFace::new(&self.assembly, posed, nominal, self.bounds, effort)
     }
@@ -307,7 +307,7 @@ impl Helical {
 struct ExaminedSections<'a, M> {
     helical: &'a Helical,
     pose: &'a Pose,
-    effort: &'a Effort,
+    effort: &'a Effort<'a>,
     /// Finds both contacts in a section.
     method: M,
     /// Whether a single section can jam.

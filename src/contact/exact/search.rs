@@ -11,10 +11,10 @@ use crate::contact::gap::MOST_NODES;
 use crate::gear::ProfilePart;
 
 /// The request for one side.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(super) struct SideRequest<'a> {
     /// Budget to charge.
-    pub effort: &'a Effort,
+    pub effort: &'a Effort<'a>,
     /// Gaps up to this need not be found.
     pub floor: f64,
 }

@@ -28,9 +28,9 @@ const STEP: u64 = 1;
 const TIES_BELOW: f64 = 4.0;
 
 /// The request to a section.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(super) struct SectionRequest<'a> {
-    pub effort: &'a Effort,
+    pub effort: &'a Effort<'a>,
     /// Rotation beyond nominal, rad, at which other sections are known to stop the free gear, on the right and on the
     /// left. Looser contacts need not be found. −∞ and ∞ request every contact.
     pub known: [f64; 2],
@@ -38,7 +38,7 @@ pub(super) struct SectionRequest<'a> {
 
 impl<'a> SectionRequest<'a> {
     /// Requests both contacts without a limit.
-    pub fn all(effort: &'a Effort) -> SectionRequest<'a> {
+    pub fn all(effort: &'a Effort<'a>) -> SectionRequest<'a> {
         SectionRequest {
             effort,
             known: [f64::NEG_INFINITY, f64::INFINITY],

@@ -3,6 +3,7 @@
 use super::ExactKernel;
 use super::extremes::End;
 use crate::contact::effort::Effort;
+use crate::error::go_on;
 use crate::gear::{AsBuilt, Deviations, Face, GearDesign, Hand};
 use crate::pair::{GearPair, Mating};
 
@@ -35,7 +36,7 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
         let pair = GearPair::new(wheel, pinion, radii[0] + radii[1] + farther).unwrap();
         let pair = pair.with_face([0.0, face]).unwrap();
         let kernel = ExactKernel::new(&pair);
-        let effort = Effort::of_extremes(&pair);
+        let effort = Effort::of_extremes(&pair, &go_on);
         let matings = u64::from(teeth[0] * teeth[1]);
         let over = (Mating::FIRST, matings);
         let found = kernel.extremes_of(&pair, over, 1e-6, &effort, &End::BOTH);

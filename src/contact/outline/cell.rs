@@ -107,6 +107,8 @@ pub(super) struct SideCell<'a> {
 #[derive(Debug, Clone, Copy)]
 struct Node {
     rectangle: Rectangle,
+    /// Bounds of the squares of its points' radii in the cell, mm².
+    squares: (f64, f64),
     within: Within,
     /// Where its parts begin among the nodes, and their number; 0 before it is divided.
     parts: (usize, usize),
@@ -274,7 +276,8 @@ impl SideCell<'_> {
         let mut open = Vec::with_capacity(ROOM);
         open.push([0, 0]);
         'pairs: while let Some(pair) = open.pop() {
-            let rectangles = [0, 1].map(|gear: usize| &nodes[gear][pair[gear]].rectangle);
+            let both = [0, 1].map(|gear: usize| &nodes[gear][pair[gear]]);
+            let rectangles = both.map(|node| &node.rectangle);
             let is_flat = rectangles.iter().all(|it| it.width() <= flat);
             let is_small = is_flat && rectangles.iter().all(|it| it.length() <= short);
             for _ in 0..STEPS {
@@ -282,7 +285,7 @@ impl SideCell<'_> {
                 if ascent.looked > MOST_PAIRS {
                     return false;
                 }
-                match self.apart(rectangles, ascent, is_flat) {
+                match self.apart(both, ascent, is_flat) {
                     Apart::Yes => continue 'pairs,
                     Apart::Above(Some(need)) if is_small || is_flat && need <= self.fine => {
                         ascent.level += need + 1e-3 * self.fine;
@@ -306,14 +309,10 @@ impl SideCell<'_> {
     }
 
     /// Whether a line divides two rectangles at the level, or their radii do. The rise is found only where it is needed.
-    fn apart(
-        &self,
-        [locked, free]: [&Rectangle; 2],
-        ascent: &mut Ascent,
-        needs_rise: bool,
-    ) -> Apart {
+    fn apart(&self, nodes: [&Node; 2], ascent: &mut Ascent, needs_rise: bool) -> Apart {
+        let [locked, free] = nodes.map(|node| &node.rectangle);
         let size = self.size();
-        let (squares, mates) = (self.squares(locked), free.squares());
+        let [squares, mates] = nodes.map(|node| node.squares);
         let room = ROUNDING * size * size + 2.0 * self.bound * size;
         if squares.0 > mates.1 + room || mates.0 > squares.1 + room {
             return Apart::Yes;
@@ -380,11 +379,7 @@ impl SideCell<'_> {
             }
             _ => *self.still[teeth[1] as usize - 1].rectangle(run),
         };
-        Node {
-            rectangle,
-            within: Within::Run(run),
-            parts: (0, 0),
-        }
+        self.node(gear, rectangle, Within::Run(run))
     }
 
     /// A part of a piece.
@@ -392,9 +387,19 @@ impl SideCell<'_> {
         let it = &self.teeth[gear].half(tooth).pieces[piece];
         let Frame { centre, direction } = self.frames[gear];
         let rectangle = Rectangle::new(&it.curve, (low, high), |t| it.point(t));
+        let rectangle = rectangle.placed(centre, direction);
+        self.node(gear, rectangle, Within::Part(piece, low, high))
+    }
+
+    fn node(&self, gear: usize, rectangle: Rectangle, within: Within) -> Node {
+        let squares = match gear {
+            0 => self.squares(&rectangle),
+            _ => rectangle.squares(),
+        };
         Node {
-            rectangle: rectangle.placed(centre, direction),
-            within: Within::Part(piece, low, high),
+            rectangle,
+            squares,
+            within,
             parts: (0, 0),
         }
     }

@@ -14,6 +14,7 @@ use crate::contact::effort::Effort;
 use crate::contact::exact::{Doubt, End, Extremes};
 use crate::contact::gap::{C, turn};
 use crate::contact::lost_motion::{LostMotion, Status};
+use crate::error::Tick;
 use crate::outline::{OutlineGear, OutlinePair, ToothClasses};
 use crate::pair::Mating;
 use std::collections::HashMap;
@@ -23,8 +24,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 const A_UNIT: u64 = 2;
 
 /// A mesh cycle.
-#[derive(Debug, Clone)]
-pub(crate) struct OutlineCycle {
+#[derive(Clone)]
+pub(crate) struct OutlineCycle<'t> {
     /// Where it begins.
     pub first: Mating,
     /// Matings after which all is as it was.
@@ -33,6 +34,7 @@ pub(crate) struct OutlineCycle {
     pub matings: u64,
     /// Equal teeth, of the locked and the free gear.
     pub classes: [Arc<ToothClasses>; 2],
+    pub tick: &'t Tick<'t>,
 }
 
 impl OutlineKernel<'_> {
@@ -57,6 +59,7 @@ impl OutlineKernel<'_> {
             matings: cycle.matings,
             width: width / radius,
             radius,
+            tick: cycle.tick,
         };
         search.extremes(ends).0
     }
@@ -66,7 +69,7 @@ impl OutlineKernel<'_> {
 struct OutlineCells<'a> {
     kernel: &'a OutlineKernel<'a>,
     pair: &'a OutlinePair,
-    cycle: &'a OutlineCycle,
+    cycle: &'a OutlineCycle<'a>,
     /// By their places on the grid.
     poses: Mutex<HashMap<i64, Arc<EndPose>>>,
 }

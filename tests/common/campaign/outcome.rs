@@ -6,10 +6,10 @@ use gearlash::contact::{
     Touch, sweep,
 };
 use gearlash::error::Error;
+use gearlash::error::go_on;
 use gearlash::gear::{Profile, ProfilePart, Side};
 use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 /// Distance from the form circle, mm, within which a contact is at the joint of involute and fillet.
 const JOINT: f64 = 1e-6;
@@ -251,8 +251,7 @@ fn over_face(drawn: &Drawn, cut: &CutPair) -> Outcome {
     let kernel = ExactKernel::new(assembly);
     let exact = kernel.lost_motion(&pose);
     let by = |method| -> PoseResult {
-        let going_on = || ControlFlow::Continue(());
-        let found = sweep(assembly, cut, method, &[drawn.mating], 0.0, &going_on);
+        let found = sweep(assembly, cut, method, &[drawn.mating], 0.0, &go_on);
         found.unwrap().remove(0)
     };
     Outcome {

@@ -69,6 +69,7 @@ fn main() {
         web::page_says_in_words_what_fails,
         web::page_slider_gives_the_extremes_of_the_program,
         web::page_fits_its_window,
+        web::page_prints_its_result,
         web::page_saved_has_its_pair,
     ];
     let mut arguments = Arguments::from_args();

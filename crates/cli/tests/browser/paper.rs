@@ -1,6 +1,6 @@
 //! The page on paper and in windows of three widths.
 
-use crate::browsers::{Chromium, Script};
+use crate::browsers::{Chromium, Script, Tab};
 use crate::page::{Site, open, unfold};
 use data_encoding::BASE64;
 use serde_json::{Value, json};
@@ -10,26 +10,8 @@ use std::path::Path;
 /// page and must not be broken, so none is cut.
 pub fn prints_whole_figures_on_a4(browser: &Chromium, site: &Site) {
     let mut tab = open(browser, site);
-    let printed = tab.call(
-        "Page.printToPDF",
-        json!({ "preferCSSPageSize": true, "printBackground": true }),
-    );
-    let pdf = saved("report.pdf", &printed["data"]);
-    let text = String::from_utf8_lossy(&pdf);
-    let pages: Vec<&str> = text.split("/MediaBox [").skip(1).collect();
-    assert!(pages.len() > 1, "{} pages", pages.len());
-    for page in pages {
-        let frame = page.split(']').next().unwrap().split_whitespace();
-        let sides: Vec<f64> = frame.map(|side| side.parse().unwrap()).collect();
-        assert_eq!(sides.len(), 4);
-        let is_a4 = (sides[2] - 595.3).abs() < 1.0 && (sides[3] - 841.9).abs() < 1.0;
-        assert!(is_a4, "{sides:?}");
-    }
     unfold(&mut tab);
-    // CSS pixels are a 96th of an inch; margins of 15 mm at most are left round 180 × 267 mm.
-    let [width, height] = [180.0, 267.0].map(|mm| mm / 25.4 * 96.0);
-    tab.resize(width as u32, 1000);
-    tab.call("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+    let height = print(&mut tab, "report.pdf");
     let figures = tab.eval(
         "[...document.querySelectorAll('figure, .viewer')].map((f) => [f.getBoundingClientRect().height, getComputedStyle(f).breakInside, f.outerHTML.slice(0, 80)])",
     );
@@ -41,6 +23,30 @@ pub fn prints_whole_figures_on_a4(browser: &Chromium, site: &Site) {
         assert_eq!(figure[1], "avoid", "{figure}");
     }
     tab.holds("getComputedStyle(document.getElementById('viewer-controls')).display === 'none'");
+}
+
+/// Prints the page on A4 and lays it out for paper. Returns the height of a page, CSS pixels. The PDF is left in the folder for test files.
+pub fn print(tab: &mut Tab, name: &str) -> f64 {
+    let printed = tab.call(
+        "Page.printToPDF",
+        json!({ "preferCSSPageSize": true, "printBackground": true }),
+    );
+    let pdf = saved(name, &printed["data"]);
+    let text = String::from_utf8_lossy(&pdf);
+    let pages: Vec<&str> = text.split("/MediaBox [").skip(1).collect();
+    assert!(pages.len() > 1, "{} pages", pages.len());
+    for page in pages {
+        let frame = page.split(']').next().unwrap().split_whitespace();
+        let sides: Vec<f64> = frame.map(|side| side.parse().unwrap()).collect();
+        assert_eq!(sides.len(), 4);
+        let is_a4 = (sides[2] - 595.3).abs() < 1.0 && (sides[3] - 841.9).abs() < 1.0;
+        assert!(is_a4, "{sides:?}");
+    }
+    // CSS pixels are a 96th of an inch; margins of 15 mm at most are left round 180 × 267 mm.
+    let [width, height] = [180.0, 267.0].map(|mm| mm / 25.4 * 96.0);
+    tab.resize(width as u32, 1000);
+    tab.call("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+    height
 }
 
 /// Nothing is wider than the window. The pictures are left in the folder for test files, to be looked at.

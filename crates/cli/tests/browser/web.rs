@@ -2,6 +2,7 @@
 
 use crate::browsers::{self, Chromium, Firefox, Script, Tab};
 use crate::page::{Site, gearlash};
+use crate::paper;
 use data_encoding::BASE64;
 use gearlash::gear::Side;
 use gearlash::pair::Mating;
@@ -268,13 +269,13 @@ fn moved(tab: &mut Tab, step: f64, count: u32, then: &str) -> Value {
 pub fn page_mesh_moves_with_the_distance(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, 1280);
     tab.until("document.getElementById('viewer-picture') !== null && document.getElementById('cycle').dataset.a !== undefined");
-    tab.eval("(() => { window.drawn = document.getElementById('viewer-picture'); window.outline = document.querySelector('#viewer defs path').getAttribute('d'); })()");
+    tab.eval("(() => { window.drawn = document.getElementById('viewer-picture'); window.elements = document.querySelectorAll('#viewer *').length; window.outline = document.querySelector('#viewer defs path').getAttribute('d'); })()");
     let begun = Instant::now();
     let shown =
         "[Number(field.value), Number(document.getElementById('viewer-backlash').dataset.um)]";
     let shown = moved(&mut tab, 0.004, 50, shown);
     println!("50 frames of dragging in {:.2?}", begun.elapsed());
-    tab.holds("window.drawn === document.getElementById('viewer-picture') && window.outline === document.querySelector('#viewer defs path').getAttribute('d')");
+    tab.holds("window.drawn === document.getElementById('viewer-picture') && window.elements === document.querySelectorAll('#viewer *').length && window.outline === document.querySelector('#viewer defs path').getAttribute('d')");
     let found: Vec<[f64; 2]> = serde_json::from_value(shown).unwrap();
     assert_eq!(found.len(), 50);
     let [material, wheel_tooth, pinion_tooth] =
@@ -340,6 +341,7 @@ pub fn page_cancels_and_saves(browser: &Chromium, _: &Site) {
     tab.until("window.kind === 'application/zip'");
     let begin = tab.text("window.saved");
     assert!(begin.starts_with("PK"), "{begin}");
+    tab.assert_silent();
 }
 
 /// Keeps what the page saves in `window.saved` in place of a download.
@@ -428,6 +430,20 @@ pub fn page_has_no_findings_of_axe(browser: &Chromium, _: &Site) {
         drop_files(&mut tab, &[("wrong.toml".to_owned(), wrong)]);
         tab.until("!document.getElementById('problems').hidden");
         check(&mut tab, "problems");
+        // A drawing that states no unit.
+        let mut drawings = read(&DRAWN[1..]);
+        let dxf = String::from_utf8_lossy(&drawings[0].1).replace("$INSUNITS", "$UNKNOWN1");
+        drawings[0].1 = dxf.into_bytes();
+        drop_files(&mut tab, &drawings);
+        tab.until("!document.getElementById('unit-row').hidden");
+        check(&mut tab, "a drawing without a unit");
+        give(&mut tab, &JAMS);
+        check(&mut tab, "a pair that fails");
+        tab.eval("document.getElementById('save-report').click()");
+        tab.until("!document.getElementById('working').hidden");
+        check(&mut tab, "at work");
+        tab.holds("!document.getElementById('working').hidden");
+        tab.eval("document.getElementById('cancel').click()");
     }
 }
 
@@ -505,6 +521,33 @@ pub fn page_fits_its_window(browser: &Chromium, _: &Site) {
     }
 }
 
+/// Verdict, mesh and curve stand on paper, no wider than A4, without input and controls. Nothing moves by itself where less motion is preferred.
+pub fn page_prints_its_result(browser: &Chromium, _: &Site) {
+    let mut tab = opened(browser, 1280);
+    tab.until("document.getElementById('viewer-picture') !== null");
+    let reduced = json!({ "features": [{ "name": "prefers-reduced-motion", "value": "reduce" }] });
+    let transitions = "getComputedStyle(document.getElementById('cycle')).transitionProperty";
+    tab.holds(&format!("{transitions} !== 'none'"));
+    tab.call("Emulation.setEmulatedMedia", reduced);
+    tab.holds(&format!("{transitions} === 'none'"));
+    let height = paper::print(&mut tab, "page.pdf");
+    for shown in ["#verdict", "#viewer-picture", "#curve svg"] {
+        let frame: [f64; 2] = tab.numbers(&format!(
+            "(() => {{ const all = [...document.querySelectorAll('{shown}')].map((one) => one.getBoundingClientRect()); \
+             return [Math.max(...all.map((one) => one.height)), Math.max(...all.map((one) => one.right)) - innerWidth]; }})()"
+        ));
+        assert!(
+            frame[0] > 0.0 && frame[0] < height && frame[1] <= 0.0,
+            "{shown}: {frame:?}"
+        );
+    }
+    for hidden in [".input", "#live", "#viewer-controls"] {
+        tab.holds(&format!(
+            "document.querySelector('{hidden}').getBoundingClientRect().height === 0"
+        ));
+    }
+}
+
 /// A saved page opens with its own pair.
 pub fn page_saved_has_its_pair(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, 1280);
@@ -517,6 +560,7 @@ pub fn page_saved_has_its_pair(browser: &Chromium, _: &Site) {
     settled(&mut tab);
     assert_eq!(text(&mut tab, "verdict"), verdict);
     assert!(text(&mut tab, "files").contains("wheel.csv"));
+    tab.assert_silent();
 }
 
 /// A table alone is shown as understood, with the lines that name it. A pair in the link opens with it.

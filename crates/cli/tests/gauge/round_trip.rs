@@ -5,8 +5,8 @@ use super::printed;
 use gearlash::analysis::simulate::simulate;
 use gearlash::analysis::study::Study;
 use gearlash::contact::Method;
+use gearlash::error::go_on;
 use gearlash_files as input;
-use std::ops::ControlFlow;
 
 fn um_list(values: &[f64]) -> String {
     let values: Vec<f64> = values.iter().map(|mm| mm * 1e3).collect();
@@ -130,7 +130,6 @@ impl RoundTrip {
 }
 
 fn backlash(study: &Study) -> Vec<f64> {
-    let go_on = || ControlFlow::Continue(());
     let runs = simulate(study, Method::Exact { certify: false }, &go_on).unwrap();
     let poses = runs.iter().flat_map(|run| &run.poses);
     poses.map(|pose| pose.simulated.backlash.unwrap()).collect()

@@ -9,14 +9,14 @@ use gearlash::population::{
     contributions, limit_cases,
 };
 use serde_json::json;
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 use std::path::Path;
 
 /// Assemblies per step; the rows are written after each step (tuned: some seconds on two cores, and enough for many threads).
 pub const BLOCK: u64 = 2048;
 
 /// Called when a step of the work begins; a break ends the work.
-pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
+pub type Tick<'a> = &'a gearlash::error::Tick<'a>;
 
 /// More draws than allowed give no gear or no pair.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

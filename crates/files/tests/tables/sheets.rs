@@ -3,7 +3,6 @@
 use super::*;
 use gearlash::gauge::{Settings, gauge};
 use oracle::{column, delimited, protocol};
-use std::ops::ControlFlow;
 
 /// Checks that the column of `words` in a file is what was read, but for half of the last digit, and rounding.
 fn agree(name: &str, words: [&str; 2], read: &[f64], half: f64) {
@@ -32,8 +31,13 @@ fn sheets_are_what_the_gauge_reads_on_their_gear() {
         steps_per_pitch: 1,
         ..Settings::default()
     };
-    let go = || ControlFlow::Continue(());
-    let read = gauge(&study.study.materials[0].1, &settings, &|_| (), &go).unwrap();
+    let read = gauge(
+        &study.study.materials[0].1,
+        &settings,
+        &|_| (),
+        &gearlash::error::go_on,
+    )
+    .unwrap();
     let um = |mm: f64| 1000.0 * mm;
     let balls = read.runout.unwrap().deviations();
     let balls: Vec<f64> = balls.into_iter().map(um).collect();

@@ -1,7 +1,7 @@
 //! The results in columns for the script: one entry per pose.
 
 use super::precision::{Precision, degrees};
-use super::readout::{self, HelicalColumns, touching};
+use super::readout::{self, HelicalColumns, Texts, touching};
 use super::viewed::Viewed;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{Course, CourseLine};
@@ -11,11 +11,22 @@ use gearlash::outline::AssembledPair;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, two_digits_up};
 use gearlash_results::{Unit, Value, pose_page};
+use indexmap::IndexSet;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// The words of a column by its name; its values are indices into them.
-pub type Words = BTreeMap<String, Vec<String>>;
+#[derive(Default, Serialize)]
+#[serde(transparent)]
+pub struct Words(BTreeMap<String, IndexSet<String>>);
+
+impl Words {
+    /// The index of `word` in the column `name`.
+    fn index(&mut self, name: &str, word: String) -> Value {
+        let known = self.0.entry(name.to_owned()).or_default();
+        known.insert_full(word).0.into()
+    }
+}
 
 /// Decimals of a number that is neither a backlash nor a place.
 const DECIMALS: usize = 6;
@@ -100,14 +111,14 @@ impl RunColumns {
     }
 }
 
-/// The columns of the poses of `viewed` by their names, rounded; angles in degrees. A column without any value is left out.
+/// The columns and texts of the poses of `viewed` by their names, rounded; angles in degrees. A column without any value is left out.
 fn poses(
     assembly: &AssembledPair,
     viewed: &Viewed,
     precision: Precision,
     words: &mut Words,
 ) -> BTreeMap<String, Vec<Value>> {
-    let mut columns = BTreeMap::new();
+    let mut columns: BTreeMap<String, Vec<Value>> = BTreeMap::new();
     for (name, unit, values) in pose_page(assembly, viewed.poses()) {
         if values.iter().all(|value| *value == Value::Absent) {
             continue;
@@ -116,25 +127,24 @@ fn poses(
             (Unit::Angle, Some(name)) => format!("{name}_deg"),
             _ => name.to_owned(),
         };
-        let mut number = |word: String| {
-            let known = words.entry(name.clone()).or_default();
-            let place = known.iter().position(|known| *known == word);
-            place.unwrap_or_else(|| {
-                known.push(word);
-                known.len() - 1
-            })
-        };
         let values = values.into_iter().map(|value| match (value, unit) {
             (Value::Number(angle), Unit::Angle) => degrees(angle).into(),
             (Value::Number(place), Unit::Place) => rounded(place, precision.decimals).into(),
             (Value::Number(um), Unit::Bound) => two_digits_up(um).into(),
             (Value::Number(value), Unit::Plain) => rounded(value, DECIMALS).into(),
-            (Value::Word(word), _) => number(word.to_owned()).into(),
-            (Value::Text(text), _) => number(text).into(),
+            (Value::Word(word), _) => words.index(&name, word.to_owned()),
+            (Value::Text(text), _) => words.index(&name, text),
             (value, _) => value,
         });
         let values = values.collect();
         columns.insert(name, values);
+    }
+    for number in &viewed.numbers {
+        for (name, text) in Texts::new(viewed, *number).named() {
+            let name = format!("{name}_text");
+            let index = words.index(&name, text);
+            columns.entry(name).or_default().push(index);
+        }
     }
     columns
 }

@@ -17,7 +17,7 @@ function gearlashMesh(data, step) {
   const run = () => shown.run;
   const value = (column) => run()[column]?.[shown.pose] ?? null;
   let words = data.words;
-  const word = (column) => words[column]?.[value(column)];
+  const word = (column) => words[column][value(column)];
   const other = { right: "left", left: "right" };
   // The number of a pose, where the page holds only some of a run.
   const numberIn = (run, pose) => run.number?.[pose] ?? pose + 1;
@@ -40,7 +40,7 @@ function gearlashMesh(data, step) {
     }
     root.querySelectorAll(".viewer-touching").forEach((number) => number.classList.remove("viewer-touching"));
     for (const side of sides) showContact(side, lost, axes[data.free]);
-    showText();
+    showTexts();
     if (data.helical) showSection();
   }
 
@@ -66,52 +66,24 @@ function gearlashMesh(data, step) {
     }
   }
 
-  // ---- texts, equal to those of readout.rs
-  function showText() {
-    const set = (name, text) => { byId(name).textContent = text; };
-    const fraction = value("fraction");
-    const beyond = fraction === 0 ? "" : `, ${Math.abs(fraction)} pitch ${fraction > 0 ? "beyond" : "before"}`;
-    const [wheel, pinion] = members.map((member) => value(member + "_tooth"));
-    set("run", run().label);
-    const number = run().of > 1 ? `${numberIn(run(), shown.pose)} of ${run().of}: ` : "";
-    set("pose", `${number}wheel ${wheel} with pinion ${pinion} at the ${word("flank")} flank${beyond}`);
-    set("status", word("status").replaceAll("_", " "));
+  // ---- texts
+  const TEXTS = ["pose", "status", "backlash", "overlapping", "bound", "right", "left"];
+  function showTexts() {
+    byId("run").textContent = run().label;
+    for (const name of TEXTS) byId(name).textContent = word(name + "_text");
     const backlash = value("j_wt_um");
-    const output = byId("backlash");
-    output.textContent = backlash === null ? "none" : fixed(backlash, 3) + " µm";
-    output.dataset.um = backlash ?? "";
-    output.title = backlash === null ? "" : backlash + " µm";
-    set("overlapping", backlash < 0 ? `Teeth overlap by ${fixed(-backlash, 1)} µm at the red dots: zoom in to see it.` : "");
-    const bound = value("error_bound_um");
-    set("bound", bound === null ? "none" : `≤ ${scientific(bound)} µm`);
-    for (const side of sides) {
-      const [w, p] = members.map((member) => value(`${side}_${member}_tooth`));
-      set(side, w === null ? "none" : `wheel tooth ${w} on pinion tooth ${p}, ${word(side + "_class")}`);
-    }
-  }
-
-  function fixed(number, decimals) {
-    const text = number.toFixed(decimals);
-    return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
-  }
-
-  function scientific(number) {
-    const [digits, power] = number.toExponential().split("e");
-    if (Math.abs(power) <= 3) return String(number);
-    const raised = String(Number(power)).replace(/./g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
-    return `${digits}·10${raised}`;
+    byId("backlash").dataset.um = backlash ?? "";
+    byId("backlash").title = backlash === null ? "" : backlash + " µm";
   }
 
   // ---- the section of helical gears: turns the outlines and their numbers by the twist of the teeth, about the gears' own
   // centres, which do not wind
-  const millimetres = (place) => `${Number(place.toFixed(2))} mm`.replace("-", "−");
-
   function showSection() {
     const slider = byId("section");
     const z = (byId("section-follow").checked ? value(shown.side + "_section_mm") : null) ?? Number(slider.value);
     slider.value = z;
-    byId("section-at").textContent = "z = " + millimetres(z);
-    slider.setAttribute("aria-valuetext", millimetres(z));
+    byId("section-at").textContent = byId("section-here").textContent = slider.value;
+    byId("section-contacts").textContent = word("section-contacts_text");
     members.forEach((member, i) => {
       const twist = data.helical.twist_deg_a_mm[i] * z;
       for (const part of root.querySelectorAll(`[data-winds="${member}"]`)) {
@@ -121,13 +93,11 @@ function gearlashMesh(data, step) {
           : `rotate(${twist} ${x} ${y}) ${part.dataset.then}`);
       }
     });
-    const where = sides.map((side) => {
+    for (const side of sides) {
       const at = value(side + "_section_mm");
       const here = at !== null && Math.abs(at - z) < 5e-3;
       byId(side + "-contact").setAttribute("opacity", here ? 1 : 0.3);
-      return at === null ? `no ${side} contact` : `${side} contact at z = ${millimetres(at)}`;
-    });
-    byId("section-text").textContent = `Drawn in the section at z = ${millimetres(z)}. ${where[0][0].toUpperCase()}${where[0].slice(1)}, ${where[1]}; pale where it is in another section.`;
+    }
   }
 
   // ---- zoom and pan: the viewBox

@@ -72,7 +72,7 @@ impl<'a> Mesh<'a> {
         let place = viewed.numbers.binary_search(&number).unwrap_or(0);
         let pose = viewed.poses().nth(place);
         let assembly = &viewed.shown.run.run.assembly;
-        let mut words = Words::new();
+        let mut words = Words::default();
         let runs = self.runs.iter().map(|viewed| {
             RunColumns::new(viewed, charts, &self.outlines, self.precision, &mut words)
         });

@@ -31,9 +31,9 @@ const MESH_SCRIPT: &str = include_str!("mesh.js");
 const POSES_SCRIPT: &str = include_str!("poses.js");
 /// Additional controls for the poses of a report.
 const POSES_CONTROLS: &str = include_str!("poses.html");
-/// Most poses of a page over all runs, apart from a few per run (tuned: some 140 bytes each, so that a page with a dozen charts
+/// Most poses of a page over all runs, apart from a few per run (tuned: some 200 bytes each, so that a page with a dozen charts
 /// stays below 8 MB).
-const MOST_POSES: usize = 30_000;
+const MOST_POSES: usize = 25_000;
 
 /// The part of a page that shows the mesh of an `analysis`: HTML for the body, once; empty without a pose.
 ///

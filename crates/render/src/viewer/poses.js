@@ -7,7 +7,7 @@
   const { show, placeIn, numberIn } = gearlashMesh(data, step);
   const shown = { run: data.start[0], pose: data.start[1] };
   const run = () => data.runs[shown.run];
-  const poses = () => run().status.length;
+  const poses = () => run().pose_text.length;
   const poseNumber = () => numberIn(run(), shown.pose);
 
   // ---- stepping
@@ -15,7 +15,7 @@
     shown.pose = Math.min(Math.max(pose, 0), poses() - 1);
     show(run(), shown.pose);
     slider.value = shown.pose;
-    slider.setAttribute("aria-valuetext", `pose ${poseNumber()} of ${run().of}`);
+    slider.setAttribute("aria-valuetext", byId("pose").textContent);
     showCursor();
   }
 
@@ -23,7 +23,7 @@
   function samePose(number) {
     const wanted = poseNumber();
     const off = (pose) => Math.abs(numberIn(data.runs[number], pose) - wanted);
-    return data.runs[number].status.reduce((best, _, pose) => (off(pose) < off(best) ? pose : best), 0);
+    return data.runs[number].pose_text.reduce((best, _, pose) => (off(pose) < off(best) ? pose : best), 0);
   }
 
   function chooseRun(number, pose) {

@@ -1,4 +1,4 @@
-//! The contacts of a pose, the text beside its picture, and the section of helical gears. `viewer.js` writes equal texts for the others.
+//! The contacts of a pose, the texts beside its picture, and the section of helical gears.
 
 use super::precision::{DEGREES, degrees};
 use super::viewed::{Shown, Viewed};
@@ -40,62 +40,107 @@ pub fn run(shown: &Shown) -> String {
     format!("a = {distance} mm{material}{phase}{worst}")
 }
 
-pub fn draw(viewed: &Viewed, number: usize) -> String {
-    let run = viewed.shown.run;
-    let pose = &run.poses[number];
-    let mating = pose.simulated.pose.mating();
-    let contact = |side| match touching(&pose.simulated, side) {
-        None => "none".to_owned(),
-        Some(contact) => {
-            let pair = run.run.assembly.data();
-            let row = ContactRow::new(pair, side, &pose.simulated.pose, &contact);
-            format!(
-                "wheel tooth {} on pinion tooth {}, {}",
-                contact.wheel.tooth,
-                contact.pinion.tooth,
-                row.class_words()
-            )
+/// The texts beside the picture of a pose.
+pub struct Texts {
+    pub pose: String,
+    pub status: String,
+    pub backlash: String,
+    /// A sentence on teeth that overlap; empty without.
+    pub overlapping: String,
+    pub bound: String,
+    pub right: String,
+    pub left: String,
+    /// The sections of the contacts of helical gears.
+    pub sections: Option<String>,
+}
+
+impl Texts {
+    /// The texts of the pose at `number` of the run of `viewed`.
+    pub fn new(viewed: &Viewed, number: usize) -> Texts {
+        let run = viewed.shown.run;
+        let pose = &run.poses[number].simulated;
+        let contact = |side| match touching(pose, side) {
+            None => "none".to_owned(),
+            Some(contact) => {
+                let pair = run.run.assembly.data();
+                let row = ContactRow::new(pair, side, &pose.pose, &contact);
+                format!(
+                    "wheel tooth {} on pinion tooth {}, {}",
+                    contact.wheel.tooth,
+                    contact.pinion.tooth,
+                    row.class_words()
+                )
+            }
+        };
+        let of_run = if run.poses.len() > 1 {
+            format!("{} of {}: ", number + 1, run.poses.len())
+        } else {
+            String::new()
+        };
+        let j_wt = pose.backlash.map(|j| j * 1e3);
+        let overlap = j_wt.filter(|um| *um < 0.0);
+        let bound = pose.error_bound;
+        Texts {
+            pose: of_run + &pose_name(pose.pose.mating()),
+            status: pose.status().name().replace('_', " "),
+            backlash: j_wt.map_or("none".to_owned(), |j| format!("{} µm", fixed(j, 3))),
+            overlapping: overlap.map_or(String::new(), |um| {
+                let deep = fixed(-um, 1);
+                format!("Teeth overlap by {deep} µm at the red dots: zoom in to see it.")
+            }),
+            bound: bound.map_or("none".to_owned(), |bound| {
+                format!("≤ {} µm", decades(two_digits_up(bound * 1e3)))
+            }),
+            right: contact(Side::Right),
+            left: contact(Side::Left),
+            sections: run.run.assembly.is_helical().then(|| sections(pose)),
         }
-    };
-    let j_wt = pose.simulated.backlash.map(|j| j * 1e3);
-    let shown = j_wt.map_or("none".to_owned(), |j| format!("{} µm", fixed(j, 3)));
-    let full = j_wt.map_or(String::new(), |j| format!("{j}"));
-    let title = j_wt.map_or(String::new(), |j| format!("{j} µm"));
-    let bound = pose.simulated.error_bound;
-    let bound = bound.map_or("none".to_owned(), |bound| {
-        format!("≤ {} µm", decades(two_digits_up(bound * 1e3)))
-    });
-    let of_run = if run.poses.len() > 1 {
-        format!("{} of {}: ", number + 1, run.poses.len())
-    } else {
-        String::new()
-    };
-    let status = pose.simulated.status().name().replace('_', " ");
-    let overlap = j_wt.filter(|um| *um < 0.0);
-    let overlapping = overlap.map_or(String::new(), |um| {
-        let deep = fixed(-um, 1);
-        format!("Teeth overlap by {deep} µm at the red dots: zoom in to see it.")
-    });
+    }
+
+    /// Each text with the name of its element.
+    pub fn named(self) -> impl Iterator<Item = (&'static str, String)> {
+        let each = [
+            ("pose", self.pose),
+            ("status", self.status),
+            ("backlash", self.backlash),
+            ("overlapping", self.overlapping),
+            ("bound", self.bound),
+            ("right", self.right),
+            ("left", self.left),
+        ];
+        let sections = self.sections.map(|text| ("section-contacts", text));
+        each.into_iter().chain(sections)
+    }
+}
+
+pub fn draw(viewed: &Viewed, number: usize) -> String {
+    let texts = Texts::new(viewed, number);
+    let j_wt = viewed.shown.run.poses[number].simulated.backlash;
+    let full = j_wt.map_or(String::new(), |j| format!("{}", j * 1e3));
+    let title = j_wt.map_or(String::new(), |_| format!("{full} µm"));
     let rows = [
-        ("run", "Run", self::run(&viewed.shown)),
-        ("pose", "Pose", of_run + &pose_name(mating)),
-        ("status", "Status", status),
-        ("bound", "Error of <i>j</i><sub>wt</sub>", bound),
-        ("right", "Right contact", contact(Side::Right)),
-        ("left", "Left contact", contact(Side::Left)),
+        ("run", "Run", run(&viewed.shown)),
+        ("pose", "Pose", texts.pose),
+        ("status", "Status", texts.status),
+        ("bound", "Error of <i>j</i><sub>wt</sub>", texts.bound),
+        ("right", "Right contact", texts.right),
+        ("left", "Left contact", texts.left),
     ];
     let rows = rows.map(|(id, name, value)| {
         format!("<div><dt>{name}</dt><dd id=\"viewer-{id}\">{value}</dd></div>\n")
     });
     format!(
         "<p class=\"viewer-backlash\">Backlash <i>j</i><sub>wt</sub> = <output id=\"viewer-backlash\" aria-live=\"polite\" \
-         title=\"{title}\" data-um=\"{full}\">{shown}</output> <span id=\"viewer-overlapping\">{}</span></p>\n<dl class=\"viewer-readout\">\n{}</dl>\n",
-        overlapping,
+         title=\"{title}\" data-um=\"{full}\">{}</output> <span id=\"viewer-overlapping\">{}</span></p>\n<dl class=\"viewer-readout\">\n{}</dl>\n",
+        texts.backlash,
+        texts.overlapping,
         rows.concat()
     )
 }
 
 const PLACE: usize = 6;
+/// Decimals of a chosen section, mm.
+const SECTION: usize = 2;
 
 /// Data of helical gears for the script.
 #[derive(Serialize)]
@@ -116,7 +161,8 @@ impl HelicalColumns {
             rounded(data.twist().to_degrees(), DEGREES + 4)
         };
         Some(HelicalColumns {
-            face_mm: pair.face(),
+            // Steps of the slider start at the near end.
+            face_mm: pair.face().map(|end| rounded(end, SECTION)),
             twist_deg_a_mm: Member::BOTH.map(twist),
             start_mm: rounded(start_mm, PLACE),
         })
@@ -163,19 +209,24 @@ impl Winding {
     }
 }
 
+/// The sections in which the gears touch.
+fn sections(pose: &PoseResult) -> String {
+    let [right, left] = Side::BOTH.map(|side| {
+        touching(pose, side).map_or("none".to_owned(), |contact| {
+            format!("at z = {} mm", trimmed(contact.section, 0, SECTION))
+        })
+    });
+    format!("Contacts: right {right}, left {left}. A contact in another section is pale.")
+}
+
 pub fn note(assembly: &AssembledPair, pose: &PoseResult) -> String {
     let Some(section) = first(assembly, pose) else {
         return String::new();
     };
-    let mm = |place: f64| trimmed(place, 0, 2);
-    let contact = |side: Side| match touching(pose, side) {
-        Some(contact) => format!("{} contact at z = {} mm", side.name(), mm(contact.section)),
-        None => format!("no {} contact", side.name()),
-    };
     format!(
-        "<p class=\"viewer-note\" id=\"viewer-section-text\">Drawn in the section at z = {} mm; {}, {}.</p>\n",
-        mm(section),
-        contact(Side::Right),
-        contact(Side::Left)
+        "<p class=\"viewer-note\" id=\"viewer-section-text\">Drawn in the section at z = <span id=\"viewer-section-here\">{}</span> mm. \
+         <span id=\"viewer-section-contacts\">{}</span></p>\n",
+        trimmed(section, 0, SECTION),
+        sections(pose)
     )
 }

@@ -24,10 +24,10 @@ use gearlash::analysis::curves::{
 };
 use gearlash::analysis::study::Study;
 use gearlash::contact::Method;
+use gearlash::error::go_on as on;
 use gearlash::gear::Inspection;
 use gearlash::pair::{BacklashUnit, SweepPlan};
 use gearlash_render::chart::{self, Chart, Heading};
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -35,10 +35,6 @@ const UM: BacklashUnit = BacklashUnit::Um;
 
 /// Certificates are tested elsewhere.
 const METHOD: Method = Method::Exact { certify: false };
-
-fn on() -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
 
 fn study(fixture: &str) -> Study {
     let fixtures = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures"));

@@ -10,9 +10,9 @@ mod poses;
 use gearlash::analysis::compare::{ComparedRun, compared};
 use gearlash::analysis::study::{RunPlan, Study};
 use gearlash::contact::{CutPair, Method, PoseResult, Unproven, sweep};
+use gearlash::error::go_on as on;
 use gearlash::pair::{GearPair, Member};
 use gearlash_files::{PairFile, read_text};
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -46,10 +46,6 @@ fn far(tip: f64, rest: &str) -> String {
 
 fn read(text: &str) -> PairFile {
     read_text(Path::new("pair.toml"), text).unwrap()
-}
-
-fn on() -> ControlFlow<()> {
-    ControlFlow::Continue(())
 }
 
 /// A study, its one plan, and the polygons of another pair.

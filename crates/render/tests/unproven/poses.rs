@@ -112,7 +112,7 @@ fn an_end_of_the_bearing_clearance_is_in_doubt_by_itself() {
 fn ctrl_c_still_ends_a_sweep() {
     let pair = LOW_TIPS.plan.run.assembly.data().unwrap();
     let matings = &LOW_TIPS.plan.matings;
-    let off = || ControlFlow::Break(());
+    let off = |_| ControlFlow::Break(());
     let ended = sweep(pair, &LOW_TIPS.cut, CERTIFIED, matings, 0.0, &off);
     assert!(matches!(ended, Err(Error::Interrupted)));
 }

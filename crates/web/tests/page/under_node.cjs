@@ -15,7 +15,17 @@ const wrapped = (object) => new Proxy(object, {
 });
 const Gearlash = wrapped(program.Gearlash);
 let steps = 0;
-Gearlash.on_progress(() => { steps += 1; });
+let heard = 0;
+let silence = 0;
+let said = "";
+let where = "";
+let main_file = "";
+const listen = (stage) => {
+  const now = performance.now();
+  if (heard > 0 && now - heard > silence) [silence, where] = [now - heard, `${main_file}: ${said} to ${stage}`];
+  [heard, said] = [now, stage];
+};
+Gearlash.on_progress((done, of, stage) => { steps += 1; listen(stage); });
 Gearlash.version();
 
 const times = [];
@@ -33,12 +43,17 @@ for (const files of cases) {
   one.clear();
   for (const [name, path] of files) one.add(name, fs.readFileSync(path));
   const main = files[0][0];
+  main_file = main;
   const answers = [one.open(main)];
   const opened = JSON.parse(answers[0]);
-  if (opened.title !== undefined) {
+  if (opened.stem !== undefined) {
+    heard = performance.now();
     const result = timed(() => one.result());
+    listen("result");
+    heard = 0;
     const at = JSON.parse(result).start ?? { wheel: 1, pinion: 1, left: false, fraction: 0 };
     const a = opened.distances_mm[0];
+    one.with_distance(main, "", a);
     const place = [a, 0, at.wheel, at.pinion, at.left, at.fraction];
     answers.push(result, one.mark_of_jam(), timed(() => one.live_band(a, false)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
     // As the slider moves it, after the first.
@@ -56,4 +71,4 @@ last.open(name);
 process.stdout.write(`[${last.report("2026-01-01")},${last.mark_of_mesh()}]\n`);
 const all = [Object.getOwnPropertyNames(program.Gearlash.prototype), Object.getOwnPropertyNames(program.Gearlash)].flat();
 const own = all.filter((key) => !key.startsWith("__") && !["constructor", "free", "length", "name", "prototype"].includes(key));
-process.stdout.write(`${JSON.stringify({ uncalled: own.filter((key) => !called.has(key)), steps, times })}\n`);
+process.stdout.write(`${JSON.stringify({ uncalled: own.filter((key) => !called.has(key)), steps, silence, where, times })}\n`);

@@ -170,7 +170,7 @@ fn groups(
             Some(false) => LimitState::Missed,
             None => LimitState::Found(cached(&mut zeros, material, || {
                 step("zero-backlash centre distance")?;
-                starts.search(assembly, material, zero_distance)
+                starts.search(assembly, material, zero_distance, tick)
             })?),
         };
         let onset = if !is_whole && ExactKernel::new(assembly).keeps_to_involutes(assembly) {
@@ -178,7 +178,7 @@ fn groups(
         } else {
             LimitState::Found(cached(&mut onsets, material, || {
                 step("onset of non-involute contact")?;
-                starts.search(assembly, material, non_involute_onset)
+                starts.search(assembly, material, non_involute_onset, tick)
             })?)
         };
         step("radial clearance")?;

@@ -4,7 +4,7 @@ use crate::analysis::compare::ComparedRun;
 use crate::analysis::diagnosis::pose_evidence::PoseEvidence;
 use crate::analysis::directions::is_open;
 use crate::analysis::study::{Material, Run, RunPlan, Study};
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::pair::{GearPair, Mating};
 use std::collections::HashSet;
 use std::sync::OnceLock;
@@ -49,7 +49,8 @@ impl Starts<'_> {
         &self,
         assembly: &GearPair,
         material: Material,
-        look: fn(&GearPair, &[Mating]) -> Result<Option<T>, Error>,
+        look: impl Fn(&GearPair, &[Mating], &Tick) -> Result<Option<T>, Error>,
+        tick: &Tick,
     ) -> Result<Searched<T>, Error> {
         if let Some(reason) = self.doubt(material) {
             return Ok(Err(reason));
@@ -65,7 +66,8 @@ impl Starts<'_> {
         let own = self.matings(|run| run.material == material)?;
         let poses = beside().flat_map(|run| &run.poses);
         let extremes = poses.map(|pose| *pose.simulated.pose.mating());
-        match look(worst, &distinct(own.into_iter().chain(extremes))) {
+        let matings = distinct(own.into_iter().chain(extremes));
+        match look(worst, &matings, tick) {
             Ok(found) => Ok(Ok(found)),
             Err(error) => match error.pose_failure() {
                 Some(reason) => Ok(Err(format!(

@@ -15,7 +15,6 @@ use crate::pair::{GearPair, Mating, Pose};
 pub(super) const PARTS: usize = 8;
 
 /// The matings of a cycle, from `first` on, each covering one pitch.
-#[derive(Debug)]
 pub(super) struct Course<'a> {
     pub kernel: &'a ExactKernel,
     pub assembly: &'a GearPair,
@@ -23,7 +22,7 @@ pub(super) struct Course<'a> {
     pub matings: u64,
     pub sides: [SideCourse<'a>; 2],
     /// The budget for its extremes.
-    pub effort: &'a Effort,
+    pub effort: &'a Effort<'a>,
 }
 
 /// One side of the cycle, in the frame of [`super::super::flank_problem`].
@@ -95,7 +94,7 @@ impl<'a> Course<'a> {
         kernel: &'a ExactKernel,
         assembly: &'a GearPair,
         (first, matings): (Mating, u64),
-        effort: &'a Effort,
+        effort: &'a Effort<'a>,
     ) -> Course<'a> {
         let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
         let mut off = gears.map(|gear| gear.eccentricity());

@@ -33,7 +33,7 @@ use super::ExactKernel;
 use crate::contact::body::FarFlanks;
 use crate::contact::cycle_search::CycleSearch;
 use crate::contact::effort::Effort;
-use crate::error::Error;
+use crate::error::{Error, go_on};
 use crate::pair::{GearPair, Mating};
 use along_face::AlongFaceCells;
 use course::Course;
@@ -60,7 +60,7 @@ impl ExactKernel {
         matings: u64,
         width: f64,
     ) -> Result<Extremes, Error> {
-        let effort = &Effort::of_extremes(assembly);
+        let effort = &Effort::of_extremes(assembly, &go_on);
         self.extremes_of(assembly, (first, matings), width, effort, &End::BOTH)
     }
 
@@ -209,6 +209,7 @@ impl ExactKernel {
             matings: course.matings,
             width: width / course.per_radian(),
             radius: course.per_radian(),
+            tick: course.effort.tick,
         };
         let (found, used) = search.extremes(of);
         course.effort.spend(used);

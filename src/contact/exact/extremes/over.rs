@@ -41,7 +41,7 @@ pub(super) struct Over<'a> {
     /// The sides in the sections at both ends of helical gears' common face, at the start of the mating.
     pub faces: Vec<FaceEnd<'a>>,
     /// Budget of the cycle.
-    pub effort: &'a Effort,
+    pub effort: &'a Effort<'a>,
 }
 
 impl<'a> Over<'a> {

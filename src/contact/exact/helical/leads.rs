@@ -85,7 +85,7 @@ pub(super) struct AlongFace<'a> {
     /// Bound of the lean's effect on a gap of the face, mm along the base tangent.
     most_leaning: f64,
     bounds: FaceBounds,
-    effort: &'a Effort,
+    effort: &'a Effort<'a>,
 }
 
 /// Bounds for all teeth of a pair of gears over the face.
@@ -181,7 +181,7 @@ impl<'a> AlongFace<'a> {
         posed: &'a PosedFlanks<'a>,
         nominal: f64,
         bounds: FaceBounds,
-        effort: &'a Effort,
+        effort: &'a Effort<'a>,
     ) -> AlongFace<'a> {
         let members = [assembly.locked(), assembly.free()];
         let gears = members.map(|member| assembly.gear(member));

@@ -54,7 +54,7 @@ pub(super) struct AlongFlanks<'a> {
     posed: &'a PosedFlanks<'a>,
     gap: f64,
     line: Line,
-    effort: &'a Effort,
+    effort: &'a Effort<'a>,
 }
 
 /// The place of the greatest height.
@@ -74,7 +74,7 @@ impl<'a> AlongFlanks<'a> {
         assembly: &'a GearPair,
         posed: &'a PosedFlanks<'a>,
         gap: f64,
-        effort: &'a Effort,
+        effort: &'a Effort<'a>,
     ) -> Option<AlongFlanks<'a>> {
         let line = Line::new(posed.between(gap).0, posed.problem.sum())?;
         Some(AlongFlanks {

@@ -408,7 +408,7 @@ impl SchemaCheck<'_> {
         });
     }
 
-    /// The nearest table round the present one that has a key `name` for `node`, else those inside it, or inside one round it.
+    /// The nearest table round the present one that has a key `name` for `node`, else those inside it, or inside the one round it.
     fn tables_with(&self, name: &str, node: &Node) -> Vec<String> {
         const MOST: usize = 3;
         let has = |table: &Value| {
@@ -424,7 +424,7 @@ impl SchemaCheck<'_> {
             Some((path, _)) => return vec![format!("in [{path}]")],
             None => {}
         }
-        let inside = self.open.iter().rev().map(|(path, table)| {
+        let inside = self.open.iter().rev().take(2).map(|(path, table)| {
             let keys = table["properties"].as_object().into_iter().flatten();
             let with = keys.filter(|(_, schema)| self.options(schema).into_iter().any(has));
             with.map(|(key, _)| format!("in [{}]", below(path, key)))

@@ -50,7 +50,7 @@ pub struct Plan<'a> {
     extremes: bool,
     curves: bool,
     checks: bool,
-    remedies: bool,
+    remedies: Option<[f64; 2]>,
 }
 
 impl<'a> Plan<'a> {
@@ -63,7 +63,7 @@ impl<'a> Plan<'a> {
             extremes: false,
             curves: false,
             checks: false,
-            remedies: false,
+            remedies: None,
         }
     }
 
@@ -100,9 +100,9 @@ impl<'a> Plan<'a> {
         self
     }
 
-    /// Adds the single changes that make a failing pair fit, with the extremes.
-    pub fn with_remedies(mut self) -> Plan<'a> {
-        self.remedies = true;
+    /// Adds the single changes that make a failing pair fit, with the extremes; `scales` as of [`remedies::remedies`].
+    pub fn with_remedies(mut self, scales: [f64; 2]) -> Plan<'a> {
+        self.remedies = Some(scales);
         self.with_extremes()
     }
 
@@ -256,9 +256,9 @@ impl<'a> Analysis<'a> {
                 analysis.runs.iter().filter_map(PoseEvidence::of).collect();
             analysis.failed_checks = failed_checks(study, &evidence, &analysis.extremes, tick)?;
         }
-        if plan.remedies {
+        if let Some(scales) = plan.remedies {
             (progress.stage)("(remedies)");
-            analysis.remedies = remedies::remedies(study, &analysis.verdict(), tick)?;
+            analysis.remedies = remedies::remedies(study, &analysis.verdict(), scales, tick)?;
         }
         Ok(analysis)
     }

@@ -129,13 +129,19 @@ impl Remedies {
     }
 }
 
-/// The remedies of `study`, if `verdict` says that it does not assemble or misses a requirement; otherwise none.
+/// The remedies of `study`, if `verdict` says that it does not assemble or misses a requirement; otherwise none. Thicknesses are of
+/// wheel and pinion before their `scales`, the factors of all their lengths.
 ///
 /// A change is no remedy if another requirement is missed after it, or if as much effort as one verdict may take does not suffice.
 ///
 /// # Errors
 /// As [`super::extremes::extremes`].
-pub fn remedies(study: &Study, verdict: &Verdict, tick: &Tick) -> Result<Remedies, Error> {
+pub fn remedies(
+    study: &Study,
+    verdict: &Verdict,
+    scales: [f64; 2],
+    tick: &Tick,
+) -> Result<Remedies, Error> {
     let jams = |run: &RunExtremes| run.assembles() == Some(false);
     let fails = |is_max: bool| verdict.unmet.iter().any(|unmet| unmet.is_max == is_max);
     let too_tight = verdict.runs.iter().any(jams) || fails(false);
@@ -167,6 +173,7 @@ pub fn remedies(study: &Study, verdict: &Verdict, tick: &Tick) -> Result<Remedie
         plans: &plans,
         worst,
         pair,
+        scales,
         sign: if too_tight { 1.0 } else { -1.0 },
     };
     let mut found = Remedies::default();
@@ -219,6 +226,8 @@ struct Search<'a> {
     /// The index of the worst run, and its pair.
     worst: usize,
     pair: &'a AssembledPair,
+    /// The factors of all lengths of wheel and pinion; a reduction is of the gear before its factor.
+    scales: [f64; 2],
     /// 1 if the pair is too tight, −1 if it is too loose.
     sign: f64,
 }
@@ -289,13 +298,14 @@ impl<'a> Search<'a> {
         gears: Gears,
         effort: &Effort,
     ) -> Result<Vec<Remedy>, Error> {
-        let own = Member::BOTH.map(|member| -allowance(self.most(member)));
+        let own = Member::BOTH.map(|member| -allowance(self.most(member)) / self.scale(member));
         let moved = |planned: &Planned, at: f64| {
             let assembly = planned.run.assembly.data()?;
             let [wheel, pinion] = Member::BOTH.map(|member| {
                 let gear = assembly.gear(member);
                 if gears.has(member) {
-                    gear.varied(own[member as usize] - at, &Deviations::default())
+                    let change = self.scale(member) * (own[member as usize] - at);
+                    gear.varied(change, &Deviations::default())
                 } else {
                     Ok(gear.clone())
                 }
@@ -335,8 +345,10 @@ impl<'a> Search<'a> {
             .members()
             .map(|member| own[member as usize] * self.sign);
         let start = self.sign * of_each.fold(f64::INFINITY, f64::min);
-        let range = [start, start + self.sign * thinning.most];
-        let slope = gears.members().count() as f64 * thinning.slope;
+        let scales = || gears.members().map(|member| self.scale(member));
+        let most = thinning.most / scales().fold(0.0, f64::max);
+        let range = [start, start + self.sign * most];
+        let slope = scales().sum::<f64>() * thinning.slope;
         let moved = thinning.moved;
         let Some([fails, fits]) = self.between(range, moved, &|_| slope, effort)? else {
             return Ok(Vec::new());
@@ -403,13 +415,15 @@ impl<'a> Search<'a> {
         gears: Gears,
         effort: &Effort,
     ) -> Result<Vec<Remedy>, Error> {
+        let own = Member::BOTH.map(|member| own[member as usize] / self.scale(member));
         let moved = |planned: &Planned, at: f64| {
             let assembly = &planned.run.assembly;
             let moved =
                 assembly.with_outlines(assembly.center_distance(), |gear, member| {
                     match gear.flank_offset().filter(|_| gears.has(member)) {
                         Some(offset) => {
-                            Ok(gear.with_flank_offset(offset - own[member as usize] - at)?)
+                            let change = self.scale(member) * (own[member as usize] + at);
+                            Ok(gear.with_flank_offset(offset - change)?)
                         }
                         None => Ok(gear.clone()),
                     }
@@ -427,6 +441,10 @@ impl<'a> Search<'a> {
             units: &[(Change::FlankOffset, 1.0)],
         };
         self.thinned(&thinning, effort)
+    }
+
+    fn scale(&self, member: Member) -> f64 {
+        self.scales[member as usize]
     }
 
     /// The gear with most material.

@@ -255,7 +255,7 @@ pub struct RunoutContradiction {
     pub apart_um: f64,
     /// `F_r` of the readings, µm.
     pub range_um: f64,
-    /// `F_r` of the gear as stated, µm.
+    /// `F_r` of the flanks as stated with the eccentricity of the readings, µm.
     pub known_range_um: f64,
 }
 

@@ -22,7 +22,7 @@ use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::stated_distance;
 use gearlash_render::chart::{self, Heading};
-use gearlash_results::verdict::{extremes_in_short, lines};
+use gearlash_results::verdict::extremes_in_short;
 use std::path::PathBuf;
 
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
@@ -238,7 +238,7 @@ impl DrawnChart {
             .with_extremes()
             .with_checks();
         let analysis = run_under_bar(&plan)?;
-        print_verdict_lines(&lines(&analysis.verdict()));
+        print_verdict_lines(&analysis.verdict());
         Ok(DrawnChart {
             svg: first_map(maps::of(&analysis)?)?,
             file: MAP.to_owned(),
@@ -324,7 +324,7 @@ fn in_unit(cycle: String, unit: BacklashUnit) -> String {
 /// Prints the verdict on standard error; returns it in short for the picture.
 fn print_verdict(analysis: &Analysis) -> String {
     let verdict = analysis.verdict();
-    print_verdict_lines(&lines(&verdict));
+    print_verdict_lines(&verdict);
     extremes_in_short(&verdict)
 }
 
@@ -360,7 +360,7 @@ fn binding(study: &Study, runs: &[&ComparedRun]) -> Followed {
     let binding = curves::binding(study, runs.iter().copied());
     let (wheel, pinion) = teeth_of(binding);
     print_error_line(&format!(
-        "note: wheel tooth {wheel} with pinion tooth {pinion}, which bind; choose with --mating"
+        "note: mating {wheel},{pinion}, in which the backlash is least (the teeth of the verdict are those in contact); choose with --mating"
     ));
     binding
 }

@@ -101,7 +101,9 @@ fn pair(
     });
     let prepare = |path: PathBuf| OutputFolder::prepare(&path, &file.sources, maps::is_own);
     let folder = folder.map(prepare).transpose()?;
-    let plan = Plan::new(study, method).with_remedies().with_checks();
+    let plan = Plan::new(study, method)
+        .with_remedies(file.spec.scales())
+        .with_checks();
     let analysis = run_under_bar(&plan)?;
     if let Some(folder) = folder {
         let maps = maps::of(&analysis)?.into_iter();

@@ -4,9 +4,10 @@
 //! away (`| head`) is no error. A failed write to standard error is ignored: nobody is left to read it.
 
 use crate::error::Error;
+use gearlash::analysis::verdict::Verdict;
 use gearlash_files::Sources;
 use gearlash_files::characters::plain;
-use gearlash_results::verdict::VerdictLines;
+use gearlash_results::verdict::lines;
 use std::io::{BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -117,8 +118,8 @@ pub(super) fn print_error_line(line: &str) {
 }
 
 /// Writes the verdict to standard error.
-pub(super) fn print_verdict_lines(verdict: &VerdictLines) {
-    for line in verdict.lines() {
+pub(super) fn print_verdict_lines(verdict: &Verdict) {
+    for line in lines(verdict).lines() {
         print_error_line(&line);
     }
 }

@@ -17,7 +17,6 @@ use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Mating;
 use gearlash_files::distance_refused;
-use gearlash_results::verdict::lines;
 
 /// The certified extremes of `study`, and the checks that fail at its poses, under a progress bar.
 fn extremes_and_failed_checks(study: &Study) -> Result<(CycleExtremes, Vec<CheckName>), Error> {
@@ -110,7 +109,7 @@ pub(super) fn find(
     let study = narrowed(option, study, distance, material)?;
     let (found, failed) = extremes_and_failed_checks(&study)?;
     let verdict = Verdict::of_study(&study, &found.each, failed);
-    print_verdict_lines(&lines(&verdict));
+    print_verdict_lines(&verdict);
     let chosen = match wanted {
         Wanted::Least => verdict
             .worst()

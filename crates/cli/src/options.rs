@@ -277,11 +277,15 @@ pub(super) struct DrawnArgs {
     /// A point inside the outline to read, mm; of two drawings twice
     #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     at_mm: Vec<[f64; 2]>,
+    /// Face that the drawing shows; of two drawings A,B [default: front]
+    #[arg(long, value_name = "FACE", value_delimiter = ',', value_parser = ["front", "back"])]
+    reference_face: Vec<String>,
 }
 
 impl DrawnArgs {
     /// The options that belong to drawings.
-    pub(super) const NAMES: &'static str = "--units, --center, --layer, --id, --number and --at-mm";
+    pub(super) const NAMES: &'static str =
+        "--units, --center, --layer, --id, --number, --at-mm and --reference-face";
 
     /// Whether any of them is given.
     pub(super) fn given(&self) -> bool {
@@ -291,6 +295,7 @@ impl DrawnArgs {
             || !self.id.is_empty()
             || !self.number.is_empty()
             || !self.at_mm.is_empty()
+            || !self.reference_face.is_empty()
     }
 
     /// The options of `N` drawings. One value applies to all of them.
@@ -300,6 +305,7 @@ impl DrawnArgs {
             ("--id", self.id.len()),
             ("--number", self.number.len()),
             ("--at-mm", self.at_mm.len()),
+            ("--reference-face", self.reference_face.len()),
         ];
         if let Some((name, count)) = counts.into_iter().find(|(_, count)| *count > N) {
             return Err(Error::Usage(format!(
@@ -314,6 +320,7 @@ impl DrawnArgs {
             id: value_of(&self.id, k).map(String::as_str),
             number: value_of(&self.number, k).copied(),
             at_mm: value_of(&self.at_mm, k).copied(),
+            reference_face: value_of(&self.reference_face, k).map(String::as_str),
         });
         Ok(options)
     }

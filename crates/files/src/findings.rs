@@ -58,7 +58,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             "runout.file",
             format!(
                 "the readings contradict the flanks, whose data take precedence. Beyond the first harmonic the readings vary by up to {} µm, the stated flanks by \
-                 {} µm; {} {} they differ by {} µm. F_r of the readings is {} µm, of the gear as stated {} µm. Check gear, tooth numbers, sense and at",
+                 {} µm; {} {} they differ by {} µm. F_r of the readings is {} µm. Check gear, tooth numbers, sense and at",
                 ascii(found.read_um, 3),
                 ascii(found.said_um, 3),
                 match found.probe {
@@ -68,7 +68,6 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
                 found.tooth,
                 ascii(found.apart_um, 3),
                 ascii(found.range_um, 3),
-                ascii(found.known_range_um, 3),
             ),
         ),
         Finding::RunoutWithoutDirection { total_um } => (
@@ -117,7 +116,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             "thickness.span",
             format!(
                 "{teeth} spans over {spanned} teeth give each tooth's thickness; an error of the readings is amplified up to {amplification}-fold, \
-                 {}-fold when random (per_tooth = false uses the mean only){}",
+                 {}-fold when random, as [uncertainty] counts it (per_tooth = false uses the mean only){}",
                 ascii(f64::from(*amplification).sqrt(), 1),
                 if *with_pitch {
                     ""

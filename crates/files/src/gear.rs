@@ -102,6 +102,7 @@ impl GearPart {
             drawing: Some(part.read),
             spec: Some(EitherGearSpec::Outline(Box::new(part.spec))),
             expansion_per_k: Some(None),
+            warnings: part.warning.into_iter().collect(),
             remarks: part.remarks,
             ..GearPart::default()
         })

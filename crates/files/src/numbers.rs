@@ -94,9 +94,10 @@ pub fn trimmed(value: f64, least: usize, most: usize) -> String {
     text.trim_end_matches('.').to_owned()
 }
 
-/// A centre distance as stated: three decimals, or as many as it has, up to nine. Fewer could make two distances equal.
+/// A centre distance as stated: three decimals, or as many as it has, up to six. More would show how it is computed, such as from
+/// inches or at a temperature.
 pub fn stated_distance(mm: f64) -> String {
-    trimmed(mm, 3, 9)
+    trimmed(mm, 3, 6)
 }
 
 /// Name and unit of a quantity, the number of units per mm (rad), and its decimals.

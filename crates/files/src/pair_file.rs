@@ -131,6 +131,7 @@ impl<'a> PairTables<'a> {
             None => [&self.wheel.as_built, &self.pinion.as_built]
                 .map(|gear| gear.as_ref().map(Toleranced::most)),
         };
+        let amplification = gears.map(|gear| gear.notes.all_round?.amplification);
         let lean = [assembly.lean(), assembly.open_lean()];
         let spec = PairSpec {
             title: title.clone(),
@@ -154,7 +155,8 @@ impl<'a> PairTables<'a> {
         };
         let uncertainty = uncertainty.map(|stated| {
             let specs = [&spec.wheel, &spec.pinion].map(EitherGearSpec::data);
-            stated.of_pair(&spec.assembly, [0, 1].map(|k| specs[k].zip(built[k])))
+            let gears = [0, 1].map(|k| specs[k].zip(built[k]));
+            stated.of_pair(&spec.assembly, gears, amplification)
         });
         let study = Study {
             title,

@@ -9,7 +9,7 @@ use crate::run::{contact_count, extremes, verdict_record};
 use crate::verdict::{self, distinct, heading, lines, short_title};
 use gearlash::analysis::backlash_map::{BacklashCell, BacklashMap};
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap, MapCell};
-use gearlash::analysis::verdict::Verdict;
+use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::pair::{BacklashUnit, Member};
 use gearlash_files::PairFile;
 use gearlash_files::numbers::{ascii, fixed, stated_distance, um_ascii};
@@ -233,7 +233,7 @@ pub fn text(
     for sentence in &lines.left_out {
         let _ = writeln!(text, "\n{sentence}.");
     }
-    text += &contact(diagnosis);
+    text += &contact(diagnosis, verdict.requirement);
     text += &remedies;
     screen.fold(&text)
 }
@@ -251,7 +251,8 @@ pub fn shown(diagnosis: &Diagnosis) -> Vec<Shown> {
     CheckRow::columns().shown(&rows(diagnosis), |_| f64::NAN, BacklashUnit::Um)
 }
 
-/// The worst occurrence of each check: worst verdict, then least margin, then the first.
+/// The worst occurrence of each check: worst verdict, then greatest loss of backlash where it has one, then least margin, then the
+/// first.
 fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
     let mut governing: Vec<(&Group, &Check)> = Vec::new();
     for group in &diagnosis.groups {
@@ -263,7 +264,14 @@ fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
                 None => governing.push((group, check)),
                 Some(known) => {
                     let graver = check.verdict > known.1.verdict;
-                    let closer = check.verdict == known.1.verdict && check.margin < known.1.margin;
+                    // A loss in µm; those that differ by rounding are equal.
+                    let loss = |check: &Check| {
+                        let of = |(name, _): &&(&str, f64)| *name == "worst_loss_um";
+                        check.details.iter().find(of).map_or(0.0, |(_, loss)| *loss)
+                    };
+                    let more = loss(check) - loss(known.1);
+                    let closer = check.verdict == known.1.verdict
+                        && (more > 1e-6 || more > -1e-6 && check.margin < known.1.margin);
                     if graver || closer {
                         *known = (group, check);
                     }
@@ -274,7 +282,7 @@ fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
     governing
 }
 
-fn contact(diagnosis: &Diagnosis) -> String {
+fn contact(diagnosis: &Diagnosis, requirement: Requirement) -> String {
     let count = &diagnosis.contact;
     let classes = count.classes.iter();
     let classes = classes.map(|(class, poses)| format!("{} {poses}", class.name()));
@@ -313,7 +321,7 @@ fn contact(diagnosis: &Diagnosis) -> String {
             );
         }
     }
-    text + &format!("{}\n", outcome(diagnosis))
+    text + &format!("{}\n", outcome(diagnosis, requirement))
 }
 
 /// The distinct short titles of the checks with this verdict.
@@ -323,8 +331,8 @@ pub fn titles(diagnosis: &Diagnosis, verdict: diagnosis::Verdict) -> Vec<&'stati
     distinct(checks.map(|check| short_title(check.title)))
 }
 
-/// The number of failing or unproven checks, and their titles.
-fn outcome(diagnosis: &Diagnosis) -> String {
+/// The number of failing or unproven checks, and their titles. Where none fails, a limit that is not kept is named beside.
+fn outcome(diagnosis: &Diagnosis, requirement: Requirement) -> String {
     let all = distinct(governing(diagnosis).iter().map(|(_, check)| check.title)).len();
     let named = |count: &str, titles: &[&str]| {
         format!(
@@ -336,7 +344,11 @@ fn outcome(diagnosis: &Diagnosis) -> String {
     let [failed, unproven] = [diagnosis::Verdict::Fail, diagnosis::Verdict::Unproven]
         .map(|verdict| titles(diagnosis, verdict));
     match (&failed[..], &unproven[..]) {
-        ([], []) => "No check fails.".to_owned(),
+        ([], []) => match requirement {
+            Requirement::None | Requirement::Met => "No check fails.".to_owned(),
+            Requirement::NotMet => "No check fails, but a requirement is not met.".to_owned(),
+            Requirement::NotProven => "No check fails, but a requirement is not proven.".to_owned(),
+        },
         ([], unproven) => named("are unproven", unproven),
         ([_], _) => named("fails", &failed),
         (_, _) => named("fail", &failed),

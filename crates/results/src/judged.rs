@@ -342,7 +342,7 @@ impl JudgedFile {
         }
     }
 
-    /// Writes the suite of a file, with warnings and notes on it as its output.
+    /// Writes the suite of a file, with its verdict, and warnings and notes on it, as its output.
     fn write_suite(&self, xml: &mut Xml) -> io::Result<()> {
         let file = plain(self.name());
         let cases = self.test_cases();
@@ -350,9 +350,9 @@ impl JudgedFile {
             JudgedFile::Unreadable { .. } => Vec::new(),
             JudgedFile::Judged(judged) => {
                 let notes = judged.notes().into_iter();
-                notes
-                    .map(|(kind, words)| format!("{kind}: {words}"))
-                    .collect()
+                let notes = notes.map(|(kind, words)| format!("{kind}: {words}"));
+                let lines = judged.verdict.lines().into_iter().chain(notes);
+                lines.map(|line| plain(&line)).collect()
             }
         };
         counted(xml, "testsuite", &file, &cases).write_inner_content(|xml| {
@@ -372,9 +372,8 @@ impl JudgedFile {
                 })?;
             }
             if !output.is_empty() {
-                let text = plain(&output.join("\n"));
                 let tag = xml.create_element("system-out");
-                tag.write_text_content(BytesText::new(&text))?;
+                tag.write_text_content(BytesText::new(&output.join("\n")))?;
             }
             Ok(())
         })?;

@@ -5,7 +5,7 @@ use crate::layout::Screen;
 use gearlash::matching::{Expected, PairFit};
 use gearlash_files::characters::plain;
 use gearlash_files::matching::MatchResult;
-use gearlash_files::numbers::fixed;
+use gearlash_files::numbers::{fixed, stated_distance, um_ascii};
 use serde_json::json;
 
 /// A wheel with a pinion in its best phase.
@@ -60,6 +60,23 @@ fn rows(result: &MatchResult) -> impl Iterator<Item = AssignmentRow> {
     })
 }
 
+/// The pair nearest to the limits, and how far beyond them it is, mm; `None` where these are of another quantity alone.
+fn nearest(result: &MatchResult) -> Option<(AssignmentRow, f64)> {
+    let [min, max] = match result.limits {
+        [None, None] if result.others.is_empty() => [Some(0.0), None],
+        limits => limits,
+    };
+    let missed = |row: AssignmentRow| {
+        let outcome = row.found.best.outcome;
+        let below = min.and_then(|min| Some(min - outcome.least?));
+        let above = max.and_then(|max| Some(outcome.greatest? - max));
+        let beyond = below.into_iter().chain(above).reduce(f64::max)?;
+        Some((row, beyond))
+    };
+    let each = rows(result).filter_map(missed);
+    each.min_by(|one, other| one.1.total_cmp(&other.1))
+}
+
 /// The pairs of the assignment.
 fn pairs(result: &MatchResult) -> Vec<AssignmentRow> {
     rows(result).filter(|row| row.is_assigned).collect()
@@ -108,6 +125,25 @@ pub fn text(result: &MatchResult, screen: &Screen) -> String {
         } else {
             "No teeth to mark: the tooth numbers have no common divisor.\n"
         });
+    }
+    if result.clearance > 0.0 {
+        text += &screen.fold(&format!(
+            "Least and greatest include the bearing clearance: a ± {} mm.\n",
+            stated_distance(result.clearance)
+        ));
+    }
+    let nearest = nearest(result).filter(|(_, beyond)| pairs.is_empty() && *beyond > 0.0);
+    if let Some((row, beyond)) = nearest {
+        let outcome = row.found.best.outcome;
+        let um = |mm: Option<f64>| um_ascii(mm, 2);
+        text += &screen.fold(&format!(
+            "Nearest: wheel {} with pinion {}, least {} µm, greatest {} µm, {} µm beyond the limits.\n",
+            plain(&row.wheel),
+            plain(&row.pinion),
+            um(outcome.least),
+            um(outcome.greatest),
+            um(Some(beyond))
+        ));
     }
     text += &screen.fold(&format!(
         "Target of the backlash: {} µm (--target-um sets another).\n",

@@ -45,7 +45,9 @@ impl RemedyRecord {
         let [first, last] = present.map(|present| ascii(present, decimals));
         let (of, present) = match (remedy.what, remedy.gears) {
             (Change::CenterDistance, _) if first == last => (String::new(), first),
-            (Change::CenterDistance, _) => (String::new(), format!("{first} … {last}")),
+            (Change::CenterDistance, _) => {
+                (String::new(), format!("each of the list {first} … {last}"))
+            }
             (_, Gears::Both) if first == last => (" of both gears".to_owned(), first),
             (_, Gears::Both) => (
                 " of both gears".to_owned(),
@@ -95,24 +97,12 @@ impl RemedyRecords {
                 ],
             };
         }
-        // A file states the thickness before scaling.
-        let gears = [&file.spec.wheel, &file.spec.pinion];
-        let is_scaled = gears.iter().any(|gear| gear.scale().is_some());
-        let kept = |remedy: &&Remedy| !is_scaled || remedy.what == Change::CenterDistance;
-        let is_told =
-            |reason: &&NoRemedy| !is_scaled || !matches!(reason, NoRemedy::NoThickness(_));
-        let told = missing.iter().filter(is_told);
-        let has_thickness = told.clone().count() < missing.len();
-        let mut missing: Vec<&str> = told.map(|reason| sentence(*reason)).collect();
-        if has_thickness || changes.iter().any(|remedy| !kept(&remedy)) {
-            missing.push("The thickness is not changed: a gear has a scale.");
-        }
-        let changes = changes.iter().filter(kept);
         RemedyRecords {
             changes: changes
+                .iter()
                 .map(|remedy| RemedyRecord::new(file, remedy))
                 .collect(),
-            missing,
+            missing: missing.iter().map(|reason| sentence(*reason)).collect(),
         }
     }
 

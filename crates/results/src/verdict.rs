@@ -1,4 +1,4 @@
-//! The verdict on a pair in at most six lines of at most 80 columns. Every command, format and page prints these lines.
+//! The verdict on a pair, in at most six lines of at most 80 columns. Pages print every sentence in full.
 //!
 //! The first line states whether the pair assembles, and with what certainty. Least and greatest backlash follow, one line each,
 //! with the teeth in contact (right flanks / left flanks). The other lines have sentences that qualify them, the most important
@@ -18,6 +18,8 @@ use std::fmt;
 
 /// The most columns of a line.
 pub const COLUMNS: usize = 80;
+/// The columns of lines that nothing limits.
+const UNCUT: usize = usize::MAX;
 /// The most lines.
 pub const LINES: usize = 6;
 /// Decimals of a backlash in µm.
@@ -36,8 +38,10 @@ pub struct VerdictLines {
     pub rows: Vec<ExtremeRow>,
     /// Lines that qualify them.
     pub qualifiers: Vec<String>,
-    /// Sentences for which there is no room.
+    /// Sentences that are cut, or for which there is no room.
     pub left_out: Vec<String>,
+    /// The most columns of a line.
+    most: usize,
 }
 
 /// An extreme of the backlash.
@@ -108,27 +112,30 @@ impl ExtremeRow {
 const CONSTANT: &str = "constant";
 
 impl VerdictLines {
-    /// Keeps the longest text of `status`, then of `proof`, that fits a line; all `rows`; and the `sentences` for which there is
-    /// room.
+    /// Keeps the longest text of `status`, then of `proof`, that fits a line of `most` columns; all `rows`; and the `sentences` for
+    /// which there is room.
     pub(crate) fn new(
         state: diagnosis::Verdict,
         status: &[String],
         proof: &[String],
         rows: Vec<ExtremeRow>,
         sentences: Vec<String>,
+        most: usize,
     ) -> VerdictLines {
         let combined = status.iter().flat_map(|status| {
             let each = proof.iter();
             each.map(move |proof| (status, proof))
         });
-        let fits =
-            |(status, proof): &(&String, &String)| columns(status) + columns(proof) < COLUMNS;
+        let fits = |(status, proof): &(&String, &String)| columns(status) + columns(proof) < most;
         let shortest = status.last().zip(proof.last());
         let chosen = combined.into_iter().find(fits).or(shortest);
         let (status, proof) = chosen.map_or_else(Default::default, |(status, proof)| {
             (status.clone(), proof.clone())
         });
-        let (qualifiers, left_out) = fit_sentences(sentences, LINES - 1 - rows.len());
+        let (qualifiers, left_out) = match most {
+            UNCUT => (sentences, Vec::new()),
+            _ => fit_sentences(sentences, LINES - 1 - rows.len()),
+        };
         VerdictLines {
             state,
             status,
@@ -136,19 +143,20 @@ impl VerdictLines {
             rows,
             qualifiers,
             left_out,
+            most,
         }
     }
 
     /// The first line.
     pub fn first(&self) -> String {
         let line = format!("{} {}", self.status, self.proof);
-        cut(line.trim_end(), COLUMNS)
+        cut(line.trim_end(), self.most)
     }
 
     /// The lines, without line ends.
     pub fn lines(&self) -> Vec<String> {
         let mut lines = vec![self.first()];
-        lines.extend(aligned_rows(&self.rows));
+        lines.extend(aligned_rows(&self.rows, self.most));
         lines.extend(self.qualifiers.iter().map(|line| format!("  {line}")));
         lines
     }
@@ -198,7 +206,7 @@ fn first_fitting(candidates: impl IntoIterator<Item = String>, most: usize) -> S
 }
 
 /// The rows in columns, in the longest wording that fits.
-fn aligned_rows(rows: &[ExtremeRow]) -> Vec<String> {
+fn aligned_rows(rows: &[ExtremeRow], most: usize) -> Vec<String> {
     let tier = |tier: usize| -> Vec<String> {
         let cells: Vec<Vec<String>> = rows.iter().map(|row| row.cells(tier)).collect();
         let widths = |column: usize| {
@@ -217,15 +225,17 @@ fn aligned_rows(rows: &[ExtremeRow]) -> Vec<String> {
         };
         rows.iter().zip(&cells).map(line).collect()
     };
-    let fits = |lines: &Vec<String>| lines.iter().all(|line| columns(line) <= COLUMNS);
+    let fits = |lines: &Vec<String>| lines.iter().all(|line| columns(line) <= most);
     let lines = (0..3).map(tier).find(fits).unwrap_or_else(|| tier(3));
-    lines.iter().map(|line| cut(line, COLUMNS)).collect()
+    lines.iter().map(|line| cut(line, most)).collect()
 }
 
-/// `sentences` on at most `lines` lines, and those for which there is no room. The last line counts them.
+/// `sentences` on at most `lines` lines; and those that are cut, or for which there is no room. The last line ends with the number of the
+/// latter.
 fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<String>) {
     let most = COLUMNS - 2;
     let mut filled: Vec<String> = Vec::new();
+    let is_cut = |sentence: &&String| columns(sentence) > most;
     for (index, sentence) in sentences.iter().enumerate() {
         let sentence = cut(sentence, most);
         if let Some(last) = filled.last_mut()
@@ -236,13 +246,21 @@ fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<Stri
         } else if filled.len() < lines {
             filled.push(sentence);
         } else if let Some(last) = filled.last_mut() {
-            let left_out = sentences[index..].to_vec();
-            let more = format!(", and {} more", left_out.len());
-            *last = cut(last, most - columns(&more)) + &more;
-            return (filled, left_out);
+            let (shown, rest) = sentences.split_at(index);
+            let more = match rest.len() {
+                1 => "; 1 more note".to_owned(),
+                more => format!("; {more} more notes"),
+            };
+            // Cut between two parts of the sentence where it has parts.
+            let kept = cut(last, most - columns(&more));
+            let whole = kept.strip_suffix('…').and_then(|kept| kept.rfind(", "));
+            *last = format!("{}{more}", &kept[..whole.unwrap_or(kept.len())]);
+            let left_out = shown.iter().filter(is_cut).chain(rest);
+            return (filled, left_out.cloned().collect());
         }
     }
-    (filled, Vec::new())
+    let left_out = sentences.iter().filter(is_cut);
+    (filled, left_out.cloned().collect())
 }
 
 /// The state of a pair at one centre distance, material and phase.
@@ -371,12 +389,21 @@ pub(crate) fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     each
 }
 
-/// The verdict in lines.
+/// The verdict in at most six lines of at most 80 columns.
 pub fn lines(verdict: &Verdict) -> VerdictLines {
+    lines_of(verdict, COLUMNS)
+}
+
+/// The verdict with every sentence in full.
+pub fn uncut(verdict: &Verdict) -> VerdictLines {
+    lines_of(verdict, UNCUT)
+}
+
+fn lines_of(verdict: &Verdict, most: usize) -> VerdictLines {
     if verdict.runs.is_empty() {
         let (status, proof) = ("Nothing was run.".to_owned(), String::new());
         let state = diagnosis::Verdict::Unproven;
-        return VerdictLines::new(state, &[status], &[proof], Vec::new(), Vec::new());
+        return VerdictLines::new(state, &[status], &[proof], Vec::new(), Vec::new(), most);
     }
     let places: Vec<Place> = verdict.runs.iter().map(place).collect();
     let state = if verdict.failed_checks.is_empty() {
@@ -389,7 +416,8 @@ pub fn lines(verdict: &Verdict) -> VerdictLines {
         &status(&places),
         &proof(verdict),
         rows(verdict),
-        sentences(verdict),
+        sentences(verdict, most),
+        most,
     )
 }
 
@@ -430,7 +458,9 @@ fn proof(verdict: &Verdict) -> Vec<String> {
     }
     let matings = verdict.matings();
     let covered = distinct(verdict.runs.iter().filter_map(|run| run.covers));
-    let over = match (CoveredPhases::of(verdict.runs), &covered[..]) {
+    let phases = CoveredPhases::of(verdict.runs);
+    let are_all = covered.is_empty() || matches!(phases, CoveredPhases::All);
+    let over = match (phases, &covered[..]) {
         (_, []) => format!("{matings} matings"),
         (CoveredPhases::All, phases) => format!("{matings} matings × {} phases", phases.len()),
         (CoveredPhases::Some(_), [(wheel, pinion)]) => {
@@ -445,11 +475,16 @@ fn proof(verdict: &Verdict) -> Vec<String> {
     } else {
         "every rotation"
     };
-    vec![
-        format!("Proven for {over}, {rotation}."),
-        format!("Proven for {over}."),
-        "Proven.".to_owned(),
-    ]
+    // A line that is too short for all of it still names the phases where others are not covered.
+    let shorter = if are_all {
+        "Proven for every rotation.".to_owned()
+    } else {
+        format!("Proven for {over}.")
+    };
+    let long = [rotation, "every rotation"].map(|of| format!("Proven for {over}, {of}."));
+    long.into_iter()
+        .chain([shorter, "Proven.".to_owned()])
+        .collect()
 }
 
 /// The uncertainty of an extreme due to the drawings, mm; `None` for gears by their data, and where it is only rounding.
@@ -487,12 +522,12 @@ fn distance_words(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, 
 
 /// A distance, mm, rounded up to a ten thousandth: at a lower printed one the pair would interfere.
 pub fn rounded_up(distance: f64) -> f64 {
-    (distance * 1e4).ceil() * 1e-4
+    (distance * 1e4).ceil() / 1e4
 }
 
 /// A distance, mm, rounded down to a ten thousandth: at a higher printed one tips would pass each other.
 pub fn rounded_down(distance: f64) -> f64 {
-    (distance * 1e4).floor() * 1e-4
+    (distance * 1e4).floor() / 1e4
 }
 
 /// Whether all poses of a run have equal backlash.
@@ -589,19 +624,19 @@ fn teeth(pose: &ComparedPose) -> Option<String> {
 
 /// The lines of `verdict` as the message of a failure: of a pair that assembles, the limits that it violates come first.
 pub(crate) fn message(verdict: &Verdict, lines: &VerdictLines) -> String {
-    let violated = verdict.unmet.iter().map(limit);
+    let violated = verdict.unmet.iter().map(|unmet| limit(unmet, UNCUT));
     let violated = violated.filter(|_| verdict.assembles() == Some(true));
     let lines = lines.lines();
     violated.chain(lines).collect::<Vec<String>>().join("\n")
 }
 
 /// The sentences that qualify the extremes, the most important first.
-fn sentences(verdict: &Verdict) -> Vec<String> {
+fn sentences(verdict: &Verdict, most: usize) -> Vec<String> {
     let mut sentences: Vec<String> = Vec::new();
     sentences.extend(distances(verdict).into_iter().map(|(text, _)| text));
     sentences.extend(jam(verdict));
-    sentences.extend(verdict.unmet.iter().map(limit));
-    sentences.extend(checks(verdict));
+    sentences.extend(verdict.unmet.iter().map(|unmet| limit(unmet, most)));
+    sentences.extend(checks(verdict, most));
     sentences.extend(doubts(verdict));
     sentences.extend(bearings(verdict));
     let runs = verdict.runs.iter();
@@ -631,7 +666,7 @@ fn jam(verdict: &Verdict) -> Option<String> {
 }
 
 /// A violated limit, and the value that violates it.
-fn limit(unmet: &Unmet) -> String {
+fn limit(unmet: &Unmet, most: usize) -> String {
     let (name, unit, per, decimals) = unit_of(unmet.quantity);
     let sign = if unmet.is_max { '≤' } else { '≥' };
     let limit = fixed(unmet.limit * per, decimals);
@@ -646,7 +681,7 @@ fn limit(unmet: &Unmet) -> String {
         None => "no value".to_owned(),
         // The end of the bracket that violates it least.
         Some([low, high]) if unmet.is_missed => shown(if unmet.is_max { low } else { high }),
-        Some(bracket) => bracket.map(shown).join(" … "),
+        Some(bracket) => bracket_words(bracket.map(shown)),
     };
     let whether = if unmet.is_missed {
         "not met"
@@ -655,12 +690,18 @@ fn limit(unmet: &Unmet) -> String {
     };
     let text = format!("Requirement {whether}: {name} {sign} {limit} {unit}, found {found}");
     if unmet.with_play {
-        first_fitting(
-            [format!("{text} with bearing clearance"), text],
-            COLUMNS - 2,
-        )
+        first_fitting([format!("{text} with bearing clearance"), text], most - 2)
     } else {
         text
+    }
+}
+
+/// `low … high`, or one value where both print alike.
+fn bracket_words([low, high]: [String; 2]) -> String {
+    if low == high {
+        low
+    } else {
+        format!("{low} … {high}")
     }
 }
 
@@ -668,7 +709,7 @@ fn limit(unmet: &Unmet) -> String {
 const OF_ASSEMBLY: [&str; 2] = ["zero_backlash_distance", "backlash_condition"];
 
 /// The number of failing checks, with as many titles as fit a line; `None` where the first line implies all of them.
-fn checks(verdict: &Verdict) -> Option<String> {
+fn checks(verdict: &Verdict, most: usize) -> Option<String> {
     let is_implied = |id: &str| verdict.assembles() == Some(false) && OF_ASSEMBLY.contains(&id);
     let failed = verdict.failed_checks.iter();
     let (implied, others): (Vec<&CheckName>, Vec<&CheckName>) =
@@ -690,7 +731,7 @@ fn checks(verdict: &Verdict) -> Option<String> {
         format!("{count}: {}{more}", titles[..named].join(", "))
     };
     let candidates = (1..=titles.len()).rev().map(with);
-    Some(first_fitting(candidates, COLUMNS - 2))
+    Some(first_fitting(candidates, most - 2))
 }
 
 /// A check's title up to its first comma, semicolon or bracket.
@@ -732,8 +773,8 @@ fn bracket(name: &str, is_least: bool, extremes: &[&RunExtreme]) -> Option<Strin
     };
     let [low, high] = [of_all(|of| of.low)?, of_all(|of| of.high)?];
     let holds = extremes.iter().all(|extreme| extreme.holds());
-    let [low_um, high_um] = [low, high].map(|end| um(end, DECIMALS));
-    (holds && high - low > WIDTH).then(|| format!("{name} {low_um} … {high_um} µm"))
+    let words = bracket_words([low, high].map(|end| um(end, DECIMALS)));
+    (holds && high - low > WIDTH).then(|| format!("{name} {words} µm"))
 }
 
 /// The reason why an extreme is not proven; `None` where it is.
@@ -760,10 +801,13 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
     }
 }
 
-/// Least and greatest with the axes pressed together and pulled apart in their bearings.
-fn bearings(verdict: &Verdict) -> Option<String> {
+/// Least and greatest with the axes pressed together and pulled apart in their bearings, and the reasons why they are not proven.
+fn bearings(verdict: &Verdict) -> Vec<String> {
     let played = || verdict.runs.iter().filter_map(|run| run.bearings.as_ref());
-    let clearance = stated_distance(played().next()?.clearance);
+    let Some(first) = played().next() else {
+        return Vec::new();
+    };
+    let clearance = stated_distance(first.clearance);
     let jammed = |play: &BearingPlay| play.pressed.status == Status::Jammed;
     let least = match verdict.least_pressed() {
         _ if played().any(jammed) => "jammed".to_owned(),
@@ -777,12 +821,20 @@ fn bearings(verdict: &Verdict) -> Option<String> {
             um(greatest.map(|(_, extreme)| extreme.found()), DECIMALS)
         ),
     };
-    let mut ends = played().flat_map(|play| [&play.pressed.extreme, &play.apart.extreme]);
-    let is_open = ends.any(|end| end.as_ref().is_some_and(|extreme| doubt(extreme).is_some()));
-    let proof = if is_open { ", not proven" } else { "" };
-    Some(format!(
+    let ends = played().flat_map(|play| [&play.pressed.extreme, &play.apart.extreme]);
+    let reasons = distinct(ends.filter_map(|end| doubt(end.as_ref()?))).join(", ");
+    let proof = if reasons.is_empty() {
+        ""
+    } else {
+        ", not proven"
+    };
+    let mut sentences = vec![format!(
         "a ± {clearance} mm (bearing clearance): {least} … {greatest}{proof}"
-    ))
+    )];
+    if !reasons.is_empty() {
+        sentences.push(format!("With bearing clearance: {reasons}"));
+    }
+    sentences
 }
 
 /// Least and greatest of the cycle in one line, for a picture of fewer poses; empty without them.

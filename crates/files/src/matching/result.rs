@@ -44,6 +44,8 @@ pub struct MatchResult {
     pub others: Vec<Limit>,
     /// Target backlash, mm.
     pub wanted: f64,
+    /// Radial play of both bearings together, mm, which least and greatest include.
+    pub clearance: f64,
 }
 
 impl MatchResult {
@@ -84,6 +86,7 @@ impl MatchResult {
             limits: [requirement.min(), requirement.max()],
             others: limits(requirement),
             wanted: file.terms.wanted(),
+            clearance: file.terms.clearance,
             is_best: assignment.is_best,
             places: assignment.pairs,
             names,

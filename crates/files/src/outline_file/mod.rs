@@ -6,7 +6,7 @@ mod dxf;
 
 use crate::characters::{cut, plain};
 use gearlash::analysis::study::Material;
-use gearlash::gear::AsBuilt;
+use gearlash::gear::{AsBuilt, Face};
 use gearlash::outline::{PathSegment, of_gear, of_section};
 use nalgebra::Point2;
 use std::f64::consts::PI;
@@ -78,7 +78,13 @@ impl OutlineFile<'_> {
             ),
             "unit: mm".to_owned(),
             "origin: the rotation axis".to_owned(),
-            "view: on the reference face, tooth 1 up (+y), numbers clockwise".to_owned(),
+            format!(
+                "view: on the reference face{}, tooth 1 up (+y), numbers clockwise",
+                match built.face() {
+                    Face::Front => "",
+                    Face::Back => " (read it with reference_face = \"back\")",
+                }
+            ),
         ];
         let basic_data = built.gear().basic_data();
         if let Some(hand) = basic_data.hand() {

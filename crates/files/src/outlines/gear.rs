@@ -4,7 +4,7 @@ use super::paths::{Choice, Path, chosen, coordinates, whole_circle};
 use crate::check::Checked;
 use crate::data_file::DataFile;
 use crate::drawing::{self, Format, Options, Repeat};
-use crate::numbers::{fixed, shortest, um};
+use crate::numbers::{fixed, rounded, shortest, um};
 use crate::runout::Runout;
 use crate::spec::{
     CentreName, CentreSpec, Either, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,
@@ -21,7 +21,7 @@ const MAX_TEETH: u32 = 10_000;
 /// The content of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawingRead {
-    /// Length of one of its units, mm.
+    /// Length of one of its units before the gear's `scale`, mm.
     pub unit_mm: f64,
     /// The gear's centre in it, mm.
     pub centre: Point2<f64>,
@@ -38,6 +38,8 @@ pub(crate) struct OutlinePart {
     pub gears: Toleranced<OutlineGear>,
     pub read: DrawingRead,
     pub spec: OutlineGearSpec,
+    /// The eccentricity that a fitted centre takes out.
+    pub warning: Option<String>,
     pub remarks: Vec<String>,
 }
 
@@ -139,11 +141,13 @@ pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
             _ => format!("; {}", data.found(path.remarks.join("; "))),
         }
     ));
+    let is_fitted = matches!(spec.center_mm, CentreSpec::Found(CentreName::Fit));
+    let warning = taken_out(&path, centre, gear).filter(|_| is_fitted);
     let count = |of: fn(&PathSegment) -> bool| segments.iter().filter(|part| of(part)).count();
     Some(OutlinePart {
         gears,
         read: DrawingRead {
-            unit_mm: path.unit_mm,
+            unit_mm: rounded(path.unit_mm / scale, 9),
             centre,
             parts: [
                 count(|part| matches!(part, PathSegment::Line(_))),
@@ -160,6 +164,7 @@ pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
             runout,
             scale: stated_scale,
         },
+        warning: warning.map(|words| format!("{}: {words}", table.path_of("outline.center_mm"))),
         remarks,
     })
 }
@@ -251,6 +256,23 @@ fn centre(
             Some(fitted.centre)
         }
     }
+}
+
+/// The eccentricity of a `gear` with a fitted `centre` about the one circle inside, or the drawing's origin; `None` where neither is near.
+fn taken_out(path: &Path, centre: Point2<f64>, gear: &OutlineGear) -> Option<String> {
+    let circles: Vec<Point2<f64>> = path.inside.iter().filter_map(whole_circle).collect();
+    let (axis, name) = match &circles[..] {
+        [bore] => (*bore, "circle inside"),
+        _ => (Point2::origin(), "drawing's origin"),
+    };
+    let off = (centre - axis).norm();
+    (1e-4..gear.tip_radius() - gear.root_radius()).contains(&off).then(|| {
+        format!(
+            "\"fit\" takes an eccentricity of {} µm out of the drawing: the circle through the tips is that far from the {name}. If it belongs \
+             to the gear, give another centre, or state [runout]",
+            um(off, 3)
+        )
+    })
 }
 
 /// Centres of circles, a few of them.

@@ -178,6 +178,8 @@ pub struct OutlineOptions<'a> {
     pub number: Option<u32>,
     /// A point inside the outline, mm.
     pub at_mm: Option<[f64; 2]>,
+    /// `front` or `back`; `None`: the front.
+    pub reference_face: Option<&'a str>,
 }
 
 impl Drawings<'_> {
@@ -208,7 +210,8 @@ fn key(name: &str, value: Option<&str>) -> String {
 
 /// The table of the gear `name` given by a drawing.
 pub(super) fn outline_table(name: &str, path: &Path, options: &OutlineOptions) -> String {
-    let mut table = format!("[{name}.outline]\n");
+    let face = key("reference_face", options.reference_face);
+    let mut table = format!("[{name}]\n{face}[{name}.outline]\n");
     let file = path.display().to_string();
     for (name, value) in [
         ("file", Some(&file[..])),

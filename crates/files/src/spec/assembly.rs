@@ -528,7 +528,7 @@ pub enum ExtremePhases {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct AccuracySpec {
-    /// Chordal error of the polygons.
+    /// Chordal error before refinement; changes time, no result.
     #[schemars(transform = within(1e-5, 100.0))]
     pub chord_um: f64,
 }

@@ -44,6 +44,13 @@ pub struct PairSpec {
     pub tolerance: Option<ToleranceSpec>,
 }
 
+impl PairSpec {
+    /// The factors of all lengths of wheel and pinion; 1 where none is stated.
+    pub fn scales(&self) -> [f64; 2] {
+        [&self.wheel, &self.pinion].map(|gear| gear.scale().unwrap_or(1.0))
+    }
+}
+
 /// One cylindrical gear and what was measured on it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "gearlash gear file")]

@@ -25,7 +25,7 @@ pub struct ToleranceSpec {
     /// Allowed share of draws that give no gear, as with pointed teeth.
     #[schemars(transform = within(0.0, 1.0))]
     pub max_impossible: f64,
-    /// Rows of the samples for the contributions; 0: none.
+    /// Rows for the contributions, capped by assemblies; 0: none.
     #[schemars(transform = whole(0, 10_000_000))]
     pub contribution_rows: u32,
     /// Amount beyond the stated centre distance.

@@ -63,22 +63,29 @@ impl Default for UncertaintySpec {
 }
 
 impl UncertaintySpec {
-    /// In mm for the library. A gear given by data has its thickness by its statement; `None`: a drawn gear.
+    /// In mm for the library. A gear given by data has its thickness by its statement, and the `amplification` of its spans where these
+    /// give each tooth's; `None`: a drawn gear.
     pub(crate) fn of_pair(
         &self,
         assembly: &AssemblySpec,
         gears: [Option<(&GearSpec, &AsBuilt)>; 2],
+        amplification: [Option<u32>; 2],
     ) -> Uncertainty {
         let mm = 1e-3;
         let each = |of: &dyn Fn(&GearSpec, &AsBuilt) -> f64| {
             gears.map(|gear| gear.map_or(0.0, |(spec, gear)| of(spec, gear)))
         };
+        let base_thickness =
+            each(&|spec, gear| spec.scale() * self.base_thickness(&spec.thickness, gear));
+        let per_tooth = each(&|_, gear| {
+            self.per_tooth_um * mm * thickness::per_normal_thickness(gear.gear().basic_data())
+        });
         Uncertainty {
-            base_thickness: each(&|spec, gear| {
-                spec.scale() * self.base_thickness(&spec.thickness, gear)
-            }),
-            per_tooth: each(&|_, gear| {
-                self.per_tooth_um * mm * thickness::per_normal_thickness(gear.gear().basic_data())
+            base_thickness,
+            // Random errors of L spans: √L times that of one for a tooth, of which the mean has one.
+            per_tooth: std::array::from_fn(|k| {
+                let more = f64::from(amplification[k].unwrap_or(1) - 1);
+                per_tooth[k].hypot(more.sqrt() * base_thickness[k])
             }),
             pitch: each(&|_, gear| {
                 let angle = gear.gear().basic_data().transverse_pressure_angle();

@@ -5,7 +5,7 @@ use super::result::{About, ToleranceResult, limits};
 use super::worst::sha256;
 use gearlash::error::Error;
 use gearlash::population::{
-    ContributionsError, Factor, OutcomeKind, Row, Sample, Scatter, Statistics, Tally,
+    ContributionsError, Factor, GROUPS, OutcomeKind, Row, Sample, Scatter, Statistics, Tally,
     contributions, limit_cases,
 };
 use serde_json::json;
@@ -86,9 +86,10 @@ impl<'a> ToleranceRun<'a> {
         self.path
     }
 
-    /// Rows of the samples for contributions.
+    /// Rows of the samples for contributions: no more than assemblies, except for two in each of the [`GROUPS`].
     pub fn contribution_rows(&self) -> u64 {
-        self.file.tolerance.contribution_rows.into()
+        let least = 2 * GROUPS as u64;
+        u64::from(self.file.tolerance.contribution_rows).min(self.assemblies.max(least))
     }
 
     /// SHA-256 of the input, and the seed.

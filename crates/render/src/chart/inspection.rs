@@ -104,7 +104,7 @@ pub fn leads(heading: &Heading, read: &LeadReadings) -> Result<Chart, PictureErr
     let words = |side: Flank, lead: &TraceReading| {
         let [from, to] = read.flank(side).evaluated.map(|z| fixed(z, 2));
         format!(
-            "f_Hβ {}{}, f_fβ {}, F_β {}, C_β {} µm · evaluated over {from} … {to} mm",
+            "f_Hβ {}{}, f_fβ {}, F_β {}, C_β over the face width {} µm · evaluated over {from} … {to} mm",
             um(read.helix_slope(side, lead), 2),
             if read.is_helical {
                 ""

@@ -129,7 +129,7 @@ fn along_face(found: &FaceReadings) -> String {
             let slope = flank_words(flank, "f_Hβ", |one| lead.helix_slope(side, one));
             let form = flank_words(flank, "f_fβ", |one| one.form);
             let total = flank_words(flank, "F_β", |one| one.total);
-            let crown = flank_words(flank, "C_β", |one| lead.crowning(one));
+            let crown = flank_words(flank, "C_β over the face width", |one| lead.crowning(one));
             let hand = if lead.is_helical {
                 ""
             } else {

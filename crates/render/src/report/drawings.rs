@@ -37,7 +37,8 @@ pub(super) fn gears(pair: &PairFile) -> Markup {
     let columns = columns("name | wheel (1):n | pinion (2):n");
     let rows = rows(pair).into_iter();
     let rows = rows.map(|(name, [wheel, pinion])| cells![name, wheel, pinion]);
-    let caption = html! { "What was read of each drawing; lengths after its unit is taken in" };
+    let caption =
+        html! { "What was read of each drawing; lengths after its unit and scale are taken in" };
     Table::new("Both gears", caption, columns, rows).render()
 }
 
@@ -74,6 +75,7 @@ fn rows(pair: &PairFile) -> Vec<(&'static str, [String; 2])> {
         ("drawing", of(&|spec, _| plain(&spec.file), &by_its_data)),
         ("chosen path", drawn(&|spec, _| selection(spec))),
         ("unit", drawn(&unit)),
+        ("scale", specs.map(scale)),
         ("centre in the drawing, mm", drawn(&centre)),
         ("parts of the outline", drawn(&parts)),
         ("followed within, µm", followed),
@@ -107,6 +109,10 @@ fn offset(spec: &EitherGearSpec) -> String {
     };
     let stated = thickness.and_then(|thickness| thickness.flank_offset_mm);
     stated.map_or("–".to_owned(), |stated| single_or_band(&stated))
+}
+
+fn scale(spec: &EitherGearSpec) -> String {
+    spec.scale().map_or("–".to_owned(), shortest)
 }
 
 fn selection(spec: &OutlineSpec) -> String {

@@ -163,7 +163,10 @@ fn by_flank([right, left]: [String; 2]) -> String {
 
 fn flank_lead(stated: &FlankLeadSpec) -> String {
     let mut parts = Vec::new();
-    for (name, um) in [("slope", stated.slope_um), ("crowning", stated.crowning_um)] {
+    for (name, um) in [
+        ("slope", stated.slope_um),
+        ("crowning over the face width", stated.crowning_um),
+    ] {
         parts.extend(um.map(|um| format!("{name} {} µm", shortest(um))));
     }
     parts.extend(stated.helix_slope_um.as_ref().map(|slope| match slope {
@@ -196,7 +199,7 @@ fn flank_profile(stated: &FlankProfileSpec) -> String {
     let mut parts = Vec::new();
     let um = [
         ("slope f_Hα", stated.slope_um),
-        ("crowning", stated.crowning_um),
+        ("crowning over the evaluation range", stated.crowning_um),
     ];
     for (name, um) in um {
         parts.extend(um.map(|um| format!("{name} {} µm", shortest(um))));

@@ -13,7 +13,7 @@ use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::pair::{GearPair, Member, SweepPlan};
 use gearlash_files::numbers::{stated_distance, um};
 use gearlash_results::text::check::titles;
-use gearlash_results::verdict::{VerdictLines, lines};
+use gearlash_results::verdict::{VerdictLines, uncut};
 use maud::{Markup, Render, html};
 use std::collections::BTreeSet;
 
@@ -63,7 +63,7 @@ fn verdict(page: &Page) -> Markup {
         ..page.report.analysis.verdict()
     };
     html! {
-        (answer(&lines(&verdict)))
+        (answer(&uncut(&verdict)))
         @if let Some(count) = count(page) { p.proof { (count) "." } }
     }
 }

@@ -204,7 +204,16 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             let likeness = self.cells.likeness(at, half);
             likeness.is_none_or(|teeth| seen.insert((rank(at.fract()), teeth)))
         });
-        parallel::map(each, |(at, half)| self.look(at, half, ends))
+        let each: Vec<(f64, f64)> = each.collect();
+        let mut cells = Vec::new();
+        for some in each.chunks(ROUND) {
+            if (self.tick)(0).is_break() {
+                break;
+            }
+            let some = some.iter().copied();
+            cells.extend(parallel::map(some, |(at, half)| self.look(at, half, ends)));
+        }
+        cells
     }
 
     /// Divides cells until none of them may be better than the best pose by the wanted width. Returns whether the effort sufficed.

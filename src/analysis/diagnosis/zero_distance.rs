@@ -93,7 +93,7 @@ pub fn zero_distance(
                 Some(true) => (),
             }
         }
-        let (play, one) = lowest_of_all(&as_assembled.at(last[1])?, matings)?;
+        let (play, one) = lowest_of_all(&as_assembled.at(last[1])?, matings, tick)?;
         if play >= -NO_PLAY {
             break;
         }
@@ -153,7 +153,11 @@ fn local_minima(values: &[f64]) -> Vec<usize> {
 }
 
 /// The least play, descending from the lowest of `matings`, and its mating.
-fn lowest_of_all(bench: &PairAtDistance, matings: &[Mating]) -> Result<(f64, Mating), Error> {
+fn lowest_of_all(
+    bench: &PairAtDistance,
+    matings: &[Mating],
+    tick: &Tick,
+) -> Result<(f64, Mating), Error> {
     let plays = bench.plays(matings)?;
     let mut found = (f64::INFINITY, matings[0]);
     // Greatest change of play from one to the next: no minimum between them is deeper.
@@ -167,6 +171,7 @@ fn lowest_of_all(bench: &PairAtDistance, matings: &[Mating]) -> Result<(f64, Mat
         if count >= FOLLOWED && play - steepest > found.0 - NO_PLAY {
             break;
         }
+        Error::if_stopped(tick(0))?;
         let here = lowest(bench, matings[index], play)?;
         if here.0 < found.0 {
             found = here;

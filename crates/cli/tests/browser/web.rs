@@ -331,6 +331,7 @@ pub fn page_cancels_and_saves(browser: &Chromium, _: &Site) {
     tab.eval(KEEP_SAVED);
     tab.eval("document.getElementById('a-number').value = 30.1");
     tab.eval("document.getElementById('keep').click()");
+    tab.until("document.getElementById('text').value.includes('= 30.1')");
     settled(&mut tab);
     tab.eval("document.getElementById('save-pair').click()");
     let saved = tab.text("window.saved");
@@ -432,7 +433,10 @@ pub fn page_has_no_findings_of_axe(browser: &Chromium, _: &Site) {
         check(&mut tab, "problems");
         // A drawing that states no unit.
         let mut drawings = read(&DRAWN[1..]);
-        let dxf = String::from_utf8_lossy(&drawings[0].1).replace("$INSUNITS", "$UNKNOWN1");
+        let mut dxf = String::from_utf8_lossy(&drawings[0].1).into_owned();
+        for unit in ["$INSUNITS", "$MEASUREMENT", "unit: mm"] {
+            dxf = dxf.replace(unit, "$UNKNOWN");
+        }
         drawings[0].1 = dxf.into_bytes();
         drop_files(&mut tab, &drawings);
         tab.until("!document.getElementById('unit-row').hidden");
@@ -526,7 +530,7 @@ pub fn page_prints_its_result(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, 1280);
     tab.until("document.getElementById('viewer-picture') !== null");
     let reduced = json!({ "features": [{ "name": "prefers-reduced-motion", "value": "reduce" }] });
-    let transitions = "getComputedStyle(document.getElementById('cycle')).transitionProperty";
+    let transitions = "getComputedStyle(document.getElementById('band')).transitionProperty";
     tab.holds(&format!("{transitions} !== 'none'"));
     tab.call("Emulation.setEmulatedMedia", reduced);
     tab.holds(&format!("{transitions} === 'none'"));

@@ -18,9 +18,11 @@ let steps = 0;
 let heard = 0;
 let silence = 0;
 let said = "";
+let where = "";
+let main_file = "";
 const listen = (stage) => {
   const now = performance.now();
-  if (heard > 0 && now - heard > silence) [silence, said] = [now - heard, `${said} … ${stage}`];
+  if (heard > 0 && now - heard > silence) [silence, where] = [now - heard, `${main_file}: ${said} to ${stage}`];
   [heard, said] = [now, stage];
 };
 Gearlash.on_progress((done, of, stage) => { steps += 1; listen(stage); });
@@ -41,9 +43,10 @@ for (const files of cases) {
   one.clear();
   for (const [name, path] of files) one.add(name, fs.readFileSync(path));
   const main = files[0][0];
+  main_file = main;
   const answers = [one.open(main)];
   const opened = JSON.parse(answers[0]);
-  if (opened.title !== undefined) {
+  if (opened.stem !== undefined) {
     heard = performance.now();
     const result = timed(() => one.result());
     listen("result");
@@ -68,4 +71,4 @@ last.open(name);
 process.stdout.write(`[${last.report("2026-01-01")},${last.mark_of_mesh()}]\n`);
 const all = [Object.getOwnPropertyNames(program.Gearlash.prototype), Object.getOwnPropertyNames(program.Gearlash)].flat();
 const own = all.filter((key) => !key.startsWith("__") && !["constructor", "free", "length", "name", "prototype"].includes(key));
-process.stdout.write(`${JSON.stringify({ uncalled: own.filter((key) => !called.has(key)), steps, silence, said, times })}\n`);
+process.stdout.write(`${JSON.stringify({ uncalled: own.filter((key) => !called.has(key)), steps, silence, where, times })}\n`);

@@ -37,6 +37,7 @@ fn a_number_has_no_more_decimals_than_it_needs() {
     assert_eq!(stated_distance(132.04), "132.040");
     assert_eq!(stated_distance(132.12345), "132.12345");
     assert_eq!(stated_distance(160.0), "160.000");
+    assert_eq!(stated_distance(61.999999968), "62.000");
 }
 
 #[test]

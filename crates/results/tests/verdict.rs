@@ -77,7 +77,8 @@ fn a_search_that_stopped_is_no_proof_and_says_between_what_the_extremes_lie() {
     let pressed = &mut runs[0].bearings.as_mut().unwrap().pressed.extreme;
     let high = pressed.as_ref().unwrap().high;
     doubt(pressed, [f64::NEG_INFINITY, high], Doubt::OffInvolute);
-    check(&runs, &[" µm, not proven"]);
+    let reason = "With bearing clearance: bounded by poses";
+    check(&runs, &[" µm, not proven", reason]);
 }
 
 /// A limit is met where the whole bracket keeps it, not met where the whole bracket misses it, and else not proven.
@@ -152,8 +153,8 @@ fn the_most_that_can_be_said_fits() {
         assert!(line.chars().count() <= COLUMNS, "{line}");
     }
     let left_out = lines.left_out.len();
-    let more = format!(", and {left_out} more");
-    assert!(left_out > 0 && text.ends_with(&more), "{text}");
+    let more = format!("; {left_out} more notes");
+    assert!(left_out > 1 && text.ends_with(&more), "{text}");
     let last = lines.left_out.last().unwrap();
     assert_eq!(last, "± is the expanded uncertainty, k = 2");
     assert!(text.contains("Requirement not met: "), "{text}");

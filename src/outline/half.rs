@@ -41,6 +41,24 @@ impl HalfPiece {
         (from.min(to), from.max(to))
     }
 
+    /// Bounds of the square of the radius on a straight piece or an arc, mm²; `None` for other curves.
+    fn squares(&self) -> Option<[f64; 2]> {
+        if let PartCurve::Circle(circle) = &self.curve {
+            return Some(circle.radii().map(|radius| radius * radius));
+        }
+        let PartCurve::Line(_) = self.curve else {
+            return None;
+        };
+        let [near_tip, near_root] = self.ends.map(|end| self.point(end));
+        let along = near_root - near_tip;
+        let foot = -(near_tip * along.conj()).re / along.norm_sqr();
+        // Without a foot on the piece it is nearest at an end.
+        let foot = near_tip + along * foot.clamp(0.0, 1.0);
+        let ends = [near_tip.norm_sqr(), near_root.norm_sqr()];
+        let least = foot.norm_sqr().min(ends[0]).min(ends[1]);
+        Some([least, ends[0].max(ends[1])])
+    }
+
     /// Whether there is an edge at `t`: at an end, or within the tolerance of a search.
     pub(crate) fn is_corner(&self, t: f64) -> bool {
         let (low, high) = self.range();
@@ -62,6 +80,9 @@ pub struct HalfOutline {
 
 /// Steps per piece in the search for a radius. Tuned: a flank passes a radius at most once within a 32nd of it.
 const STEPS: u32 = 32;
+
+/// Relative rounding of the squares of radii: far above f64, far below any tolerance.
+const ROUNDING: f64 = 1e-12;
 
 impl HalfOutline {
     /// Least and greatest radius of the ends of the pieces, mm.
@@ -96,6 +117,16 @@ impl HalfOutline {
         let mut reached = false;
         for (index, piece) in self.pieces.iter().enumerate() {
             let [from, to] = piece.ends;
+            if let Some([least, most]) = piece.squares() {
+                let square = radius * radius;
+                if !reached && most < square * (1.0 - ROUNDING) {
+                    continue;
+                }
+                if least > square * (1.0 + ROUNDING) {
+                    reached = true;
+                    continue;
+                }
+            }
             let mut before = from;
             for step in 0..=STEPS {
                 let t = from + (to - from) * f64::from(step) / f64::from(STEPS);

@@ -7,7 +7,7 @@ use crate::error::Error;
 use gearlash::analysis::verdict::Verdict;
 use gearlash_files::Sources;
 use gearlash_files::characters::plain;
-use gearlash_results::verdict::{lines, uncut};
+use gearlash_results::verdict::lines;
 use std::io::{BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -117,10 +117,8 @@ pub(super) fn print_error_line(line: &str) {
         .and_then(|()| output.write_all(b"\n"));
 }
 
-/// Writes the verdict to standard error; cut on a terminal alone.
+/// Writes the verdict to standard error.
 pub(super) fn print_verdict_lines(verdict: &Verdict) {
-    let is_terminal = std::io::stderr().is_terminal();
-    let lines = if is_terminal { lines } else { uncut };
     for line in lines(verdict).lines() {
         print_error_line(&line);
     }

@@ -8,6 +8,7 @@ use crate::output::{Target, own_folder};
 use crate::progress::{Progress, run_under_bar};
 use data_encoding::BASE64;
 use gearlash::analysis::Plan;
+use gearlash::error::go_on;
 use gearlash_files::{PairFile, import};
 use gearlash_render::{self, Report};
 use gearlash_results::grades::grades;
@@ -62,6 +63,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
         date: &date,
         analysis: &analysis,
         grades: &grades,
+        tick: &go_on,
     })?;
     drop(progress);
     let agree = agreed(&analysis);

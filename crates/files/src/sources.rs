@@ -113,18 +113,18 @@ impl Files {
         self.0.keys().map(String::as_str)
     }
 
-    /// The bytes of the file called `path`. A file that was given without its folder counts where only one has its name.
+    /// The bytes of the file called `path`. A file that was given without its folder counts, also in capital letters.
     /// Errors: a problem where there is no such file.
     pub(crate) fn bytes(&self, path: &Path) -> Result<Vec<u8>, Problem> {
         let name = plain_name(path);
-        let found = self.0.get(&name).or_else(|| {
-            let last = path.file_name()?.to_str()?;
-            self.0.get(last)
-        });
-        found.cloned().ok_or_else(|| {
+        let last = name.rsplit('/').next().unwrap_or(&name);
+        let is_last = |own: &&String| own.eq_ignore_ascii_case(last);
+        let alike = || self.0.get(self.0.keys().find(is_last)?);
+        let found = self.0.get(&name).or_else(|| self.0.get(last));
+        found.or_else(alike).cloned().ok_or_else(|| {
             Problem::of_file(
-                "is not among the files given",
-                format!("add the file {}", name.rsplit('/').next().unwrap_or(&name)),
+                format!("{last} is not here yet"),
+                "drop it, or add it to the files",
             )
         })
     }

@@ -6,7 +6,7 @@ use crate::layout::{Screen, Tone};
 use crate::notes::{self, drawn_notes};
 use crate::remedies::RemedyRecords;
 use crate::run::{contact_count, extremes, verdict_record};
-use crate::verdict::{self, distinct, heading, lines_on, short_title};
+use crate::verdict::{self, distinct, heading, lines, short_title};
 use gearlash::analysis::backlash_map::{BacklashCell, BacklashMap};
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap, MapCell};
 use gearlash::analysis::verdict::{Requirement, Verdict};
@@ -100,7 +100,7 @@ pub fn checked(
 ) -> Judged {
     let checks = diagnosis.verdict() < diagnosis::Verdict::Unproven;
     let passes = is_proven && checks && verdict.passes();
-    let lines = lines_on(verdict, screen);
+    let lines = lines(verdict);
     let state = if verdict.passes() {
         diagnosis::Verdict::Pass
     } else {
@@ -213,7 +213,7 @@ pub fn text(
     remedies: &RemedyRecords,
     screen: &Screen,
 ) -> String {
-    let lines = lines_on(verdict, screen);
+    let lines = lines(verdict);
     let remedies = remedies.text(!file.study.requirements.is_empty());
     let mut text = heading(&file.study.title, &lines, screen);
     if diagnosis.groups.is_empty() {

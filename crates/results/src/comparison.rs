@@ -5,7 +5,7 @@ use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
 use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::{PoseRow, doubts};
 use crate::run::{extremes, verdict_record};
-use crate::verdict::{lines_on, message};
+use crate::verdict::{lines, message};
 use gearlash::analysis::compare::{ComparedPose, Summary, Verdict};
 use gearlash::analysis::diagnosis::{self, CheckName};
 use gearlash::analysis::extremes::RunExtremes;
@@ -92,7 +92,7 @@ impl ComparedPair<'_> {
     pub fn judged(&self, screen: &Screen) -> Judged {
         let study = &self.file.study;
         let verdict = CycleVerdict::of_study(study, &self.extremes, self.failed_checks.clone());
-        let lines = lines_on(&verdict, screen);
+        let lines = lines(&verdict);
         let agrees = self.agreement() == Agreement::Agrees && self.is_proven;
         let kept = verdict.requirement.is_kept();
         let mut formulas = self.first_line();

@@ -4,7 +4,7 @@ use crate::column::{Row, Shown, Value, backlash_cell, quantity_words, row_type, 
 use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::{PoseRow, doubts};
 use crate::run::RunRow;
-use crate::verdict::{heading, lines_on};
+use crate::verdict::{heading, lines};
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash::analysis::phases::{PhaseGroup, phase_groups};
 use gearlash::analysis::study::Study;
@@ -28,7 +28,7 @@ pub fn simulation(
     if let BacklashUnit::Arcmin { at, .. } = unit {
         asked.lost_motion_of = Some(at);
     }
-    let mut text = heading(&study.title, &lines_on(&asked, screen), screen);
+    let mut text = heading(&study.title, &lines(&asked), screen);
     if !measured.is_empty() {
         text += &measured_table(measured, unit, screen);
         text += &measured_count(study, measured, unit, screen);

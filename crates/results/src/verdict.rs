@@ -1,4 +1,4 @@
-//! The verdict on a pair: in at most six lines of at most 80 columns for JSON and a terminal, and uncut for a pipe, a file or a page.
+//! The verdict on a pair, in at most six lines of at most 80 columns. Pages print every sentence in full.
 //!
 //! The first line states whether the pair assembles, and with what certainty. Least and greatest backlash follow, one line each,
 //! with the teeth in contact (right flanks / left flanks). The other lines have sentences that qualify them, the most important
@@ -38,7 +38,7 @@ pub struct VerdictLines {
     pub rows: Vec<ExtremeRow>,
     /// Lines that qualify them.
     pub qualifiers: Vec<String>,
-    /// Sentences for which there is no room.
+    /// Sentences that are cut, or for which there is no room.
     pub left_out: Vec<String>,
     /// The most columns of a line.
     most: usize,
@@ -230,10 +230,12 @@ fn aligned_rows(rows: &[ExtremeRow], most: usize) -> Vec<String> {
     lines.iter().map(|line| cut(line, most)).collect()
 }
 
-/// `sentences` on at most `lines` lines, and those for which there is no room. The last line ends with their number.
+/// `sentences` on at most `lines` lines; and those that are cut, or for which there is no room. The last line ends with the number of the
+/// latter.
 fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<String>) {
     let most = COLUMNS - 2;
     let mut filled: Vec<String> = Vec::new();
+    let is_cut = |sentence: &&String| columns(sentence) > most;
     for (index, sentence) in sentences.iter().enumerate() {
         let sentence = cut(sentence, most);
         if let Some(last) = filled.last_mut()
@@ -244,8 +246,8 @@ fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<Stri
         } else if filled.len() < lines {
             filled.push(sentence);
         } else if let Some(last) = filled.last_mut() {
-            let left_out = sentences[index..].to_vec();
-            let more = match left_out.len() {
+            let (shown, rest) = sentences.split_at(index);
+            let more = match rest.len() {
                 1 => "; 1 more note".to_owned(),
                 more => format!("; {more} more notes"),
             };
@@ -253,10 +255,12 @@ fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<Stri
             let kept = cut(last, most - columns(&more));
             let whole = kept.strip_suffix('…').and_then(|kept| kept.rfind(", "));
             *last = format!("{}{more}", &kept[..whole.unwrap_or(kept.len())]);
-            return (filled, left_out);
+            let left_out = shown.iter().filter(is_cut).chain(rest);
+            return (filled, left_out.cloned().collect());
         }
     }
-    (filled, Vec::new())
+    let left_out = sentences.iter().filter(is_cut);
+    (filled, left_out.cloned().collect())
 }
 
 /// The state of a pair at one centre distance, material and phase.
@@ -395,20 +399,6 @@ pub fn uncut(verdict: &Verdict) -> VerdictLines {
     lines_of(verdict, UNCUT)
 }
 
-/// The verdict on `screen`: in full where that fits, and in a pipe.
-pub(crate) fn lines_on(verdict: &Verdict, screen: &Screen) -> VerdictLines {
-    let full = uncut(verdict);
-    let fits = |width: usize| {
-        let lines = full.lines();
-        lines.len() <= LINES && lines.iter().all(|line| columns(line) <= width)
-    };
-    if screen.width.is_none_or(fits) {
-        full
-    } else {
-        lines(verdict)
-    }
-}
-
 fn lines_of(verdict: &Verdict, most: usize) -> VerdictLines {
     if verdict.runs.is_empty() {
         let (status, proof) = ("Nothing was run.".to_owned(), String::new());
@@ -532,12 +522,12 @@ fn distance_words(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, 
 
 /// A distance, mm, rounded up to a ten thousandth: at a lower printed one the pair would interfere.
 pub fn rounded_up(distance: f64) -> f64 {
-    (distance * 1e4).ceil() * 1e-4
+    (distance * 1e4).ceil() / 1e4
 }
 
 /// A distance, mm, rounded down to a ten thousandth: at a higher printed one tips would pass each other.
 pub fn rounded_down(distance: f64) -> f64 {
-    (distance * 1e4).floor() * 1e-4
+    (distance * 1e4).floor() / 1e4
 }
 
 /// Whether all poses of a run have equal backlash.

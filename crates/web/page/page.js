@@ -56,10 +56,12 @@
   const onClick = (name, act) => byId(name).addEventListener("click", () => quietly(act()));
   // Work that newer work may end.
   const quietly = (work) => work.catch((fault) => { if (fault !== STOPPED) fail(fault); });
-  const fail = (fault) => {
-    const version = document.querySelector("meta[name=generator]").content;
-    const to = byId("report") ? ` at ${byId("report").href}` : "";
-    showProblems([{ reason: `an internal fault: ${fault.message}`, help: `report it${to} with this pair file and the version, ${version}` }]);
+  // Words of the page that need no program stand in its HTML.
+  const words = (id, name = "words") => byId(id).dataset[name];
+  const fail = (fault) => showProblems([{ reason: `${words("problem-list", "fault")} ${fault.message}`, help: words("problem-list", "report"), link: byId("report")?.href }]);
+  const say = async (what, names = "") => {
+    const { problems, title } = await answer("live", "said", what, names);
+    showProblems(problems, title);
   };
 
   // ---- files: names and bytes; one of them is the pair file in the editor
@@ -68,15 +70,27 @@
   const text = byId("text");
   const isText = (name) => /\.(toml|json)$/i.test(name);
   const isDrawing = (name) => /\.(dxf|svg)$/i.test(name);
+  // A link holds the text of the pair in its fragment, which browsers never send.
+  const LINK = "#pair=";
+  let inLink = null;
   const isJson = (text) => text.trimStart().startsWith("{");
   const decoded = (bytes) => new TextDecoder("utf-8", { fatal: true }).decode(bytes);
   const MOST_BYTES = 64 * 2 ** 20;
   // The editor of a longer text would not follow the keys.
   const MOST_TEXT = 2 ** 20;
 
+  // The text as it was opened or saved.
+  let saved = "";
+  const write = (content) => {
+    text.focus();
+    text.select();
+    // The browser can undo it.
+    if (!document.execCommand("insertText", false, content)) text.value = content;
+  };
+
   function edit(name) {
     main = name;
-    text.value = decoded(files.get(name));
+    text.value = saved = decoded(files.get(name));
     byId("text-label").textContent = name;
     byId("understood").hidden = true;
     edited();
@@ -122,18 +136,19 @@
   async function take(given) {
     const added = new Map();
     for (const file of given) {
-      const most = isText(file.name) ? MOST_TEXT : MOST_BYTES;
-      if (file.size > most) {
-        showProblems([{ reason: `${file.name} has more than ${most / 2 ** 20} MiB`, help: "check that this is the file you mean" }]);
-        return;
+      const [most, large] = isText(file.name) ? [MOST_TEXT, "large text"] : [MOST_BYTES, "large"];
+      if (file.size > most) return say(large, file.name);
+      let bytes;
+      try {
+        bytes = new Uint8Array(await file.arrayBuffer());
+      } catch {
+        return say("unreadable", file.name);
       }
-      const bytes = new Uint8Array(await file.arrayBuffer());
       added.set(file.name, bytes);
       try {
         if (isText(file.name)) decoded(bytes);
       } catch {
-        showProblems([{ reason: `${file.name} is not UTF-8`, help: "save it as UTF-8" }]);
-        return;
+        return say("not UTF-8", file.name);
       }
     }
     byId("unit-row").hidden = true;
@@ -150,7 +165,7 @@
     const drawings = names.filter(isDrawing);
     const tables = names.filter((name) => !isText(name) && !isDrawing(name));
     if (!pair && tables.length === 1 && drawings.length === 0) await understand(tables[0]);
-    if (!pair && tables.filter((name) => !isNamed(name, text.value)).length > 1) tell(`${tables.length} tables`, "Drop one table alone to see what is understood of it.");
+    if (!pair && tables.filter((name) => !isNamed(name, text.value)).length > 1) await say("tables", tables.join(", "));
     if (pair) edit(pair);
     else if (drawings.length > 0) return useDrawings();
     calculate();
@@ -164,10 +179,7 @@
     run += 1;
     byId("working").hidden = true;
     listFiles();
-    const [verb, help] = drawings.length === 1
-      ? ["is", "drop the drawing of the other gear too, or name this one in the pair file"]
-      : ["are", "keep two drawings: remove the others by ×"];
-    showProblems([{ reason: `${drawings.join(", ")} ${verb} not named in the pair file`, help }]);
+    await say(drawings.length === 1 ? "one drawing" : "drawings", drawings.join(", "));
   }
 
   // The drawings of the last start, for another unit.
@@ -178,7 +190,7 @@
     offered = [wheel, pinion];
     byId("found").classList.add("old");
     byId("examples").value = "";
-    work("Drawings");
+    work("drawings");
     let made;
     try {
       await free("long");
@@ -204,16 +216,11 @@
   async function understand(name) {
     await send("live");
     const found = await answer("live", "understand", name);
-    const reasons = (found.problems ?? []).map(({ reason, help }) => `${reason}; ${help}`);
-    tell(`Understood of ${name}`, found.text ?? (reasons.join("\n") || found.failed), found.toml);
-  }
-
-  function tell(title, words, toml = "") {
     byId("understood").hidden = false;
-    byId("understood-title").textContent = title;
-    byId("understood-text").textContent = words;
-    byId("understood-toml").textContent = toml;
-    byId("paste").hidden = !toml;
+    byId("understood-title").textContent = found.title;
+    byId("understood-text").textContent = found.text ?? found.failed;
+    byId("understood-toml").textContent = found.toml ?? "";
+    byId("paste").hidden = !found.toml || isJson(text.value) || isNamed(name, text.value);
   }
 
   async function send(name) {
@@ -233,6 +240,8 @@
   function edited() {
     number();
     for (const id of ["linked", "kept"]) byId(id).textContent = "";
+    // The address holds no other pair than the one that is open.
+    if (location.hash.startsWith(LINK) && text.value !== inLink) history.replaceState(null, "", location.href.split("#")[0]);
   }
   text.addEventListener("input", () => {
     edited();
@@ -249,26 +258,30 @@
     clearTimeout(typing);
     clearTimeout(settling);
     byId("found").classList.add("old");
-    work("Reading");
+    work("reading");
     for (const name of Object.keys(workers)) quietly(free(name));
     const since = performance.now();
     try {
-      for (const name of ["long", "live", "band"]) await send(name);
+      await send("long");
       const found = await answer("long", "open", main);
-      for (const name of ["live", "band"]) await ask(name, "open", main);
       if (now !== run) return;
       if (found.problems || found.failed) {
         showProblems(found.problems ?? [{ reason: found.failed }], found.title);
         return;
       }
-      opened = found;
-      byId("problems").hidden = true;
       const result = await answer("long", "result");
       if (now !== run) return;
       if (result.failed) {
         showProblems([{ reason: result.failed }]);
         return;
       }
+      for (const name of ["live", "band"]) {
+        await send(name);
+        await ask(name, "open", main);
+      }
+      if (now !== run) return;
+      opened = { ...found, sought: ["mark_of_jam", "mark_of_mesh"] };
+      byId("problems").hidden = true;
       show(result);
       byId("found").classList.toggle("old", text.value !== content);
       took = performance.now() - since;
@@ -280,10 +293,14 @@
     }
   }
 
+  // Searches the marks that are not found yet.
   async function findMarks(now) {
-    for (const mark of ["mark_of_jam", "mark_of_mesh"]) {
-      const found = await answer("long", mark);
+    await send("long");
+    await ask("long", "open", main);
+    while (now === run && opened.sought.length > 0) {
+      const found = await answer("long", opened.sought[0]);
       if (now !== run) return;
+      opened.sought.shift();
       opened.marks.push(...found);
       marks(opened.marks);
     }
@@ -297,7 +314,7 @@
   function work(stage) {
     begun = heard = performance.now();
     byId("working").hidden = false;
-    byId("stage").textContent = stage;
+    byId("stage").textContent = words("stage", stage);
     for (const id of ["silence", "cancelled", "searching"]) byId(id).textContent = "";
     byId("progress").removeAttribute("value");
   }
@@ -311,31 +328,42 @@
     }
     byId("progress").max = of;
     byId("progress").value = Math.min(done, of);
-    byId("stage").textContent = stage || "Poses";
+    byId("stage").textContent = stage || words("stage", "poses");
   }
 
   setInterval(() => {
     if (byId("working").hidden) return;
     const now = performance.now();
     byId("gone").textContent = `${Math.floor((now - begun) / 1000)} s`;
-    byId("silence").textContent = now - heard > 1000 ? "This step takes longer." : "";
+    byId("silence").textContent = now - heard > 1000 ? words("silence") : "";
   }, 250);
 
   function cancel() {
-    run += 1;
-    quietly(begin("long"));
+    const now = ++run;
+    quietly(begin("long").then(() => isFresh() && findMarks(now)));
     byId("working").hidden = true;
-    byId("cancelled").textContent = "Cancelled.";
+    byId("cancelled").textContent = words("cancelled");
+    byId("calculate").focus();
   }
 
+  // A result that is greyed answers nothing, and nothing of it is saved.
+  const isFresh = () => !byId("found").hidden && !byId("found").classList.contains("old");
+  function keepUsable() {
+    for (const id of ["live", "viewer"]) byId(id).inert = !isFresh();
+    for (const id of ["save-report", "save-picture"]) byId(id).disabled = !isFresh() || !byId("working").hidden;
+  }
+  for (const id of ["found", "working"]) new MutationObserver(keepUsable).observe(byId(id), { attributes: true });
+
   // ---- problems, each with its place in the text
-  function showProblems(problems, title = "1 problem") {
+  function showProblems(problems, title = words("problem-list", "title")) {
+    document.title = "gearlash";
     byId("found").hidden = true;
     byId("found").classList.remove("old");
     byId("problems").hidden = false;
     byId("problems-title").textContent = title;
-    byId("problem-list").replaceChildren(...problems.map(({ key, value, reason, help, line, from, to }) => {
+    byId("problem-list").replaceChildren(...problems.map(({ file, key, value, reason, help, line, from, to, link }) => {
       const item = make("li");
+      if (file && file !== main) item.append(`${file}: `);
       if (key) item.append(make("code", value === null || value === undefined ? key : `${key} = ${value}`), ": ");
       item.append(help ? `${reason}; ${help}` : reason);
       if (line) {
@@ -343,6 +371,7 @@
         go.addEventListener("click", () => mark(from, to, line));
         item.append(" ", go);
       }
+      if (link) item.append(" ", make("a", link, { href: link }));
       return item;
     }));
   }
@@ -404,6 +433,7 @@
   const fields = { a: byId("a"), number: byId("a-number"), turn: byId("turn"), wheel: byId("wheel"), pinion: byId("pinion"), flank: byId("flank"), material: byId("material") };
   const distance = () => Number(fields.number.value);
   const counted = (field) => Math.min(Math.max(1, Math.round(Number(field.value) || 1)), Number(field.max));
+  const isDistance = () => fields.number.value !== "" && distance() > 0;
   const place = () => [distance(), Number(fields.material.value), counted(fields.wheel), counted(fields.pinion), fields.flank.value === "left", Number(fields.turn.value)];
   let mesh = null;
   let resting = null;
@@ -424,7 +454,7 @@
         }
       } catch (fault) {
         if (fault === STOPPED) return;
-        byId(into).textContent = `an internal fault: ${fault.message}`;
+        byId(into).textContent = `${words("problem-list", "fault")} ${fault.message}`;
         await send(name);
         await ask(name, "open", main);
       } finally {
@@ -458,6 +488,7 @@
   const wholeBand = newest("band", "cycle", () => bandAt(distance(), true));
 
   function live() {
+    if (!isDistance()) return;
     byId("live").classList.toggle("behind", Number(byId("cycle").dataset.a) !== distance());
     livePose();
     liveBand();
@@ -474,10 +505,12 @@
     fields.material.replaceChildren(...opened.materials.map((name, i) => make("option", name, { value: i })));
     fields.material.value = Math.max(0, opened.materials.indexOf(at.material));
     byId("material-label").hidden = opened.materials.length < 2;
-    const half = Math.max(0.5, Math.ceil(2 * Math.abs(at.fraction)) / 2);
-    [fields.turn.min, fields.turn.max, fields.turn.value] = [-half, half, at.fraction];
+    // One pitch, about the start where that is farther off.
+    const middle = Math.abs(at.fraction) > 0.5 ? at.fraction : 0;
+    [fields.turn.min, fields.turn.max, fields.turn.value] = [middle - 0.5, middle + 0.5, at.fraction];
     mesh = null;
-    byId("cycle").textContent = "…";
+    for (const id of ["here", "cycle"]) byId(id).textContent = "…";
+    byId("viewer").classList.add("old");
     delete byId("cycle").dataset.a;
     scale(null);
     live();
@@ -489,26 +522,31 @@
     const drawn = await answer("live", "pose", "mesh", ...at);
     const pose = await answer("live", "pose", "live", ...at);
     if (drawn.failed || pose.failed) return;
-    byId("viewer").innerHTML = drawn.html;
+    // A new element has no listeners of the picture before.
+    const viewer = byId("viewer").cloneNode(false);
+    const focused = byId("viewer").contains(document.activeElement) && document.activeElement.id;
+    byId("viewer").replaceWith(viewer);
+    viewer.innerHTML = drawn.html;
     byId("viewer-backlash").setAttribute("aria-live", "off");
     mesh = gearlashMesh(pose.mesh, (by) => {
       fields.turn.value = Number(fields.turn.value) + 0.02 * by;
       live();
     });
+    if (focused) byId(focused)?.focus();
   }
 
   // Words at once, and those that are spoken when the slider rests.
-  function say(name, { failed, words = failed, spoken = failed }) {
+  function showWords(name, { failed, words = failed, spoken = failed }) {
     byId(name).textContent = words;
     byId(name).dataset.spoken = spoken;
   }
 
   function showPose(pose) {
-    say("here", pose);
+    showWords("here", pose);
     byId("viewer").classList.toggle("old", Boolean(pose.failed));
+    byId("viewer-picture")?.setAttribute("aria-label", pose.failed ?? pose.picture);
     if (pose.failed || !mesh) return;
     mesh.show(pose.mesh.runs[0], 0, pose.mesh.words);
-    byId("viewer-picture").setAttribute("aria-label", pose.picture);
   }
 
   // Places on the slider: each has its distance and words; where the pair does not assemble is shaded.
@@ -520,6 +558,7 @@
       tick.style.setProperty("--at", part(mm));
       return tick;
     }));
+    const focused = byId("marks").contains(document.activeElement) && document.activeElement.textContent;
     byId("marks").replaceChildren(...each.map(({ mm, kind, words }) => {
       const item = make("li", undefined, { className: kind });
       const go = make("button", words, { type: "button" });
@@ -527,10 +566,11 @@
       item.append(go);
       return item;
     }));
+    [...byId("marks").querySelectorAll("button")].find((go) => go.textContent === focused)?.focus();
   }
 
   function showBand(band) {
-    say("cycle", band);
+    showWords("cycle", band);
     scale(band.failed ? null : band);
   }
 
@@ -540,7 +580,7 @@
     drawing.replaceChildren();
     byId("scale-words").replaceChildren();
     if (!band || band.least_um === null || band.greatest_um === null) return;
-    const ends = [0, band.least_um, band.greatest_um, ...opened.limits.map(({ um }) => um)];
+    const ends = [0, band.least_um, band.greatest_um, ...band.limits.map(({ um }) => um)];
     const [low, high] = [Math.min(...ends), Math.max(...ends)];
     const x = (um) => 10 + (580 * (um - low)) / (high - low || 1);
     const add = (tag, attributes) => {
@@ -550,8 +590,8 @@
     };
     add("rect", { x: x(band.least_um), y: 8, width: Math.max(2, x(band.greatest_um) - x(band.least_um)), height: 18, fill: "var(--band)" });
     add("line", { x1: x(0), x2: x(0), y1: 2, y2: 32, stroke: "var(--ink)" });
-    for (const { um } of opened.limits) add("line", { x1: x(um), x2: x(um), y1: 2, y2: 32, stroke: "var(--fail)", "stroke-width": 3 });
-    byId("scale-words").replaceChildren(...[{ um: 0, words: "0" }, ...opened.limits].map(({ um, words }) => {
+    for (const { um } of band.limits) add("line", { x1: x(um), x2: x(um), y1: 2, y2: 32, stroke: "var(--fail)", "stroke-width": 3 });
+    byId("scale-words").replaceChildren(...[{ um: 0, words: "0" }, ...band.limits].map(({ um, words }) => {
       const label = make("span", words);
       label.style.setProperty("--at", x(um) / 600);
       return label;
@@ -559,7 +599,10 @@
   }
 
   fields.a.addEventListener("input", () => { fields.number.value = fields.a.value; live(); });
-  fields.number.addEventListener("input", () => { fields.a.value = fields.number.value; live(); });
+  fields.number.addEventListener("input", () => {
+    if (isDistance()) fields.a.value = fields.number.value;
+    live();
+  });
   for (const field of [fields.a, fields.number, fields.turn]) field.addEventListener("keydown", (event) => {
     const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
     // In the number field these move the cursor.
@@ -581,7 +624,8 @@
     const made = await answer("live", "with_distance", main, before, distance());
     if (text.value !== before) return;
     if (made.text) {
-      text.value = made.text;
+      write(made.text);
+      byId("keep").focus();
       edited();
       calculate();
     }
@@ -597,27 +641,38 @@
 
   const base64 = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 
-  byId("save-pair").addEventListener("click", () => save(main, "text/plain", text.value));
+  byId("save-pair").addEventListener("click", () => {
+    saved = text.value;
+    save(main, "text/plain", saved);
+  });
   onClick("save-picture", async () => {
     const picture = await answer("live", "pose", "picture", ...place());
-    if (picture.svg) save(`${opened.stem}.svg`, "image/svg+xml", picture.svg);
+    if (!picture.svg) showPose(picture);
+    else save(`${opened.stem}.svg`, "image/svg+xml", picture.svg);
   });
   async function report() {
     const now = run;
-    work("Report");
+    work("report");
     try {
       await free("long");
       await send("long");
       await ask("long", "open", main);
       return await answer("long", "report", new Date().toISOString().slice(0, 10));
+    } catch (fault) {
+      if (fault === STOPPED && now !== run) byId("cancelled").textContent = words("cancelled", "report");
+      throw fault;
     } finally {
-      if (now === run) byId("working").hidden = true;
+      if (now === run) {
+        byId("working").hidden = true;
+        if (isFresh()) quietly(findMarks(now));
+      }
     }
   }
   // Report and picture are in it where the pair has a result.
   onClick("save-zip", async () => {
     files.set(main, new TextEncoder().encode(text.value));
-    const isShown = !byId("found").hidden && !byId("found").classList.contains("old");
+    const isShown = isFresh();
+    byId("linked").textContent = isShown ? "" : words("linked", "alone");
     const { html } = isShown ? await report() : {};
     const { svg } = isShown ? await answer("live", "pose", "picture", ...place()) : {};
     await send("live");
@@ -638,8 +693,7 @@
     save("gearlash.html", "text/html", source.replace(empty, () => full));
   });
 
-  // ---- a link with the pair in its fragment, which browsers never send
-  const LINK = "#pair=";
+  // ---- links
   const MOST_OF_LINK = 8192;
   const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
 
@@ -647,10 +701,11 @@
     const packed = await through(new TextEncoder().encode(text.value), new CompressionStream("gzip"));
     const code = base64(new Uint8Array(packed)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
     const fits = files.size === 1 && code.length <= MOST_OF_LINK;
-    if (fits) location.hash = LINK + code;
-    byId("linked").textContent = fits
-      ? "The address of this page now holds the pair. Browsers do not send the part behind #."
-      : "The pair has more files, or is too long for a link: save the page with this pair.";
+    if (fits) {
+      inLink = text.value;
+      location.hash = LINK + code;
+    }
+    byId("linked").textContent = words("linked", fits ? "held" : "long");
   });
 
   async function linked() {
@@ -667,6 +722,7 @@
     }
     const content = decoded(await new Blob(parts).arrayBuffer());
     const name = isJson(content) ? "pair.json" : "pair.toml";
+    inLink = content.replaceAll("\r\n", "\n");
     return { main: name, texts: { [name]: content } };
   }
 
@@ -682,20 +738,22 @@
       files.clear();
       files.set("pair.toml", new Uint8Array());
       edit("pair.toml");
-      showProblems([{ reason: "the link in the address holds no pair that can be read", help: "copy the whole link again, or open a pair file" }]);
+      await say("link");
       return;
     }
-    if (other || (held && held.texts[held.main] !== text.value)) open(held);
+    if (other || (held && held.texts?.[held.main] !== text.value)) open(held);
   }
 
   // ---- input
   byId("paste").addEventListener("click", () => {
-    text.value = `${text.value.trimEnd()}\n\n${byId("understood-toml").textContent}`;
+    write(`${text.value.trimEnd()}\n\n${byId("understood-toml").textContent}`);
+    byId("understood").hidden = true;
     edited();
     calculate();
   });
 
   function open(held) {
+    byId("unit-row").hidden = true;
     files.clear();
     byId("examples").value = examples.includes(held) ? examples.indexOf(held) : "";
     for (const [name, content] of Object.entries(held.texts ?? {})) files.set(name, new TextEncoder().encode(content));
@@ -706,7 +764,12 @@
 
   byId("examples").append(make("option", "choose", { value: "", disabled: true }), ...examples.map(({ title }, i) => make("option", title, { value: i })));
   byId("examples").addEventListener("change", (event) => open(examples[event.target.value]));
-  byId("open").addEventListener("change", (event) => quietly(take(event.target.files)));
+  byId("open").addEventListener("change", (event) => {
+    const given = [...event.target.files];
+    // The same file can be opened again.
+    event.target.value = "";
+    quietly(take(given));
+  });
   byId("unit").addEventListener("change", () => {
     if (offered.every((name) => files.has(name))) quietly(startFromDrawings(offered).then((made) => made && calculate()));
   });
@@ -714,9 +777,15 @@
   byId("cancel").addEventListener("click", cancel);
   text.addEventListener("scroll", () => { byId("lines").scrollTop = text.scrollTop; });
   text.addEventListener("keydown", (event) => { if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) calculate(); });
-  document.addEventListener("dragover", (event) => { event.preventDefault(); document.body.classList.add("over"); });
+  const hasFiles = (event) => event.dataTransfer.types.includes("Files");
+  document.addEventListener("dragover", (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    document.body.classList.add("over");
+  });
   document.addEventListener("dragleave", () => document.body.classList.remove("over"));
   document.addEventListener("drop", (event) => {
+    if (!hasFiles(event)) return;
     event.preventDefault();
     document.body.classList.remove("over");
     quietly(take(event.dataTransfer.files));
@@ -726,8 +795,8 @@
     module = await unpacked(byId("wasm").textContent);
     await Promise.all(["long", "live", "band"].map(begin));
     byId("save-page").textContent += ` (${(source.length / 1e6).toFixed(1)} MB)`;
-    if (own) open(own);
-    else await openLinked(examples[0]);
+    await openLinked(own ?? examples[0]);
     window.addEventListener("hashchange", () => quietly(openLinked(null)));
-  })().catch((fault) => showProblems([{ reason: `this browser cannot run the page: ${fault.message}`, help: "use Chrome 103, Firefox 114, Safari 16.4 or later" }]));
+    window.addEventListener("beforeunload", (event) => { if (text.value !== saved) event.preventDefault(); });
+  })().catch((fault) => showProblems([{ reason: `${words("problem-list", "browser")} ${fault.message}`, help: words("problem-list", "browsers") }]));
 })();

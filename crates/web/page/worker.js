@@ -1,12 +1,12 @@
 // Runs one gearlash. Each message is a call {id, call, args}; the answer is {id, answer} or {id, fault}.
 let gearlash;
-let told = 0;
+let sent = 0;
 
 // At most twenty messages a second.
 function progress(done, of, stage) {
   const now = Date.now();
-  if (now - told < 50 && done < of) return;
-  told = now;
+  if (now - sent < 50 && done < of) return;
+  sent = now;
   self.postMessage({ progress: { done, of, stage } });
 }
 

@@ -14,9 +14,9 @@ use gearlash::error::Tick;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{BacklashUnit, Mating, Member, SweepPlan};
-use gearlash_files::numbers::{trimmed, um};
+use gearlash_files::numbers::{trimmed, um, unit_of};
 use gearlash_files::outlines::{Drawings, OutlineOptions};
-use gearlash_files::{Files, InputError, PairFile, import, read_files, with_distance};
+use gearlash_files::{Files, InputError, PairFile, import, named, read_files, with_distance};
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::viewer::LivePose;
 use gearlash_render::{Report, dark_style, pose_picture};
@@ -101,7 +101,6 @@ impl Page {
             "teeth": study.teeth(),
             "distances_mm": study.center_distances,
             "materials": materials.map(|material| material.words()).collect::<Vec<_>>(),
-            "limits": limits(study),
             "range_mm": range(study),
             "marks": study.center_distances.iter().map(|a| mark(*a, "file", "pair file:", None)).collect::<Vec<_>>(),
         });
@@ -194,6 +193,9 @@ impl Page {
 
     /// The pair file `name` with another centre distance: `{text, said}`; `{failed}` where it states no single one.
     pub fn with_distance(&self, name: &str, text: &str, mm: f64) -> Value {
+        if !(mm > 0.0 && mm.is_finite()) {
+            return failed("This is no distance. The pair file is unchanged.");
+        }
         match with_distance(Path::new(name), text, mm) {
             None => failed(
                 "The pair file states no single centre distance that could be replaced. It is unchanged.",
@@ -223,12 +225,16 @@ impl Page {
             Ok(analysis) => analysis,
             Err(error) => return failed(error),
         };
+        // All steps are done.
+        let tick = |_| report(1, 1, "(report)");
+        let _ = tick(0);
         let page = gearlash_render::report(&Report {
             pair,
             file: &self.main,
             date,
             analysis: &analysis,
             grades: &grades(pair),
+            tick: &tick,
         });
         match page {
             Ok(html) => json!({ "html": html }),
@@ -247,11 +253,50 @@ impl Page {
         };
         match import::tables(Path::new(name), bytes.to_vec(), &options) {
             Ok(found) => json!({
+                "title": format!("Understood of {name}"),
                 "text": imported(&found, &Screen::default()),
                 "toml": found.toml,
             }),
-            Err(error) => problems(&error),
+            Err(error) => json!({
+                "title": format!("{name} is no table"),
+                "text": error.problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"),
+            }),
         }
+    }
+
+    /// What a page says of files that the program does not see, as problems. `what` is the case, `names` the files.
+    pub fn said(&self, what: &str, names: &str) -> Value {
+        let (reason, help) = match what {
+            "large text" => (
+                "has more than 1 MiB",
+                "check that this is the file you mean",
+            ),
+            "large" => (
+                "has more than 64 MiB",
+                "check that this is the file you mean",
+            ),
+            "not UTF-8" => ("is not UTF-8", "save it as UTF-8"),
+            "unreadable" => ("cannot be read", "drop files, not folders"),
+            "one drawing" => (
+                "is not named in the pair file",
+                "drop the drawing of the other gear too, or name this one in the pair file",
+            ),
+            "drawings" => (
+                "are not named in the pair file",
+                "keep two drawings: remove the others by ×",
+            ),
+            "tables" => (
+                "are several tables",
+                "drop one table alone to see what is understood of it",
+            ),
+            _ => (
+                "The link in the address holds no pair that can be read",
+                "copy the whole link again, or open a pair file",
+            ),
+        };
+        let reason = format!("{names} {reason}");
+        let problem = json!({ "reason": reason.trim(), "help": help });
+        json!({ "title": counted(1, "problem", ""), "problems": [problem] })
     }
 
     /// A pair file for two of the drawings, at the centre distance without play: `{text}`, or all problems of the drawings.
@@ -259,30 +304,48 @@ impl Page {
     pub fn of_drawings(&self, drawings: [&str; 2], unit: &str, report: &OnStep) -> Value {
         const NAME: &str = "pair.toml";
         let [wheel, pinion] = drawings.map(Path::new);
-        let options = OutlineOptions {
-            units: Some(unit).filter(|unit| !unit.is_empty()),
-            ..OutlineOptions::default()
-        };
-        let text = |center_distance_mm: f64| {
+        let text = |units: [bool; 2], center_distance_mm: f64| {
+            let options = units.map(|has_unit| OutlineOptions {
+                units: Some(unit).filter(|unit| has_unit && !unit.is_empty()),
+                ..OutlineOptions::default()
+            });
             let drawings = Drawings {
                 wheel,
                 pinion,
                 center_distance_mm,
-                options: [options; 2],
+                options,
             };
             drawings.pair_file()
         };
-        let found = || -> Result<Value, Value> {
+        let read = |units: [bool; 2]| {
             let mut files = self.files.clone();
-            files.add(NAME, text(APART_MM).into_bytes());
-            let apart = read_files(Rc::new(files), NAME).map_err(|error| problems(&error))?;
+            files.add(NAME, text(units, APART_MM).into_bytes());
+            read_files(Rc::new(files), NAME).map(|apart| (units, apart))
+        };
+        let found = || -> Result<Value, Value> {
+            // The unit is that of the drawings that state none.
+            let each = [[false, false], [true, false], [false, true], [true, true]];
+            let mut refused: Option<InputError> = None;
+            let read = each.into_iter().find_map(|units| match read(units) {
+                Ok(found) => Some(found),
+                Err(error) => {
+                    let known = refused.take();
+                    let fewest = |known: &InputError| known.problems.len() <= error.problems.len();
+                    refused = known.filter(fewest).or(Some(error));
+                    None
+                }
+            });
+            let Some((units, apart)) = read else {
+                return Err(refused.map_or_else(nothing_open, |error| problems(&error)));
+            };
             let nearest = tips_on_roots(&apart.study).map_err(failed)?;
             let nearest = nearest.ok_or_else(|| failed("these files are no drawings"))?;
             let tight = apart.at(vec![nearest]).map_err(failed)?;
             let plan = Plan::new(&tight.study, METHOD).with_extremes();
             let analysis = analysed(&plan, report).map_err(failed)?;
             let found = WithoutPlay::of(&analysis.verdict(), nearest);
-            Ok(json!({ "text": text(found.map_or(nearest, |found| found.distance)) }))
+            let distance = found.map_or(nearest, |found| found.distance);
+            Ok(json!({ "text": text(units, distance) }))
         };
         found().unwrap_or_else(|failed| failed)
     }
@@ -293,17 +356,31 @@ impl Page {
             let (status, j_wt) = (pose.status(), pose.backlash);
             let number = j_wt.map(|j_wt| format!("{} µm", um(j_wt, 2)));
             let is_number_enough = status == Status::Clear && number.is_some();
-            let status = (!is_number_enough).then(|| status.name().replace('_', " "));
-            let words: Vec<String> = status.into_iter().chain(number).collect();
-            let words = words.join(", ");
-            let [wheel, pinion] = at.teeth;
+            let status = status.name().replace('_', " ");
+            let number = number.unwrap_or_default();
+            let words = match (is_number_enough, number.is_empty()) {
+                (true, _) => number.clone(),
+                (false, true) => status.clone(),
+                (false, false) => format!("{status}, {number}"),
+            };
+            let touch = Side::BOTH.map(|side| {
+                let contact = pose.proven().and_then(|found| found.on(side));
+                let teeth = contact.map_or("no teeth".to_owned(), |contact| {
+                    format!(
+                        "wheel {} and pinion {}",
+                        contact.wheel.tooth, contact.pinion.tooth
+                    )
+                });
+                format!("{teeth} on the {}", side.name())
+            });
+            let picture = format!("Mesh: {status}. {number} Touching: {}.", touch.join(", "));
             let live = LivePose::new(study, pairs, at.material, pose)?;
             Some(live.columns().map_or_else(failed, |mesh| {
                 json!({
                     "j_wt_um": j_wt.map(|mm| mm * 1e3),
                     "words": words,
-                    "picture": format!("Mesh of wheel tooth {wheel} and pinion tooth {pinion}: {words}"),
-                    "spoken": format!("At {} mm, this mating: {words}.", trimmed(at.distance, 0, 6)),
+                    "picture": picture,
+                    "spoken": format!("At {} mm, this mating: {words}. ", trimmed(at.distance, 0, 6)),
                     "mesh": mesh,
                 })
             }))
@@ -380,6 +457,7 @@ impl Page {
                 "spoken": format!("Whole cycle: {words}"),
                 "words": words,
                 "is_proven": found.each.iter().all(RunExtremes::is_proven),
+                "limits": limits(&study),
                 "least_um": value(verdict.least().map(|(_, least)| least.low)),
                 "greatest_um": value(verdict.greatest().map(|(_, greatest)| greatest.high)),
             }))
@@ -427,17 +505,35 @@ fn mark(mm: f64, kind: &str, words: &str, doubt: Option<Doubt>) -> Value {
     json!({ "mm": mm, "kind": kind, "words": words })
 }
 
-/// The limits of the operating backlash.
+/// The limits of the quantities in proportion to the operating backlash, as its values at the one centre distance of `study`.
 fn limits(study: &Study) -> Value {
-    let of_backlash = |(quantity, _): &&_| *quantity == Quantity::OperatingBacklash;
-    let limits = study.requirements.iter().find(of_backlash);
-    let each = limits.map_or([None; 2], |(_, Limits { min, max })| [*min, *max]);
-    let named = ["min", "max"].into_iter().zip(each);
-    let limit = |(name, mm): (&str, Option<f64>)| {
-        let um = mm? * 1e3;
-        Some(json!({ "um": um, "words": format!("{name} {} µm", trimmed(um, 0, 2)) }))
+    let pairs = study.center_distances.first().map(|a| study.pairs(*a));
+    let Some((_, pair)) = pairs.and_then(|pairs| pairs.ok()?.into_iter().next()) else {
+        return json!([]);
     };
-    named.filter_map(limit).collect()
+    let limits = study.requirements.iter().filter_map(|(quantity, limits)| {
+        let per_backlash = match (*quantity, pair.data()) {
+            (Quantity::OperatingBacklash, _) => 1.0,
+            (Quantity::LostMotion(member), _) => pair.angle(member, 1.0),
+            (Quantity::ReferenceBacklash | Quantity::NormalBacklash, Some(data)) => {
+                quantity.value(data, 1.0, false)
+            }
+            _ => return None,
+        };
+        let (name, unit, per, decimals) = unit_of(*quantity);
+        let of = match quantity {
+            Quantity::OperatingBacklash => String::new(),
+            _ => format!(", {name}"),
+        };
+        let Limits { min, max } = *limits;
+        let ends = [("min", min), ("max", max)].into_iter();
+        let shown = ends.filter_map(move |(end, limit)| {
+            let words = format!("{end} {} {unit}{of}", trimmed(limit? * per, 0, decimals));
+            Some(json!({ "um": limit? / per_backlash * 1e3, "words": words }))
+        });
+        Some(shown)
+    });
+    limits.flatten().collect()
 }
 
 /// A distance at which no two gears touch, mm.
@@ -566,6 +662,7 @@ fn problems(error: &InputError) -> Value {
         // A page counts as JavaScript does.
         let units = |end: usize| error.text[..end].encode_utf16().count();
         json!({
+            "file": named(&error.file).display().to_string(),
             "key": problem.key,
             "value": problem.value,
             "reason": problem.reason,

@@ -69,6 +69,11 @@ impl Gearlash {
         self.page.with_distance(name, text, mm).to_string()
     }
 
+    /// What the page says of files that the program does not see: `{title, problems}`.
+    pub fn said(&self, what: &str, names: &str) -> String {
+        self.page.said(what, names).to_string()
+    }
+
     /// Reads the pair file `main`: `{title, stem, notes, teeth, distances_mm, materials}`, or `{title, problems}`.
     pub fn open(&mut self, main: &str) -> String {
         self.page.open(main).to_string()

@@ -68,6 +68,12 @@ pub struct Circle {
 }
 
 impl Circle {
+    /// Bounds of the distance of its points from the gear's centre, mm.
+    pub(crate) fn radii(&self) -> [f64; 2] {
+        let off = self.centre.coords.norm();
+        [(off - self.radius).abs(), off + self.radius]
+    }
+
     /// An arc of `radius` (mm) about `centre`. The metal is inside if `convex`.
     pub fn new(centre: Point2<f64>, radius: f64, convex: bool) -> Circle {
         Circle {

@@ -20,7 +20,7 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
         let title = format!("Backlash over the teeth {}", place(course));
         let drawn = chart::revolution(
             BacklashUnit::Um,
-            &heading(page, &id(number), &title),
+            &heading(page, &id(number), &title)?,
             course,
         )?;
         Ok(html! {
@@ -81,7 +81,7 @@ pub(super) fn difference(page: &Page) -> Result<Markup, PictureError> {
         });
         if is_comparable {
             let prefix = format!("difference{number}");
-            let drawn = chart::difference(&heading(page, &prefix, &title), course, tolerance)?;
+            let drawn = chart::difference(&heading(page, &prefix, &title)?, course, tolerance)?;
             Ok(figure(&drawn))
         } else {
             Ok(html! { p { (title) ": no pose has both values." } })
@@ -143,7 +143,7 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, PictureError> {
         };
         let title = format!("Backlash over the centre distance{of}");
         let prefix = format!("distance{number}");
-        let heading = heading(page, &prefix, &title);
+        let heading = heading(page, &prefix, &title)?;
         let drawn = chart::distance(BacklashUnit::Um, &heading, curve, &page.distances)?;
         figures.push(figure(&drawn));
     }
@@ -163,13 +163,18 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, PictureError> {
     })
 }
 
-/// The heading of a chart: its title, and the pair's below it.
-fn heading<'h>(page: &Page<'h>, prefix: &'h str, title: &'h str) -> Heading<'h> {
-    Heading {
+/// The heading of the next chart: its title, and the pair's below it.
+fn heading<'h>(
+    page: &Page<'h>,
+    prefix: &'h str,
+    title: &'h str,
+) -> Result<Heading<'h>, PictureError> {
+    page.tick()?;
+    Ok(Heading {
         prefix,
         title,
         subtitle: &page.report.pair.study.title,
-    }
+    })
 }
 
 /// Pitch, thickness and runout of each gear, tooth by tooth.
@@ -186,7 +191,7 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, PictureError> {
         }
         let title = format!("Deviations of the {name}, tooth by tooth");
         let prefix = format!("inspection-{name}");
-        let drawn = chart::inspection(&heading(page, &prefix, &title), name, &inspection)?;
+        let drawn = chart::inspection(&heading(page, &prefix, &title)?, name, &inspection)?;
         Ok::<Markup, PictureError>(tall(&drawn))
     };
     Ok(html! {
@@ -213,7 +218,7 @@ fn deviations(
 ) -> Result<Markup, PictureError> {
     let title = format!("{} deviations of the {}", names[1], gear.name);
     let prefix = format!("{}-{}", names[0], gear.name);
-    Ok(tall(&draw(&heading(page, &prefix, &title))?))
+    Ok(tall(&draw(&heading(page, &prefix, &title)?)?))
 }
 
 /// Rows above which a table is collapsed in `<details>`.

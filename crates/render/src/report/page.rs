@@ -1,18 +1,21 @@
 //! Content of a page, and the frame of every page: style, heading, contents, foot.
 
 use super::phrases::plain;
+use crate::chart::PictureError;
 use crate::kit::dark_style;
 use crate::viewer;
 use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::Course;
 use gearlash::analysis::outcome::{Agreement, AtDistance, Outcome};
+use gearlash::error::{Error, Tick};
 use gearlash_files::PairFile;
 use gearlash_results::grades::GearGrades;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use std::ops::ControlFlow;
 
 /// Input of a report.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Report<'a> {
     /// The pair as read.
     pub pair: &'a PairFile,
@@ -24,6 +27,8 @@ pub struct Report<'a> {
     pub analysis: &'a Analysis<'a>,
     /// Pitch and runout of each gear that deviates, with the gauge's readings and grades.
     pub grades: &'a [GearGrades],
+    /// Called before each part of the page.
+    pub tick: &'a Tick<'a>,
 }
 
 /// Data shared by the sections of a page.
@@ -35,6 +40,17 @@ pub(super) struct Page<'a> {
     pub agreement: Agreement,
     pub distances: Vec<AtDistance<'a>>,
     pub courses: Vec<Course>,
+}
+
+impl Page<'_> {
+    /// # Errors
+    /// A break of the report's tick.
+    pub fn tick(&self) -> Result<(), PictureError> {
+        match (self.report.tick)(0) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(PictureError(Error::Interrupted.to_string())),
+        }
+    }
 }
 
 const STYLE: &str = include_str!("style.css");

@@ -21,8 +21,10 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
         .iter()
         .map(|(id, course)| (id.as_str(), *course))
         .collect();
+    page.tick()?;
     let mesh = viewer::fragment(page.report.analysis, &charts)
         .map_err(|error| PictureError(format!("the poses cannot be written: {error}")))?;
+    page.tick()?;
     Ok(html! {
         section id="backlash" {
             h2 { "Backlash and mesh" }

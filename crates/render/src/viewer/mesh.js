@@ -290,6 +290,6 @@ function gearlashMesh(data, step) {
     byId("section-follow").addEventListener("change", showSection);
     byId("section-row").hidden = false;
   }
-  new ResizeObserver(() => { if (shown.run) { showScale(); showDashes(); } }).observe(picture);
+  new ResizeObserver(() => { if (shown.run && picture.isConnected) { showScale(); showDashes(); } }).observe(picture);
   return { show, placeIn, numberIn };
 }

@@ -315,6 +315,7 @@ fn a_report_vouches_for_nothing() {
         date: "2026-01-01",
         analysis: &analysis,
         grades: &[],
+        tick: &on,
     })
     .unwrap();
     let document = scraper::Html::parse_document(&page);

@@ -1,12 +1,13 @@
 //! The answers of the page against the same files read from disk.
 
 use super::{last, page, path, silent};
+use gearlash::analysis::requirement::Quantity;
 use gearlash::analysis::study::Study;
 use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::Method;
 use gearlash::error::go_on;
 use gearlash::gear::Side;
-use gearlash::pair::Mating;
+use gearlash::pair::{Mating, Member};
 use gearlash_files::read;
 use gearlash_results::verdict::lines;
 use gearlash_web::answers::{LivePlace, OnStep, Page};
@@ -78,7 +79,7 @@ fn problems_have_their_lines_and_a_missing_table_its_name() {
     let [from, to] = ["from", "to"].map(|end| teeth[end].as_u64().unwrap() as usize);
     assert_eq!(String::from_utf16_lossy(&units[from..to]), "teeth = 20.5");
     let (_, found) = opened(&["docs/files/sheet.toml"]);
-    let missing = found.to_string().contains("add the file wheel.csv");
+    let missing = found.to_string().contains("wheel.csv is not here yet");
     assert!(missing, "{found}");
 }
 
@@ -312,3 +313,32 @@ fn a_frame_is_small() {
 
 /// Elements and bytes of a picture that is drawn once, and bytes of a pose and of a band while the slider moves.
 const MOST_OF_A_FRAME: [usize; 4] = [400, 600_000, 2_000, 500];
+
+/// A unit is that of the drawing that states none alone. Limits of lost motion stand in the band as backlash: `j_wt = φ r_w`, r_w = a z/Σz.
+#[test]
+fn units_and_limits_are_those_of_what_states_them() {
+    let (mut page, _) = opened(&DRAWINGS);
+    let mut dxf = String::from_utf8(page.files.get("wheel_20.dxf").unwrap().to_vec()).unwrap();
+    for unit in ["$INSUNITS", "$MEASUREMENT", "unit: mm"] {
+        dxf = dxf.replace(unit, "$UNKNOWN");
+    }
+    page.files.add("wheel_20.dxf", dxf.into_bytes());
+    let made = |unit: &str| page.of_drawings(["wheel_20.dxf", "pinion_20.svg"], unit, &silent);
+    assert!(made("")["problems"].is_array());
+    let text = made("mm")["text"].as_str().unwrap().to_owned();
+    assert_eq!(text.matches("units").count(), 1, "{text}");
+    let (page, found) = opened(&["docs/files/joint.toml"]);
+    let a = found["distances_mm"][0].as_f64().unwrap();
+    let study = study("docs/files/joint.toml");
+    let band = page.live_band(a, false, &go_on);
+    let [wheel, pinion] = study.teeth().map(f64::from);
+    let (quantity, limits) = study.requirements[0];
+    let teeth = match quantity {
+        Quantity::LostMotion(Member::Wheel) => wheel,
+        Quantity::LostMotion(Member::Pinion) => pinion,
+        other => panic!("{other:?}"),
+    };
+    let limit = limits.min.unwrap() * a * teeth / (wheel + pinion) * 1e3;
+    let shown = band["limits"][0]["um"].as_f64().unwrap();
+    assert!((shown - limit).abs() < 1e-9, "{band}: {limit}");
+}

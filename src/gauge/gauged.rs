@@ -56,6 +56,19 @@ impl Default for Settings {
     }
 }
 
+impl Settings {
+    /// These choices, with span and pin that are usual for `gear` where none are chosen.
+    #[must_use]
+    pub fn with_usual(self, gear: &AsBuilt) -> Settings {
+        let (span_teeth, pin) = (self.span_teeth, self.pin);
+        Settings {
+            span_teeth: span_teeth.or_else(|| Some(usual_span(gear.gear()))),
+            pin: pin.or_else(|| Some(usual_pin(gear.gear()))),
+            ..self
+        }
+    }
+}
+
 /// Readings of all gauges on one gear. Lengths in mm; each reading carries the bound on its error.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

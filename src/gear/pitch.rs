@@ -77,6 +77,15 @@ impl Pitch {
         self
     }
 
+    /// These data with right and left flanks exchanged.
+    #[must_use]
+    pub fn exchanged(self) -> Pitch {
+        Pitch {
+            right: self.left,
+            left: self.right,
+        }
+    }
+
     /// `F` of every tooth's own `side` flank, mm.
     pub fn flank(&self, side: Flank) -> &[f64] {
         match side {

@@ -25,6 +25,8 @@ const FEWEST_SPANS: usize = 7;
 const SAME: f64 = 0.2;
 /// Greatest shift of a list in tooth numbers that is tried. Tuned: counting from 0 gives 1, the first tooth of a span some ten.
 const MOST_SHIFT: usize = 12;
+/// Less variation of the spans, mm r.m.s., is lost in the digits of a sheet.
+const LEAST: f64 = 1e-4;
 /// Standard deviations by which the spans must contradict the stated thickness.
 const CERTAIN: f64 = 3.0;
 
@@ -46,12 +48,44 @@ pub(super) fn findings(
             findings.push(Finding::LeftFlankReversed {
                 eccentricity_um: eccentricities(measured, flanks),
             });
+        } else if let Some(shown) =
+            witness.and_then(|spans| refused(spans, by_pitch(flanks), by_tooth(flanks)))
+        {
+            findings.push(Finding::SpansRefusePitch {
+                shown,
+                spans_count: spans.is_some() && spans_count(flanks),
+            });
         }
         let twice = beside_pitch(own, &flanks.stated.per_tooth);
         findings.extend(twice.map(Finding::ThicknessBesidePitch));
     }
-    findings.extend(spans.and_then(|spans| refused(&spans, flanks)));
+    let refused = spans.and_then(|spans| refused(&spans, by_tooth(flanks), by_pitch(flanks)));
+    findings.extend(refused.map(|shown| Finding::SpansRefuseThickness {
+        shown,
+        spans_count: spans_count(flanks),
+    }));
     findings
+}
+
+fn spans_count(flanks: &Flanks) -> bool {
+    let amplification = flanks.all_round.and_then(|note| note.amplification);
+    amplification.is_some()
+}
+
+/// The stated pitch alone.
+fn by_pitch(flanks: &Flanks) -> Deviations {
+    Deviations {
+        pitch: flanks.stated.pitch.clone(),
+        ..Deviations::default()
+    }
+}
+
+/// The stated per-tooth thickness alone.
+fn by_tooth(flanks: &Flanks) -> Deviations {
+    Deviations {
+        per_tooth: flanks.stated.per_tooth.clone(),
+        ..Deviations::default()
+    }
 }
 
 /// Whether the left flank's sign looks reversed: by the spans if they decide, otherwise by the flanks alone.
@@ -87,7 +121,8 @@ fn reversed(
     ) {
         let enough = spans.list().len() >= FEWEST_SPANS;
         if enough && as_stated > CLEARER * turned {
-            return true;
+            let exchanged = left_over(&own.clone().exchanged());
+            return exchanged.is_none_or(|exchanged| turned <= CLEARER * exchanged);
         }
         if (enough || spans.all_round()) && turned > CLEARER * as_stated {
             return false;
@@ -161,33 +196,20 @@ fn moved(list: &[f64], same: &impl Fn(&[f64], f64) -> bool) -> Option<(usize, bo
     })
 }
 
-/// Stated per-tooth thickness that spans on the same gear contradict.
+/// The share of a `stated` thickness variation that spans on the same gear show, where they contradict it.
 ///
-/// The spans without the effect of the pitch are regressed on the spans expected from the stated thickness. The slope is 1 if they
-/// agree. Below 1/2 the spans are more even without the stated thickness.
-fn refused(spans: &Spans, flanks: &Flanks) -> Option<Finding> {
-    let stated = &flanks.stated;
-    if stated.per_tooth.is_empty() {
-        return None;
-    }
-    let alone = Deviations {
-        per_tooth: stated.per_tooth.clone(),
-        ..Deviations::default()
-    };
-    let pitch = Deviations {
-        pitch: stated.pitch.clone(),
-        ..Deviations::default()
-    };
-    let pitch = spans.compare(&pitch).ok()?;
-    let pairs: Vec<(f64, f64)> = spans
-        .compare(&alone)
-        .ok()?
+/// The spans without the effect of the `other` deviations are regressed on the spans expected from the stated ones. The slope is 1 if
+/// they agree. Below 1/2 the spans are more even without the stated ones.
+fn refused(spans: &Spans, stated: Deviations, other: Deviations) -> Option<f64> {
+    let other = spans.compare(&other).ok()?;
+    let stated = spans.compare(&stated).ok()?;
+    let pairs: Vec<(f64, f64)> = stated
         .iter()
-        .zip(pitch)
-        .map(|((read, said), (_, by_pitch))| (read - by_pitch, *said))
+        .zip(other)
+        .map(|((read, said), (_, by_other))| (read - by_other, *said))
         .collect();
     let said: f64 = pairs.iter().map(|(_, said)| said * said).sum();
-    if pairs.len() < FEWEST_SPANS || !(said > 0.0) {
+    if pairs.len() < FEWEST_SPANS || said <= pairs.len() as f64 * LEAST.powi(2) {
         return None;
     }
     let slope = pairs.iter().map(|(read, said)| read * said).sum::<f64>() / said;
@@ -196,13 +218,7 @@ fn refused(spans: &Spans, flanks: &Flanks) -> Option<Finding> {
         .map(|(read, said)| (read - slope * said).powi(2))
         .sum();
     let deviation = (left / (pairs.len() - 2) as f64 / said).sqrt();
-    (slope + CERTAIN * deviation < 0.5).then_some(Finding::SpansRefuseThickness {
-        shown: slope,
-        spans_count: flanks
-            .all_round
-            .and_then(|note| note.amplification)
-            .is_some(),
-    })
+    (slope + CERTAIN * deviation < 0.5).then_some(slope)
 }
 
 /// Greatest relative difference at which own-axis pitch seems to contain the stated eccentricity: 25 % of the amount or 14.5° of the
@@ -287,11 +303,15 @@ fn not_joint(pitch: &PitchStatement, measured: &Pitch, flanks: &Flanks) -> Optio
     let rest = (Flank::BOTH.map(squares).iter().sum::<f64>() - 2.0 * left / z).max(0.0);
     let white = z * rest / (2.0 * z - 6.0).max(1.0);
     let stands_out = left > STANDS_OUT.powi(2) / 2.0 * white;
+    let exchanged = measured.clone().exchanged();
+    let exchanged = exchanged.separate_eccentricity(flanks.gears.most()).ok();
     (stands_out && left > NOT_JOINT * all).then(|| Finding::FirstHarmonicNotEccentricity {
         // The amplitude is 2/z times the coefficient, as the root mean square of both flanks.
         left_um: 1000.0 * 2.0 / z * (left / 2.0).sqrt(),
         left_percent: 100.0 * left / all,
         alike: first_harmonic_difference(measured) <= NOT_JOINT * all,
+        exchanged: exchanged
+            .is_some_and(|parts| first_harmonic_energy(&parts.pitch) <= NOT_JOINT * all),
         eccentricity_um: note.in_pitch.um,
     })
 }

@@ -98,6 +98,13 @@ pub enum Finding {
     },
     /// Per-tooth thickness is stated although the pitch of both flanks contains it; the two add.
     ThicknessBesidePitch(ThicknessBesidePitch),
+    /// Spans contradict the thickness in the pitch of both flanks.
+    SpansRefusePitch {
+        /// The share of it that the spans show: 1 if they agree, -1 with exchanged flanks.
+        shown: f64,
+        /// Whether the spans determine each tooth's thickness.
+        spans_count: bool,
+    },
     /// Spans contradict the stated per-tooth thickness.
     SpansRefuseThickness {
         /// The share of it that the spans show: 1 if they agree.
@@ -153,6 +160,8 @@ pub enum Finding {
         left_percent: f64,
         /// Whether both flanks move together, as by an index error of the machine.
         alike: bool,
+        /// Whether it is that of an eccentricity once right and left flanks are exchanged.
+        exchanged: bool,
         /// The eccentricity taken from it, µm.
         eccentricity_um: f64,
     },

@@ -108,14 +108,16 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     if args.pairs.iter().any(|path| is_drawing(path)) {
         return drawings(args);
     }
-    let format = match args.format {
-        Format::Judged(format) if !args.drawn.given() && args.svg.is_none() => format,
-        _ => {
-            return Err(Error::Usage(format!(
-                "{}, --svg and --format csv belong to two drawings; leave them out",
-                DrawnArgs::NAMES
-            )));
-        }
+    if args.drawn.given() || args.svg.is_some() {
+        return Err(Error::Usage(format!(
+            "{}, and --svg belong to two drawings; leave them out",
+            DrawnArgs::NAMES
+        )));
+    }
+    let Format::Judged(format) = args.format else {
+        return Err(Error::usage(
+            "--format csv belongs to two drawings; of a pair file, `gearlash simulate FILE --format csv` writes simulated and analytic backlash of each pose",
+        ));
     };
     let files = judged::read(&args.pairs, gearlash_files::read_by_data)?;
     let mut steps = 0;

@@ -120,6 +120,9 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
             gauged: match source {
                 GearSource::Data(as_built, spec) => {
                     let settings = spec.gauge_settings(given);
+                    // Readings of all materials of a gear compare only over the same span and pin.
+                    let first = gear.materials.first().map_or(as_built, |(_, first)| first);
+                    let settings = settings.with_usual(first);
                     gauge(as_built, &settings, &more, &|steps| progress.tick(steps))?
                 }
                 GearSource::Drawn(outline) => gauge_outline(outline, args.span_teeth, args.pin_mm),

@@ -110,6 +110,13 @@ fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<u8, Error> {
             end - 1
         )));
     }
+    if end > all + 1 {
+        let last = end - 1;
+        let beyond = format!(
+            "tolerance.assemblies = {all}: rows up to {last} are computed; give --from-rows with --assemblies {last}, or compute fewer"
+        );
+        warn(&args.pair, &[beyond], &[]);
+    }
     let run = ToleranceRun::new(file, &args.pair, Some(all.max(end - 1)), args.seed)?;
     // --first requires --rows.
     let path = args.rows.as_deref().unwrap_or(Path::new("rows.csv"));

@@ -47,6 +47,7 @@ impl<'a> Checked<'a> {
             root: schema,
             reading: table.reading(),
             bad: Vec::new(),
+            open: Vec::new(),
         };
         walk.table("", "", table.entries(), schema, &[]);
         let bad = walk.bad;
@@ -90,6 +91,8 @@ struct SchemaCheck<'a> {
     root: &'static Value,
     reading: &'a Reading,
     bad: Vec<String>,
+    /// The tables round the value that is checked, by their paths.
+    open: Vec<(String, &'static Value)>,
 }
 
 /// A value's key, unit, schema and place.
@@ -127,10 +130,7 @@ impl SchemaCheck<'_> {
     }
 
     /// The alternatives of a schema, with nested ones resolved.
-    fn options<'s>(&self, schema: &'s Value) -> Vec<&'s Value>
-    where
-        Self: 's,
-    {
+    fn options<'s>(&self, schema: &'s Value) -> Vec<&'s Value> {
         let mut named = schema["$ref"].as_str();
         if let Some([only]) = schema["allOf"].as_array().map(Vec::as_slice) {
             named = named.or(only["$ref"].as_str());
@@ -148,20 +148,12 @@ impl SchemaCheck<'_> {
         }
     }
 
-    fn value(&mut self, at: ValuePlace, node: &Node, schema: &Value) {
+    fn value(&mut self, at: ValuePlace, node: &Node, schema: &'static Value) {
         let options = self.options(schema);
-        let kinds: &[Kind] = match node {
-            Node::Flag(_) => &[Kind::Flag],
-            Node::Whole(_) | Node::Number(_) => &[Kind::Number, Kind::Whole],
-            Node::Text(_) => &[Kind::Word, Kind::Text],
-            Node::List(_) => &[Kind::List],
-            Node::Table(_) => &[Kind::Table],
-            Node::Null | Node::Date(_) => &[],
-        };
         let mut fitting = options
             .iter()
             .copied()
-            .filter(|option| kinds.contains(&Kind::of(option)));
+            .filter(|option| Kind::of(option).fits(node));
         let Some(mut option) = fitting.next() else {
             let reason = format!(
                 "{}, allowed is {}",
@@ -257,7 +249,7 @@ impl SchemaCheck<'_> {
         self.wrong(at, node, reason, help);
     }
 
-    fn list(&mut self, at: ValuePlace, node: &Node, list: &[Node], schema: &Value) {
+    fn list(&mut self, at: ValuePlace, node: &Node, list: &[Node], schema: &'static Value) {
         let length = |name: &str| schema[name].as_u64();
         let (least, most) = (length("minItems").unwrap_or(0), length("maxItems"));
         let count = list.len() as u64;
@@ -292,7 +284,7 @@ impl SchemaCheck<'_> {
     }
 
     /// Merges all problems of an inner list into one problem of it.
-    fn list_in_list(&mut self, at: ValuePlace, place: usize, node: &Node, schema: &Value) {
+    fn list_in_list(&mut self, at: ValuePlace, place: usize, node: &Node, schema: &'static Value) {
         let ((), inner) = self
             .reading
             .capture_problems(|| self.value(at, node, schema));
@@ -310,7 +302,7 @@ impl SchemaCheck<'_> {
         path: &str,
         unit: &'static str,
         entries: &[(String, Node)],
-        schema: &Value,
+        schema: &'static Value,
         others: &[&Value],
     ) {
         let properties = schema["properties"].as_object();
@@ -320,6 +312,7 @@ impl SchemaCheck<'_> {
             entries,
             mistyped: Vec::new(),
         };
+        self.open.push((path.to_owned(), schema));
         self.unknown(&mut table, &known, schema, others);
         for (name, inner) in properties.into_iter().flatten() {
             let key = below(path, name);
@@ -339,6 +332,7 @@ impl SchemaCheck<'_> {
             };
             self.value(at, node, inner);
         }
+        self.open.pop();
         self.check_combinations(&table, schema);
         for [low, high] in ORDERED {
             if let (Some(least), Some(most)) = (table.number(low), table.number(high))
@@ -390,11 +384,16 @@ impl SchemaCheck<'_> {
                     let near =
                         nearest(name, known).filter(|(_, distance)| is_slip(name, *distance));
                     let meant = near.map(|(key, _)| key).or_else(|| synonym(name, known));
-                    let help = meant.map_or("remove it".to_owned(), |meant| {
+                    let help = if let Some(meant) = meant {
                         table.mistyped.push(meant);
                         self.bad.push(below(table.path, meant));
                         format!("did you mean `{meant}`? If not, remove it")
-                    });
+                    } else {
+                        match &self.tables_with(name, node)[..] {
+                            [] => "remove it".to_owned(),
+                            places => format!("write it {}", listed(places, "or")),
+                        }
+                    };
                     let reason = format!("unknown key, expected {}", quoted(known, "`"));
                     (reason, help)
                 };
@@ -407,6 +406,36 @@ impl SchemaCheck<'_> {
             }
             Some(())
         });
+    }
+
+    /// The nearest table round the present one that has a key `name` for `node`, else those inside it, or inside the one round it.
+    fn tables_with(&self, name: &str, node: &Node) -> Vec<String> {
+        const MOST: usize = 3;
+        let has = |table: &Value| {
+            let key = table["properties"].get(name);
+            let mut options = key.into_iter().flat_map(|key| self.options(key));
+            options.any(|option| Kind::of(option).fits(node))
+        };
+        let mut round = self.open.iter().rev().skip(1);
+        match round.find(|(_, table)| has(table)) {
+            Some((path, _)) if path.is_empty() => {
+                return vec!["before the first [table]".to_owned()];
+            }
+            Some((path, _)) => return vec![format!("in [{path}]")],
+            None => {}
+        }
+        let inside = self.open.iter().rev().take(2).map(|(path, table)| {
+            let keys = table["properties"].as_object().into_iter().flatten();
+            let with = keys.filter(|(_, schema)| self.options(schema).into_iter().any(has));
+            with.map(|(key, _)| format!("in [{}]", below(path, key)))
+                .collect()
+        });
+        let found = inside
+            .into_iter()
+            .find(|places: &Vec<String>| !places.is_empty());
+        found
+            .filter(|places| places.len() <= MOST)
+            .unwrap_or_default()
     }
 
     fn missing(&mut self, table: &Keys, name: &str, allowed: &str) {
@@ -619,6 +648,17 @@ impl Kind {
             Some("integer") => Kind::Whole,
             _ if !words(schema).is_empty() => Kind::Word,
             _ => Kind::Text,
+        }
+    }
+
+    fn fits(self, node: &Node) -> bool {
+        match node {
+            Node::Flag(_) => self == Kind::Flag,
+            Node::Whole(_) | Node::Number(_) => matches!(self, Kind::Number | Kind::Whole),
+            Node::Text(_) => matches!(self, Kind::Word | Kind::Text),
+            Node::List(_) => self == Kind::List,
+            Node::Table(_) => self == Kind::Table,
+            Node::Null | Node::Date(_) => false,
         }
     }
 }

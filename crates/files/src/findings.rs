@@ -152,16 +152,20 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         Finding::ThicknessBesidePitch(beside) => {
             (PER_TOOTH, beside_pitch(beside, of.other_sense()))
         }
+        Finding::SpansRefusePitch { shown, spans_count } => (
+            "pitch",
+            format!(
+                "the spans contradict the thickness by its flanks, right minus left (they show {} % of it): check right and left, sign and tooth numbers; {}",
+                ascii(100.0 * shown, 0),
+                precedence(*spans_count)
+            ),
+        ),
         Finding::SpansRefuseThickness { shown, spans_count } => (
             PER_TOOTH,
             format!(
                 "the spans contradict it (they show {} % of it): check its sign and tooth numbers, or leave it out; {}",
                 ascii(100.0 * shown, 0),
-                if *spans_count {
-                    "the spans take precedence"
-                } else {
-                    "it is used as given"
-                }
+                precedence(*spans_count)
             ),
         ),
         Finding::PerToothMeanTooLarge { mean_um } => (
@@ -241,6 +245,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             left_um,
             left_percent,
             alike,
+            exchanged,
             eccentricity_um,
         } => (
             "pitch",
@@ -250,10 +255,10 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
                  and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"",
                 ascii(*left_um, 3),
                 ascii(*left_percent, 0),
-                if *alike {
-                    " (both flanks vary equally, as from an index error of the machine)"
-                } else {
-                    ""
+                match (*alike, *exchanged) {
+                    (true, _) => " (both flanks vary equally, as from an index error of the machine)",
+                    (false, true) => " (with right and left exchanged it is that of an eccentricity: check which column is which)",
+                    (false, false) => "",
                 },
                 ascii(*eccentricity_um, 3),
             ),
@@ -296,6 +301,14 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         }
     };
     format!("{}: {words}", of.table.path_of(key))
+}
+
+fn precedence(spans_count: bool) -> &'static str {
+    if spans_count {
+        "the spans take precedence"
+    } else {
+        "it is used as given"
+    }
 }
 
 fn shown(e: Eccentricity) -> String {

@@ -1,7 +1,7 @@
 //! Helix angle, hand and face of a gear.
 
 use super::check::Checked;
-use super::numbers::ascii;
+use super::numbers::told_apart;
 use super::spec::GearSpec;
 use super::table::Table;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, thickness};
@@ -105,10 +105,9 @@ pub fn short_for_span(
     let (sin, cos) = gear.basic_data().base_helix_angle().sin_cos();
     let needed = span * sin + (1.2 + 0.018 * span) * cos;
     (to - from < needed).then(|| {
+        let [needed, given] = told_apart([needed, to - from], 2);
         format!(
-            "{name}.face_mm: a span over {k} teeth needs a face of {} mm, this one has {} mm: both anvils may not rest on it",
-            ascii(needed, 2),
-            ascii(to - from, 2)
+            "{name}.face_mm: a span over {k} teeth needs a face of {needed} mm, this one has {given} mm: both anvils may not rest on it"
         )
     })
 }

@@ -1,4 +1,4 @@
-//! Lengths in inches: a key `_in` in place of `_mm`, turned into mm before the file is checked.
+//! Lengths in inches: a key `_in` in place of `_mm`, or of `_um` in a band, turned into it before the file is checked.
 
 use crate::error::Problem;
 use crate::location::below;
@@ -20,18 +20,19 @@ pub struct Inches {
     pub in_both_units: Vec<Problem>,
 }
 
-/// The name in mm of a key in inches.
+/// The name in mm or µm of a key in inches.
 fn name_in_mm((key, node): &(String, Node)) -> Option<String> {
     let name = key.strip_suffix("in")?;
     let is_length = (name.is_empty() || name.ends_with('_')) && !matches!(node, Node::Text(_));
-    is_length.then(|| format!("{name}mm"))
+    let of_band = ["tolerance_", "upper_", "lower_"].contains(&name);
+    is_length.then(|| format!("{name}{}", if of_band { "um" } else { "mm" }))
 }
 
 impl Inches {
     /// Converts all lengths of a file to mm.
     pub fn to_mm(entries: &mut Vec<(String, Node)>) -> Inches {
         let mut inches = Inches::default();
-        inches.entries(entries, ["", ""], false);
+        inches.entries(entries, ["", ""], None);
         inches
     }
 
@@ -50,8 +51,8 @@ impl Inches {
         problem.key = format!("{stated}{}", &key[end..]);
     }
 
-    /// Converts entries. `paths` are the path in mm and as written; `in_inches`: the key above states the unit.
-    fn entries(&mut self, entries: &mut Vec<(String, Node)>, paths: [&str; 2], in_inches: bool) {
+    /// Converts entries. `paths` are the path in mm and as written; `unit`: the inch of the key above.
+    fn entries(&mut self, entries: &mut Vec<(String, Node)>, paths: [&str; 2], unit: Option<f64>) {
         let keys: HashSet<&str> = entries.iter().map(|(key, _)| &key[..]).collect();
         let names = entries.iter().filter_map(name_in_mm);
         let in_both_units: HashSet<String> =
@@ -75,7 +76,11 @@ impl Inches {
             let has_unit = ["mm", "um", "deg"]
                 .iter()
                 .any(|unit| entry.0.ends_with(unit));
-            let in_inches = in_mm.is_some() || in_inches && !has_unit;
+            let unit = match &in_mm {
+                Some(name) if name.ends_with("um") => Some(1e3 * MM_PER_INCH),
+                Some(_) => Some(MM_PER_INCH),
+                None => unit.filter(|_| !has_unit),
+            };
             if let Some(in_mm) = in_mm {
                 if self.stated.len() < MAX_REMEMBERED {
                     let written = (stated.clone(), entry.1.shown());
@@ -84,27 +89,27 @@ impl Inches {
                 entry.0 = in_mm;
             }
             let path = below(paths[0], &entry.0);
-            self.value(&mut entry.1, [&path, &stated], in_inches);
+            self.value(&mut entry.1, [&path, &stated], unit);
         }
     }
 
-    fn value(&mut self, node: &mut Node, paths: [&str; 2], in_inches: bool) {
+    fn value(&mut self, node: &mut Node, paths: [&str; 2], unit: Option<f64>) {
         // Rounded to a millionth of a nm: 1.5 in is then exactly the f64 of 38.1.
-        let length = |inches: f64| Node::Number(rounded(inches * MM_PER_INCH, 12));
-        match node {
-            Node::Whole(inches) if in_inches => *node = length(*inches as f64),
-            Node::Number(inches) if in_inches => *node = length(*inches),
-            Node::List(list) => {
+        let length = |inches: f64, unit: f64| Node::Number(rounded(inches * unit, 12));
+        match (&mut *node, unit) {
+            (Node::Whole(inches), Some(unit)) => *node = length(*inches as f64, unit),
+            (Node::Number(inches), Some(unit)) => *node = length(*inches, unit),
+            (Node::List(list), _) => {
                 for (place, node) in (1..).zip(list) {
                     if node.entries().is_empty() {
-                        self.value(node, paths, in_inches);
+                        self.value(node, paths, unit);
                     } else {
                         let [in_mm, stated] = paths.map(|path| format!("{path}[{place}]"));
-                        self.value(node, [&in_mm, &stated], in_inches);
+                        self.value(node, [&in_mm, &stated], unit);
                     }
                 }
             }
-            Node::Table(entries) => self.entries(entries, paths, in_inches),
+            (Node::Table(entries), _) => self.entries(entries, paths, unit),
             _ => {}
         }
     }

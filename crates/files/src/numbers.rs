@@ -23,6 +23,14 @@ pub fn ascii(value: impl Into<Option<f64>>, decimals: usize) -> String {
     fixed(value, decimals).replace('−', "-")
 }
 
+/// Both values as [`ascii`], with as many more decimals as tell them apart.
+pub fn told_apart(values: [f64; 2], decimals: usize) -> [String; 2] {
+    let texts = |decimals| values.map(|value| ascii(value, decimals));
+    let mut each = (decimals..16).map(texts);
+    let apart = each.find(|[one, other]| one != other);
+    apart.unwrap_or_else(|| texts(decimals))
+}
+
 /// A length in µm with `decimals` decimals and a true minus sign; a dash for none.
 pub fn um(length_mm: impl Into<Option<f64>>, decimals: usize) -> String {
     fixed(length_mm.into().map(|mm| mm * 1e3), decimals)

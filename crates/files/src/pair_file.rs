@@ -244,7 +244,7 @@ impl<'a> PairTables<'a> {
                 return table.refuse(
                     "assembly.misalignment.at_mm",
                     "given beside an in-plane deviation of unknown sense, allowed is 0",
-                    "state the centre distance in the wheel's measuring plane",
+                    "remove it, and state the centre distance in the wheel's measuring plane",
                 );
             }
             remarks.push("assembly.misalignment: least and greatest of the verdict are over all deviations up to max, in either sense; single poses have none".to_owned());

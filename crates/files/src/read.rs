@@ -3,9 +3,11 @@
 use crate::Tree;
 use crate::check::Checked;
 use crate::gear::{GearPart, materials};
+use crate::numbers::shortest;
 use crate::outlines::DrawingRead;
 use crate::sources::Sources;
 use crate::spec::{EitherGearSpec, GEAR, PairSpec};
+use crate::temperature::REFERENCE_C;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
@@ -115,12 +117,18 @@ impl From<PairFile> for GearsFile {
                 spec,
             });
         }
+        let temperature_c = file.spec.assembly.temperature_c;
+        let mut warnings = file.warnings;
+        warnings.extend(temperature_c.filter(|celsius| *celsius != REFERENCE_C).map(|celsius| {
+            let celsius = shortest(celsius);
+            format!("assembly.temperature_c = {celsius}: the gears have their lengths at {celsius} °C; for those at {REFERENCE_C} °C remove it")
+        }));
         GearsFile {
             title,
             stem: file.stem,
             gears,
-            temperature_c: file.spec.assembly.temperature_c,
-            warnings: file.warnings,
+            temperature_c,
+            warnings,
             remarks: file.remarks,
             sources: file.sources,
         }

@@ -38,11 +38,14 @@ impl Sweep {
         let stated = file.read::<SweepSpec>("sweep")?;
         let teeth = (teeth.0?, teeth.1?);
         let several = SweepPlan::phase_count(teeth.0, teeth.1) > 1;
-        let spec = stated.unwrap_or_else(|| SweepSpec {
-            revolutions: Some(Revolutions::Wheel),
-            extremes: several.then_some(ExtremePhases::AllPhases),
-            ..SweepSpec::default()
-        });
+        let mut spec = stated.unwrap_or_default();
+        if spec.mating.is_none() && spec.phases.is_none() && spec.revolutions.is_none() {
+            spec.revolutions = Some(Revolutions::Wheel);
+            // Without a stated start, the listed poses choose no assembly phase.
+            if several && spec.start.is_none() {
+                spec.extremes = Some(ExtremePhases::AllPhases);
+            }
+        }
         Sweep::of(spec, teeth)
     }
 

@@ -100,7 +100,7 @@ pub fn is_slip(word: &str, distance: usize) -> bool {
 }
 
 /// A key and its other names, in small letters and without underscores.
-const SYNONYMS: [(&str, &str); 15] = [
+const SYNONYMS: [(&str, &str); 16] = [
     ("teeth", "z z1 z2 n numberofteeth numteeth zaehnezahl"),
     ("module_mm", "m mn module modul normalmodule"),
     (
@@ -120,7 +120,11 @@ const SYNONYMS: [(&str, &str); 15] = [
     ),
     ("addendum", "ha hap"),
     ("dedendum", "hf hfp"),
-    ("root_radius", "rho rhof rhofp fillet filletradius"),
+    (
+        "root_radius",
+        "rho rhof rhofp fillet filletradius tipradius",
+    ),
+    ("rack", "basicrack toolrack tool referenceprofile"),
     ("total_um", "fr um"),
     ("over_pins", "overballs mdk mdr pins"),
     ("mm", "w wk"),

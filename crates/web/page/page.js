@@ -488,7 +488,11 @@
   const wholeBand = newest("band", "cycle", () => bandAt(distance(), true));
 
   function live() {
-    if (!isDistance()) return;
+    if (!isDistance()) {
+      showPose({ failed: words("here", "none") });
+      showBand({ failed: words("here", "none") });
+      return;
+    }
     byId("live").classList.toggle("behind", Number(byId("cycle").dataset.a) !== distance());
     livePose();
     liveBand();

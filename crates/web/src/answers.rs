@@ -9,7 +9,7 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
 use gearlash::analysis::{Analysis, Plan, Progress};
-use gearlash::contact::{Doubt, Method, PoseResult, Status};
+use gearlash::contact::{Doubt, Method, PoseResult};
 use gearlash::error::Tick;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
@@ -354,26 +354,22 @@ impl Page {
     pub fn live(&self, at: &LivePlace) -> Value {
         let answer = |study: &Study, pairs: &Pairs, pose: PoseResult| {
             let (status, j_wt) = (pose.status(), pose.backlash);
-            let number = j_wt.map(|j_wt| format!("{} µm", um(j_wt, 2)));
-            let is_number_enough = status == Status::Clear && number.is_some();
-            let status = status.name().replace('_', " ");
-            let number = number.unwrap_or_default();
-            let words = match (is_number_enough, number.is_empty()) {
-                (true, _) => number.clone(),
-                (false, true) => status.clone(),
-                (false, false) => format!("{status}, {number}"),
+            let name = status.name().replace('_', " ");
+            let state = match j_wt {
+                None => name,
+                Some(j_wt) => format!("{name}, {} µm", um(j_wt, 2)),
             };
+            // The number alone says that a pose is clear.
+            let words = state.strip_prefix("clear, ").unwrap_or(&state).to_owned();
             let touch = Side::BOTH.map(|side| {
                 let contact = pose.proven().and_then(|found| found.on(side));
                 let teeth = contact.map_or("no teeth".to_owned(), |contact| {
-                    format!(
-                        "wheel {} and pinion {}",
-                        contact.wheel.tooth, contact.pinion.tooth
-                    )
+                    let [wheel, pinion] = [contact.wheel.tooth, contact.pinion.tooth];
+                    format!("wheel {wheel} and pinion {pinion}")
                 });
                 format!("{teeth} on the {}", side.name())
             });
-            let picture = format!("Mesh: {status}. {number} Touching: {}.", touch.join(", "));
+            let picture = format!("Mesh: {state}. Touching: {}.", touch.join(", "));
             let live = LivePose::new(study, pairs, at.material, pose)?;
             Some(live.columns().map_or_else(failed, |mesh| {
                 json!({

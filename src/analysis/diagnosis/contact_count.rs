@@ -16,6 +16,8 @@ pub struct ContactCount {
     /// Poses of the classes in which something other than involutes touches, with less backlash than the formula beyond
     /// their error bounds. A tip corner that touches on the line of action costs nothing.
     pub off_line: usize,
+    /// Of those, the pose with the greatest loss.
+    pub worst_off_line: Option<Worst>,
     /// `None` if no pose has both a formula and a lost motion.
     pub loss: Option<Loss>,
 }
@@ -72,6 +74,11 @@ impl ContactCount {
             *self.classes.entry(*class).or_default() += poses;
         }
         self.off_line += other.off_line;
+        if let Some(worst) = &other.worst_off_line
+            && is_worse(worst.loss, self.worst_off_line.as_ref())
+        {
+            self.worst_off_line = Some(worst.clone());
+        }
         let Some(of_other) = &other.loss else {
             return;
         };
@@ -82,8 +89,7 @@ impl ContactCount {
         known.least = known.least.min(of_other.least);
         known.poses += of_other.poses;
         known.mean += (of_other.mean - known.mean) * of_other.poses as f64 / known.poses as f64;
-        // Losses that differ by rounding are equal.
-        if of_other.worst.loss > known.worst.loss + limits::MET_WITHIN {
+        if is_worse(of_other.worst.loss, Some(&known.worst)) {
             known.worst = of_other.worst.clone();
         }
     }
@@ -100,15 +106,16 @@ impl ContactCount {
         let difference = both.map(|(formula, backlash)| formula - backlash);
         let bound = pose.simulated.error_bound.unwrap_or(0.0);
         let costs = difference.is_none_or(|loss| loss > bound + limits::MET_WITHIN);
-        self.off_line += usize::from(others_touch && costs);
+        let is_off_line = others_touch && costs;
+        self.off_line += usize::from(is_off_line);
         let formula = pose.line_of_action.or(pose.involute);
         let (Some(backlash), Some(formula)) = (pose.simulated.backlash, formula) else {
             return;
         };
         let loss = formula - backlash;
-        let known = self.loss.as_ref().map(|known| known.worst.loss);
-        // Losses that differ by rounding are equal.
-        if known.is_none_or(|worst| loss > worst + limits::MET_WITHIN) {
+        let is_worst = is_worse(loss, self.loss.as_ref().map(|known| &known.worst));
+        let is_worst_off_line = is_off_line && is_worse(loss, self.worst_off_line.as_ref());
+        if is_worst || is_worst_off_line {
             let Some((side, contact)) = graver(assembly, pose) else {
                 return;
             };
@@ -122,8 +129,12 @@ impl ContactCount {
                 backlash,
                 loss,
             };
+            if is_worst_off_line {
+                self.worst_off_line = Some(worst.clone());
+            }
             match &mut self.loss {
-                Some(known) => known.worst = worst,
+                Some(known) if is_worst => known.worst = worst,
+                Some(_) => {}
                 None => {
                     self.loss = Some(Loss {
                         least: loss,
@@ -140,6 +151,11 @@ impl ContactCount {
             known.mean += (loss - known.mean) / known.poses as f64;
         }
     }
+}
+
+/// Whether `loss` exceeds that of the `known` worst pose. Losses that differ by rounding are equal.
+fn is_worse(loss: f64, known: Option<&Worst>) -> bool {
+    known.is_none_or(|known| loss > known.loss + limits::MET_WITHIN)
 }
 
 fn graver(assembly: &GearPair, pose: &ComparedPose) -> Option<(Side, Contact)> {

@@ -172,7 +172,7 @@ pub(super) fn check_not_result(path: &Path, folder: &Path) -> Result<(), Error> 
 
 /// The files that `names` stand for.
 pub(super) fn expanded(names: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
-    let mut files = Vec::new();
+    let (mut files, mut errors) = (Vec::new(), Vec::new());
     for name in names {
         // A name with a star can be that of a file.
         if name.is_file() {
@@ -180,28 +180,31 @@ pub(super) fn expanded(names: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
             continue;
         }
         let found = named(Path::new(""), &name.to_string_lossy());
-        if let Some(fault) = found.faults.first() {
-            return Err(Error::Usage(format!("--from-rows {fault}")));
-        }
-        if found.files.is_empty() {
-            return Err(Error::Usage(format!(
+        let faults = found.faults.iter();
+        errors.extend(faults.map(|fault| Error::Usage(format!("--from-rows {fault}"))));
+        if found.faults.is_empty() && found.files.is_empty() {
+            errors.push(Error::Usage(format!(
                 "--from-rows {}: no such file; name files that gearlash tolerance --rows wrote",
                 name.display()
             )));
         }
         files.extend(found.files);
     }
-    Ok(files)
+    one_or_several(errors).map(|()| files)
+}
+
+fn one_or_several(mut errors: Vec<Error>) -> Result<(), Error> {
+    match errors.len() {
+        0 => Ok(()),
+        1 => Err(errors.remove(0)),
+        _ => Err(Error::Several(errors)),
+    }
 }
 
 /// The sums over the rows in `files`, which must have every assembly of `run` once.
 pub(super) fn read(run: &ToleranceRun, files: &[PathBuf]) -> Result<Tally, Error> {
     let mut rows = RowsTally::new(run);
     let added = files.iter().map(|path| rows.add_file(path));
-    let mut errors: Vec<Error> = added.filter_map(Result::err).map(Error::Input).collect();
-    match errors.len() {
-        0 => Ok(rows.finish()?),
-        1 => Err(errors.remove(0)),
-        _ => Err(Error::Several(errors)),
-    }
+    one_or_several(added.filter_map(Result::err).map(Error::Input).collect())?;
+    Ok(rows.finish()?)
 }

@@ -44,7 +44,8 @@ impl Format {
     pub fn of(name: &Path) -> Option<Format> {
         let ending = name.extension()?.to_str()?.to_ascii_lowercase();
         match &ending[..] {
-            "dxf" => Some(Format::Dxf),
+            // A DWG is refused by its first bytes, with the way out.
+            "dxf" | "dwg" => Some(Format::Dxf),
             "svg" => Some(Format::Svg),
             "csv" | "txt" | "xyz" => Some(Format::Points),
             _ => None,

@@ -4,7 +4,8 @@ use crate::characters::first_of;
 use crate::drawing::{Drawing, DrawnPath};
 use crate::numbers::ascii;
 use gearlash::outline::{PathSegment, polygon};
-use nalgebra::Point2;
+use nalgebra::{Point2, Vector2};
+use std::f64::consts::TAU;
 
 /// The outline of a drawing among its loops.
 pub(super) struct Path {
@@ -45,6 +46,8 @@ pub(super) struct Outline {
     pub inside: Vec<usize>,
     /// Least and greatest coordinates of its points, mm.
     pub ends: [Point2<f64>; 2],
+    /// Whether it is no gear, but a frame where others are inside.
+    is_frame: bool,
     area: f64,
     corners: Vec<Point2<f64>>,
 }
@@ -60,6 +63,7 @@ impl Outline {
             place,
             inside: Vec::new(),
             ends,
+            is_frame: is_convex(&corners, ends) && !is_round(&corners, ends),
             area,
             corners,
         }
@@ -71,16 +75,30 @@ impl Outline {
     }
 }
 
-/// Fewer straight lines than these are no gear: three teeth have three tips and three spaces.
-const FEWEST_LINES: usize = 6;
-
-/// Whether a path is too simple for a gear.
-fn is_simple(path: &DrawnPath) -> bool {
-    let mut segments = path.segments.iter();
-    path.segments.len() < FEWEST_LINES && segments.all(|one| matches!(one, PathSegment::Line(_)))
+/// Whether a closed path turns by little more than a whole turn. A gear turns back by a quarter turn and more in each of its spaces.
+fn is_convex(corners: &[Point2<f64>], [low, high]: [Point2<f64>; 2]) -> bool {
+    let steps = corners.iter().zip(corners.iter().cycle().skip(1));
+    let steps = steps.map(|(from, to)| to - from);
+    // Shorter ones are rounding.
+    let least = 1e-6 * (high - low).norm();
+    let steps: Vec<Vector2<f64>> = steps.filter(|step| step.norm() > least).collect();
+    let next = steps.iter().cycle().skip(1);
+    let turns = steps.iter().zip(next).map(|(a, b)| a.angle(b));
+    turns.sum::<f64>() < 1.25 * TAU
 }
 
-/// The outlines of a drawing, in the order of the file. A simple path round others is a frame: it is left out and `remarks` count it.
+/// Whether a path is nearly a circle, as the rim of a ring gear is.
+fn is_round(corners: &[Point2<f64>], [low, high]: [Point2<f64>; 2]) -> bool {
+    let radii = corners
+        .iter()
+        .map(|corner| (corner - nalgebra::center(&low, &high)).norm());
+    let (near, far) = radii.fold((f64::INFINITY, 0.0_f64), |(near, far), radius| {
+        (near.min(radius), far.max(radius))
+    });
+    near > 0.95 * far
+}
+
+/// The outlines of a drawing, in the order of the file. A frame round others is left out, and `remarks` count it.
 pub(super) fn outlines(
     loops: &[DrawnPath],
     remarks: &mut Vec<String>,
@@ -100,7 +118,7 @@ pub(super) fn outlines(
             outline.area > area && first.is_some_and(|first| outline.winds_round(first))
         };
         let mut outer = outlines.iter().position(holds);
-        while let Some(frame) = outer.filter(|&outer| is_simple(&loops[outlines[outer].place])) {
+        while let Some(frame) = outer.filter(|&outer| outlines[outer].is_frame) {
             outlines.remove(frame);
             frames += 1;
             outer = outlines.iter().position(holds);
@@ -114,9 +132,7 @@ pub(super) fn outlines(
         }
     }
     if frames > 0 {
-        remarks.push(format!(
-            "frames of fewer than {FEWEST_LINES} lines that are not read: {frames}"
-        ));
+        remarks.push(format!("frames without teeth that are not read: {frames}"));
     }
     outlines.sort_by_cached_key(|outline| outline.place as u64);
     Ok(outlines)

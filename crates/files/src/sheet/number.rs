@@ -7,6 +7,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
 
 use super::column::{Column, Quantity};
 use crate::data_file::DataFile;
@@ -154,59 +155,62 @@ pub fn check_decimal_sign(
     numbers: &[Placed],
     [stated, by_format]: [Option<Decimal>; 2],
 ) -> Option<()> {
-    let has = |sign| {
-        numbers
-            .iter()
-            .any(|(.., number)| number.decimal == Some(sign))
+    let with = |sign| {
+        let all = numbers.iter();
+        all.filter(move |(.., number)| number.decimal == Some(sign))
     };
-    let settled = stated.or(by_format.filter(|sign| has(*sign)));
+    let [points, commas] = [Decimal::Point, Decimal::Comma].map(|sign| with(sign).count());
+    let more = |count: usize| match count - 1 {
+        0 => String::new(),
+        more => format!(" (as {more} more in the table)"),
+    };
+    // Of two signs the rarer one is the slip.
+    let settled = stated.or(match points.cmp(&commas) {
+        _ if points == 0 || commas == 0 => by_format.filter(|sign| with(*sign).count() > 0),
+        Ordering::Less => Some(Decimal::Comma),
+        Ordering::Greater => Some(Decimal::Point),
+        Ordering::Equal => by_format,
+    });
     let Some(sign) = settled.or_else(|| numbers.iter().find_map(|(.., number)| number.decimal))
     else {
         return Some(());
     };
-    let mut good = Some(());
-    for (line, column, number) in numbers {
-        let Some(found) = number.decimal.filter(|found| *found != sign) else {
-            continue;
-        };
+    let other = match sign {
+        Decimal::Point => Decimal::Comma,
+        Decimal::Comma => Decimal::Point,
+    };
+    if let Some((line, column, number)) = with(other).next() {
         let reason = format!(
-            "{} {} has a decimal {}, the table's decimal sign is the {}{}",
+            "{} {} has a decimal {}{}, the table's decimal sign is the {}{}",
             column.name(),
             file.bare(number.text),
-            found.name(),
+            other.name(),
+            more(with(other).count()),
             sign.name(),
             stated.map_or("", |_| " by the key `decimal`"),
         );
         let help = "write all numbers with one decimal sign and without thousands separators";
         file.add_at(*line, reason, help);
-        good = None;
+        return None;
     }
-    let with_sign = || {
-        numbers
-            .iter()
-            .filter(|(.., number)| number.decimal == Some(sign))
-    };
     let is_proven = settled.is_some()
-        || with_sign().any(|(_, column, number)| !may_be_thousands(*column, number));
-    if let Some((line, column, number)) = with_sign().next().filter(|_| !is_proven) {
-        let more = match with_sign().count() - 1 {
-            0 => String::new(),
-            more => format!(" (as {more} more in the table)"),
-        };
+        || with(sign).any(|(_, column, number)| !may_be_thousands(*column, number));
+    if let Some((line, column, number)) = with(sign).next().filter(|_| !is_proven) {
         let reason = format!(
-            "{} {} may have a decimal {} or a thousands separator{more}: nothing in the table shows which",
+            "{} {} may have a decimal {} or a thousands separator{}: nothing in the table shows which",
             column.name(),
             file.bare(number.text),
             sign.name(),
+            more(with(sign).count()),
         );
         let help = format!(
             "state the decimal sign beside the file: decimal = \"{}\", and write numbers without thousands separators",
             sign.sign()
         );
         file.add_at(*line, reason, help);
-        good = None;
+        return None;
     }
-    good
+    Some(())
 }
 
 /// Whether the sign of `number` can separate thousands. In a length it can only where a thousand times its value is possible.

@@ -2,7 +2,7 @@
 
 use super::rules::{
     at_least, at_most_one, beside, beside_places, deviation, exactly_one, length, list_length,
-    number_at_least, whole, within,
+    not_beside, number_at_least, whole, within,
 };
 use super::value::{Either, one_or_list};
 use crate::numbers::{rounded, shortest};
@@ -470,10 +470,10 @@ pub struct MeasuredSpec {
     pub file: String,
 }
 
-/// Which poses: one of mating, revolutions and phases.
+/// Which poses: one of mating, revolutions and phases; none: one revolution of the wheel.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(transform = sweep_keys)]
+#[schemars(extend("minProperties" = 1), transform = sweep_keys)]
 pub struct SweepSpec {
     /// Wheel and pinion tooth, in place of revolutions: a right-flank and a left-flank pose each.
     #[schemars(length(min = 1), transform = whole(1, 10_000))]
@@ -481,11 +481,11 @@ pub struct SweepSpec {
     /// Pitches beyond each mating.
     #[schemars(length(min = 1), transform = within(-1000.0, 1000.0))]
     pub fraction: Option<Vec<f64>>,
-    /// How far the gears turn: one revolution of the "wheel", or "hunting", until the same teeth meet again.
+    /// How far the gears turn: one "wheel" revolution (default), or "hunting", until the same teeth meet again.
     pub revolutions: Option<Revolutions>,
     /// Every assembly phase, in place of revolutions.
     pub phases: Option<Phases>,
-    /// Assembly phases of verdict and extremes; none: those of the listed poses.
+    /// Phases of verdict and extremes; none: of the listed poses, all with steps_per_pitch alone.
     pub extremes: Option<ExtremePhases>,
     /// Poses a pitch.
     #[schemars(extend("default" = DEFAULT_STEPS), transform = whole(1, 1000))]
@@ -560,9 +560,9 @@ impl Default for CompareSpec {
 }
 
 fn sweep_keys(schema: &mut Schema) {
-    exactly_one(schema, &[&["mating"], &["revolutions"], &["phases"]]);
+    at_most_one(schema, &[&["mating"], &["revolutions"], &["phases"]]);
     beside(schema, "fraction", &[&["mating"]]);
-    beside(schema, "start", &[&["revolutions"]]);
-    beside(schema, "extremes", &[&["revolutions"]]);
-    beside(schema, "steps_per_pitch", &[&["revolutions"], &["phases"]]);
+    not_beside(schema, "start", &["mating", "phases"]);
+    not_beside(schema, "extremes", &["mating", "phases"]);
+    not_beside(schema, "steps_per_pitch", &["mating"]);
 }

@@ -158,10 +158,10 @@ pub(super) fn poses(page: &Page) -> Markup {
     }
 }
 
-/// The pose with the greatest loss beyond all formulas, where that exceeds the tolerance and is not drawn yet.
+/// The pose off the line of action with the greatest loss, where that exceeds the tolerance and is not drawn yet.
 fn greatest_loss<'a>(page: &Page<'a>) -> Option<(PoseOfRun<'a>, f64)> {
-    let loss = page.report.analysis.diagnosis.contact.loss.as_ref()?;
-    let worst = &loss.worst;
+    let contact = &page.report.analysis.diagnosis.contact;
+    let worst = contact.worst_off_line.as_ref()?;
     let is_worst = |found: &PoseOfRun| {
         let run = &found.run.run;
         run.material == worst.material

@@ -171,7 +171,10 @@ function gearlashMesh(data, step) {
     }
     draw();
     follow(before);
-    if (isOther) showDashes();
+    if (isOther) {
+      showScale();
+      showDashes();
+    }
   }
 
   // A close view follows the contact from pose to pose.

@@ -52,17 +52,17 @@ impl CheckContext<'_> {
                 ("mean_loss_um", loss.mean * 1e3),
                 ("worst_loss_um", loss.worst.loss * 1e3),
             ]);
-            let worst = &loss.worst;
-            if off > 0 && worst.loss > limits::MET_WITHIN {
-                note = format!(
-                    "worst {} µm lost, {}: {} of wheel tooth {}, pinion tooth {}",
-                    hundredths(worst.loss),
-                    place(worst.pose.mating()),
-                    worst.class.name(),
-                    worst.contact.wheel.tooth,
-                    worst.contact.pinion.tooth
-                );
-            }
+        }
+        let worst = self.evidence.contact.worst_off_line.as_ref();
+        if let Some(worst) = worst.filter(|worst| worst.loss > limits::MET_WITHIN) {
+            note = format!(
+                "worst {} µm lost, {}: {} of wheel tooth {}, pinion tooth {}",
+                hundredths(worst.loss),
+                place(worst.pose.mating()),
+                worst.class.name(),
+                worst.contact.wheel.tooth,
+                worst.contact.pinion.tooth
+            );
         }
         Check {
             formula: Some(0.0),

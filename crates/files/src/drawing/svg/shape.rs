@@ -87,20 +87,27 @@ fn line(node: Node) -> Result<Data, String> {
 }
 
 fn rectangle(node: Node) -> Result<Data, String> {
-    let round = [or_zero(node, "rx")?, or_zero(node, "ry")?];
-    if round != [0.0, 0.0] {
-        return Ok(Data::Refused("a rect with round corners".to_owned()));
-    }
     let (x, y) = (or_zero(node, "x")?, or_zero(node, "y")?);
     let (width, height) = (needed(node, "width")?, needed(node, "height")?);
-    if width > 0.0 && height > 0.0 {
-        Ok(Data::Path(format!(
-            "M {x},{y} h {width} v {height} h {} Z",
-            -width
-        )))
-    } else {
-        Err("width or height is not above 0".to_owned())
+    if !(width > 0.0 && height > 0.0) {
+        return Err("width or height is not above 0".to_owned());
     }
+    // One radius stands for both, and none is over half a side: SVG 2, 10.3.
+    let stated = [number(node, "rx")?, number(node, "ry")?];
+    let [rx, ry] = [stated[0].or(stated[1]), stated[1].or(stated[0])];
+    let [rx, ry] = [(rx, width), (ry, height)].map(|(r, side)| r.unwrap_or(0.0).min(side / 2.0));
+    Ok(Data::Path(if rx > 0.0 && ry > 0.0 {
+        let (from, wide, high) = (x + rx, width - 2.0 * rx, height - 2.0 * ry);
+        let round = |to_x: f64, to_y: f64| format!("a {rx},{ry} 0 0 1 {to_x},{to_y}");
+        let corners = [(rx, ry), (-rx, ry), (-rx, -ry), (rx, -ry)].map(|(x, y)| round(x, y));
+        let [one, two, three, four] = corners;
+        format!(
+            "M {from},{y} h {wide} {one} v {high} {two} h {} {three} v {} {four} Z",
+            -wide, -high
+        )
+    } else {
+        format!("M {x},{y} h {width} v {height} h {} Z", -width)
+    }))
 }
 
 fn round(node: Node, names: [&str; 2]) -> Result<Data, String> {

@@ -65,7 +65,7 @@
 //! let cut = CutPair::for_certificates(&wheel, &pinion);
 //! let pair = GearPair::new(wheel, pinion, 48.1)?;
 //! let matings = SweepPlan::wheel_revolution(&pair, 16, (1, 1)).matings(&pair);
-//!//! let poses = sweep(&pair, &cut, Method::Exact { certify: true }, &matings, 0.0, &go_on)?;
+//! let poses = sweep(&pair, &cut, Method::Exact { certify: true }, &matings, 0.0, &go_on)?;
 //! let least = poses.iter().filter_map(|pose| pose.j_wt()).fold(f64::INFINITY, f64::min);
 //! assert!(poses.len() == 31 * 16 && least > 0.0);
 //! # Ok::<(), gearlash::error::Error>(())
@@ -155,7 +155,7 @@
 //!
 //! let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! let settings = Settings { span_teeth: Some(3), steps_per_pitch: 1, ..Settings::default() };
-//!//! let gauged = gauge(&AsBuilt::perfect(gear, Face::Front), &settings, &|_| (), &go_on)?;
+//! let gauged = gauge(&AsBuilt::perfect(gear, Face::Front), &settings, &|_| (), &go_on)?;
 //! // W_3 of 20 teeth, module 2: m cos α ((k − ½) π + z inv α), ISO 21771.
 //! let alpha = 20f64.to_radians();
 //! let span = 2.0 * alpha.cos() * (2.5 * std::f64::consts::PI + 20.0 * (alpha.tan() - alpha));

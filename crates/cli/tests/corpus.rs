@@ -94,10 +94,8 @@ fn cases() -> Vec<Case> {
     for entry in fs::read_dir(corpus.join("bad")).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
         if !name.ends_with(".csv") {
-            add(
-                format!("bad/{name}"),
-                &format!("check tests/corpus/bad/{name}"),
-            );
+            let words = format!("check tests/corpus/bad/{name}");
+            add(format!("bad/{name}"), &words);
         }
     }
     cases.sort_by(|a, b| a.name.cmp(&b.name));
@@ -283,12 +281,9 @@ fn every_command_writes_what_is_stored() {
             writeln!(report, "  {line}").unwrap();
         }
     }
-    assert!(
-        found.is_empty(),
-        "{report}{} of {} cases differ; see tests/corpus/README.md",
-        found.len(),
-        cases.len()
-    );
+    let (differ, all) = (found.len(), cases.len());
+    let told = format!("{report}{differ} of {all} cases differ; see tests/corpus/README.md");
+    assert!(differ == 0, "{told}");
 }
 
 /// No stored output is left of a case that went away.

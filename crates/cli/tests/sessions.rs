@@ -332,8 +332,6 @@ fn every_session_ends_as_stored() {
         format!("{}:{}\n  - {old}\n  + {new}\n", path.display(), number + 1)
     };
     let differences: String = files.par_iter().map(check).collect();
-    assert!(
-        differences.is_empty(),
-        "{differences}GEARLASH_SESSIONS=write stores the outcomes; review the difference as code"
-    );
+    let store = "GEARLASH_SESSIONS=write stores the outcomes; review the difference as code";
+    assert!(differences.is_empty(), "{differences}{store}");
 }

@@ -47,11 +47,11 @@ struct Running {
 
 impl Running {
     /// Starts a browser that says behind `mark` where it listens; `profile` is the start of the option that names the profile.
-    fn start(program: &Path, options: &[&str], profile: &str, mark: &str) -> Running {
+    fn start(program: &Path, options: &str, profile: &str, mark: &str) -> Running {
         let folder = tempfile::tempdir().unwrap();
         let mut process = Command::new(program)
             .args(["--headless", "--remote-debugging-port=0"])
-            .args(options)
+            .args(options.split(' '))
             .arg(format!("{profile}{}", folder.path().display()))
             .stdout(Stdio::null())
             .stderr(Stdio::piped())
@@ -177,18 +177,10 @@ pub struct Chromium(Running);
 
 impl Chromium {
     pub fn start(program: &Path) -> Chromium {
-        let options = [
-            "--no-sandbox",
-            "--disable-gpu",
-            "--disable-quic",
-            "--disable-background-networking",
-            "--disable-component-update",
-            "--disable-sync",
-            "--no-first-run",
-            "--hide-scrollbars",
-        ];
+        let options = "--no-sandbox --disable-gpu --disable-quic --disable-background-networking \
+                       --disable-component-update --disable-sync --no-first-run --hide-scrollbars";
         let mark = "DevTools listening on ";
-        Chromium(Running::start(program, &options, "--user-data-dir=", mark))
+        Chromium(Running::start(program, options, "--user-data-dir=", mark))
     }
 
     /// A new tab, `width` by `height` CSS pixels.
@@ -261,12 +253,8 @@ impl Tab {
 
     /// The page has shown no error, said nothing, and asked for nothing elsewhere.
     pub fn assert_silent(&self) {
-        for event in [
-            "Runtime.exceptionThrown",
-            "Runtime.consoleAPICalled",
-            "Log.entryAdded",
-            "Page.javascriptDialogOpening",
-        ] {
+        let said = "Runtime.exceptionThrown Runtime.consoleAPICalled Log.entryAdded Page.javascriptDialogOpening";
+        for event in said.split(' ') {
             assert_eq!(self.events(event), Vec::<&Value>::new());
         }
         for request in self.events("Network.requestWillBeSent") {
@@ -331,8 +319,8 @@ pub struct Firefox {
 
 impl Firefox {
     pub fn start(program: &Path) -> Firefox {
-        let options = ["--no-remote", "--profile"];
-        let running = Running::start(program, &options, "", "BiDi listening on ");
+        let options = "--no-remote --profile";
+        let running = Running::start(program, options, "", "BiDi listening on ");
         let mut firefox = Firefox {
             connection: running.connect("/session"),
             context: Value::Null,

@@ -2,6 +2,7 @@
 
 use crate::browsers::{Chromium, Script, Tab};
 use crate::page::{Site, of, open, shown_text, unfold};
+use gearlash_files::numbers::{decades, two_digits_up};
 use serde_json::{Value, json};
 
 /// Shows a pose by the controls' own events.
@@ -98,12 +99,8 @@ pub fn backlash_is_the_results(browser: &Chromium, site: &Site) {
             assert_eq!(shown, format!("{j_wt:.3} µm").replace('-', "−"));
             assert_eq!(of(tab, "backlash", "dataset.um").parse(), Ok(j_wt));
             assert_eq!(expected["status"], shown_text(tab, "status"));
-            let bound = shown_text(tab, "bound");
-            let bound = bound.trim_start_matches("≤ ").trim_end_matches(" µm");
-            let plain: String = bound.chars().map(lowered).collect();
-            let bound: f64 = plain.replace("·10", "e").parse().unwrap();
-            let exact = expected["error_bound_um"].as_f64().unwrap();
-            assert!((exact..=1.1 * exact).contains(&bound), "{bound} {exact}");
+            let bound = two_digits_up(expected["error_bound_um"].as_f64().unwrap());
+            assert_eq!(shown_text(tab, "bound"), format!("≤ {} µm", decades(bound)));
             for side in ["right", "left"] {
                 let contact = &expected[side];
                 let words = format!(
@@ -131,10 +128,8 @@ pub fn an_overlap_is_reported_where_it_cannot_be_seen(browser: &Chromium, site: 
         go(&mut tab, run, pose);
         let j_wt = site.backlash(run, pose);
         assert_eq!(j_wt < 0.0, overlaps, "{j_wt} µm");
-        let expected = format!(
-            "Teeth overlap by {:.1} µm at the red dots: zoom in to see it.",
-            -j_wt
-        );
+        let by = -j_wt;
+        let expected = format!("Teeth overlap by {by:.1} µm at the red dots: zoom in to see it.");
         let expected = if overlaps { &expected } else { "" };
         assert_eq!(shown_text(&mut tab, "overlapping"), expected);
         tab.holds(&format!(
@@ -308,16 +303,6 @@ pub fn a_click_in_the_chart_leads_to_the_pose(browser: &Chromium, site: &Site) {
             "[...document.querySelectorAll('.viewer-cursor')].map((line) => line.getBoundingClientRect()).filter((b) => b.height > 0).map((b) => b.x + b.width / 2)",
         );
         assert!((cursor - at[0]).abs() < 1.0, "{cursor}, click at {at:?}");
-    }
-}
-
-/// A raised digit as a plain one.
-fn lowered(c: char) -> char {
-    let raised = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c);
-    match (c, raised) {
-        ('⁻', _) => '-',
-        (_, Some(digit)) => char::from(b'0' + digit as u8),
-        _ => c,
     }
 }
 

@@ -27,10 +27,8 @@ pub fn prints_whole_figures_on_a4(browser: &Chromium, site: &Site) {
 
 /// Prints the page on A4 and lays it out for paper. Returns the height of a page, CSS pixels. The PDF is left in the folder for test files.
 pub fn print(tab: &mut Tab, name: &str) -> f64 {
-    let printed = tab.call(
-        "Page.printToPDF",
-        json!({ "preferCSSPageSize": true, "printBackground": true }),
-    );
+    let options = json!({ "preferCSSPageSize": true, "printBackground": true });
+    let printed = tab.call("Page.printToPDF", options);
     let pdf = saved(name, &printed["data"]);
     let text = String::from_utf8_lossy(&pdf);
     let pages: Vec<&str> = text.split("/MediaBox [").skip(1).collect();
@@ -63,10 +61,8 @@ pub fn fits_wide_and_narrow_windows(browser: &Chromium, site: &Site) {
             );
             tab.holds("[...document.querySelectorAll('figure')].every((figure) => figure.scrollWidth <= figure.clientWidth + 1)");
         }
-        let whole = tab.call(
-            "Page.captureScreenshot",
-            json!({ "captureBeyondViewport": true, "format": "png" }),
-        );
+        let options = json!({ "captureBeyondViewport": true, "format": "png" });
+        let whole = tab.call("Page.captureScreenshot", options);
         let picture = saved(&format!("report_{width}.png"), &whole["data"]);
         assert!(picture.starts_with(b"\x89PNG"));
     }

@@ -222,17 +222,13 @@ pub fn page_takes_workbooks_and_drawings(browser: &Chromium, _: &Site) {
         "document.getElementById('problem-list').innerText.includes('wheel_20.dxf is not named')",
     );
     drop_files(&mut tab, &read(&DRAWN[2..]));
-    tab.until_within(
-        "document.getElementById('text').value.includes('wheel_20.dxf')",
-        CALCULATION,
-    );
+    let is_made = "document.getElementById('text').value.includes('wheel_20.dxf')";
+    tab.until_within(is_made, CALCULATION);
     settled(&mut tab);
     assert!(text(&mut tab, "verdict").contains("Assembles"));
     let files = text(&mut tab, "files");
-    assert!(
-        !files.contains("book.toml") && !files.contains("pitch.xlsx"),
-        "{files}"
-    );
+    let is_gone = !files.contains("book.toml") && !files.contains("pitch.xlsx");
+    assert!(is_gone, "{files}");
 }
 
 /// The live bar has a word for a pair that fails, and the page says what it cannot read or replaces.
@@ -244,10 +240,8 @@ pub fn page_says_in_words_what_fails(browser: &Chromium, _: &Site) {
     tab.eval("document.getElementById('keep').click()");
     tab.until("document.getElementById('kept').innerText.includes('30 js7')");
     settled(&mut tab);
-    drop_files(
-        &mut tab,
-        &[("latin.toml".to_owned(), b"title = \"Pr\xfcf\"".to_vec())],
-    );
+    let latin = b"title = \"Pr\xfcf\"".to_vec();
+    drop_files(&mut tab, &[("latin.toml".to_owned(), latin)]);
     tab.until("document.getElementById('problem-list').innerText.includes('not UTF-8')");
     tab.eval("location.hash = '#pair=garbage'");
     tab.until("document.getElementById('problem-list').innerText.includes('link')");
@@ -364,36 +358,19 @@ pub fn page_works_by_keyboard(browser: &Chromium, _: &Site) {
         assert_eq!(now[1], true, "{} shows its focus", now[0]);
         reached.push(now[0].clone());
     }
-    let wanted = [
-        "open",
-        "examples",
-        "text",
-        "calculate",
-        "save-pair",
-        "a",
-        "a-number",
-        "keep",
-        "turn",
-        "wheel",
-        "viewer-picture",
-    ];
+    let wanted = "open examples text calculate save-pair a a-number keep turn wheel viewer-picture";
     let place = |id| reached.iter().position(|known| known == id);
-    let places = wanted.map(|id| place(id).unwrap_or_else(|| panic!("{id} in {reached:?}")));
-    assert!(places.is_sorted(), "{reached:?}");
+    let known = |id| place(id).unwrap_or_else(|| panic!("{id} in {reached:?}"));
+    assert!(wanted.split(' ').map(known).is_sorted(), "{reached:?}");
     // Arrow keys move the distance by 1 µm, with Shift by 10.
-    for (field, keys, by) in [
-        ("a", [("ArrowRight", false), ("ArrowRight", true)], 0.011),
-        (
-            "a-number",
-            [("ArrowDown", true), ("ArrowUp", false)],
-            -0.009,
-        ),
+    for (field, [key, with_shift], by) in [
+        ("a", ["ArrowRight", "ArrowRight"], 0.011),
+        ("a-number", ["ArrowUp", "ArrowDown"], -0.009),
     ] {
         tab.eval(&format!("document.getElementById('{field}').focus()"));
         let before = distance(&mut tab);
-        for (key, shift) in keys {
-            tab.key(key, shift);
-        }
+        tab.key(key, false);
+        tab.key(with_shift, true);
         let moved = distance(&mut tab) - before;
         assert!((moved - by).abs() < 1e-9, "{field}: {moved}");
     }
@@ -458,11 +435,8 @@ pub fn page_problems_have_their_places(browser: &Chromium, _: &Site) {
     drop_files(&mut tab, &[("wrong.toml".to_owned(), wrong.to_vec())]);
     tab.until("document.querySelectorAll('#problem-list li').length >= 3");
     let shown = text(&mut tab, "problems");
-    for key in [
-        "wheel.teeth = 20.5",
-        "modul_mm",
-        "pinion.pressure_angle_deg = 200",
-    ] {
+    let keys = "wheel.teeth = 20.5, modul_mm, pinion.pressure_angle_deg = 200";
+    for key in keys.split(", ") {
         assert!(shown.contains(key), "{key}: {shown}");
     }
     tab.eval("document.querySelector('#problem-list button').click()");
@@ -540,10 +514,8 @@ pub fn page_prints_its_result(browser: &Chromium, _: &Site) {
             "(() => {{ const all = [...document.querySelectorAll('{shown}')].map((one) => one.getBoundingClientRect()); \
              return [Math.max(...all.map((one) => one.height)), Math.max(...all.map((one) => one.right)) - innerWidth]; }})()"
         ));
-        assert!(
-            frame[0] > 0.0 && frame[0] < height && frame[1] <= 0.0,
-            "{shown}: {frame:?}"
-        );
+        let is_on_paper = frame[0] > 0.0 && frame[0] < height && frame[1] <= 0.0;
+        assert!(is_on_paper, "{shown}: {frame:?}");
     }
     for hidden in [".input", "#live", "#viewer-controls"] {
         tab.holds(&format!(
@@ -633,10 +605,8 @@ pub fn page_hostile_files_are_problems(browser: &Chromium, _: &Site) {
         let shown = text(&mut tab, "problem-list");
         let is_told = !shown.is_empty() && !shown.contains("internal fault");
         assert!(is_told, "{name}: {shown}");
-        assert!(
-            name != "p.xlsx" || shown.contains(".xlsx workbook"),
-            "{shown}"
-        );
+        let is_named = name != "p.xlsx" || shown.contains(".xlsx workbook");
+        assert!(is_named, "{shown}");
     }
     tab.holds("window.ran === undefined");
     assert_eq!(tab.events("Runtime.exceptionThrown"), Vec::<&Value>::new());

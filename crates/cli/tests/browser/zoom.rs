@@ -121,10 +121,8 @@ pub fn the_wheel_zooms_by_how_far_it_turns(browser: &Chromium, site: &Site) {
 /// Two fingers on one spot gave 0/0 and a viewBox of NaN.
 pub fn two_fingers_pinch(browser: &Chromium, site: &Site) {
     let mut tab = open(browser, site);
-    tab.call(
-        "Emulation.setTouchEmulationEnabled",
-        json!({ "enabled": true, "maxTouchPoints": 2 }),
-    );
+    let two = json!({ "enabled": true, "maxTouchPoints": 2 });
+    tab.call("Emulation.setTouchEmulationEnabled", two);
     let home = view(&mut tab);
     // A focused picture receives every touch.
     focus(&mut tab, "picture");
@@ -133,10 +131,8 @@ pub fn two_fingers_pinch(browser: &Chromium, site: &Site) {
         let points = (0..).zip(distances);
         let points = points.map(|(id, off)| json!({ "x": x + off, "y": y, "id": id }));
         let points: Vec<_> = points.collect();
-        tab.call(
-            "Input.dispatchTouchEvent",
-            json!({ "type": kind, "touchPoints": points }),
-        );
+        let event = json!({ "type": kind, "touchPoints": points });
+        tab.call("Input.dispatchTouchEvent", event);
     };
     // Each finger moves by an event of its own, and a call may return before its events are handled.
     let width_is = |tab: &mut Tab, width: f64| {
@@ -205,10 +201,8 @@ pub fn buttons_wheel_and_keys_zoom(browser: &Chromium, site: &Site) {
     let scrolled = tab.number("window.scrollY");
     for (wheel, comparison, times) in [(-120.0, '<', 0.9), (120.0, '>', 0.99)] {
         tab.mouse("mouseWheel", at, wheel);
-        tab.until(&format!(
-            "document.getElementById('viewer-picture').viewBox.baseVal.width {comparison} {}",
-            times * home[2]
-        ));
+        let width = "document.getElementById('viewer-picture').viewBox.baseVal.width";
+        tab.until(&format!("{width} {comparison} {}", times * home[2]));
         // The page counts in single precision here.
         assert!((tab.number(&under) - before).abs() < 1e-4 * home[2]);
     }

@@ -56,10 +56,8 @@ fn workbook(parts: &Parts) -> Vec<u8> {
     );
     part("xl/_rels/workbook.xml.rels", targets.as_bytes());
     let (start, texts) = &parts.texts;
-    part(
-        "xl/sharedStrings.xml",
-        format!("{start}{texts}</sst>").as_bytes(),
-    );
+    let texts = format!("{start}{texts}</sst>");
+    part("xl/sharedStrings.xml", texts.as_bytes());
     let sheet = format!("<worksheet xmlns=\"{MAIN}\"><sheetData>{sheet}</sheetData></worksheet>");
     for i in 0..*count {
         part(&format!("xl/worksheets/s{i}.xml"), sheet.as_bytes());
@@ -134,11 +132,8 @@ fn refused(table: &[u8], says: &str) {
 #[test]
 fn workbooks() {
     let repeated = of_texts(&"x".repeat(10 * MIB), (100, 10));
-    assert!(
-        repeated.len() < 20_000,
-        "a small file: {} bytes",
-        repeated.len()
-    );
+    let size = repeated.len();
+    assert!(size < 20_000, "a small file: {size} bytes");
     let most = "more than 32767 characters, the most a cell may have";
     refused(&repeated, most);
     refused(&of_texts(&"x".repeat(100_000), (9500, 100)), most);
@@ -153,10 +148,8 @@ fn workbooks() {
     refused(&of_start(&tag), "no line names the columns");
     let part = "more than 32 MiB unpacked, the most a part may have";
     refused(&of_sheets(" ".repeat(300 * MIB), 1), part);
-    refused(
-        &of_sheets(format!("<row{}></row>", attributes(1_000_000)), 1),
-        "is empty",
-    );
+    let row = format!("<row{}></row>", attributes(1_000_000));
+    refused(&of_sheets(row, 1), "is empty");
     let cell = "<c><v>1</v></c>";
     let beyond = "is outside the table limits: up to 100 columns and 200000 cells are read";
     refused(&of_sheets(rows(1, 1_000_000, cell), 1), beyond);
@@ -164,17 +157,13 @@ fn workbooks() {
     refused(&of_sheets(rows(300_000, 1, cell), 1), beyond);
     let parts = "its parts have more than 64 MiB unpacked";
     refused(&of_sheets(rows(19_000, 100, cell), 3), parts);
-    let long = format!(
-        "<row><c t=\"inlineStr\"><is><t>{}</t></is></c></row>",
-        "y".repeat(20 * MIB)
-    );
+    let long = "y".repeat(20 * MIB);
+    let long = format!("<row><c t=\"inlineStr\"><is><t>{long}</t></is></c></row>");
     refused(&of_sheets(long, 1), most);
     let reference = format!("<row><c r=\"{}1\"/></row>", "A".repeat(50_000));
     refused(&of_sheets(reference, 1), "no spreadsheet has a cell \"AAAA");
-    refused(
-        &of_sheets("<a>".repeat(5_000_000), 1),
-        "ill-formed document",
-    );
+    let open = "<a>".repeat(5_000_000);
+    refused(&of_sheets(open, 1), "ill-formed document");
     let pictures = workbook(&Parts {
         texts: ("<sst>".to_owned(), String::new()),
         sheet: (String::new(), 1),

@@ -216,38 +216,24 @@ fn hostile_contents_of_bad_files() {
     let folder = folder.path();
     for hostile in &titles() {
         let table = json!({ "file": "table.csv" });
+        let locked = json!({ "center_distance_mm": 37.1, "locked": hostile });
         let mut pitch = gear(20);
         pitch["pitch"] = json!({ "kind": "single", "file": "table.csv" });
+        // `#` stands for the text in the table.
         for (key, value, beside) in [
-            ("assembly", json!({ hostile.as_str(): 1 }), String::new()),
-            (
-                "assembly",
-                json!({ "center_distance_mm": hostile }),
-                String::new(),
-            ),
-            (
-                "assembly",
-                json!({ "center_distance_mm": 37.1, "locked": hostile }),
-                String::new(),
-            ),
-            ("measured", json!({ "file": hostile }), String::new()),
-            ("measured", table.clone(), hostile.to_owned()),
-            (
-                "measured",
-                table,
-                format!("{hostile},center_distance_mm\n{hostile},1\n"),
-            ),
-            (
-                "wheel",
-                pitch.clone(),
-                format!("tooth,left,right,{hostile}\n1,{hostile},1,1\n"),
-            ),
-            ("wheel", pitch, format!("tooth,left,right\n1,{hostile},1\n")),
+            ("assembly", json!({ hostile.as_str(): 1 }), ""),
+            ("assembly", json!({ "center_distance_mm": hostile }), ""),
+            ("assembly", locked, ""),
+            ("measured", json!({ "file": hostile }), ""),
+            ("measured", table.clone(), "#"),
+            ("measured", table, "#,center_distance_mm\n#,1\n"),
+            ("wheel", pitch.clone(), "tooth,left,right,#\n1,#,1,1\n"),
+            ("wheel", pitch, "tooth,left,right\n1,#,1\n"),
         ] {
             let mut pair = good("x");
             pair[key] = value;
             write(folder, "pair.json", &pair);
-            fs::write(folder.join("table.csv"), beside).unwrap();
+            fs::write(folder.join("table.csv"), beside.replace('#', hostile)).unwrap();
             let (printed, told) = run(folder, "simulate PAIR --format json", "pair.json");
             assert_eq!(printed, "");
             let is_error = |line: &str| line.starts_with("error: pair.json: ");

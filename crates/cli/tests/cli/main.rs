@@ -34,12 +34,9 @@ fn output(command: &mut Command) -> String {
 /// Runs with these arguments: exit code, standard output, standard error.
 fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
     let output = gearlash(folder).args(args).output().unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code(),
-        text(output.stdout),
-        text(output.stderr),
-    )
+    let text = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+    let [out, errors] = text;
+    (output.status.code(), out, errors)
 }
 
 fn empty_folder() -> tempfile::TempDir {

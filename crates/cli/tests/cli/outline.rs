@@ -94,10 +94,8 @@ fn chords_keep_the_tolerance_and_use_it() {
             }
         }
         let share = most * 1e3 / tolerance_um.parse::<f64>().unwrap();
-        assert!(
-            share <= 1.0 + 1e-6 && share > 0.5,
-            "{share} of {tolerance_um} um"
-        );
+        let is_used = share <= 1.0 + 1e-6 && share > 0.5;
+        assert!(is_used, "{share} of {tolerance_um} um");
     }
 }
 
@@ -162,10 +160,8 @@ fn dxf_and_svg_hold_the_same_outline_with_lands_as_arcs() {
     let width = svg.attribute("width").unwrap().strip_suffix("mm").unwrap();
     assert_eq!(view[2], width.parse::<f64>().unwrap());
     assert!(view[0] < -tip() - ECCENTRICITY && view[0] + view[2] > tip() + ECCENTRICITY);
-    assert!(
-        text.contains("<title>deviated &lt;back&gt; &amp; eccentric é</title>")
-            && text.contains("tolerance: 1 um")
-    );
+    assert!(text.contains("tolerance: 1 um"));
+    assert!(text.contains("<title>deviated &lt;back&gt; &amp; eccentric é</title>"));
     let mut nodes = document.descendants();
     let path = nodes.find(|node| node.has_tag_name("path")).unwrap();
     let data = path.attribute("d").unwrap();
@@ -177,10 +173,8 @@ fn dxf_and_svg_hold_the_same_outline_with_lands_as_arcs() {
         let mut x = word;
         if let Some(round) = word.strip_prefix('A') {
             let round: f64 = round.parse().unwrap();
-            assert!(
-                (round - tip()).abs() < 1e-9 || (round - root()).abs() < 1e-9,
-                "{round}"
-            );
+            let is_land = (round - tip()).abs() < 1e-9 || (round - root()).abs() < 1e-9;
+            assert!(is_land, "{round}");
             radii += 1;
             let flags: Vec<&str> = words.by_ref().take(4).collect();
             assert_eq!(flags[1..], ["0", "0", "0"]);
@@ -214,10 +208,8 @@ fn a_space_that_is_closed_at_its_root_ends_where_its_fillets_cross() {
             let ((a, b), (c, d)) = (chord(i), chord(j));
             let crossed =
                 across(a, b, c) * across(a, b, d) < 0.0 && across(c, d, a) * across(c, d, b) < 0.0;
-            assert!(
-                !crossed || (i == 0 && j == count - 1),
-                "{a:?} {b:?} and {c:?} {d:?}"
-            );
+            let is_apart = !crossed || (i == 0 && j == count - 1);
+            assert!(is_apart, "{a:?} {b:?} and {c:?} {d:?}");
         }
     }
     // Least radius: the deepest spaces reach the root circle, the closed ones do not.

@@ -13,30 +13,26 @@ use std::path::Path;
 /// Keys of any table of readings, which the page explains once.
 const OF_TABLES: [&str; 5] = ["sheet", "header_row", "tooth_column", "column", "decimal"];
 
-/// Whether the file at `path` holds `text`, which is stored where that is asked for.
-fn is_stored(path: &Path, text: &str) -> bool {
+/// Fails unless the file at `path` holds `text`, which is stored where that is asked for.
+fn assert_stored(path: &Path, text: &str) {
     if std::env::var("GEARLASH_DOCS").is_ok_and(|value| value == "write") {
         fs::write(path, text).unwrap();
     }
-    fs::read_to_string(path).is_ok_and(|stored| stored == text)
+    let is_stored = fs::read_to_string(path).is_ok_and(|stored| stored == text);
+    let store = "GEARLASH_DOCS=write cargo test --release -p gearlash-cli --test cli reference";
+    assert!(is_stored, "{path:?} is out of date; store it by\n{store}");
 }
 
 /// Compares what stands between the marks `name` of a page with `list`, or stores it.
 fn assert_written(page: &str, name: &str, list: &str) {
     let path = docs().join("reference").join(page);
     let text = fs::read_to_string(&path).unwrap();
-    let (begin, end) = (
-        format!("<!-- {name}: written by the tests -->\n"),
-        format!("<!-- end of {name} -->"),
-    );
+    let begin = format!("<!-- {name}: written by the tests -->\n");
+    let end = format!("<!-- end of {name} -->");
     let (before, rest) = text.split_once(&begin).unwrap();
     let (_, after) = rest.split_once(&end).unwrap();
     let list = format!("\n{}\n\n", list.trim());
-    assert!(
-        is_stored(&path, &format!("{before}{begin}{list}{end}{after}")),
-        "docs/reference/{page} is not what the program has; store it by\n\
-         GEARLASH_DOCS=write cargo test --release -p gearlash-cli --test cli reference\n{list}"
-    );
+    assert_stored(&path, &format!("{before}{begin}{list}{end}{after}"));
 }
 
 #[test]
@@ -93,11 +89,8 @@ impl<'s> Keys<'s> {
     fn table(&mut self, path: &str, table: &'s Value) {
         if !path.is_empty() {
             let heading = format!("### `[{path}]`");
-            let again = if self.text.contains(&heading) {
-                ", drawn"
-            } else {
-                ""
-            };
+            let is_again = self.text.contains(&heading);
+            let again = if is_again { ", drawn" } else { "" };
             self.text += &format!("\n{heading}{again}\n\n");
         }
         let mut as_elsewhere: BTreeMap<String, Vec<String>> = BTreeMap::new();
@@ -190,17 +183,13 @@ fn range(schema: &Value) -> Option<String> {
         "boolean" => Some("true/false".to_owned()),
         "string" => Some("text".to_owned()),
         _ => Some(
-            match (
-                bound("minimum"),
-                bound("exclusiveMinimum"),
-                bound("maximum"),
-            ) {
-                (Some(least), _, Some(most)) => format!("{least}…{most}"),
-                (None, Some(above), Some(most)) => format!(">{above}…{most}"),
-                (Some(least), _, None) => format!("≥{least}"),
-                (None, Some(above), None) => format!(">{above}"),
-                (None, None, Some(most)) => format!("≤{most}"),
-                (None, None, None) => "number".to_owned(),
+            match ["minimum", "exclusiveMinimum", "maximum"].map(bound) {
+                [Some(least), _, Some(most)] => format!("{least}…{most}"),
+                [None, Some(above), Some(most)] => format!(">{above}…{most}"),
+                [Some(least), _, None] => format!("≥{least}"),
+                [None, Some(above), None] => format!(">{above}"),
+                [None, None, Some(most)] => format!("≤{most}"),
+                [None, None, None] => "number".to_owned(),
             },
         ),
     }
@@ -230,11 +219,7 @@ fn the_stored_schemas_are_those_of_the_types() {
     let definitions = each.collect::<Vec<_>>().join(",\n");
     lines.push(format!("\"definitions\": {{\n{definitions}\n}}"));
     let path = docs().join("../crates/files/src/spec/schemas.json");
-    assert!(
-        is_stored(&path, &format!("{{\n{}\n}}\n", lines.join(",\n"))),
-        "crates/files/src/spec/schemas.json is not what the types have; store it by\n\
-         GEARLASH_DOCS=write cargo test --release -p gearlash-cli --test cli reference"
-    );
+    assert_stored(&path, &format!("{{\n{}\n}}\n", lines.join(",\n")));
 }
 
 #[test]
@@ -359,10 +344,8 @@ fn the_reference_explains_every_key_of_results() {
         let mut command = gearlash(folder.path());
         command.args([name, "--format", "json"]);
         let output = command.arg(fixture(file)).output().unwrap();
-        collect(
-            &serde_json::from_slice(&output.stdout).unwrap(),
-            &mut written,
-        );
+        let result = serde_json::from_slice(&output.stdout).unwrap();
+        collect(&result, &mut written);
     }
     let unknown: Vec<&&str> = explained
         .iter()

@@ -11,6 +11,13 @@ fn simulated(folder: &Path, text: &str, arguments: &[&str]) -> Value {
     serde_json::from_str(&output(command.args(arguments))).unwrap()
 }
 
+/// The last columns of the CSV, by their places in a pose of the JSON.
+const LAST_COLUMNS: [(&str, &str); 3] = [
+    ("/j_r_um", "j_r_um"),
+    ("/lost_motion_arcmin/wheel", "lost_motion_wheel_arcmin"),
+    ("/lost_motion_arcmin/pinion", "lost_motion_pinion_arcmin"),
+];
+
 /// By the lost motion φ of the pinion: j_t = φ m z/2, j_bn = φ r_b, j_wt = φ r_w with r_w = a z/(z_1 + z_2). The lost motions of both gears are as
 /// their teeth; 10 800' are π (ISO 21771). j_r = a − a_0, where j_wt cos α_wt = (d_b1 + d_b2) (inv α_wt − inv α_w0), cos α_wt = (r_b1 + r_b2)/a
 /// (module 2): a_0 by halving.
@@ -58,19 +65,9 @@ fn every_pose_has_every_unit_in_json_and_csv() {
             }
             let row = rows.next().unwrap().unwrap();
             let last = row.len() - 3..row.len();
-            for (column, (path, name, expected)) in last.zip([
-                ("/j_r_um", "j_r_um", radial_um(j_wt)),
-                (
-                    "/lost_motion_arcmin/wheel",
-                    "lost_motion_wheel_arcmin",
-                    j_wt * arcmin_per_um(20.0),
-                ),
-                (
-                    "/lost_motion_arcmin/pinion",
-                    "lost_motion_pinion_arcmin",
-                    j_wt * arcmin_per_um(17.0),
-                ),
-            ]) {
+            let arcmin = [20.0, 17.0].map(|teeth| j_wt * arcmin_per_um(teeth));
+            let expected = [radial_um(j_wt), arcmin[0], arcmin[1]];
+            for (column, ((path, name), expected)) in last.zip(LAST_COLUMNS.iter().zip(expected)) {
                 // a − a_0 to the rounding of 37 mm, 1e-11 µm and that of the halving.
                 let off = (number(path) - expected).abs();
                 assert!(off < 1e-12 * expected.abs() + 1e-9, "{path}: {pose}");

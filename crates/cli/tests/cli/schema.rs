@@ -98,12 +98,8 @@ fn reader_allows(schema: &Value, smallest: &Value, command: &[&str]) {
             .and_then(|line| line.split_once("unknown key, expected "))
             .expect(&errors);
         let allowed = allowed.1.split(';').next().unwrap();
-        let allowed: BTreeSet<String> = allowed
-            .split('`')
-            .skip(1)
-            .step_by(2)
-            .map(str::to_owned)
-            .collect();
+        let allowed = allowed.split('`').skip(1).step_by(2);
+        let allowed: BTreeSet<String> = allowed.map(str::to_owned).collect();
         assert_eq!(allowed, keys, "{path}: the reader's, the schema's");
     }
 }
@@ -127,11 +123,8 @@ fn the_gear_schema_is_that_of_gear_files() {
     assert!(gears.is_valid(&json!({ "gear": { "outline": { "file": "gear.dxf" } } })));
     let mut few = wheel.clone();
     few["teeth"] = json!(2);
-    for fault in [
-        json!({ "gear": few }),
-        json!({ "title": "Wheel" }),
-        smallest(),
-    ] {
+    let [few, none] = [json!({ "gear": few }), json!({ "title": "Wheel" })];
+    for fault in [few, none, smallest()] {
         assert!(!gears.is_valid(&fault), "{fault}");
     }
     let pairs = validator(&[]);
@@ -190,11 +183,8 @@ fn explained(text: &str) -> Vec<(String, Value, String)> {
     for line in text.lines() {
         let line = line.strip_prefix("# ").unwrap_or(line);
         let (said, words) = line.split_once(" # ").unwrap_or((line, ""));
-        if let Some(name) = said
-            .trim()
-            .strip_prefix('[')
-            .and_then(|s| s.strip_suffix(']'))
-        {
+        let inner = said.trim().strip_prefix('[');
+        if let Some(name) = inner.and_then(|inner| inner.strip_suffix(']')) {
             table = format!("{name}.");
             continue;
         }
@@ -202,11 +192,8 @@ fn explained(text: &str) -> Vec<(String, Value, String)> {
         if key.is_empty() || !key.chars().all(|c| c.is_ascii_lowercase() || c == '_') {
             continue;
         }
-        found.push((
-            format!("{table}{key}"),
-            value(said)[key].clone(),
-            words.to_owned(),
-        ));
+        let value = value(said)[key].clone();
+        found.push((format!("{table}{key}"), value, words.to_owned()));
     }
     found
 }
@@ -246,13 +233,10 @@ fn init_explains_every_key_of_the_schema() {
         names.extend(path.split('.').map(str::to_owned));
         // A comment that names a unit names that of the key.
         for (unit, suffix) in [("µm", "_um"), (" mm", "_mm"), ("degrees", "_deg")] {
-            let other = ["_um", "_mm", "_deg"]
-                .iter()
-                .find(|end| path.ends_with(**end));
-            assert!(
-                !words.contains(unit) || other.is_none_or(|end| *end == suffix),
-                "{path}: {words}"
-            );
+            let mut suffixes = ["_um", "_mm", "_deg"].iter();
+            let other = suffixes.find(|end| path.ends_with(**end));
+            let is_own = !words.contains(unit) || other.is_none_or(|end| *end == suffix);
+            assert!(is_own, "{path}: {words}");
         }
     }
     let mut found = Vec::new();

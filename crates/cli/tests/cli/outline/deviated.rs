@@ -80,10 +80,8 @@ pub fn root() -> f64 {
 
 /// The outline's centre: the gear turns about the origin, and teeth count clockwise from +y.
 fn centre() -> Point {
-    turned(
-        [ECCENTRICITY, 0.0],
-        FRAC_PI_2 - (HIGH_TOOTH - 1.0) * TAU / TEETH as f64,
-    )
+    let turn = FRAC_PI_2 - (HIGH_TOOTH - 1.0) * TAU / TEETH as f64;
+    turned([ECCENTRICITY, 0.0], turn)
 }
 
 /// A point as seen from a tooth (0 …): about the outline's centre, the flank nearer to it mirrored to the counter-clockwise

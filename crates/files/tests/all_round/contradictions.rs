@@ -7,10 +7,8 @@ use std::f64::consts::TAU;
 
 /// One warning, with these words.
 fn check_one(warnings: &[String], words: &str) {
-    assert!(
-        warnings.len() == 1 && warnings[0].contains(words),
-        "{words}: {warnings:?}"
-    );
+    let is_one = warnings.len() == 1 && warnings[0].contains(words);
+    assert!(is_one, "{words}: {warnings:?}");
 }
 
 #[test]

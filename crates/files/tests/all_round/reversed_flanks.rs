@@ -128,10 +128,8 @@ fn good_flanks_are_hardly_ever_suspected() {
             });
             let walks = suspected("walks", &mut dice, as_read, |d| [d.walk(z), d.walk(z)]);
             let real = suspected("real", &mut dice, as_read, |d| d.real(z, 2.0));
-            assert!(
-                white.max(walks).max(real) <= GEARS / 1000,
-                "z {z}, {about:?}: {white}, {walks}, {real}"
-            );
+            let is_rare = white.max(walks).max(real) <= GEARS / 1000;
+            assert!(is_rare, "z {z}, {about:?}: {white}, {walks}, {real}");
             assert!(about.is_some() || z == 7 || real == 0, "z {z}: {real}");
         }
     }
@@ -144,18 +142,14 @@ fn a_reversed_left_flank_is_found() {
     let mut dice = Dice(TestRunner::deterministic());
     for (z, about, share) in RATES {
         let real = suspected("real, turned", &mut dice, (about, true), |d| d.real(z, 1.0));
-        assert!(
-            real as f64 >= share * GEARS as f64,
-            "z {z}, {about:?}: {real}"
-        );
+        let is_found = real as f64 >= share * GEARS as f64;
+        assert!(is_found, "z {z}, {about:?}: {real}");
         if about.is_some() {
             let noise = suspected("noise alone, turned", &mut dice, (about, true), |d| {
                 [d.list(z, 3f64.sqrt()), d.list(z, 3f64.sqrt())]
             });
-            assert!(
-                noise as f64 >= share * GEARS as f64,
-                "z {z}, {about:?}: {noise}"
-            );
+            let is_found = noise as f64 >= share * GEARS as f64;
+            assert!(is_found, "z {z}, {about:?}: {noise}");
         }
     }
 }

@@ -43,10 +43,8 @@ fn check_same(found: &AsBuilt, expected: &AsBuilt, bound: f64) {
     for side in Side::BOTH {
         for tooth in 1..=expected.gear().basic_data().teeth() {
             let separation = place(found, side, tooth) - place(expected, side, tooth);
-            assert!(
-                separation.abs() < bound,
-                "{side:?} {tooth}: {separation} mm"
-            );
+            let is_met = separation.abs() < bound;
+            assert!(is_met, "{side:?} {tooth}: {separation} mm");
         }
     }
 }
@@ -142,10 +140,8 @@ fn thickness_that_no_span_shows_is_not_made_up() {
         let up = steps.map_or(0.0, |n| if n % 2 == 0 { 4.0 } else { -4.0 });
         let expected = (up - 4.0 / 44.0) / 20f64.to_radians().cos() / 2.0;
         let found = 66_000.0 * wheel(&five).flank_offset(Side::Left, tooth);
-        assert!(
-            (found - expected).abs() < 1e-8,
-            "{tooth}: {found} {expected}"
-        );
+        let is_near = (found - expected).abs() < 1e-8;
+        assert!(is_near, "{tooth}: {found} {expected}");
     }
     let mean_only = spans(5, 41.69, ", per_tooth = false");
     assert!(wheel(&mean_only).flank_offset(Side::Left, 7) == 0.0);

@@ -64,15 +64,10 @@ fn flat_bulges_keep_their_ends_and_their_sagitta() {
             // A bulge is positive where the arc turns left: it lies right of its chord.
             let sagitta = 1.0 - one.segments[0].at(0.5).y;
             // The rounding of a point at this distance from the centre: 10 / bulge, where it is an arc.
-            let rounding = if bulge < 1e-3 {
-                2e-14
-            } else {
-                20.0 / bulge * f64::EPSILON
-            };
-            assert!(
-                (sagitta - sign * bulge * 20.0).abs() <= one.bound_mm + rounding,
-                "{bulge}: {sagitta}"
-            );
+            let round = 20.0 / bulge * f64::EPSILON;
+            let rounding = if bulge < 1e-3 { 2e-14 } else { round };
+            let is_near = (sagitta - sign * bulge * 20.0).abs() <= one.bound_mm + rounding;
+            assert!(is_near, "{bulge}: {sagitta}");
             assert!(one.bound_mm < 1e-9 && (bulge < 1e-6 || one.bound_mm < 1e-14));
         }
     }
@@ -112,10 +107,8 @@ fn ellipses_lie_within_their_bound() {
         }
     }
     // The bound is attained to a third.
-    assert!(
-        worst <= bound && worst > 0.3 * bound,
-        "{worst:e} of {bound:e}"
-    );
+    let is_used = worst <= bound && worst > 0.3 * bound;
+    assert!(is_used, "{worst:e} of {bound:e}");
 }
 
 /// A circle is two half arcs, and so is an ellipse with equal axes; area π r², length τ r.
@@ -170,14 +163,10 @@ fn a_mixed_outline_and_its_bore() {
         panic!("{drawing:?}")
     };
     assert_eq!((teeth.name.as_str(), bore.name.as_str()), ("TEETH", "BORE"));
-    check_through(
-        teeth,
-        &points("10.0 0.0, 12.0 1.0, 14.0 3.0, 9.0 8.0, 5.0 9.0, 0.0 8.0, -5.0 0.0, 2.5 -3.75"),
-    );
-    assert_eq!(
-        drawing.remarks,
-        ["left out: TEXT (1, the first in line 219: entity 10 (TEXT on layer \"NOTES\"))"]
-    );
+    let places = "10.0 0.0, 12.0 1.0, 14.0 3.0, 9.0 8.0, 5.0 9.0, 0.0 8.0, -5.0 0.0, 2.5 -3.75";
+    check_through(teeth, &points(places));
+    let note = "left out: TEXT (1, the first in line 219: entity 10 (TEXT on layer \"NOTES\"))";
+    assert_eq!(drawing.remarks, [note]);
     let one = Options {
         select: Some("bore".to_owned()),
         ..Options::default()

@@ -53,11 +53,8 @@ fn check(path: &Path) {
             let echo = path.with_file_name("echo.json");
             fs::write(&echo, super::echo(&study).to_string()).unwrap();
             let again = read(&echo).unwrap_or_else(|error| panic!("{error}"));
-            assert!(
-                again.study.materials == study.study.materials,
-                "{:#?}",
-                study.spec
-            );
+            let is_same = again.study.materials == study.study.materials;
+            assert!(is_same, "{:#?}", study.spec);
             assert_eq!(again.spec, study.spec);
         }
         Err(InputError { problems, .. }) => {

@@ -31,11 +31,8 @@ fn matings_of_the_reference_poses() {
             let rotation = Pose::new(run.run.assembly.data().unwrap(), mating).locked_rotation();
             let expected = reference["wheel_rotation_rad"].as_f64().unwrap();
             let turns = (rotation - expected) / TAU;
-            assert!(
-                (turns - turns.round()).abs() * TAU < 1e-12,
-                "{}",
-                path.display()
-            );
+            let is_whole = (turns - turns.round()).abs() * TAU < 1e-12;
+            assert!(is_whole, "{}", path.display());
             poses += 1;
         }
     }

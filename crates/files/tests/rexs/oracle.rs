@@ -159,46 +159,32 @@ impl Model {
             let mut all = flanks.iter().filter_map(|flank| self.number(*flank, name));
             all.next()
         };
-        assert_eq!(
-            float("pressure_angle_deg"),
-            of_flanks("normal_pressure_angle")
-        );
-        assert_eq!(
-            float("profile_shift"),
-            of_flanks("addendum_modification_coefficient")
-        );
-        let tools = flanks
-            .iter()
-            .flat_map(|flank| self.related("manufacturing_step", "workpiece", *flank, "tool"));
+        let angle = of_flanks("normal_pressure_angle");
+        let shift = of_flanks("addendum_modification_coefficient");
+        assert_eq!(float("pressure_angle_deg"), angle);
+        assert_eq!(float("profile_shift"), shift);
+        let steps = |to| {
+            let of = move |flank: &i64| self.related("manufacturing_step", "workpiece", *flank, to);
+            flanks.iter().flat_map(of)
+        };
+        let tools = steps("tool");
         let tool = |names: &[&str]| {
             let tools = tools.clone();
             let mut all = tools.flat_map(|id| names.iter().filter_map(move |n| self.number(id, n)));
             all.next()
         };
         if let Some(rack) = table.get("rack") {
-            let radius = [
-                "tip_corner_radius_factor_reference_profile",
-                "tip_radius_factor",
-            ];
-            let of_tool = [
-                tool(&["addendum_coefficient_reference_profile"]),
-                tool(&radius),
-            ];
+            let radius = "tip_corner_radius_factor_reference_profile";
+            let addendum = tool(&["addendum_coefficient_reference_profile"]);
+            let of_tool = [addendum, tool(&[radius, "tip_radius_factor"])];
             let found = ["dedendum", "root_radius"].map(|key| rack[key].as_float());
             assert_eq!(found, of_tool);
         }
-        let angle = of_flanks("normal_pressure_angle").unwrap();
-        let settings = flanks.iter().flat_map(|flank| {
-            self.related(
-                "manufacturing_step",
-                "workpiece",
-                *flank,
-                "manufacturing_settings",
-            )
-        });
+        let angle = angle.unwrap();
+        let settings = steps("manufacturing_settings");
         let id = "generated_addendum_modification_coefficient";
         let generated = settings.filter_map(|id_of| self.number(id_of, id)).next();
-        let x = of_flanks("addendum_modification_coefficient").unwrap_or(0.0);
+        let x = shift.unwrap_or(0.0);
         let module = self.number(gear, "normal_module").unwrap();
         let generated = generated
             .filter(|generated| *generated != x)
@@ -215,13 +201,10 @@ impl Model {
         generated: Option<f64>,
     ) {
         let none = toml::Table::new();
-        let stated = table
-            .get("thickness")
-            .map_or(&none, |t| t.as_table().unwrap());
-        let series = self.text(
-            gear,
-            "tooth_thickness_deviation_tolerance_series_din_3967_1978",
-        );
+        let stated = table.get("thickness");
+        let stated = stated.map_or(&none, |stated| stated.as_table().unwrap());
+        let series = "tooth_thickness_deviation_tolerance_series_din_3967_1978";
+        let series = self.text(gear, series);
         let designation = stated.get("designation").map(|text| text.as_str().unwrap());
         // The digits follow the letters in one notation and precede them in the other.
         let turned = series.map(|series| {
@@ -258,10 +241,8 @@ impl Model {
             assert_eq!(end.is_some() && series.is_none(), found.is_some());
             if let (Some(span), Some(found)) = (end, found) {
                 let back = found * pressure_angle.to_radians().cos();
-                assert!(
-                    (back - span).abs() < 1e-6 * (1.0 + span.abs()),
-                    "{span}: {found}"
-                );
+                let is_near = (back - span).abs() < 1e-6 * (1.0 + span.abs());
+                assert!(is_near, "{span}: {found}");
             }
         }
         if let Some(span) = stated.get("span") {

@@ -8,10 +8,8 @@ use std::io::Write;
 fn xml_and_json_make_the_same_pairs() {
     let (xml, json) = (fixture("gearbox.rexs"), fixture("gearbox.rexsj"));
     let files = [read(&xml).unwrap(), read(&json).unwrap()];
-    assert_eq!(
-        files.each_ref().map(|f| f.version.clone()),
-        ["2.0.0", "1.7"]
-    );
+    let versions = files.each_ref().map(|file| file.version.clone());
+    assert_eq!(versions, ["2.0.0", "1.7"]);
     for stage in [10, 20] {
         let [one, two] = files.each_ref().map(|file| pair(file, stage));
         assert_eq!(one, two);
@@ -43,14 +41,10 @@ fn a_zipped_model_is_read() {
     }
     archive.finish().unwrap();
     let file = read_bytes(bytes.get_ref()).unwrap();
-    assert_eq!(
-        pair(&file, 10),
-        pair(&read(&fixture("gearbox.rexs")).unwrap(), 10)
-    );
+    let plain = read(&fixture("gearbox.rexs")).unwrap();
+    assert_eq!(pair(&file, 10), pair(&plain, 10));
     let cut = &bytes.get_ref()[..bytes.get_ref().len() / 2];
     let error = read_bytes(cut).unwrap_err().to_string();
-    assert!(
-        error.contains("the archive: not a whole zip archive"),
-        "{error}"
-    );
+    let words = "the archive: not a whole zip archive";
+    assert!(error.contains(words), "{error}");
 }

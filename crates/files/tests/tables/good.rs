@@ -24,16 +24,9 @@ fn from_file(name: &str, table: &[u8], kind: &str) -> PairFile {
 fn pitch_of_every_layout_is_that_of_the_lists() {
     let rows = delimited(&fixture("pitch.csv"), 44, &FLANKS).unwrap();
     let expected = inline("cumulative", &column(&rows, 0), &column(&rows, 1));
-    for name in [
-        "pitch.csv",
-        "pitch_german.csv",
-        "pitch.xlsx",
-        "protocol.txt",
-    ] {
-        assert!(
-            is_same(&from_file(name, &fixture(name), "cumulative"), &expected),
-            "{name}"
-        );
+    for name in "pitch.csv pitch_german.csv pitch.xlsx protocol.txt".split(' ') {
+        let found = from_file(name, &fixture(name), "cumulative");
+        assert!(is_same(&found, &expected), "{name}");
     }
     let [left, right] = protocol(&fixture("protocol.txt"), 44, 1).unwrap();
     let expected = inline("single", &column(&right, 0), &column(&left, 0));

@@ -48,10 +48,8 @@ fn check(name: &str, chart: &Chart) {
         for text in picture.texts.iter().filter(|text| text.is_label) {
             let (words, room) = (&text.content, &text.room);
             let crossed = segments.iter().find(|segment| meets(**segment, room));
-            assert!(
-                crossed.is_none(),
-                "{name}: {words:?} is crossed by {crossed:?}"
-            );
+            let is_free = crossed.is_none();
+            assert!(is_free, "{name}: {words:?} is crossed by {crossed:?}");
             let mut panels = chart.panels.iter();
             let plot = panels.find(|plot| contains(plot, [room[0], room[3]]));
             let plot = plot.unwrap_or_else(|| panic!("{name}: {words:?} outside the plots"));

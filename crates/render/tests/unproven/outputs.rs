@@ -94,18 +94,8 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
             count += 1;
             assert_eq!(written["status"], "unproven");
             assert_eq!(written["class"], "unproven");
-            for key in [
-                "right_rad",
-                "left_rad",
-                "lost_motion_rad",
-                "j_wt_um",
-                "j_t_um",
-                "j_bn_um",
-                "j_r_um",
-                "error_bound_um",
-                "right",
-                "left",
-            ] {
+            let null = "right_rad left_rad lost_motion_rad j_wt_um j_t_um j_bn_um j_r_um error_bound_um right left";
+            for key in null.split(' ') {
                 assert!(written[key].is_null(), "{key}");
             }
             let record = &written["unproven"];
@@ -158,6 +148,7 @@ fn texts_say_so() {
     let found = diagnosed(&RUNS);
     let verdict = Verdict::new(&[], &Vec::new(), None, found.failed());
     let remedies = RemedyRecords::default();
+    let checked = check::text(&LOW_TIPS.pair, &verdict, &found, &remedies, &screen);
     let doubtful = doubtful(&RUNS, 3);
     let mut told = String::new();
     for (name, text) in [
@@ -166,10 +157,7 @@ fn texts_say_so() {
         ("junit", compared.junit().unwrap()),
         ("github", compared.github()),
         ("markdown", compared.markdown()),
-        (
-            "check",
-            check::text(&LOW_TIPS.pair, &verdict, &found, &remedies, &screen),
-        ),
+        ("check", checked),
     ] {
         let is_of_doubt = |line: &&str| {
             let words = ["unproven", "not proven", "the certificate failed"];
@@ -326,10 +314,8 @@ fn a_report_vouches_for_nothing() {
         words.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let count = count();
-    let (unproven, compared) = (
-        format!("{count} of 160 poses are unproven"),
-        format!("{count} are unproven: not compared"),
-    );
+    let unproven = format!("{count} of 160 poses are unproven");
+    let compared = format!("{count} are unproven: not compared");
     for (place, words) in [
         ("#result .verdict.unproven", &*unproven),
         ("#result tbody", "unproven"),
@@ -379,16 +365,8 @@ fn json_of_checks_says_so() {
     let verdict = Verdict::new(&[], &Vec::new(), None, found.failed());
     let (screen, remedies) = (Screen::default(), RemedyRecords::default());
     let pair = &LOW_TIPS.pair;
-    let judged = checked(
-        "pair.toml",
-        pair,
-        &found,
-        &verdict,
-        &remedies,
-        true,
-        &screen,
-    );
-    let json = judged.json;
+    let name = "pair.toml";
+    let json = checked(name, pair, &found, &verdict, &remedies, true, &screen).json;
     assert_eq!(json["checks_verdict"], "unproven");
     for check in json["checks"].as_array().unwrap() {
         let id = check["id"].as_str().unwrap();

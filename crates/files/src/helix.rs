@@ -1,7 +1,7 @@
 //! Helix angle, hand and face of a gear.
 
 use super::check::Checked;
-use super::numbers::told_apart;
+use super::numbers::distinct_digits;
 use super::spec::GearSpec;
 use super::table::Table;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, thickness};
@@ -105,7 +105,7 @@ pub fn short_for_span(
     let (sin, cos) = gear.basic_data().base_helix_angle().sin_cos();
     let needed = span * sin + (1.2 + 0.018 * span) * cos;
     (to - from < needed).then(|| {
-        let [needed, given] = told_apart([needed, to - from], 2);
+        let [needed, given] = distinct_digits([needed, to - from], 2);
         format!(
             "{name}.face_mm: a span over {k} teeth needs a face of {needed} mm, this one has {given} mm: both anvils may not rest on it"
         )

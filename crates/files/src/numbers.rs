@@ -24,7 +24,7 @@ pub fn ascii(value: impl Into<Option<f64>>, decimals: usize) -> String {
 }
 
 /// Both values as [`ascii`], with as many more decimals as tell them apart.
-pub fn told_apart(values: [f64; 2], decimals: usize) -> [String; 2] {
+pub fn distinct_digits(values: [f64; 2], decimals: usize) -> [String; 2] {
     let texts = |decimals| values.map(|value| ascii(value, decimals));
     let mut each = (decimals..16).map(texts);
     let apart = each.find(|[one, other]| one != other);

@@ -71,7 +71,7 @@ fn every_pose_has_every_unit_in_json_and_csv() {
                 // a − a_0 to the rounding of 37 mm, 1e-11 µm and that of the halving.
                 let off = (number(path) - expected).abs();
                 assert!(off < 1e-12 * expected.abs() + 1e-9, "{path}: {pose}");
-                assert_eq!(names[column], *name);
+                assert_eq!(&names[column], *name);
                 assert_eq!(row[column].parse(), Ok(number(path)));
             }
         }

@@ -121,12 +121,10 @@ impl Files {
         let is_last = |own: &&String| own.eq_ignore_ascii_case(last);
         let alike = || self.0.get(self.0.keys().find(is_last)?);
         let found = self.0.get(&name).or_else(|| self.0.get(last));
-        found.or_else(alike).cloned().ok_or_else(|| {
-            Problem::of_file(
-                format!("{last} is not here yet"),
-                "drop it, or add it to the files",
-            )
-        })
+        found
+            .or_else(alike)
+            .cloned()
+            .ok_or_else(|| Problem::of_file("not here yet", "drop it, or add it to the files"))
     }
 }
 

@@ -109,6 +109,7 @@
       // The pair file is replaced by another.
       if (name === main) return make("li", name, { className: "now" });
       const item = make("li", name);
+      if (!isNamed(name, text.value)) item.append(" ", make("span", words("files", "unused"), { className: "grey" }));
       const out = make("button", "×", { type: "button" });
       out.setAttribute("aria-label", `Remove ${name}`);
       out.addEventListener("click", () => {
@@ -704,7 +705,8 @@
   byId("link").addEventListener("click", async () => {
     const packed = await through(new TextEncoder().encode(text.value), new CompressionStream("gzip"));
     const code = base64(new Uint8Array(packed)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
-    const fits = files.size === 1 && code.length <= MOST_OF_LINK;
+    const isAlone = ![...files.keys()].some((name) => name !== main && isNamed(name, text.value));
+    const fits = isAlone && code.length <= MOST_OF_LINK;
     if (fits) {
       inLink = text.value;
       location.hash = LINK + code;

@@ -504,7 +504,7 @@ pub fn page_prints_its_result(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, 1280);
     tab.until("document.getElementById('viewer-picture') !== null");
     let reduced = json!({ "features": [{ "name": "prefers-reduced-motion", "value": "reduce" }] });
-    let transitions = "getComputedStyle(document.getElementById('band')).transitionProperty";
+    let transitions = "getComputedStyle(document.getElementById('scale')).transitionProperty";
     tab.holds(&format!("{transitions} !== 'none'"));
     tab.call("Emulation.setEmulatedMedia", reduced);
     tab.holds(&format!("{transitions} === 'none'"));

@@ -76,7 +76,7 @@ fn problems_have_their_lines_and_a_missing_table_its_name() {
     let [from, to] = ["from", "to"].map(|end| teeth[end].as_u64().unwrap() as usize);
     assert_eq!(String::from_utf16_lossy(&units[from..to]), "teeth = 20.5");
     let (_, found) = opened(&["docs/files/sheet.toml"]);
-    let missing = found.to_string().contains("wheel.csv is not here yet");
+    let missing = found.to_string().contains("wheel.csv: not here yet");
     assert!(missing, "{found}");
 }
 

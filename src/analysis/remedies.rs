@@ -471,7 +471,8 @@ impl<'a> Search<'a> {
             let Some(pair) = moved(worst, place(by)) else {
                 return Ok(None);
             };
-            Ok(Some((self.room(worst, &pair, effort)?, ())))
+            let room = possible(self.room(worst, &pair, effort))?;
+            Ok(room.map(|room| (room, ())))
         };
         let slope = |by: f64| moved(worst, place(by)).map_or(f64::NAN, |pair| slope(&pair));
         let Some((now, ())) = value(0.0)?.filter(|(now, ())| *now < 0.0) else {
@@ -524,7 +525,11 @@ impl<'a> Search<'a> {
             };
             for sign in [self.sign, -self.sign].into_iter().filter(decides) {
                 let search = Search { sign, ..*self };
-                if effort.is_nearly_spent() || search.room(planned, &pair, effort)? < 0.0 {
+                if effort.is_nearly_spent() {
+                    return Ok(false);
+                }
+                let room = possible(search.room(planned, &pair, effort))?;
+                if room.is_none_or(|room| room < 0.0) {
                     return Ok(false);
                 }
             }
@@ -582,6 +587,14 @@ impl<'a> Search<'a> {
             room = room.min(self.sign * (value(j_wt) - limit) / per_mm);
         }
         Ok(room)
+    }
+}
+
+/// `None` for gears that an eccentricity in the worst direction leaves without a tooth.
+fn possible(room: Result<f64, Error>) -> Result<Option<f64>, Error> {
+    match room {
+        Err(Error::Gear(_)) => Ok(None),
+        room => room.map(Some),
     }
 }
 

@@ -37,6 +37,9 @@ const ENOUGH: f64 = 0.8;
 /// Units of [`Effort`] for one end (tuned: some seconds).
 const MOST_EFFORT: u64 = 10_000_000;
 
+/// Units of effort of a cell in which nothing is near (tuned: 10 µs).
+const LEAST_EFFORT: u64 = 30;
+
 /// Part of the wanted width by which the poses beside the best one differ from it at last.
 const POLISHED: f64 = 1e-3;
 
@@ -151,8 +154,10 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         });
         let [jammed, unmeshed] = lost;
         let mut all = cells.clone();
+        // Of gears that nowhere touch no pose has a lost motion.
+        let any = cells.iter().any(|cell| cell.angle.is_some());
         let mut found = |end: End, lost: Option<Mating>| {
-            if lost.is_some() || !ends.contains(&end) {
+            if lost.is_some() || !any || !ends.contains(&end) {
                 return None;
             }
             let mut cells = cells.clone();
@@ -234,7 +239,8 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             cells.extend(rest);
             let is_lost = |cell: &Cell| !cell.bound(end).0.is_finite() && cell.half < UNBOUNDED;
             let is_closed = open.is_empty();
-            if is_closed || effort.is_spent() || open.iter().any(is_lost) {
+            let is_stopped = (self.tick)(0).is_break();
+            if is_closed || is_stopped || effort.is_spent() || open.iter().any(is_lost) {
                 cells.extend(open);
                 return is_closed;
             }
@@ -259,7 +265,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                 })
             });
             let parts = parallel::map(parts, |(at, half)| self.look(at, half, &[end]));
-            effort.spend(parts.iter().map(|cell| cell.effort).sum());
+            effort.spend(parts.iter().map(|cell| cell.effort.max(LEAST_EFFORT)).sum());
             best = values(&parts, best);
             left.extend(parts);
         }

@@ -505,7 +505,12 @@ fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
             None => ("Assembles at no centre distance in mesh".to_owned(), true),
         });
     }
-    if verdict.runs.iter().any(is_apart) {
+    // Of drawn gears it is not searched.
+    if verdict
+        .runs
+        .iter()
+        .any(|run| is_apart(run) && run.assembly.data().is_some())
+    {
         distances.push(match verdict.meshes_to() {
             Some(to) => distance_words("In mesh up to", rounded_down(to.low), to.doubt),
             None => ("In mesh at no centre distance".to_owned(), true),

@@ -296,8 +296,6 @@
 
   // Searches the marks that are not found yet.
   async function findMarks(now) {
-    await send("long");
-    await ask("long", "open", main);
     while (now === run && opened.sought.length > 0) {
       const found = await answer("long", opened.sought[0]);
       if (now !== run) return;
@@ -341,10 +339,19 @@
 
   function cancel() {
     const now = ++run;
-    quietly(begin("long").then(() => isFresh() && findMarks(now)));
+    quietly(resume(now));
     byId("working").hidden = true;
     byId("cancelled").textContent = words("cancelled");
     byId("calculate").focus();
+  }
+
+  // A new worker opens the pair whose marks it searches on.
+  async function resume(now) {
+    await begin("long");
+    if (!isFresh()) return;
+    await send("long");
+    await ask("long", "open", main);
+    await findMarks(now);
   }
 
   // A result that is greyed answers nothing, and nothing of it is saved.

@@ -264,7 +264,7 @@ impl Page {
         }
     }
 
-    /// What a page says of files that the program does not see, as problems. `what` is the case, `names` the files.
+    /// A problem with files that the program does not see. `what` is the case, `names` the files.
     pub fn said(&self, what: &str, names: &str) -> Value {
         let (reason, help) = match what {
             "large text" => (
@@ -325,16 +325,21 @@ impl Page {
         let found = || -> Result<Value, Value> {
             // The unit is that of the drawings that state none.
             let each = [[false, false], [true, false], [false, true], [true, true]];
+            let tried = if unit.is_empty() { 1 } else { each.len() };
             let mut refused: Option<InputError> = None;
-            let read = each.into_iter().find_map(|units| match read(units) {
-                Ok(found) => Some(found),
-                Err(error) => {
-                    let known = refused.take();
-                    let fewest = |known: &InputError| known.problems.len() <= error.problems.len();
-                    refused = known.filter(fewest).or(Some(error));
-                    None
-                }
-            });
+            let read = each
+                .into_iter()
+                .take(tried)
+                .find_map(|units| match read(units) {
+                    Ok(found) => Some(found),
+                    Err(error) => {
+                        let known = refused.take();
+                        let fewest =
+                            |known: &InputError| known.problems.len() <= error.problems.len();
+                        refused = known.filter(fewest).or(Some(error));
+                        None
+                    }
+                });
             let Some((units, apart)) = read else {
                 return Err(refused.map_or_else(nothing_open, |error| problems(&error)));
             };

@@ -69,7 +69,7 @@ impl Gearlash {
         self.page.with_distance(name, text, mm).to_string()
     }
 
-    /// What the page says of files that the program does not see: `{title, problems}`.
+    /// A problem with files that the program does not see: `{title, problems}`.
     pub fn said(&self, what: &str, names: &str) -> String {
         self.page.said(what, names).to_string()
     }

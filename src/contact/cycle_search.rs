@@ -154,7 +154,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         });
         let [jammed, unmeshed] = lost;
         let mut all = cells.clone();
-        // Of gears that nowhere touch no pose has a lost motion.
+        // Gears that nowhere touch have no pose with a lost motion.
         let any = cells.iter().any(|cell| cell.angle.is_some());
         let mut found = |end: End, lost: Option<Mating>| {
             if lost.is_some() || !any || !ends.contains(&end) {

@@ -505,7 +505,7 @@ fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
             None => ("Assembles at no centre distance in mesh".to_owned(), true),
         });
     }
-    // Of drawn gears it is not searched.
+    // The search is for gears by data alone.
     if verdict
         .runs
         .iter()
@@ -701,7 +701,7 @@ fn limit(unmet: &Unmet, most: usize) -> String {
     }
 }
 
-/// `low … high`, or one value where both print alike.
+/// `low … high`, or one value where both print equal texts.
 fn bracket_words([low, high]: [String; 2]) -> String {
     if low == high {
         low

@@ -16,7 +16,7 @@ pub struct ContactCount {
     /// Poses of the classes in which something other than involutes touches, with less backlash than the formula beyond
     /// their error bounds. A tip corner that touches on the line of action costs nothing.
     pub off_line: usize,
-    /// Of those, the pose with the greatest loss.
+    /// The pose off the line with the greatest loss.
     pub worst_off_line: Option<Worst>,
     /// `None` if no pose has both a formula and a lost motion.
     pub loss: Option<Loss>,

@@ -164,7 +164,7 @@ pub fn check_decimal_sign(
         0 => String::new(),
         more => format!(" (as {more} more in the table)"),
     };
-    // Of two signs the rarer one is the slip.
+    // The rarer sign is the slip.
     let settled = stated.or(match points.cmp(&commas) {
         _ if points == 0 || commas == 0 => by_format.filter(|sign| with(*sign).count() > 0),
         Ordering::Less => Some(Decimal::Comma),

@@ -1,4 +1,4 @@
-//! One-dimensional numerics: bisection, golden section, angles within one turn.
+//! One-dimensional numerics: bisection, false position, golden section, angles within one turn.
 //!
 //! A search returns its bracket. The caller takes the end that is on the safe side.
 
@@ -47,6 +47,39 @@ pub(crate) fn try_bisect<E>(
         }
     }
     Ok([inside, outside])
+}
+
+/// Steps of [`root_beyond`]: a smooth function needs three or four.
+const MOST_STEPS: u32 = 12;
+
+/// A place where `of` is from 0 to `fine`, or a greater value after [`MOST_STEPS`]. The given places have their values: the first is negative, the
+/// second is not. By false position, with half of a value that stays twice (Illinois).
+pub(crate) fn root_beyond(
+    [mut below, mut beyond]: [(f64, f64); 2],
+    fine: f64,
+    of: impl Fn(f64) -> f64,
+) -> f64 {
+    let (mut reached, mut was_beyond) = (beyond.1, None);
+    for _ in 0..MOST_STEPS {
+        if reached <= fine {
+            break;
+        }
+        let next = below.0 + (beyond.0 - below.0) * below.1 / (below.1 - beyond.1);
+        let value = of(next);
+        let is_beyond = value >= 0.0;
+        let stays_twice = was_beyond.replace(is_beyond) == Some(is_beyond);
+        let (moves, stays) = if is_beyond {
+            reached = value;
+            (&mut beyond, &mut below)
+        } else {
+            (&mut below, &mut beyond)
+        };
+        *moves = (next, value);
+        if stays_twice {
+            stays.1 *= 0.5;
+        }
+    }
+    beyond.0
 }
 
 /// The greatest value seen by a golden section of `[low, high]`, where `value` has one maximum, and the last bracket.
@@ -107,6 +140,19 @@ mod tests {
         let (greatest, [low, high]) = golden_section(1.0, 2.0, 1e-6, f64::sin);
         assert!((greatest - 1.0).abs() < 1e-12 && high - low <= 1e-6);
         assert!(low - 1e-7 <= FRAC_PI_2 && FRAC_PI_2 <= high + 1e-7);
+    }
+
+    /// Roots in closed form: of x² − 2, of −x³ towards smaller places, and of a step, which has none.
+    #[test]
+    fn false_position_ends_just_beyond_a_root() {
+        let curve = |x: f64| x * x - 2.0;
+        let root = root_beyond([(0.0, -2.0), (2.0, 2.0)], 1e-6, curve);
+        assert!((0.0..=1e-6).contains(&curve(root)));
+        let root = root_beyond([(3.0, -27.0), (-1.0, 1.0)], 1e-3, |x| -x.powi(3));
+        assert!((-0.1..=0.0).contains(&root));
+        let step = |x: f64| if x < 0.3 { -1.0 } else { 1.0 };
+        let place = root_beyond([(0.0, -1.0), (1.0, 1.0)], 1e-3, step);
+        assert!((0.3..0.31).contains(&place), "{place}");
     }
 
     #[test]

@@ -29,6 +29,7 @@
 use super::halves::FreeHalf;
 use super::teeth::{Frame, SideTeeth};
 use crate::contact::gap::{C, Inside, Rectangle, dot, turn};
+use crate::numeric::root_beyond;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Add;
 
@@ -53,8 +54,8 @@ const FASTEST: f64 = 4.0;
 /// Steps towards the level at which a line divides.
 const STEPS: u32 = 6;
 
-/// Halvings for the end of a stretch: a 4000th of a piece.
-const HALVINGS: u32 = 12;
+/// Fineness of the end of a stretch, as a part of the squares of radii of its piece (tuned).
+const END: f64 = 1.0 / 4096.0;
 
 /// A bound of a side's gap: on the line of the cell's rate, rad from the nominal rotation in the middle.
 #[derive(Debug, Clone, Copy)]
@@ -251,8 +252,12 @@ impl SideCell<'_> {
             turned: self.turned(level),
             looked: 0,
         };
+        let mut open = Vec::with_capacity(ROOM);
+        let mut nodes = [0, 1].map(|_| Vec::with_capacity(ROOM));
         for teeth in pairs {
-            if !self.part(teeth, &mut ascent) {
+            open.clear();
+            nodes.iter_mut().for_each(Vec::clear);
+            if !self.part(teeth, &mut ascent, &mut nodes, &mut open) {
                 return (None, ascent.looked);
             }
         }
@@ -260,9 +265,14 @@ impl SideCell<'_> {
         (Some(Bound { level, drawn }), ascent.looked)
     }
 
-    /// Raises the level until a pair of half teeth is apart below it.
-    fn part(&self, teeth: [u32; 2], ascent: &mut Ascent) -> bool {
-        let mut nodes = [0, 1].map(|_| Vec::with_capacity(ROOM));
+    /// Raises the level until a pair of half teeth is apart below it. `nodes` and `open` are empty.
+    fn part(
+        &self,
+        teeth: [u32; 2],
+        ascent: &mut Ascent,
+        nodes: &mut [Vec<Node>; 2],
+        open: &mut Vec<[usize; 2]>,
+    ) -> bool {
         for gear in [0, 1] {
             let Some(run) = self.teeth[gear].boxes(teeth[gear]).whole() else {
                 return true;
@@ -273,7 +283,6 @@ impl SideCell<'_> {
         // A rectangle no wider than that, and one no longer than that, are not cut.
         let flat = 0.25 * self.fine * reach;
         let short = 0.25 * self.half * self.reach[0] + self.fine * reach;
-        let mut open = Vec::with_capacity(ROOM);
         open.push([0, 0]);
         'pairs: while let Some(pair) = open.pop() {
             let both = [0, 1].map(|gear: usize| &nodes[gear][pair[gear]]);
@@ -463,13 +472,13 @@ impl SideCell<'_> {
         // Tips of the free gear are far from its axis, those of the locked one near it.
         let stretch = |gear: usize| match gear {
             0 => {
-                let tip = |at: &Rectangle| self.squares(at).1 <= square.0 - room;
-                let root = |at: &Rectangle| self.squares(at).0 >= square.1 + room;
+                let tip = |at: &Rectangle| square.0 - room - self.squares(at).1;
+                let root = |at: &Rectangle| self.squares(at).0 - square.1 - room;
                 self.stretch(0, touching, &tip, &root)
             }
             _ => {
-                let tip = |at: &Rectangle| at.squares().0 >= most + room;
-                let root = |at: &Rectangle| at.squares().1 <= least - room;
+                let tip = |at: &Rectangle| at.squares().0 - most - room;
+                let root = |at: &Rectangle| least - room - at.squares().1;
                 self.stretch(1, touching, &tip, &root)
             }
         };
@@ -479,37 +488,28 @@ impl SideCell<'_> {
         };
         // A corner slides along the other gear's curve.
         let curves = if is_corner(1) { [0, 1] } else { [1, 0] };
-        let mut best: Option<Bound> = None;
-        for gear in curves {
-            let Some(curve) = stretch(gear) else {
-                continue;
-            };
+        curves.into_iter().find_map(|gear| {
+            let curve = stretch(gear)?;
             let (locked, free): (&[Rectangle], &[Rectangle]) = match gear {
                 0 => (&curve, &[q]),
                 _ => (&[p], &curve),
             };
             let [common, normal] = [0, 1 + gear].map(|k: usize| touching.normals[k]);
-            for (n, fixed_to) in [(normal, gear), (common, 1)] {
-                let level = touching.level;
-                let found = self.held(n, self.turns_with(fixed_to), level, locked, free);
-                if found.is_some_and(|found| level - found.level <= self.fine) {
-                    return found;
-                }
-                if found.map(|it| it.level) > best.map(|it| it.level) {
-                    best = found;
-                }
-            }
-        }
-        best
+            let mut lines = [(normal, gear), (common, 1)].into_iter();
+            lines.find_map(|(n, fixed_to)| {
+                self.held(n, self.turns_with(fixed_to), touching.level, locked, free)
+            })
+        })
     }
 
-    /// Rectangles round a stretch of a half tooth round its contact, towards the tip to where `tip` holds and towards the root to where `root` does.
+    /// Rectangles round a stretch of a half tooth round its contact, towards the tip to where `tip` is at least 0 and towards the root to where
+    /// `root` is.
     fn stretch(
         &self,
         gear: usize,
         touching: &Touching,
-        tip: &dyn Fn(&Rectangle) -> bool,
-        root: &dyn Fn(&Rectangle) -> bool,
+        tip: &dyn Fn(&Rectangle) -> f64,
+        root: &dyn Fn(&Rectangle) -> f64,
     ) -> Option<Vec<Rectangle>> {
         let tooth = touching.teeth[gear];
         let pieces = &self.teeth[gear].half(tooth).pieces;
@@ -517,35 +517,30 @@ impl SideCell<'_> {
         let at =
             |piece: usize, t: f64| Rectangle::point(centre + direction * pieces[piece].point(t));
         let (own, from) = touching.at[gear];
-        let mut round = vec![at(own, from)];
-        for (end, ends) in [(0, tip), (1, root)] {
+        let mut round = Vec::with_capacity(8);
+        round.push(at(own, from));
+        for (end, beyond) in [(0, tip), (1, root)] {
             let (mut piece, mut from) = (own, from);
-            while !ends(&at(piece, from)) {
+            let mut short = beyond(&at(piece, from));
+            while short < 0.0 {
                 let mut to = pieces[piece].ends[end];
-                let is_last = ends(&at(piece, to));
-                if is_last {
-                    let mut short = from;
-                    for _ in 0..HALVINGS {
-                        let middle = 0.5 * (short + to);
-                        if ends(&at(piece, middle)) {
-                            to = middle;
-                        } else {
-                            short = middle;
-                        }
-                    }
+                let last = beyond(&at(piece, to));
+                if last >= 0.0 {
+                    let fine = END * (last - short);
+                    to = root_beyond([(from, short), (to, last)], fine, |t| beyond(&at(piece, t)));
                 }
                 if from != to {
                     let part = [from.min(to), from.max(to)];
                     round.push(self.piece(gear, tooth, piece, part).rectangle);
                 }
-                if is_last {
-                    break;
+                short = last;
+                if last < 0.0 {
+                    piece = match end {
+                        0 => piece.checked_sub(1)?,
+                        _ => piece + 1,
+                    };
+                    from = pieces.get(piece)?.ends[1 - end];
                 }
-                piece = match end {
-                    0 => piece.checked_sub(1)?,
-                    _ => piece + 1,
-                };
-                from = pieces.get(piece)?.ends[1 - end];
             }
         }
         Some(round)

@@ -14,8 +14,10 @@
 use super::candidate::CandidateContact;
 use super::corner::on_land;
 use super::curves::Curves;
+use super::flank_problem::PosedFlanks;
 use super::placed::Placed;
 use super::shape::{C, turn};
+use super::tightest::TightestContacts;
 use crate::contact::gap::Origin;
 use crate::gear::ProfilePart::{self, Root, Tip};
 
@@ -46,6 +48,22 @@ pub(super) fn land_on_land(
         })
         .filter_map(|lands| greatest(locked, free, lands, origin))
         .reduce(greater)
+}
+
+/// Offers the greatest gap of the pairs of lands in `curves`, step by step.
+pub(super) fn offer_lands(
+    posed: &PosedFlanks,
+    curves: Curves,
+    tightest_contacts: &mut TightestContacts,
+) {
+    for step in posed.steps() {
+        let (locked, free) = (posed.locked(step), posed.free(step));
+        if let Some(candidate) = land_on_land(&locked, &free, posed.origin_of(step), curves)
+            && tightest_contacts.admits(candidate.gap)
+        {
+            tightest_contacts.offer(step, candidate);
+        }
+    }
 }
 
 fn greater(one: CandidateContact, other: CandidateContact) -> CandidateContact {

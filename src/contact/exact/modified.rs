@@ -17,14 +17,15 @@
 
 mod flanks;
 mod heights;
-mod pieces;
+pub(super) mod pieces;
 
 use super::branch::search as search_pair;
 use super::candidate::CandidateContact;
 use super::curves::SearchExhausted;
-use super::direct::{AtRotation, DirectSolver, Envelopes};
+use super::direct::{AtRotation, DirectSolver, Envelopes, far_corner_reaches};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
+use super::path::{InvolutePair, settle, start_line, steps_on};
 use super::placed::Placed;
 use super::search::{self, SideRequest};
 use super::shape::{C, HalfToothShape};
@@ -33,7 +34,9 @@ use crate::contact::Effort;
 use crate::contact::gap::MOST_NODES;
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member};
-use flanks::rises;
+use flanks::{flank_contact, rises};
+use heights::greatest_gap_by_heights;
+use pieces::greatest_gap_of_flanks;
 
 /// Limit of pairs on the line of action at once: a contact ratio of eight.
 const MOST_PAIRS: usize = 8;
@@ -185,7 +188,7 @@ impl OuterGears {
                 break;
             }
             let tangent = if self.is_convex {
-                posed.flanks_touch(pair)
+                flank_contact(posed, pair)
             } else {
                 None
             };
@@ -193,7 +196,7 @@ impl OuterGears {
                 Some(candidate) => Some(candidate),
                 None => {
                     let (floor, guess) = (tightest.level(), pair.gap - beyond);
-                    posed.greatest_gap_of_flanks(pair.step, floor, guess, effort)?
+                    greatest_gap_of_flanks(posed, pair.step, floor, guess, effort)?
                 }
             };
             if let Some(candidate) = found {
@@ -211,22 +214,22 @@ impl OuterGears {
     /// Outer pairs on the line of action; `None` if one does not settle, or there are too many.
     fn on_line(&self, outer: &PosedFlanks, pairs: &mut [Option<OnLine>]) -> Option<usize> {
         let variation = &self.solver.variation;
-        let (start, plays) = outer.start(variation)?;
+        let (start, plays) = start_line(outer, variation)?;
         // Any deviation moves a flank's contact along it by far less than this, rad; a larger move stays open below.
         let plays = (plays.0 + 0.02, plays.1 + 0.02);
         let mut count = 0;
-        for step in outer.steps_on(&start, plays) {
-            let pair = outer.pair(step);
-            let first = outer.gap(&start, &pair);
+        for step in steps_on(outer, &start, plays) {
+            let pair = InvolutePair::new(outer, step);
+            let first = pair.gap_on(outer.problem, &start);
             let (gap, line) = if variation.moves {
-                outer.settle(&pair, variation, first)?
+                settle(outer, &pair, variation, first)?
             } else {
                 (first, start)
             };
             *pairs.get_mut(count)? = Some(OnLine {
                 step,
                 gap,
-                rolls: outer.rolls(&line, &pair),
+                rolls: pair.rolls_on(outer.problem, &line),
             });
             count += 1;
         }
@@ -264,14 +267,14 @@ impl OuterGears {
                 }
             }
             let (locked_place, _) = outer.places(step);
-            let far_corner = || outer.far_corner_reaches(&self.solver, locked_place);
+            let far_corner = || far_corner_reaches(outer, &self.solver, locked_place);
             if self.solver.free_off > 0.0 && far_corner().is_some() {
                 return None;
             }
             let mut settled = settled(step);
             if tips != [true; 2] && !(settled || self.is_convex) {
                 // If flanks are not convex, only their heights prove that the gap is greatest at an end.
-                if let Some(found) = posed.flanks_by_heights(step, tightest.level(), 0.0)? {
+                if let Some(found) = greatest_gap_by_heights(posed, step, tightest.level(), 0.0)? {
                     tightest.offer(step, found);
                 }
                 settled = true;

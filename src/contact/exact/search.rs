@@ -3,7 +3,8 @@
 use super::branch::search;
 use super::curves::{Curves, SearchExhausted};
 use super::flank_problem::PosedFlanks;
-use super::lands::without_lands;
+use super::lands::{offer_lands, without_lands};
+use super::modified::pieces::greatest_gap_of_flanks;
 use super::placed::Placed;
 use super::tightest::{TightestContacts, Touching};
 use crate::contact::Effort;
@@ -29,7 +30,7 @@ pub(super) fn touching(
     request: SideRequest,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     let mut tightest_contacts = TightestContacts::new(posed.problem);
-    posed.on_lands(Curves::ALL, &mut tightest_contacts);
+    offer_lands(posed, Curves::ALL, &mut tightest_contacts);
     let mut curves = without_lands(Curves::ALL);
     let (locked, free) = (&posed.problem.locked, &posed.problem.free);
     if locked.is_modified() || free.is_modified() {
@@ -37,7 +38,7 @@ pub(super) fn touching(
         let part = ProfilePart::Involute;
         for step in posed.steps() {
             let found =
-                posed.greatest_gap_of_flanks(step, tightest_contacts.level(), 0.0, request.effort);
+                greatest_gap_of_flanks(posed, step, tightest_contacts.level(), 0.0, request.effort);
             if let Some(candidate) = found.ok_or((step, SearchExhausted(part, part)))? {
                 tightest_contacts.offer(step, candidate);
             }

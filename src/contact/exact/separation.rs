@@ -23,7 +23,7 @@
 
 use super::flank_problem::PosedFlanks;
 use super::line::Line;
-use super::path::Pair;
+use super::path::InvolutePair;
 use super::shape::{C, HalfToothShape, turn};
 use super::teeth::slightly_turned;
 use std::f64::consts::PI;
@@ -152,7 +152,7 @@ impl Separation {
         turns: [f64; 2],
         start: &impl Trigonometry,
     ) -> Separation {
-        let pair = posed.pair(step).turned(turns);
+        let pair = InvolutePair::new(posed, step).turned(turns);
         let arcs = arcs(posed, Arc::endless);
         if let Some(found) = Separation::on_line_of_action(posed, &pair, arcs, start) {
             return found;
@@ -187,7 +187,7 @@ impl Separation {
         turns: [f64; 2],
         start: &NearStart,
     ) -> Separation {
-        let pair = posed.pair(step).turned(turns);
+        let pair = InvolutePair::new(posed, step).turned(turns);
         let arcs = arcs(posed, Arc::new);
         let Some(line) = Separation::on_line_of_action(posed, &pair, arcs, start) else {
             return Separation::found(posed, step, turns, start);
@@ -204,7 +204,7 @@ impl Separation {
     #[inline]
     fn on_line_of_action(
         posed: &PosedFlanks,
-        pair: &Pair,
+        pair: &InvolutePair,
         arcs: [Arc; 2],
         start: &impl Trigonometry,
     ) -> Option<Separation> {
@@ -235,7 +235,7 @@ impl Separation {
         start: &impl Trigonometry,
     ) -> Separation {
         let problem = posed.problem;
-        let pair = posed.pair(step).turned(turns);
+        let pair = InvolutePair::new(posed, step).turned(turns);
         let arcs = arcs(posed, Arc::new);
         let sum = problem.sum();
         let (mut beta, mut gap) = start.from();
@@ -299,7 +299,7 @@ impl Separation {
     /// The separation at a gap in the direction `beta`, where the arcs have the `slopes` `q'` and the free gear turns by `turning`.
     fn at(
         posed: &PosedFlanks,
-        pair: &Pair,
+        pair: &InvolutePair,
         (gap, beta): (f64, f64),
         (turning, slopes): (f64, [f64; 2]),
         arcs: [Arc; 2],
@@ -419,7 +419,7 @@ impl State {
     #[inline]
     fn new(
         [locked, free]: &[Arc; 2],
-        pair: &Pair,
+        pair: &InvolutePair,
         (between, rate): (C, C),
         (beta, gap): (f64, f64),
         by: &impl Trigonometry,
@@ -464,7 +464,7 @@ trait Trigonometry {
     /// `B` at a gap, and its derivative by the gap.
     #[inline]
     fn between(&self, posed: &PosedFlanks, gap: f64) -> (C, C) {
-        posed.between_turned(self.gap(gap))
+        posed.centre_vector_turned(self.gap(gap))
     }
 }
 
@@ -476,7 +476,7 @@ struct Start {
 
 impl Start {
     fn new(posed: &PosedFlanks, gap: f64) -> Start {
-        let (between, _) = posed.between(gap);
+        let (between, _) = posed.centre_vector(gap);
         let sum = posed.problem.sum();
         let length = (between.norm_sqr() - sum * sum).max(0.0).sqrt();
         let beta = between.im.atan2(between.re) + length.atan2(sum);

@@ -13,6 +13,7 @@
 
 use super::super::deepest::deepest;
 use super::super::line::Line;
+use super::super::path::InvolutePair;
 use super::super::separation::Separation;
 use super::super::shape::{C, HalfToothShape};
 use super::super::teeth::reduced;
@@ -114,11 +115,11 @@ fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Betw
     if !(fillet.round > 0.0) {
         return None;
     }
-    let pair = flanks.pair(step);
+    let pair = InvolutePair::new(flanks, step);
     let mut gap = near;
     let mut last = None;
     for _ in 0..ROUNDS {
-        let (centres, _) = flanks.between(gap);
+        let (centres, _) = flanks.centre_vector(gap);
         let distance = centres.norm();
         let line = Line::new(centres, problem.sum())?;
         let on_line = (problem.sum() * line.angle - line.length - locked.base * pair.locked_base)

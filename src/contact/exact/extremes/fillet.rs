@@ -12,6 +12,7 @@
 //! −(s_xx + 2 s_xμ μ' + s_μμ μ'²)/s_μ`.
 
 use super::super::flank_problem::PosedFlanks;
+use super::super::path::InvolutePair;
 use super::super::shape::{C, HalfToothShape, turn};
 use super::corner_path::{CornerPath, around_radius};
 use super::dip::Tip;
@@ -76,7 +77,7 @@ impl<'a> OnFillet<'a> {
     /// The corner's path past the fillet, at a gap that changes at `rate` with the locked gear's turn.
     pub fn path(&self, gap: f64, rate: f64) -> CornerPath {
         let problem = self.posed.problem;
-        let pair = self.posed.pair(self.step);
+        let pair = InvolutePair::new(&self.posed, self.step);
         let (locked, free) = (&problem.locked.shape, &problem.free.shape);
         let l = -turn(pair.locked_base + locked.half_base);
         let turned = turn(gap);
@@ -98,7 +99,7 @@ impl<'a> OnFillet<'a> {
     /// The place where the corner reaches `border`, searched near the gap `near`; `None` if it does not.
     fn reach(&self, border: Border, near: f64) -> Option<Reached> {
         let problem = self.posed.problem;
-        let pair = self.posed.pair(self.step);
+        let pair = InvolutePair::new(&self.posed, self.step);
         let (locked, free) = (&problem.locked.shape, &problem.free.shape);
         let l = -turn(pair.locked_base + locked.half_base);
         let f = turn(pair.free_base + free.half_base);

@@ -1,5 +1,6 @@
 //! Bounds of the room of one side over a stretch of a mating, pair by pair of half teeth.
 
+use super::super::path::InvolutePair;
 use super::super::separation::{Separation, lowest_roll};
 use super::clearance::{HALVINGS, Lines};
 use super::corner_path;
@@ -390,8 +391,9 @@ impl<'a> Over<'a> {
         let side = self.side;
         let problem = side.problem;
         let places = ends.map(|end| {
-            let (between, _) = end.flanks.between(end.nominal_gap());
-            let at = end.flanks.pair(step).locked_base + problem.locked.shape.half_base;
+            let (between, _) = end.flanks.centre_vector(end.nominal_gap());
+            let at =
+                InvolutePair::new(&end.flanks, step).locked_base + problem.locked.shape.half_base;
             (at - between.arg(), between.norm())
         });
         // The free gear's way from the rotation of `between` to the touch of the involutes, and to that of a corner and a fillet.

@@ -1,6 +1,7 @@
 //! Tables of one side: bounds of the room in each part of a pitch, and the flank offsets of every place.
 
 use super::super::line::Line;
+use super::super::path::InvolutePair;
 use super::super::shape::C;
 use super::super::teeth::Teeth;
 use super::course::{PARTS, Posed, SideCourse};
@@ -89,7 +90,7 @@ impl SideTable {
         let Some(line) = Line::new(C::from(problem.distance), problem.sum()) else {
             return table;
         };
-        let pair = posed.flanks.pair(0);
+        let pair = InvolutePair::new(&posed.flanks, 0);
         let gap = (problem.sum() * line.angle
             - line.length
             - problem.locked.shape.base * pair.locked_base)

@@ -20,7 +20,7 @@ use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::LeaningFrame;
-use crate::contact::exact::path::Pair;
+use crate::contact::exact::path::InvolutePair;
 use crate::contact::exact::separation::{NearStart, Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::ProfilePart;
@@ -77,7 +77,7 @@ pub(super) struct AlongFace<'a> {
     start: NearStart,
     /// The pair of step 0 on it, with endless involutes.
     first: Separation,
-    first_pair: Pair,
+    first_pair: InvolutePair,
     /// Lowest and greatest roll of the locked and the free involute.
     ends: [[f64; 2]; 2],
     /// Where axes lean: how the frame changes along the face.
@@ -196,7 +196,7 @@ impl<'a> AlongFace<'a> {
             twists: members.map(|member| posed.twist(assembly, member)),
             start: NearStart::new(posed, near),
             first,
-            first_pair: posed.pair(0),
+            first_pair: InvolutePair::new(posed, 0),
             ends: [&posed.problem.locked, &posed.problem.free]
                 .map(|teeth| [lowest_roll(&teeth.shape), teeth.shape.tip_roll]),
             leaning: LeaningFrame::new(assembly, posed),
@@ -210,7 +210,7 @@ impl<'a> AlongFace<'a> {
     /// times the square of pitch deviations, below a tie.
     fn endless(&self, step: i64) -> EndlessPair {
         let (first, bases) = (&self.first, self.bases());
-        let (own, other) = (&self.first_pair, self.posed.pair(step));
+        let (own, other) = (&self.first_pair, InvolutePair::new(self.posed, step));
         let turns = [
             other.locked_base - own.locked_base,
             other.free_base - own.free_base,

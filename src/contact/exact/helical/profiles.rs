@@ -28,6 +28,7 @@ use crate::contact::Effort;
 use crate::contact::exact::flank_heights::deviation;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::line::Line;
+use crate::contact::exact::path::InvolutePair;
 use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::{DeviationCurve, ProfilePart};
@@ -76,7 +77,7 @@ impl<'a> AlongFlanks<'a> {
         gap: f64,
         effort: &'a Effort<'a>,
     ) -> Option<AlongFlanks<'a>> {
-        let line = Line::new(posed.between(gap).0, posed.problem.sum())?;
+        let line = Line::new(posed.centre_vector(gap).0, posed.problem.sum())?;
         Some(AlongFlanks {
             assembly,
             posed,
@@ -107,7 +108,7 @@ impl<'a> AlongFlanks<'a> {
         let halves = [posed.locked(step), posed.free(step)];
         let flanks = [Flank::new(&halves[0]), Flank::new(&halves[1])];
         let teeth = posed.facing_teeth(assembly, step);
-        let pair = posed.pair(step);
+        let pair = InvolutePair::new(posed, step);
         let rolls = [
             self.line.angle - pair.locked_base,
             self.line.angle - self.gap - pair.free_base,

@@ -4,19 +4,19 @@
 //! ([`super::envelope`]); only the other corners are compared with the curves.
 
 use super::candidate::CandidateContact;
-use super::corner::{Sense, least_flank_radius, meet, nearest_turn, on_land, tip_arm};
+use super::corner::{least_flank_radius, meet, nearest_turn, on_land, tip_arm};
 use super::curves::SearchExhausted;
 use super::envelope::Envelope;
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{offer_lands, without_lands};
 use super::line::TangentVariation;
 use super::path::offer_pairs_on_line;
-use super::placed::Placed;
+use super::placed::{Placed, Role};
 use super::search::{self, SideRequest};
-use super::search_free_proof::{SearchFreeProof, Setting};
+use super::search_free_proof::{ProofInput, SearchFreeProof};
 use super::shape::{C, turn};
 use super::tangent::offer_land_tangents;
-use super::tightest::{TightestContacts, Touching};
+use super::tightest::{FirstContact, TightestContacts};
 use crate::contact::gap::MOST_NODES;
 use crate::gear::ProfilePart;
 use crate::pair::GearPair;
@@ -74,17 +74,17 @@ impl Envelopes {
 ///
 /// # Errors
 /// The step whose pair could not be settled.
-pub(super) fn touching(
+pub(super) fn first_contact(
     posed: &PosedFlanks,
     solver: Option<&DirectSolver>,
     request: SideRequest,
-) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
     let Some(solver) = solver else {
-        return search::touching(posed, request);
+        return search::first_contact(posed, request);
     };
     let mut tightest_contacts = TightestContacts::new(posed.problem);
     if !offer_pairs_on_line(posed, &solver.variation, &mut tightest_contacts) {
-        return search::touching(posed, request);
+        return search::first_contact(posed, request);
     }
     let proof = &solver.proof;
     if proof.tangents {
@@ -162,7 +162,7 @@ impl DirectSolver {
         if locked_gear.is_modified() || free_gear.is_modified() {
             return None;
         }
-        let setting = Setting {
+        let setting = ProofInput {
             locked: &problem.locked.shape,
             free: &problem.free.shape,
             locked_teeth: &modified.locked,
@@ -288,7 +288,7 @@ impl CornerSearch<'_, '_> {
         if self.gears.known && solver.envelopes.free.is_beyond_tip(near) && rho > solver.outmost {
             return;
         }
-        if let Some(met) = meet(&free, Sense::Free, solver.proof.free_fillet, rho, near) {
+        if let Some(met) = meet(&free, Role::Free, solver.proof.free_fillet, rho, near) {
             self.offer(step, (&locked, edge), (&free, met));
         }
     }
@@ -326,7 +326,7 @@ impl CornerSearch<'_, '_> {
         if trusted && (is_clear || over()) {
             return;
         }
-        if let Some(met) = meet(&locked, Sense::Locked, proof.locked_fillet, rho, near) {
+        if let Some(met) = meet(&locked, Role::Locked, proof.locked_fillet, rho, near) {
             self.offer(step, (&locked, met), (&free, (ProfilePart::Involute, roll)));
         }
     }

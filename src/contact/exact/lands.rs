@@ -94,11 +94,14 @@ fn greatest(
     let free_ends = ends(free, free_land)
         .into_iter()
         .filter_map(|(u, rho)| Some(candidate(on_land(locked, locked_land, rho)?, u)));
-    let touching = tangents(locked, free, (locked_land, free_land))
+    let first_contact = tangents(locked, free, (locked_land, free_land))
         .into_iter()
         .flatten()
         .map(|(t, u)| candidate(t, u));
-    locked_ends.chain(free_ends).chain(touching).reduce(greater)
+    locked_ends
+        .chain(free_ends)
+        .chain(first_contact)
+        .reduce(greater)
 }
 
 /// Parameters on both lands where the circles touch.

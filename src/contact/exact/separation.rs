@@ -40,23 +40,23 @@ const LEVEL: f64 = -1e-3;
 
 /// An arc of an involute, or the whole involute.
 #[derive(Debug, Clone, Copy)]
-struct Arc {
+struct InvoluteArc {
     base: f64,
     form: f64,
     tip: f64,
 }
 
-impl Arc {
-    fn new(shape: &HalfToothShape) -> Arc {
-        Arc {
+impl InvoluteArc {
+    fn new(shape: &HalfToothShape) -> InvoluteArc {
+        InvoluteArc {
             base: shape.base,
             form: lowest_roll(shape),
             tip: shape.tip_roll,
         }
     }
 
-    fn endless(shape: &HalfToothShape) -> Arc {
-        Arc {
+    fn endless(shape: &HalfToothShape) -> InvoluteArc {
+        InvoluteArc {
             base: shape.base,
             form: f64::NEG_INFINITY,
             tip: f64::INFINITY,
@@ -121,7 +121,7 @@ pub(super) struct Separation {
     pub touches: bool,
     beta: f64,
     rolls: [f64; 2],
-    arcs: [Arc; 2],
+    arcs: [InvoluteArc; 2],
 }
 
 impl Separation {
@@ -153,7 +153,7 @@ impl Separation {
         start: &impl Trigonometry,
     ) -> Separation {
         let pair = InvolutePair::new(posed, step).turned(turns);
-        let arcs = arcs(posed, Arc::endless);
+        let arcs = arcs(posed, InvoluteArc::endless);
         if let Some(found) = Separation::on_line_of_action(posed, &pair, arcs, start) {
             return found;
         }
@@ -188,7 +188,7 @@ impl Separation {
         start: &NearStart,
     ) -> Separation {
         let pair = InvolutePair::new(posed, step).turned(turns);
-        let arcs = arcs(posed, Arc::new);
+        let arcs = arcs(posed, InvoluteArc::new);
         let Some(line) = Separation::on_line_of_action(posed, &pair, arcs, start) else {
             return Separation::found(posed, step, turns, start);
         };
@@ -205,7 +205,7 @@ impl Separation {
     fn on_line_of_action(
         posed: &PosedFlanks,
         pair: &InvolutePair,
-        arcs: [Arc; 2],
+        arcs: [InvoluteArc; 2],
         start: &impl Trigonometry,
     ) -> Option<Separation> {
         let sum = posed.problem.sum();
@@ -236,12 +236,12 @@ impl Separation {
     ) -> Separation {
         let problem = posed.problem;
         let pair = InvolutePair::new(posed, step).turned(turns);
-        let arcs = arcs(posed, Arc::new);
+        let arcs = arcs(posed, InvoluteArc::new);
         let sum = problem.sum();
         let (mut beta, mut gap) = start.from();
         let at = |gap: f64| start.between(posed, gap);
         let (mut between, mut rate) = at(gap);
-        let mut state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
+        let mut state = RoomDerivatives::new(&arcs, &pair, (between, rate), (beta, gap), start);
         let (mut touches, mut is_settled) = (false, false);
         let mut last = (0.0f64, 0.0);
         for _ in 0..STEPS {
@@ -259,7 +259,7 @@ impl Separation {
             beta += turned;
             gap += step;
             (between, rate) = at(gap);
-            state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
+            state = RoomDerivatives::new(&arcs, &pair, (between, rate), (beta, gap), start);
             if step.abs() < SETTLED.0 && newton.abs() < SETTLED.1 {
                 (touches, is_settled) = (state.bend < LEVEL * sum, true);
                 break;
@@ -273,7 +273,7 @@ impl Separation {
             let step = -state.apart / state.turning;
             gap += step;
             (between, rate) = at(gap);
-            state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
+            state = RoomDerivatives::new(&arcs, &pair, (between, rate), (beta, gap), start);
             is_settled = step.abs() < SETTLED.0 && state.turning > 0.0;
         }
         // The remainder of `s` is rounding, and is put on the safe side for both bounds.
@@ -302,7 +302,7 @@ impl Separation {
         pair: &InvolutePair,
         (gap, beta): (f64, f64),
         (turning, slopes): (f64, [f64; 2]),
-        arcs: [Arc; 2],
+        arcs: [InvoluteArc; 2],
         touches: bool,
     ) -> Separation {
         let offset = posed.centre - C::from(posed.problem.distance);
@@ -348,7 +348,7 @@ impl Separation {
     /// The share of the locked (0) or the free involute (1) in [`Separation::room`].
     pub fn room_of(&self, k: usize, roll: f64, [form, tip]: [f64; 2]) -> f64 {
         let base = self.arcs[k].base;
-        let arc = Arc { base, form, tip };
+        let arc = InvoluteArc { base, form, tip };
         let slight = |angle: f64| {
             let turned = slightly_turned(angle);
             (turned.im, turned.re)
@@ -399,12 +399,12 @@ impl Separation {
 }
 
 /// The involutes of `posed`, locked and free, each as `of` its half tooth.
-fn arcs(posed: &PosedFlanks, of: fn(&HalfToothShape) -> Arc) -> [Arc; 2] {
+fn arcs(posed: &PosedFlanks, of: fn(&HalfToothShape) -> InvoluteArc) -> [InvoluteArc; 2] {
     [&posed.problem.locked, &posed.problem.free].map(|teeth| of(&teeth.shape))
 }
 
 /// `s` and its derivatives.
-struct State {
+struct RoomDerivatives {
     apart: f64,
     /// By `β`, once and twice.
     tilt: f64,
@@ -415,20 +415,20 @@ struct State {
     slopes: [f64; 2],
 }
 
-impl State {
+impl RoomDerivatives {
     #[inline]
     fn new(
-        [locked, free]: &[Arc; 2],
+        [locked, free]: &[InvoluteArc; 2],
         pair: &InvolutePair,
         (between, rate): (C, C),
         (beta, gap): (f64, f64),
         by: &impl Trigonometry,
-    ) -> State {
+    ) -> RoomDerivatives {
         let direction = by.direction(beta);
         let seen = direction * between.conj();
         let l = locked.support_by(beta - pair.locked_base, |angle| by.sin_cos(angle));
         let f = free.support_by(beta - gap - pair.free_base, |angle| by.sin_cos(angle));
-        State {
+        RoomDerivatives {
             apart: seen.im - locked.base * l[0] - free.base * f[0],
             tilt: seen.re - locked.base * l[1] - free.base * f[1],
             bend: -seen.im - locked.base * l[2] - free.base * f[2],
@@ -593,7 +593,7 @@ mod tests {
             touches: true,
             beta: 0.0,
             rolls,
-            arcs: [30.0, 20.0].map(|base| Arc {
+            arcs: [30.0, 20.0].map(|base| InvoluteArc {
                 base,
                 form: f64::NEG_INFINITY,
                 tip: f64::INFINITY,

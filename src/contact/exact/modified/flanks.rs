@@ -4,7 +4,7 @@
 //! touch from outside along a common tangent, that line divides them, so their gap is nowhere greater. One such place suffices, however it
 //! is found: Newton's method finds it. Flanks that are not convex are searched.
 
-use super::OnLine;
+use super::OuterPair;
 use crate::contact::exact::candidate::{CandidateContact, slope};
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
@@ -19,7 +19,7 @@ const STEPS: u32 = 16;
 
 /// The contact of the flanks of a pair, starting from that of the outer ones: at a common tangent, or at a tip
 /// corner where the tangent lies past it. `None` if Newton's method finds none, or one below a flank's lower end.
-pub(super) fn flank_contact(posed: &PosedFlanks, pair: &OnLine) -> Option<CandidateContact> {
+pub(super) fn flank_contact(posed: &PosedFlanks, pair: &OuterPair) -> Option<CandidateContact> {
     let (locked, free) = (posed.locked(pair.step), posed.free(pair.step));
     let ranges = [&locked, &free].map(|half| half.range(ProfilePart::Involute));
     let (mut x, mut y) = pair.rolls;

@@ -6,7 +6,7 @@ use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_pieces::FlankPieces;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
-use crate::contact::gap::{Arc, Path, PathSearch, PlacedRun, Rectangle, Tree};
+use crate::contact::gap::{CurveArc, Path, PathSearch, PlacedRun, Rectangle, Tree};
 use crate::gear::ProfilePart;
 
 /// Effort of the bounds of heights, in nodes (tuned: about 10 µs, with or without a result).
@@ -38,10 +38,10 @@ impl<'a> Path<'a> for FlankPath<'a> {
         PlacedRun::new(run, placed)
     }
 
-    fn arc(&self, piece: usize) -> Arc<'a> {
+    fn arc(&self, piece: usize) -> CurveArc<'a> {
         let (low, high) = self.pieces.ends[piece];
         let part = ProfilePart::Involute;
-        Arc::new(self.half.curve(part), part as usize, low, high)
+        CurveArc::new(self.half.curve(part), part as usize, low, high)
     }
 }
 

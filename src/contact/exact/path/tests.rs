@@ -68,16 +68,16 @@ fn the_slope_of_a_contact_is_that_of_the_locked_flank() {
     each(|posed, variation| {
         let mut tightest = TightestContacts::new(posed.problem);
         assert!(offer_pairs_on_line(posed, variation, &mut tightest));
-        let Some(touching) = tightest.choose() else {
+        let Some(first_contact) = tightest.choose() else {
             return;
         };
-        let (part, roll) = touching.candidate.locked;
-        let locked = posed.locked(touching.step);
+        let (part, roll) = first_contact.candidate.locked;
+        let locked = posed.locked(first_contact.step);
         let [one, other] = [roll - STEP, roll + STEP].map(|roll| locked.at(part, roll).point);
         let turned = (other * one.conj()).arg();
         let farther = (other.norm_sqr() / one.norm_sqr()).ln() / 2.0;
         let slope = turned / farther;
-        let found = touching.candidate.slope;
+        let found = first_contact.candidate.slope;
         assert!(
             (found - slope).abs() < 1e-3 * slope.abs().max(1e-3),
             "{found} {slope}"

@@ -26,7 +26,7 @@ const SETTLED: f64 = 1e-9;
 impl Heights<'_> {
     /// Examines the flank from `from` to the roll `end`, over ever shorter stretches, for heights above the task's
     /// level. `false` if one is found; `None` after too many places.
-    fn along(&self, from: FlankPlace, end: f64, task: &mut Task) -> Option<bool> {
+    fn along(&self, from: FlankPlace, end: f64, task: &mut HeightSearch) -> Option<bool> {
         let on = if end >= from.x { 1.0 } else { -1.0 };
         let (mut look, mut width) = (from, task.near);
         let mut open: Vec<(FlankPlace, f64)> = Vec::with_capacity(16);
@@ -82,7 +82,7 @@ impl Heights<'_> {
         &self,
         middle: &FlankPlace,
         known: Option<&FlankPlace>,
-        task: &mut Task,
+        task: &mut HeightSearch,
     ) -> Option<bool> {
         let (low, high) = self.locked.range;
         let is_clear = match known {
@@ -103,7 +103,7 @@ impl Heights<'_> {
 }
 
 /// The purpose and limits of an examination.
-struct Task {
+struct HeightSearch {
     /// Whether to find the highest place; otherwise whether any place is above the level.
     is_search: bool,
     /// Lower heights do not matter, mm.
@@ -114,7 +114,7 @@ struct Task {
     looks_left: u32,
 }
 
-impl Task {
+impl HeightSearch {
     /// Counts an examined place. Returns whether to continue; `None` after too many.
     fn offer(&mut self, heights: &Heights, look: &FlankPlace) -> Option<bool> {
         self.looks_left = self.looks_left.checked_sub(1)?;
@@ -144,7 +144,7 @@ pub(in super::super) fn greatest_gap_by_heights(
     let near = flanks[0].heights.fine();
     let size = posed.problem.distance + flanks[0].base + flanks[1].base;
     let rounding = ROUNDING * size;
-    let mut task = Task {
+    let mut task = HeightSearch {
         is_search: !floor.is_finite(),
         level: f64::NEG_INFINITY,
         best: None,

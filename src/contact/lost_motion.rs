@@ -122,7 +122,7 @@ fn is_measuring_plane(section: &f64) -> bool {
 
 /// The result of a search in the frame of the exact method and of outlines. The free gear's axis is at the origin and
 /// the locked one's at `(a, 0)`; the left side is mirrored.
-pub(super) struct Framed {
+pub(super) struct ContactInFrame {
     pub side: Side,
     pub free: Member,
     pub center_distance: f64,
@@ -136,7 +136,7 @@ pub(super) struct Framed {
     pub normal: C,
 }
 
-impl Framed {
+impl ContactInFrame {
     /// The contact in the picture.
     pub fn contact(self) -> Contact {
         let mirror = |z: C| match self.side {

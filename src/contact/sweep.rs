@@ -363,7 +363,7 @@ pub fn sweep_blocks<E: From<Error>>(
 ) -> Result<(), E> {
     let apart = |distance: f64| assembly.at(assembly.center_distance() + distance);
     if !(clearance > 0.0) {
-        let here = |here: &dyn FindPose| each_pose(here, None, matings, tick, each);
+        let here = |here: &dyn PoseSolver| each_pose(here, None, matings, tick, each);
         return with_solver(assembly, cut, method, here);
     }
     let [near, far] = [apart(-clearance)?, apart(clearance)?];
@@ -381,7 +381,7 @@ fn with_solver<T>(
     assembly: &AssembledPair,
     cut: Option<&CutPair>,
     method: Method,
-    then: impl FnOnce(&dyn FindPose) -> T,
+    then: impl FnOnce(&dyn PoseSolver) -> T,
 ) -> T {
     match assembly {
         AssembledPair::Data(pair) => {
@@ -416,7 +416,7 @@ struct OutlineSolver<'a> {
 }
 
 /// Finds the lost motion at poses of one pair.
-trait FindPose: Sync {
+trait PoseSolver: Sync {
     /// The pose of `mating` and its result. `index` counts the poses of a sweep.
     fn find_at(&self, mating: &Mating, index: usize) -> Result<(Pose, SolvedPose), Error>;
     /// Operating pitch radius of the free gear, mm.
@@ -425,7 +425,7 @@ trait FindPose: Sync {
     fn proof_of(&self, pose: &Pose, found: &LostMotion) -> Option<Box<Proof>>;
 }
 
-impl FindPose for Solver<'_> {
+impl PoseSolver for Solver<'_> {
     fn find_at(&self, mating: &Mating, index: usize) -> Result<(Pose, SolvedPose), Error> {
         let pose = Pose::new(self.assembly, *mating);
         Ok((pose, self.find(&pose, index)?))
@@ -440,7 +440,7 @@ impl FindPose for Solver<'_> {
     }
 }
 
-impl FindPose for OutlineSolver<'_> {
+impl PoseSolver for OutlineSolver<'_> {
     fn find_at(&self, mating: &Mating, _: usize) -> Result<(Pose, SolvedPose), Error> {
         let found = self
             .kernel
@@ -477,8 +477,8 @@ impl FindPose for OutlineSolver<'_> {
 
 /// Delivers to `each` the results of `here` at `matings`, with those at both `ends` of the bearing clearance.
 fn each_pose<E: From<Error>>(
-    here: &dyn FindPose,
-    ends: Option<[&dyn FindPose; 2]>,
+    here: &dyn PoseSolver,
+    ends: Option<[&dyn PoseSolver; 2]>,
     matings: &[Mating],
     tick: &Tick,
     each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
@@ -496,15 +496,15 @@ fn each_pose<E: From<Error>>(
 
 /// The result of `here` at `mating`, with those at both `ends` of the bearing clearance.
 fn pose_result(
-    here: &dyn FindPose,
-    ends: Option<[&dyn FindPose; 2]>,
+    here: &dyn PoseSolver,
+    ends: Option<[&dyn PoseSolver; 2]>,
     mating: &Mating,
     index: usize,
 ) -> Result<PoseResult, Error> {
     let (pose, found) = here.find_at(mating, index)?;
     let backlash =
-        |solver: &dyn FindPose, found: &LostMotion| Some(found.angle()? * solver.pitch_radius());
-    let at_end = |end: &dyn FindPose| -> Result<Result<Option<f64>, Unproven>, Error> {
+        |solver: &dyn PoseSolver, found: &LostMotion| Some(found.angle()? * solver.pitch_radius());
+    let at_end = |end: &dyn PoseSolver| -> Result<Result<Option<f64>, Unproven>, Error> {
         let (_, found) = end.find_at(mating, index)?;
         Ok(found.lost_motion.map(|found| backlash(end, &found)))
     };

@@ -83,7 +83,7 @@ pub(super) struct RollSample {
 pub(super) type Rolled = ([Vec<RollPose>; 2], Ranges);
 
 /// A piece between two neighbouring poses.
-struct Piece {
+struct CurvePiece {
     /// Places of its ends.
     from: u64,
     to: u64,
@@ -95,7 +95,7 @@ struct Piece {
     same_contacts: bool,
 }
 
-impl Piece {
+impl CurvePiece {
     fn slack(&self) -> f64 {
         self.within[1] - self.within[0]
     }
@@ -125,7 +125,7 @@ pub(super) fn bracketed(
         }
         let pieces = pieces(curve, &samples);
         let ranges = Ranges::of(curve, &pieces);
-        let mut halved: Vec<&Piece> = if round < HALVINGS {
+        let mut halved: Vec<&CurvePiece> = if round < HALVINGS {
             pieces.iter().filter(|piece| !piece.same_contacts).collect()
         } else {
             ranges.open(&pieces)
@@ -149,7 +149,7 @@ pub(super) fn bracketed(
     Ok(None)
 }
 
-fn pieces(curve: &DeviationCurve, samples: &BTreeMap<u64, RollSample>) -> Vec<Piece> {
+fn pieces(curve: &DeviationCurve, samples: &BTreeMap<u64, RollSample>) -> Vec<CurvePiece> {
     let round = curve.steps as u64 * PARTS;
     let first = samples.first_key_value();
     let next = samples
@@ -164,7 +164,7 @@ fn pieces(curve: &DeviationCurve, samples: &BTreeMap<u64, RollSample>) -> Vec<Pi
         let steepest =
             one.slope.max(other.slope).max(2.0 * climb / length) + (one.slope - other.slope).abs();
         let (middle, reach) = (0.5 * (f_0 + f_1), 0.5 * steepest * length);
-        Piece {
+        CurvePiece {
             from: *from,
             to,
             ends: [f_0.min(f_1), f_0.max(f_1)],
@@ -184,8 +184,8 @@ pub(super) struct Ranges {
 }
 
 impl Ranges {
-    fn of(curve: &DeviationCurve, pieces: &[Piece]) -> Ranges {
-        let all = Span::of(pieces.iter());
+    fn of(curve: &DeviationCurve, pieces: &[CurvePiece]) -> Ranges {
+        let all = RangeOfPieces::of(pieces.iter());
         let mut within = vec![false; pieces.len()];
         let total: Vec<bool> = pieces
             .iter()
@@ -214,8 +214,10 @@ impl Ranges {
             let inside = reached(first)
                 .filter(|(index, lap)| pieces[*index].to + lap <= last)
                 .map(|(index, _)| &pieces[index]);
-            found = found.max(Span::of(inside).range());
-            windows.push(Span::of(reached(first).map(|(index, _)| &pieces[index])));
+            found = found.max(RangeOfPieces::of(inside).range());
+            windows.push(RangeOfPieces::of(
+                reached(first).map(|(index, _)| &pieces[index]),
+            ));
         }
         let mut most = found;
         for (first, window) in windows.iter().enumerate() {
@@ -252,8 +254,8 @@ impl Ranges {
     }
 
     /// The pieces to halve. The few pieces of the revolution are first.
-    fn open<'a>(&self, pieces: &'a [Piece]) -> Vec<&'a Piece> {
-        let of = |open: &[bool]| -> Vec<&'a Piece> {
+    fn open<'a>(&self, pieces: &'a [CurvePiece]) -> Vec<&'a CurvePiece> {
+        let of = |open: &[bool]| -> Vec<&'a CurvePiece> {
             let marked = pieces.iter().zip(open);
             marked.filter(|(_, open)| **open).map(|(p, _)| p).collect()
         };
@@ -263,17 +265,17 @@ impl Ranges {
 }
 
 /// Least and greatest value of some pieces: found, and possible.
-struct Span {
+struct RangeOfPieces {
     found: [f64; 2],
     within: [f64; 2],
 }
 
-impl Span {
-    fn of<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Span {
+impl RangeOfPieces {
+    fn of<'a>(pieces: impl Iterator<Item = &'a CurvePiece>) -> RangeOfPieces {
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
         let wider =
             |[low, high]: [f64; 2], other: [f64; 2]| [low.min(other[0]), high.max(other[1])];
-        let mut span = Span {
+        let mut span = RangeOfPieces {
             found: nothing,
             within: nothing,
         };

@@ -27,10 +27,10 @@ pub(super) struct Place {
 pub(super) struct Workpiece<'a> {
     pub as_built: &'a AsBuilt,
     /// Right and left half teeth, by shape ([`AsBuilt::shape_of`]).
-    halves: [Vec<Cut>; 2],
+    halves: [Vec<CutHalfTooth>; 2],
 }
 
-struct Cut {
+struct CutHalfTooth {
     whole: Polygon,
     /// Only its tip land and involute.
     flank: HalfTooth,
@@ -59,7 +59,7 @@ impl<'a> Workpiece<'a> {
             let above = |curve| matches!(curve, ProfilePart::Tip | ProfilePart::Involute);
             let segments = half.segments().iter();
             let count = segments.take_while(|s| above(s.curve)).count();
-            Cut {
+            CutHalfTooth {
                 flank: half.recut(&profile, 0..count, chordal_error),
                 whole: Polygon::new(half),
             }
@@ -73,7 +73,7 @@ impl<'a> Workpiece<'a> {
         }
     }
 
-    fn cut(&self, side: Side, tooth: u32) -> &Cut {
+    fn cut(&self, side: Side, tooth: u32) -> &CutHalfTooth {
         &self.halves[side.index()][self.as_built.shape_of(side, tooth)]
     }
 

@@ -49,7 +49,7 @@ const MOST_HALVINGS: u32 = 30;
 
 /// Bounds over a stretch, least first.
 #[derive(Debug, Clone, Copy)]
-struct Over {
+struct StretchBounds {
     /// `L`, mm.
     reach: [f64; 2],
     /// `M/(r cos γ)`.
@@ -58,7 +58,7 @@ struct Over {
     round: [f64; 2],
 }
 
-impl Over {
+impl StretchBounds {
     /// `S`, mm.
     pub fn speed(&self) -> [f64; 2] {
         sum(self.round, product(self.reach, self.lift))
@@ -376,7 +376,7 @@ impl Fillet {
     }
 
     /// Bounds over the stretch from `low` to `high`.
-    fn over(&self, low: f64, high: f64) -> Over {
+    fn over(&self, low: f64, high: f64) -> StretchBounds {
         let ends = [low, high].map(|gamma| {
             let (sin, cos) = gamma.sin_cos();
             (1.0 / cos, cos, self.stretch(sin))
@@ -389,7 +389,7 @@ impl Fillet {
         let along = falling(&|_, k| self.tip_round / k);
         let against = falling(&|cos, k| self.tip_round * self.lean * cos * cos / (k * k * k));
         let moment = [deep[0] - against[1], deep[1] - against[0]];
-        Over {
+        StretchBounds {
             reach: sum(deep, along),
             lift: product(moment, [low_c / self.radius, high_c / self.radius]),
             round,

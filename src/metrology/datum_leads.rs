@@ -22,7 +22,7 @@ use nalgebra::{Matrix2, UnitComplex, Vector2};
 const DISTINCT: f64 = 0.02;
 
 /// Flanks on the reference circle.
-struct Probed {
+struct ReferenceFlanks {
     data: BasicGearData,
     /// Half the angle of a tooth on the reference circle, rad.
     half_angle: f64,
@@ -30,12 +30,12 @@ struct Probed {
     eccentricity: Vector2<f64>,
 }
 
-impl Probed {
-    fn new(design: &GearDesign, runout: &Runout) -> Probed {
+impl ReferenceFlanks {
+    fn new(design: &GearDesign, runout: &Runout) -> ReferenceFlanks {
         let data = design.basic_data;
         let base = 0.5 * design.nominal_base_thickness() / data.base_radius();
         let high = runout.high_tooth.unwrap_or(1.0);
-        Probed {
+        ReferenceFlanks {
             half_angle: base - involute::inv(data.transverse_pressure_angle()),
             eccentricity: direction(&data, high) * runout.eccentricity(),
             data,
@@ -95,7 +95,7 @@ pub(super) fn separate(
             "the traces of helical teeth contain the eccentricity, whose size and direction must be stated",
         );
     }
-    let probed = Probed::new(design, &runout);
+    let probed = ReferenceFlanks::new(design, &runout);
     let (mut left, mut right) = (Matrix2::zeros(), Vector2::zeros());
     let mut all = 0.0;
     for (flank, lead) in Flank::BOTH.into_iter().zip(leads) {
@@ -173,7 +173,12 @@ mod tests {
     }
 
     /// A point of a flank, by roll and height: `r_b (E + ξ E')` of the unwound string.
-    fn point(probed: &Probed, (tooth, flank): (u32, Flank), roll: f64, h: f64) -> Vector3<f64> {
+    fn point(
+        probed: &ReferenceFlanks,
+        (tooth, flank): (u32, Flank),
+        roll: f64,
+        h: f64,
+    ) -> Vector3<f64> {
         let (data, s) = (&probed.data, flank.sense());
         let base = probed.half_angle + involute::inv(data.transverse_pressure_angle());
         let start = angle(data, f64::from(tooth)) + s * base + h * data.twist();
@@ -183,7 +188,7 @@ mod tests {
     }
 
     /// Lead of these teeth of a rigid gear tilted by `t` and off its axis: the move of each point along the normal of its flank in space.
-    fn lead(probed: &Probed, flank: Flank, teeth: &[u32], t: Vector2<f64>) -> Lead {
+    fn lead(probed: &ReferenceFlanks, flank: Flank, teeth: &[u32], t: Vector2<f64>) -> Lead {
         let roll = probed.data.transverse_pressure_angle().tan();
         let e = probed.eccentricity;
         let of_point = |tooth: u32, h: f64| {
@@ -224,7 +229,7 @@ mod tests {
         ] {
             let design = GearDesign::plain(20, 3.0).helical(beta, hand);
             let runout = Runout::new(14.0, 4.5);
-            let probed = Probed::new(&design, &runout);
+            let probed = ReferenceFlanks::new(&design, &runout);
             let t = direction(&design.basic_data, 9.25) * LEAN;
             let leads = Flank::BOTH.map(|flank| lead(&probed, flank, &teeth, t));
             let stated = RunoutStatement::Total(runout);
@@ -243,7 +248,7 @@ mod tests {
     #[test]
     fn traces_that_do_not_show_it_are_refused() {
         let design = GearDesign::plain(20, 3.0);
-        let probed = Probed::new(&design, &Runout::default());
+        let probed = ReferenceFlanks::new(&design, &Runout::default());
         for (teeth, is_shown) in [
             (&[][..], false),
             (&[3], false),

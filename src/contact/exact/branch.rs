@@ -4,7 +4,7 @@ use super::candidate::CandidateContact;
 use super::curves::{Curves, SearchExhausted};
 use super::placed::Placed;
 use super::shape::C;
-use crate::contact::gap::{Arc, Origin, PlacedCurve, greatest};
+use crate::contact::gap::{CurveArc, Origin, PlacedCurve, greatest};
 use crate::gear::{ProfilePart, smooth};
 
 /// The greatest gap of two half teeth over `curves`, if it exceeds `floor`. The nodes used are subtracted from `nodes_left`.
@@ -34,7 +34,7 @@ pub(super) fn search(
             row[*mate as usize] && around.meets(other, room)
         });
         let mates = mates.flat_map(|&(mate, range, _)| arcs(free.curve(mate), mate, range));
-        let mates: Vec<Arc> = mates.collect();
+        let mates: Vec<CurveArc> = mates.collect();
         if !mates.is_empty() {
             for arc in arcs(locked.curve(curve), curve, locked.range(curve)) {
                 nodes.extend(mates.iter().map(|mate| (arc, *mate)));
@@ -59,8 +59,8 @@ pub(super) fn arcs<'a>(
     on: PlacedCurve<'a>,
     curve: ProfilePart,
     (low, high): (f64, f64),
-) -> impl Iterator<Item = Arc<'a>> + use<'a> {
-    let arc = move |(low, high)| Arc::new(on, curve as usize, low, high);
+) -> impl Iterator<Item = CurveArc<'a>> + use<'a> {
+    let arc = move |(low, high)| CurveArc::new(on, curve as usize, low, high);
     smooth(on.curve.edges(), low, high).map(arc)
 }
 

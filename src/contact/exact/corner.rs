@@ -8,17 +8,10 @@
 //! its reach does not return, and if the tip corner is out of reach, the whole flank is. There `ρ` is unknown (the
 //! flank of a tooth that points sideways turns back) and does not matter.
 
-use super::placed::Placed;
+use super::placed::{Placed, Role};
 use super::shape::{C, turn};
 use crate::gear::{ProfilePart, involute};
 use std::f64::consts::TAU;
-
-/// The gear of a half tooth. From tip to root `ρ` rises on a locked half tooth and falls on a free one.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Sense {
-    Locked,
-    Free,
-}
 
 /// Profile part and parameter where `half` has the radius `rho` about the free axis. `None` if there is no such point,
 /// or if the search covers it.
@@ -26,7 +19,7 @@ pub(super) enum Sense {
 /// `fillet` is the least `γ` that can be reached. `near` is a nearby point in the half tooth's own frame.
 pub(super) fn meet(
     half: &Placed,
-    side: Sense,
+    side: Role,
     fillet: Option<f64>,
     rho: f64,
     near: C,
@@ -35,8 +28,8 @@ pub(super) fn meet(
     let (tip_roll, tip) = outer_end(half);
     let form = half.own_to_axis(shape.joint);
     let inward = match side {
-        Sense::Locked => 1.0,
-        Sense::Free => -1.0,
+        Role::Locked => 1.0,
+        Role::Free => -1.0,
     };
     Some(if (rho - tip) * inward < 0.0 {
         (ProfilePart::Tip, on_land(half, ProfilePart::Tip, rho)?)

@@ -4,17 +4,19 @@
 //! ([`super::envelope`]); only the other corners are compared with the curves.
 
 use super::candidate::CandidateContact;
-use super::corner::{Sense, least_flank_radius, meet, nearest_turn, on_land, tip_arm};
-use super::curves::{Curves, SearchExhausted};
+use super::corner::{least_flank_radius, meet, nearest_turn, on_land, tip_arm};
+use super::curves::SearchExhausted;
 use super::envelope::Envelope;
 use super::flank_problem::{FlankProblem, PosedFlanks};
-use super::lands::{land_on_land, without_lands};
+use super::lands::{offer_lands, without_lands};
 use super::line::TangentVariation;
-use super::placed::Placed;
+use super::path::offer_pairs_on_line;
+use super::placed::{Placed, Role};
 use super::search::{self, SideRequest};
-use super::search_free_proof::{SearchFreeProof, Setting};
+use super::search_free_proof::{ProofInput, SearchFreeProof};
 use super::shape::{C, turn};
-use super::tightest::{TightestContacts, Touching};
+use super::tangent::offer_land_tangents;
+use super::tightest::{FirstContact, TightestContacts};
 use crate::contact::gap::MOST_NODES;
 use crate::gear::ProfilePart;
 use crate::pair::GearPair;
@@ -72,28 +74,34 @@ impl Envelopes {
 ///
 /// # Errors
 /// The step whose pair could not be settled.
-pub(super) fn touching(
+pub(super) fn first_contact(
     posed: &PosedFlanks,
     solver: Option<&DirectSolver>,
     request: SideRequest,
-) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
     let Some(solver) = solver else {
-        return search::touching(posed, request);
+        return search::first_contact(posed, request);
     };
     let mut tightest_contacts = TightestContacts::new(posed.problem);
-    if !posed.on_line(&solver.variation, &mut tightest_contacts) {
-        return search::touching(posed, request);
+    if !offer_pairs_on_line(posed, &solver.variation, &mut tightest_contacts) {
+        return search::first_contact(posed, request);
     }
     let proof = &solver.proof;
     if proof.tangents {
-        posed.on_tangents(solver.free_off > 0.0, &mut tightest_contacts);
+        offer_land_tangents(posed, solver.free_off > 0.0, &mut tightest_contacts);
     }
-    posed.on_corners(solver, &mut tightest_contacts);
+    CornerSearch {
+        posed,
+        solver,
+        gears: AtRotation::at(posed, tightest_contacts.greatest()),
+        tightest_contacts: &mut tightest_contacts,
+    }
+    .run();
     if proof.is_direct() {
         return Ok(tightest_contacts.choose());
     }
     if !proof.open.is_empty() {
-        posed.on_lands(proof.open, &mut tightest_contacts);
+        offer_lands(posed, proof.open, &mut tightest_contacts);
     }
     let rest = without_lands(proof.open);
     let curves = |locked: &Placed| {
@@ -154,7 +162,7 @@ impl DirectSolver {
         if locked_gear.is_modified() || free_gear.is_modified() {
             return None;
         }
-        let setting = Setting {
+        let setting = ProofInput {
             locked: &problem.locked.shape,
             free: &problem.free.shape,
             locked_teeth: &modified.locked,
@@ -181,78 +189,91 @@ impl DirectSolver {
     }
 }
 
-impl PosedFlanks<'_> {
-    /// Offers the greatest gap of the pairs of lands in `curves`, step by step.
-    pub(super) fn on_lands(&self, curves: Curves, tightest_contacts: &mut TightestContacts) {
-        for step in self.steps() {
-            let (locked, free) = (self.locked(step), self.free(step));
-            if let Some(candidate) = land_on_land(&locked, &free, self.origin_of(step), curves)
-                && tightest_contacts.admits(candidate.gap)
-            {
-                tightest_contacts.offer(step, candidate);
-            }
-        }
-    }
+/// Squared radius of the far corner of the locked land at `place` if a free tip land can have that radius, mm².
+#[inline]
+pub(super) fn far_corner_reaches(
+    posed: &PosedFlanks,
+    solver: &DirectSolver,
+    place: usize,
+) -> Option<f64> {
+    let (square, free_tip) = far_corner_square(posed, place);
+    // |ρ² − r²| ≤ e (2r + e) on a circle that is e off its axis.
+    let off = (square - free_tip * free_tip).abs();
+    (off <= solver.free_off * (2.0 * free_tip + solver.free_off)).then_some(square)
+}
 
-    /// Offers every corner whose gap can exceed the greatest so far: tip corners and undercut joints.
-    ///
-    /// `R` is the free gear's rotation at the greatest gap so far; `C_F` and `D_F` hold at rotation 0. A locked point
-    /// `C_L + D_L p` is at `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame. A free point is at `(R (C_F +
-    /// D_F p) − C_L) D_L*` in the locked tooth's.
-    fn on_corners(&self, solver: &DirectSolver, tightest_contacts: &mut TightestContacts) {
-        let mut level = AtRotation::at(self, tightest_contacts.greatest());
-        let (locked_teeth, free_teeth) = (&self.problem.locked, &self.problem.free);
-        let steps = self.steps();
+/// Whether [`far_corner_reaches`] can hold in a section whose corners move by up to `moved`, mm.
+pub(super) fn far_corner_may_reach(
+    posed: &PosedFlanks,
+    solver: &DirectSolver,
+    step: i64,
+    moved: f64,
+) -> bool {
+    let (square, free_tip) = far_corner_square(posed, posed.places(step).0);
+    let off = solver.free_off + moved;
+    let beyond = square - free_tip * free_tip;
+    solver.free_off > 0.0 && beyond.abs() <= off * (2.0 * free_tip + off)
+}
+
+/// Squared radius of the far corner of the locked land at `place`, mm², and the free tip radius, mm.
+#[inline]
+fn far_corner_square(posed: &PosedFlanks, place: usize) -> (f64, f64) {
+    let locked_teeth = &posed.problem.locked;
+    let corner =
+        posed.centre - posed.turned * locked_teeth.direction(place) * locked_teeth.far(place);
+    (corner.norm_sqr(), posed.problem.free.shape.tip_radius)
+}
+
+/// Offers every corner whose gap can exceed the greatest so far: tip corners and undercut joints.
+///
+/// `R` is the free gear's rotation at the greatest gap so far; `C_F` and `D_F` hold at rotation 0. A locked point
+/// `C_L + D_L p` is at `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame. A free point is at `(R (C_F +
+/// D_F p) − C_L) D_L*` in the locked tooth's.
+struct CornerSearch<'a, 'p> {
+    posed: &'a PosedFlanks<'p>,
+    solver: &'a DirectSolver,
+    /// Both gears at the greatest gap so far.
+    gears: AtRotation,
+    tightest_contacts: &'a mut TightestContacts,
+}
+
+impl CornerSearch<'_, '_> {
+    fn run(mut self) {
+        let (posed, solver) = (self.posed, self.solver);
+        let (locked_teeth, free_teeth) = (&posed.problem.locked, &posed.problem.free);
+        let steps = posed.steps();
         // The pair at the line of centres first: its contact leaves the others clear.
         let middle = steps.contains(&0).then_some(0);
         for step in middle.into_iter().chain(steps.filter(|&step| step != 0)) {
-            let (locked_place, free_place) = self.places(step);
+            let (locked_place, free_place) = posed.places(step);
             let toward = free_teeth.direction(free_place);
-            let seen = level.direction * locked_teeth.direction(locked_place);
-            let (centre, known) = (level.centre, level.known);
+            let seen = self.gears.direction * locked_teeth.direction(locked_place);
+            let (centre, known) = (self.gears.centre, self.gears.known);
             for &corner in locked_teeth.shape.corners() {
                 let near = (centre + seen * corner.1) * toward.conj();
                 if !(known && solver.envelopes.free.clears(near)) {
                     let edge = (ProfilePart::Involute, corner.0);
-                    self.locked_corner(
-                        solver,
-                        step,
-                        (edge, corner.1, near),
-                        &mut level,
-                        tightest_contacts,
-                    );
+                    self.locked_corner(step, edge, corner.1, near);
                 }
             }
             if solver.proof.tangents {
                 let far = locked_teeth.far(locked_place);
                 let near = (centre + seen * far) * toward.conj();
                 if !(known && solver.envelopes.free.clears(near)) {
-                    let edge = (ProfilePart::Tip, -far.arg());
-                    self.locked_corner(
-                        solver,
-                        step,
-                        (edge, far, near),
-                        &mut level,
-                        tightest_contacts,
-                    );
+                    self.locked_corner(step, (ProfilePart::Tip, -far.arg()), far, near);
                 }
             }
             // A land that is not exactly round about its axis can pass the near corner and touch the far one.
             if solver.free_off > 0.0 {
-                self.far_corner(solver, step, locked_place, &mut level, tightest_contacts);
+                self.far_corner(step, locked_place);
             }
             for &corner in free_teeth.shape.corners() {
                 let near = (toward * corner.1 - centre) * seen.conj();
-                let clear =
-                    known && level.is_ahead(near, seen) && solver.envelopes.locked.clears(near);
-                if !clear || solver.proof.turns_back {
-                    self.free_corner(
-                        solver,
-                        step,
-                        (corner, near, clear),
-                        &mut level,
-                        tightest_contacts,
-                    );
+                let is_clear = known
+                    && self.gears.is_ahead(near, seen)
+                    && solver.envelopes.locked.clears(near);
+                if !is_clear || solver.proof.turns_back {
+                    self.free_corner(step, corner, near, is_clear);
                 }
             }
         }
@@ -260,23 +281,15 @@ impl PosedFlanks<'_> {
 
     /// Examines a corner of the locked gear that the envelope does not show clear.
     #[cold]
-    fn locked_corner(
-        &self,
-        solver: &DirectSolver,
-        step: i64,
-        (edge, corner, near): ((ProfilePart, f64), C, C),
-        level: &mut AtRotation,
-        tightest_contacts: &mut TightestContacts,
-    ) {
-        let (locked, free) = (self.locked(step), self.free(step));
+    fn locked_corner(&mut self, step: i64, edge: (ProfilePart, f64), corner: C, near: C) {
+        let solver = self.solver;
+        let (locked, free) = (self.posed.locked(step), self.posed.free(step));
         let rho = locked.own_to_axis(corner);
-        if level.known && solver.envelopes.free.is_beyond_tip(near) && rho > solver.outmost {
+        if self.gears.known && solver.envelopes.free.is_beyond_tip(near) && rho > solver.outmost {
             return;
         }
-        if let Some(met) = meet(&free, Sense::Free, solver.proof.free_fillet, rho, near) {
-            let candidate =
-                CandidateContact::new((&locked, edge), (&free, met), self.origin_of(step), 0.0);
-            level.offer(self, tightest_contacts, step, candidate);
+        if let Some(met) = meet(&free, Role::Free, solver.proof.free_fillet, rho, near) {
+            self.offer(step, (&locked, edge), (&free, met));
         }
     }
 
@@ -284,92 +297,52 @@ impl PosedFlanks<'_> {
     ///
     /// In all other cases the near corners, or a search, have the greatest gap ([`super::search_free_proof`]).
     #[inline]
-    fn far_corner(
-        &self,
-        solver: &DirectSolver,
-        step: i64,
-        place: usize,
-        level: &mut AtRotation,
-        tightest_contacts: &mut TightestContacts,
-    ) {
-        let Some(square) = self.far_corner_reaches(solver, place) else {
+    fn far_corner(&mut self, step: i64, place: usize) {
+        let Some(square) = far_corner_reaches(self.posed, self.solver, place) else {
             return;
         };
-        let (locked, free) = (self.locked(step), self.free(step));
-        if let Some(met) = on_land(&free, ProfilePart::Tip, square.sqrt()) {
-            let edge = (
-                &locked,
-                (ProfilePart::Tip, locked.range(ProfilePart::Tip).0),
+        let (locked, free) = (self.posed.locked(step), self.posed.free(step));
+        let tip = ProfilePart::Tip;
+        if let Some(met) = on_land(&free, tip, square.sqrt()) {
+            self.offer(
+                step,
+                (&locked, (tip, locked.range(tip).0)),
+                (&free, (tip, met)),
             );
-            let candidate = CandidateContact::new(
-                edge,
-                (&free, (ProfilePart::Tip, met)),
-                self.origin_of(step),
-                0.0,
-            );
-            level.offer(self, tightest_contacts, step, candidate);
         }
-    }
-
-    /// Squared radius of the far corner of the locked land at `place` if a free tip land can have that radius, mm².
-    #[inline]
-    pub(super) fn far_corner_reaches(&self, solver: &DirectSolver, place: usize) -> Option<f64> {
-        let (locked_teeth, free_tip) = (&self.problem.locked, self.problem.free.shape.tip_radius);
-        let point =
-            self.centre - self.turned * locked_teeth.direction(place) * locked_teeth.far(place);
-        let square = point.norm_sqr();
-        // |ρ² − r²| ≤ e (2r + e) on a circle that is e off its axis.
-        let off = (square - free_tip * free_tip).abs();
-        (off <= solver.free_off * (2.0 * free_tip + solver.free_off)).then_some(square)
-    }
-
-    /// Whether [`PosedFlanks::far_corner_reaches`] can hold in a section whose corners move by up to `moved`, mm.
-    pub(super) fn far_corner_may_reach(
-        &self,
-        solver: &DirectSolver,
-        step: i64,
-        moved: f64,
-    ) -> bool {
-        let (place, _) = self.places(step);
-        let (locked_teeth, free_tip) = (&self.problem.locked, self.problem.free.shape.tip_radius);
-        let point =
-            self.centre - self.turned * locked_teeth.direction(place) * locked_teeth.far(place);
-        let off = solver.free_off + moved;
-        let beyond = point.norm_sqr() - free_tip * free_tip;
-        solver.free_off > 0.0 && beyond.abs() <= off * (2.0 * free_tip + off)
     }
 
     /// Examines a corner of the free gear that the envelope does not reliably show clear.
     #[cold]
-    fn free_corner(
-        &self,
-        solver: &DirectSolver,
-        step: i64,
-        ((roll, corner), near, clear): ((f64, C), C, bool),
-        level: &mut AtRotation,
-        tightest_contacts: &mut TightestContacts,
-    ) {
-        let (locked, free) = (self.locked(step), self.free(step));
+    fn free_corner(&mut self, step: i64, (roll, corner): (f64, C), near: C, is_clear: bool) {
+        let (solver, proof) = (self.solver, &self.solver.proof);
+        let (locked, free) = (self.posed.locked(step), self.posed.free(step));
         let rho = free.own_to_axis(corner);
         // A flank that turns back can hide a clear point behind it, if the point came that near.
-        let behind =
-            solver.proof.turns_back && tip_arm(&locked) <= 0.0 && rho >= nearest_turn(&locked);
-        let trusted = level.known && !behind;
+        let behind = proof.turns_back && tip_arm(&locked) <= 0.0 && rho >= nearest_turn(&locked);
+        let trusted = self.gears.known && !behind;
         let over =
             || solver.envelopes.locked.is_beyond_tip(near) && rho < locked.least_land_radius();
-        if trusted && (clear || over()) {
+        if trusted && (is_clear || over()) {
             return;
         }
-        if let Some(met) = meet(
-            &locked,
-            Sense::Locked,
-            solver.proof.locked_fillet,
-            rho,
-            near,
-        ) {
-            let edge = (&free, (ProfilePart::Involute, roll));
-            let candidate = CandidateContact::new((&locked, met), edge, self.origin_of(step), 0.0);
-            level.offer(self, tightest_contacts, step, candidate);
+        if let Some(met) = meet(&locked, Role::Locked, proof.locked_fillet, rho, near) {
+            self.offer(step, (&locked, met), (&free, (ProfilePart::Involute, roll)));
+        }
+    }
+
+    fn offer(
+        &mut self,
+        step: i64,
+        locked: (&Placed, (ProfilePart, f64)),
+        free: (&Placed, (ProfilePart, f64)),
+    ) {
+        let candidate = CandidateContact::new(locked, free, self.posed.origin_of(step), 0.0);
+        if self.tightest_contacts.admits(candidate.gap) {
+            self.tightest_contacts.offer(step, candidate);
+            if self.tightest_contacts.greatest() > self.gears.greatest {
+                self.gears = AtRotation::at(self.posed, self.tightest_contacts.greatest());
+            }
         }
     }
 }
@@ -390,25 +363,15 @@ pub(super) struct AtRotation {
 impl AtRotation {
     /// The gears at the gap `greatest`; −∞ before the first candidate.
     pub fn at(posed: &PosedFlanks, greatest: f64) -> AtRotation {
-        let mut level = AtRotation {
-            greatest: 0.0,
-            known: false,
-            centre: C::ZERO,
-            direction: C::ZERO,
-            axis: C::ZERO,
-        };
-        level.set(posed, greatest);
-        level
-    }
-
-    fn set(&mut self, posed: &PosedFlanks, greatest: f64) {
-        self.known = greatest > f64::NEG_INFINITY;
-        self.greatest = greatest;
-        let gap = if self.known { greatest } else { 0.0 };
-        let back = turn(-gap) * posed.origin;
-        self.centre = back * posed.centre - posed.problem.free_off;
-        self.direction = -back * posed.turned;
-        self.axis = -back * posed.centre;
+        let known = greatest > f64::NEG_INFINITY;
+        let back = turn(if known { -greatest } else { 0.0 }) * posed.origin;
+        AtRotation {
+            greatest,
+            known,
+            centre: back * posed.centre - posed.problem.free_off,
+            direction: -back * posed.turned,
+            axis: -back * posed.centre,
+        }
     }
 
     /// Whether a free point is ahead of the axis along the locked tooth, where a point that turns in approaches the
@@ -416,20 +379,5 @@ impl AtRotation {
     #[inline]
     pub fn is_ahead(&self, near: C, seen: C) -> bool {
         near.re < self.axis.re * seen.re + self.axis.im * seen.im
-    }
-
-    fn offer(
-        &mut self,
-        posed: &PosedFlanks,
-        tightest_contacts: &mut TightestContacts,
-        step: i64,
-        candidate: CandidateContact,
-    ) {
-        if tightest_contacts.admits(candidate.gap) {
-            tightest_contacts.offer(step, candidate);
-            if tightest_contacts.greatest() > self.greatest {
-                self.set(posed, tightest_contacts.greatest());
-            }
-        }
     }
 }

@@ -12,11 +12,11 @@ use super::flank_problem::PosedFlanks;
 use super::placed::Placed;
 use super::search::SideRequest;
 use super::shape::C;
-use super::tightest::Touching;
+use super::tightest::FirstContact;
 use crate::contact::body::FarFlanks;
 use crate::contact::gap::{
-    Arc, CurveContact, CurvePoint, LEAST_LEVEL, MOST_NODES, PlacedCurve, common_normal, greatest,
-    turn,
+    CurveArc, CurveContact, CurvePoint, LEAST_LEVEL, MOST_NODES, PlacedCurve, common_normal,
+    greatest, turn,
 };
 use crate::gear::ProfilePart;
 
@@ -40,9 +40,9 @@ const FREE_PARTS: [ProfilePart; 4] = [
 pub(super) fn with_far_flanks(
     posed: &PosedFlanks,
     far_flanks: FarFlanks,
-    found: Option<Touching>,
+    found: Option<FirstContact>,
     request: SideRequest,
-) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
     let Some(mut tightest) = found.filter(|_| far_flanks != FarFlanks::Clear) else {
         return Ok(found);
     };
@@ -55,7 +55,7 @@ pub(super) fn with_far_flanks(
             far_contact(posed, step, (floor, tightest.candidate.normal), request)
                 .map_err(|lost| (step, lost))?
         {
-            tightest = Touching {
+            tightest = FirstContact {
                 step,
                 greatest: candidate.gap,
                 candidate,
@@ -110,7 +110,7 @@ pub(super) fn far_contact(
                 && !(is_known && around.is_behind(mate, turned, normal, room))
         });
         let mates = mates.flat_map(|&(mate, _)| arcs(free.curve(mate), mate, free.range(mate)));
-        let mates: Vec<Arc> = mates.collect();
+        let mates: Vec<CurveArc> = mates.collect();
         if !mates.is_empty() {
             for arc in arcs(far(part), part, shape.range(part)) {
                 nodes.extend(mates.iter().map(|mate| (arc, *mate)));

@@ -412,6 +412,19 @@ impl<'a> PosedFlanks<'a> {
         }
     }
 
+    /// `B` of [`super::line`], from the free outline's centre to the locked one's, and its derivative by the gap, at the gap `mu`.
+    #[inline]
+    pub fn centre_vector(&self, mu: f64) -> (C, C) {
+        self.centre_vector_turned(turn(mu))
+    }
+
+    /// As [`PosedFlanks::centre_vector`]; `turned` is `e^{iμ}`.
+    #[inline]
+    pub fn centre_vector_turned(&self, turned: C) -> (C, C) {
+        let off = self.free_centre * turned;
+        (self.centre - off, C::new(off.im, -off.re))
+    }
+
     /// The centre of the free outline at a rotation of the free gear, in this (mirrored) frame.
     pub fn free_centre_at(&self, rotation: f64) -> C {
         turn(rotation) * self.problem.free_off

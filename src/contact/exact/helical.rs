@@ -23,12 +23,12 @@
 //! `over_face` takes the tightest of them. Polygons and certificate treat one section at a time (`by_sections`). If an edge can reach a
 //! fillet, or paths of contact are very short, further sections are needed ([`edges`]).
 
-mod directly;
 mod edges;
-mod facing;
 mod leads;
+mod place_filter;
 mod profiles;
 mod roots;
+mod search_free_sections;
 mod turning;
 
 use super::flank_problem::{FlankProblem, PosedFlanks};
@@ -42,11 +42,11 @@ use crate::error::Error;
 use crate::gear::Side;
 use crate::numeric::rank;
 use crate::pair::{GearPair, Member, Pose};
-use directly::Directly;
 use edges::Edges;
-use facing::{Facing, Floors};
 use leads::{AlongFace, FaceBounds, MOST_BY_ARMS};
-use profiles::{AlongFlanks, Highest, LEVEL};
+use place_filter::{Floors, PlaceFilter};
+use profiles::{AlongFlanks, HighestPlace, LEVEL};
+use search_free_sections::SearchFreeSections;
 use std::borrow::Cow;
 use turning::FreeGear;
 
@@ -83,7 +83,7 @@ pub(super) struct Helical {
     left_out: f64,
     bounds: FaceBounds,
     /// How sections are solved that need no search.
-    directly: Option<Box<Directly>>,
+    directly: Option<Box<SearchFreeSections>>,
 }
 
 impl Helical {
@@ -140,7 +140,7 @@ impl Helical {
         } else {
             0.0
         };
-        let directly = Directly::new(assembly, plane, edges.as_ref()).map(Box::new);
+        let directly = SearchFreeSections::new(assembly, plane, edges.as_ref()).map(Box::new);
         let helical = Helical {
             bounds: FaceBounds {
                 most_moved,
@@ -351,7 +351,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let assembly = &helical.assembly;
         let posed = helical.plane.posed(problem, pose);
-        let facing = Facing::new(assembly, &posed, edges.short);
+        let facing = PlaceFilter::new(assembly, &posed, edges.short);
         let solid = solid_radius(assembly.gear(assembly.free()));
         // The centre of an eccentric free gear depends on its rotation: repeat until both are settled.
         let is_eccentric = problem.free_off.norm() > 0.0;
@@ -421,8 +421,8 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
             let highest = along.map_or(Ok(None), |along| along.highest());
             let (b, doubt) = match highest {
                 Ok(None) => return Ok(()),
-                Ok(Some(Highest { b, .. })) if round < MOST_ROUNDS_OF_PROFILES => (b, 0.0),
-                Ok(Some(Highest { b, height })) => (b, 2.0 * height * problem.per_free_base),
+                Ok(Some(HighestPlace { b, .. })) if round < MOST_ROUNDS_OF_PROFILES => (b, 0.0),
+                Ok(Some(HighestPlace { b, height })) => (b, 2.0 * height * problem.per_free_base),
                 // The section reports it.
                 Err(_) => (helical.assembly.face()[0], 0.0),
             };

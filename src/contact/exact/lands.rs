@@ -14,8 +14,10 @@
 use super::candidate::CandidateContact;
 use super::corner::on_land;
 use super::curves::Curves;
+use super::flank_problem::PosedFlanks;
 use super::placed::Placed;
 use super::shape::{C, turn};
+use super::tightest::TightestContacts;
 use crate::contact::gap::Origin;
 use crate::gear::ProfilePart::{self, Root, Tip};
 
@@ -48,6 +50,22 @@ pub(super) fn land_on_land(
         .reduce(greater)
 }
 
+/// Offers the greatest gap of the pairs of lands in `curves`, step by step.
+pub(super) fn offer_lands(
+    posed: &PosedFlanks,
+    curves: Curves,
+    tightest_contacts: &mut TightestContacts,
+) {
+    for step in posed.steps() {
+        let (locked, free) = (posed.locked(step), posed.free(step));
+        if let Some(candidate) = land_on_land(&locked, &free, posed.origin_of(step), curves)
+            && tightest_contacts.admits(candidate.gap)
+        {
+            tightest_contacts.offer(step, candidate);
+        }
+    }
+}
+
 fn greater(one: CandidateContact, other: CandidateContact) -> CandidateContact {
     if other.gap > one.gap { other } else { one }
 }
@@ -76,11 +94,14 @@ fn greatest(
     let free_ends = ends(free, free_land)
         .into_iter()
         .filter_map(|(u, rho)| Some(candidate(on_land(locked, locked_land, rho)?, u)));
-    let touching = tangents(locked, free, (locked_land, free_land))
+    let first_contact = tangents(locked, free, (locked_land, free_land))
         .into_iter()
         .flatten()
         .map(|(t, u)| candidate(t, u));
-    locked_ends.chain(free_ends).chain(touching).reduce(greater)
+    locked_ends
+        .chain(free_ends)
+        .chain(first_contact)
+        .reduce(greater)
 }
 
 /// Parameters on both lands where the circles touch.

@@ -17,33 +17,29 @@
 
 mod flanks;
 mod heights;
-mod pieces;
+pub(super) mod pieces;
 
 use super::branch::search as search_pair;
 use super::candidate::CandidateContact;
 use super::curves::SearchExhausted;
-use super::direct::{AtRotation, DirectSolver, Envelopes};
+use super::direct::{AtRotation, DirectSolver, Envelopes, far_corner_reaches};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
-use super::placed::Placed;
+use super::path::{InvolutePair, settle, start_line, steps_on};
+use super::placed::{Placed, Role};
 use super::search::{self, SideRequest};
 use super::shape::{C, HalfToothShape};
-use super::tightest::{TightestContacts, Touching};
+use super::tightest::{FirstContact, TightestContacts};
 use crate::contact::Effort;
 use crate::contact::gap::MOST_NODES;
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member};
-use flanks::rises;
+use flanks::{flank_contact, rises};
+use heights::greatest_gap_by_heights;
+use pieces::greatest_gap_of_flanks;
 
 /// Limit of pairs on the line of action at once: a contact ratio of eight.
 const MOST_PAIRS: usize = 8;
-
-/// The gear that a tip corner belongs to.
-#[derive(Debug, Clone, Copy)]
-enum Tip {
-    Locked,
-    Free,
-}
 
 /// The data of the quick method besides the teeth of the gears.
 #[derive(Debug, Clone)]
@@ -62,7 +58,7 @@ pub(super) struct OuterGears {
 
 /// A pair of outer flanks on the line of action: its step, gap and rolls.
 #[derive(Debug, Clone, Copy)]
-struct OnLine {
+struct OuterPair {
     step: i64,
     gap: f64,
     rolls: (f64, f64),
@@ -150,12 +146,12 @@ impl OuterGears {
     /// The first contact, by the quick method or the search.
     ///
     /// # Errors
-    /// As [`search::touching`].
-    pub fn touching(
+    /// As [`search::first_contact`].
+    pub fn first_contact(
         &self,
         posed: &PosedFlanks,
         request: SideRequest,
-    ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+    ) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
         let outer = posed.of(match posed.problem.side {
             Side::Right => &self.right,
             Side::Left => &self.left,
@@ -166,18 +162,23 @@ impl OuterGears {
                 .flatten()
         };
         match undeviating().or_else(|| self.quick(posed, &outer, request.effort)) {
-            Some(touching) => Ok(Some(touching)),
-            None => search::touching(posed, request),
+            Some(first_contact) => Ok(Some(first_contact)),
+            None => search::first_contact(posed, request),
         }
     }
 
-    fn quick(&self, posed: &PosedFlanks, outer: &PosedFlanks, effort: &Effort) -> Option<Touching> {
+    fn quick(
+        &self,
+        posed: &PosedFlanks,
+        outer: &PosedFlanks,
+        effort: &Effort,
+    ) -> Option<FirstContact> {
         // Gaps count from the free tooth's own direction, which differs by its offset.
         let beyond = outer.free_offset - posed.free_offset;
         let mut pairs = [None; MOST_PAIRS];
         let count = self.on_line(outer, &mut pairs)?;
         let pairs = &mut pairs[..count];
-        let gap = |pair: &Option<OnLine>| pair.map_or(f64::NEG_INFINITY, |pair| pair.gap);
+        let gap = |pair: &Option<OuterPair>| pair.map_or(f64::NEG_INFINITY, |pair| pair.gap);
         pairs.sort_by(|a, b| gap(b).total_cmp(&gap(a)));
         let mut tightest = TightestContacts::new(posed.problem);
         for pair in pairs.iter().flatten() {
@@ -185,7 +186,7 @@ impl OuterGears {
                 break;
             }
             let tangent = if self.is_convex {
-                posed.flanks_touch(pair)
+                flank_contact(posed, pair)
             } else {
                 None
             };
@@ -193,7 +194,7 @@ impl OuterGears {
                 Some(candidate) => Some(candidate),
                 None => {
                     let (floor, guess) = (tightest.level(), pair.gap - beyond);
-                    posed.greatest_gap_of_flanks(pair.step, floor, guess, effort)?
+                    greatest_gap_of_flanks(posed, pair.step, floor, guess, effort)?
                 }
             };
             if let Some(candidate) = found {
@@ -209,24 +210,24 @@ impl OuterGears {
     }
 
     /// Outer pairs on the line of action; `None` if one does not settle, or there are too many.
-    fn on_line(&self, outer: &PosedFlanks, pairs: &mut [Option<OnLine>]) -> Option<usize> {
+    fn on_line(&self, outer: &PosedFlanks, pairs: &mut [Option<OuterPair>]) -> Option<usize> {
         let variation = &self.solver.variation;
-        let (start, plays) = outer.start(variation)?;
+        let (start, plays) = start_line(outer, variation)?;
         // Any deviation moves a flank's contact along it by far less than this, rad; a larger move stays open below.
         let plays = (plays.0 + 0.02, plays.1 + 0.02);
         let mut count = 0;
-        for step in outer.steps_on(&start, plays) {
-            let pair = outer.pair(step);
-            let first = outer.gap(&start, &pair);
+        for step in steps_on(outer, &start, plays) {
+            let pair = InvolutePair::new(outer, step);
+            let first = pair.gap_on(outer.problem, &start);
             let (gap, line) = if variation.moves {
-                outer.settle(&pair, variation, first)?
+                settle(outer, &pair, variation, first)?
             } else {
                 (first, start)
             };
-            *pairs.get_mut(count)? = Some(OnLine {
+            *pairs.get_mut(count)? = Some(OuterPair {
                 step,
                 gap,
-                rolls: outer.rolls(&line, &pair),
+                rolls: pair.rolls_on(outer.problem, &line),
             });
             count += 1;
         }
@@ -264,19 +265,19 @@ impl OuterGears {
                 }
             }
             let (locked_place, _) = outer.places(step);
-            let far_corner = || outer.far_corner_reaches(&self.solver, locked_place);
+            let far_corner = || far_corner_reaches(outer, &self.solver, locked_place);
             if self.solver.free_off > 0.0 && far_corner().is_some() {
                 return None;
             }
             let mut settled = settled(step);
             if tips != [true; 2] && !(settled || self.is_convex) {
                 // If flanks are not convex, only their heights prove that the gap is greatest at an end.
-                if let Some(found) = posed.flanks_by_heights(step, tightest.level(), 0.0)? {
+                if let Some(found) = greatest_gap_by_heights(posed, step, tightest.level(), 0.0)? {
                     tightest.offer(step, found);
                 }
                 settled = true;
             }
-            for (tip, clear) in [Tip::Locked, Tip::Free].into_iter().zip(tips) {
+            for (tip, clear) in [Role::Locked, Role::Free].into_iter().zip(tips) {
                 if !clear && let Some(candidate) = self.on_tip(posed, step, tip, settled)? {
                     tightest.offer(step, candidate);
                 }
@@ -290,15 +291,15 @@ impl OuterGears {
         &self,
         posed: &PosedFlanks,
         step: i64,
-        tip: Tip,
+        tip: Role,
         settled: bool,
     ) -> Option<Option<CandidateContact>> {
         let (locked, free) = (posed.locked(step), posed.free(step));
         let proof = &self.solver.proof;
         // From root to tip, radii about the free axis fall on a locked half tooth and rise on a free one.
         let (half, mate, least, inward) = match tip {
-            Tip::Locked => (&locked, &free, proof.free_fillet, false),
-            Tip::Free => (&free, &locked, proof.locked_fillet, true),
+            Role::Locked => (&locked, &free, proof.free_fillet, false),
+            Role::Free => (&free, &locked, proof.locked_fillet, true),
         };
         let (flank, fillet) = (ProfilePart::Involute, ProfilePart::Fillet);
         let bracket = |low: f64, high: f64| if inward { [high, low] } else { [low, high] };
@@ -316,8 +317,8 @@ impl OuterGears {
             }
             let met = mate.curve(flank).invert(rho, bracket(form, top), top);
             let (x, y) = match tip {
-                Tip::Locked => (corner, met),
-                Tip::Free => (met, corner),
+                Role::Locked => (corner, met),
+                Role::Free => (met, corner),
             };
             rises(&locked, x, &free, y, -sense).then_some(())?;
             (flank, met)
@@ -332,8 +333,8 @@ impl OuterGears {
             return None;
         };
         let (x, y) = match tip {
-            Tip::Locked => ((flank, corner), on_mate),
-            Tip::Free => (on_mate, (flank, corner)),
+            Role::Locked => ((flank, corner), on_mate),
+            Role::Free => (on_mate, (flank, corner)),
         };
         Some(Some(CandidateContact::new(
             (&locked, x),
@@ -374,7 +375,7 @@ impl OuterGears {
         posed: &PosedFlanks,
         outer: &PosedFlanks,
         effort: &Effort,
-    ) -> Option<Touching> {
+    ) -> Option<FirstContact> {
         // Both gaps count from one place.
         if outer.free_offset != posed.free_offset {
             return None;
@@ -383,13 +384,17 @@ impl OuterGears {
             effort,
             floor: f64::NEG_INFINITY,
         };
-        let touching = super::direct::touching(outer, Some(&self.solver), request).ok()??;
-        let (locked, free) = (posed.locked(touching.step), posed.free(touching.step));
-        let candidate = touching.candidate;
+        let first_contact =
+            super::direct::first_contact(outer, Some(&self.solver), request).ok()??;
+        let (locked, free) = (
+            posed.locked(first_contact.step),
+            posed.free(first_contact.step),
+        );
+        let candidate = first_contact.candidate;
         let same = |half: &Placed, (part, roll): (ProfilePart, f64)| {
             part == ProfilePart::Involute && half.shape.is_undeviating(roll)
         };
-        (same(&locked, candidate.locked) && same(&free, candidate.free)).then_some(touching)
+        (same(&locked, candidate.locked) && same(&free, candidate.free)).then_some(first_contact)
     }
 }
 

@@ -4,6 +4,13 @@ use super::shape::{C, CurvePoint, HalfToothShape};
 use crate::contact::gap::{PlacedCurve, ROUNDING, Rectangle};
 use crate::gear::{Osculating, ProfilePart};
 
+/// The gear that a half tooth belongs to. From tip to root, radii about the free axis rise on a locked half tooth and fall on a free one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    Locked,
+    Free,
+}
+
 /// A half tooth at its position in a pose: `centre + direction · P`, from the free gear's axis.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) struct Placed<'a> {

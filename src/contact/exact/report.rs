@@ -2,8 +2,8 @@
 
 use super::flank_problem::PosedFlanks;
 use super::shape::HalfToothShape;
-use super::tightest::Touching;
-use crate::contact::lost_motion::{Contact, Framed, Touch};
+use super::tightest::FirstContact;
+use crate::contact::lost_motion::{Contact, ContactInFrame, Touch};
 use crate::gear::ProfilePart;
 use crate::pair::Member;
 
@@ -11,12 +11,12 @@ use crate::pair::Member;
 /// data), on the root circle at the root. Below the root circle the gear is solid all round.
 const CORNER_MM: f64 = 1e-7;
 
-/// The contact of `touching`; its rotation is not yet normalised.
-pub(super) fn contact(posed: &PosedFlanks, touching: &Touching, free: Member) -> Contact {
-    let (problem, candidate) = (posed.problem, &touching.candidate);
+/// The contact of `first_contact`; its rotation is not yet normalised.
+pub(super) fn contact(posed: &PosedFlanks, first_contact: &FirstContact, free: Member) -> Contact {
+    let (problem, candidate) = (posed.problem, &first_contact.candidate);
     let radius = candidate.point.norm_sqr().sqrt();
     let error = problem.rounding(radius, candidate.slope) + candidate.slack;
-    let (locked_place, free_place) = posed.places(touching.step);
+    let (locked_place, free_place) = posed.places(first_contact.step);
     let locked = touch(
         problem.locked.shape_at(locked_place),
         problem.locked.number(locked_place),
@@ -27,11 +27,11 @@ pub(super) fn contact(posed: &PosedFlanks, touching: &Touching, free: Member) ->
         problem.free.number(free_place),
         candidate.free,
     );
-    Framed {
+    ContactInFrame {
         side: problem.side,
         free,
         center_distance: problem.distance,
-        rotation: posed.rotation(touching.greatest),
+        rotation: posed.rotation(first_contact.greatest),
         error,
         locked,
         mated,

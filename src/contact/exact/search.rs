@@ -3,9 +3,10 @@
 use super::branch::search;
 use super::curves::{Curves, SearchExhausted};
 use super::flank_problem::PosedFlanks;
-use super::lands::without_lands;
+use super::lands::{offer_lands, without_lands};
+use super::modified::pieces::greatest_gap_of_flanks;
 use super::placed::Placed;
-use super::tightest::{TightestContacts, Touching};
+use super::tightest::{FirstContact, TightestContacts};
 use crate::contact::Effort;
 use crate::contact::gap::MOST_NODES;
 use crate::gear::ProfilePart;
@@ -24,12 +25,12 @@ pub(super) struct SideRequest<'a> {
 /// # Errors
 /// The step of the pair that stays undecided.
 #[cold]
-pub(super) fn touching(
+pub(super) fn first_contact(
     posed: &PosedFlanks,
     request: SideRequest,
-) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
     let mut tightest_contacts = TightestContacts::new(posed.problem);
-    posed.on_lands(Curves::ALL, &mut tightest_contacts);
+    offer_lands(posed, Curves::ALL, &mut tightest_contacts);
     let mut curves = without_lands(Curves::ALL);
     let (locked, free) = (&posed.problem.locked, &posed.problem.free);
     if locked.is_modified() || free.is_modified() {
@@ -37,7 +38,7 @@ pub(super) fn touching(
         let part = ProfilePart::Involute;
         for step in posed.steps() {
             let found =
-                posed.greatest_gap_of_flanks(step, tightest_contacts.level(), 0.0, request.effort);
+                greatest_gap_of_flanks(posed, step, tightest_contacts.level(), 0.0, request.effort);
             if let Some(candidate) = found.ok_or((step, SearchExhausted(part, part)))? {
                 tightest_contacts.offer(step, candidate);
             }
@@ -50,12 +51,12 @@ pub(super) fn touching(
 /// Branch and bound alone, with a larger budget.
 ///
 /// # Errors
-/// As [`touching`].
+/// As [`first_contact`].
 #[cold]
 pub(super) fn by_search(
     posed: &PosedFlanks,
     request: SideRequest,
-) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
     over(
         posed,
         TightestContacts::new(posed.problem),
@@ -68,14 +69,14 @@ pub(super) fn by_search(
 /// The first contact, from the known candidates and a search over the `curves` of each step's locked half tooth.
 ///
 /// # Errors
-/// As [`touching`].
+/// As [`first_contact`].
 pub(super) fn over(
     posed: &PosedFlanks,
     mut tightest_contacts: TightestContacts,
     curves: impl Fn(&Placed) -> Curves,
     request: SideRequest,
     most_nodes: usize,
-) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
     let most_nodes = request.effort.left().min(most_nodes as u64) as usize;
     let mut nodes_left = most_nodes;
     for step in posed.steps() {

@@ -53,7 +53,7 @@ impl SearchFreeProof {
 }
 
 /// The half teeth of both gears, their eccentricities, and the centre distance.
-pub(super) struct Setting<'a> {
+pub(super) struct ProofInput<'a> {
     /// Without deviations.
     pub locked: &'a HalfToothShape,
     pub free: &'a HalfToothShape,
@@ -65,7 +65,7 @@ pub(super) struct Setting<'a> {
     pub distance: f64,
 }
 
-impl Setting<'_> {
+impl ProofInput<'_> {
     /// The nearest position of the locked outline's centre: the widest lens and the least slopes.
     fn near(&self) -> f64 {
         self.distance - self.locked_off
@@ -103,25 +103,27 @@ impl Setting<'_> {
         let free_reach = reached(free, self.inmost() - self.free_off);
         let locked_reach = reached(locked, near - self.outmost());
         for curve in ProfilePart::ALL {
-            open.add_unless(free_reach != Reach::Root, curve, Root);
-            open.add_unless(locked_reach != Reach::Root, Root, curve);
+            open.add_unless(free_reach != ReachedDepth::Root, curve, Root);
+            open.add_unless(locked_reach != ReachedDepth::Root, Root, curve);
         }
         let free_fillet = match free_reach {
-            Reach::Fillet(gamma) if free.pitch_radius * gamma.sin() > self.free_off => Some(gamma),
+            ReachedDepth::Fillet(gamma) if free.pitch_radius * gamma.sin() > self.free_off => {
+                Some(gamma)
+            }
             _ => None,
         };
         let fillet_arm = match locked_reach {
-            Reach::Fillet(gamma) => self.fillet_arm(gamma).map(|arm| (gamma, arm)),
+            ReachedDepth::Fillet(gamma) => self.fillet_arm(gamma).map(|arm| (gamma, arm)),
             _ => None,
         };
         // Conditions 1 and 2.
         let form_near = near - self.free_off;
-        let free_good = free_reach == Reach::Involute
+        let free_good = free_reach == ReachedDepth::Involute
             || free_fillet.is_some_and(|gamma| {
                 let mate = self.locked_teeth;
                 hollow((free, gamma), mate, form_near - free.form_radius())
             });
-        let locked_good = locked_reach == Reach::Involute
+        let locked_good = locked_reach == ReachedDepth::Involute
             || fillet_arm.is_some_and(|(gamma, _)| {
                 let mate = self.free_teeth;
                 hollow((locked, gamma), mate, form_near - locked.form_radius())
@@ -133,10 +135,10 @@ impl Setting<'_> {
         self.open_lands(&mut open, fillet_arm.map(|(_, arm)| arm), free_fillet);
         let level_arm = near * half.cos() - locked.base - tilted;
         open.add_unless(self.is_rounder_than(level_arm), Involute, Tip);
-        if locked_reach != Reach::Involute && fillet_arm.is_none() && self.free_off > 0.0 {
+        if locked_reach != ReachedDepth::Involute && fillet_arm.is_none() && self.free_off > 0.0 {
             open.add(Fillet, Tip);
         }
-        if free_reach != Reach::Involute && free_fillet.is_none() {
+        if free_reach != ReachedDepth::Involute && free_fillet.is_none() {
             open.add(Tip, Fillet);
         }
         Some(SearchFreeProof {
@@ -245,19 +247,19 @@ fn slope_at(psi: f64) -> f64 {
 
 /// The depth to which the mate can reach into a half tooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Reach {
+enum ReachedDepth {
     Involute,
     /// Down to this `γ` of the fillet.
     Fillet(f64),
     Root,
 }
 
-fn reached(shape: &HalfToothShape, radius: f64) -> Reach {
+fn reached(shape: &HalfToothShape, radius: f64) -> ReachedDepth {
     if radius >= shape.form_radius() {
-        return Reach::Involute;
+        return ReachedDepth::Involute;
     }
     if !(radius > shape.root_radius) {
-        return Reach::Root;
+        return ReachedDepth::Root;
     }
     // |P| rises with γ; the lower end of the last bracket is on the safe side.
     let (mut low, mut high) = (0.0, shape.fillet_end);
@@ -269,7 +271,7 @@ fn reached(shape: &HalfToothShape, radius: f64) -> Reach {
             high = middle;
         }
     }
-    Reach::Fillet(low)
+    ReachedDepth::Fillet(low)
 }
 
 /// Whether `fillet` is more hollow everywhere than the mate's involute is convex from `radius` outwards.

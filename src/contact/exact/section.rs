@@ -9,7 +9,7 @@ use super::report;
 use super::search::{self, SideRequest};
 use super::shape::turn;
 use super::teeth::reduced;
-use super::tightest::Touching;
+use super::tightest::FirstContact;
 use crate::contact::Effort;
 use crate::contact::body::{
     FarFlanks, beside_root_circles, is_solid, may_be_solid, reaches_over_an_axis,
@@ -173,8 +173,8 @@ impl Section {
         request: SectionRequest,
     ) -> Result<LostMotion, Error> {
         self.with(pose, request, |posed, side| match &self.outer {
-            None => direct::touching(posed, self.solver.as_ref(), side),
-            Some(outer) => outer.touching(posed, side),
+            None => direct::first_contact(posed, self.solver.as_ref(), side),
+            Some(outer) => outer.first_contact(posed, side),
         })
     }
 
@@ -198,7 +198,10 @@ impl Section {
         &self,
         pose: &Pose,
         request: SectionRequest,
-        method: impl Fn(&PosedFlanks, SideRequest) -> Result<Option<Touching>, (i64, SearchExhausted)>,
+        method: impl Fn(
+            &PosedFlanks,
+            SideRequest,
+        ) -> Result<Option<FirstContact>, (i64, SearchExhausted)>,
     ) -> Result<LostMotion, Error> {
         if self.blocked {
             return Ok(LostMotion::JAMMED);
@@ -220,9 +223,8 @@ impl Section {
             let found = method(&posed, side)
                 .and_then(|found| with_far_flanks(&posed, self.far_flanks, found, side));
             match found {
-                Ok(touching) => {
-                    Ok(touching.map(|touching| report::contact(&posed, &touching, self.free)))
-                }
+                Ok(first_contact) => Ok(first_contact
+                    .map(|first_contact| report::contact(&posed, &first_contact, self.free))),
                 Err((step, lost)) => Err(self.lost(&posed, step, lost.reason(), pose)),
             }
         };
@@ -254,9 +256,9 @@ impl Section {
             effort,
             floor: f64::NEG_INFINITY,
         };
-        let found = direct::touching(posed, Some(solver), request).ok()?;
-        let touching = found.filter(|_| !effort.is_spent())?;
-        Some(report::contact(posed, &touching, self.free))
+        let found = direct::first_contact(posed, Some(solver), request).ok()?;
+        let first_contact = found.filter(|_| !effort.is_spent())?;
+        Some(report::contact(posed, &first_contact, self.free))
     }
 
     fn lost(&self, posed: &PosedFlanks, step: i64, reason: &'static str, pose: &Pose) -> Error {

@@ -3,7 +3,7 @@
 //! A section of teeth that deviate along the face differs from the measuring plane by slight turns of its flanks and by the centres of its
 //! outlines. A few teeth of either gear are in reach of the mate. Only these are turned.
 
-use super::direct::DirectSolver;
+use super::direct::{DirectSolver, far_corner_may_reach};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::section::Section;
 use super::shape::{C, turn};
@@ -54,7 +54,7 @@ impl<'a> SectionSide<'a> {
             return None;
         }
         let with_far = corners.is_none_or(|(solver, moved)| {
-            let may_reach = |step| plane.far_corner_may_reach(solver, step, moved);
+            let may_reach = |step| far_corner_may_reach(&plane, solver, step, moved);
             solver.proof.tangents || reach.clone().any(may_reach)
         });
         let flanks = FlanksInSection::new(&plane, place, with_far);

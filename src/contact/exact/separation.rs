@@ -23,7 +23,7 @@
 
 use super::flank_problem::PosedFlanks;
 use super::line::Line;
-use super::path::Pair;
+use super::path::InvolutePair;
 use super::shape::{C, HalfToothShape, turn};
 use super::teeth::slightly_turned;
 use std::f64::consts::PI;
@@ -40,23 +40,23 @@ const LEVEL: f64 = -1e-3;
 
 /// An arc of an involute, or the whole involute.
 #[derive(Debug, Clone, Copy)]
-struct Arc {
+struct InvoluteArc {
     base: f64,
     form: f64,
     tip: f64,
 }
 
-impl Arc {
-    fn new(shape: &HalfToothShape) -> Arc {
-        Arc {
+impl InvoluteArc {
+    fn new(shape: &HalfToothShape) -> InvoluteArc {
+        InvoluteArc {
             base: shape.base,
             form: lowest_roll(shape),
             tip: shape.tip_roll,
         }
     }
 
-    fn endless(shape: &HalfToothShape) -> Arc {
-        Arc {
+    fn endless(shape: &HalfToothShape) -> InvoluteArc {
+        InvoluteArc {
             base: shape.base,
             form: f64::NEG_INFINITY,
             tip: f64::INFINITY,
@@ -121,7 +121,7 @@ pub(super) struct Separation {
     pub touches: bool,
     beta: f64,
     rolls: [f64; 2],
-    arcs: [Arc; 2],
+    arcs: [InvoluteArc; 2],
 }
 
 impl Separation {
@@ -152,8 +152,8 @@ impl Separation {
         turns: [f64; 2],
         start: &impl Trigonometry,
     ) -> Separation {
-        let pair = posed.pair(step).turned(turns);
-        let arcs = arcs(posed, Arc::endless);
+        let pair = InvolutePair::new(posed, step).turned(turns);
+        let arcs = arcs(posed, InvoluteArc::endless);
         if let Some(found) = Separation::on_line_of_action(posed, &pair, arcs, start) {
             return found;
         }
@@ -187,8 +187,8 @@ impl Separation {
         turns: [f64; 2],
         start: &NearStart,
     ) -> Separation {
-        let pair = posed.pair(step).turned(turns);
-        let arcs = arcs(posed, Arc::new);
+        let pair = InvolutePair::new(posed, step).turned(turns);
+        let arcs = arcs(posed, InvoluteArc::new);
         let Some(line) = Separation::on_line_of_action(posed, &pair, arcs, start) else {
             return Separation::found(posed, step, turns, start);
         };
@@ -204,8 +204,8 @@ impl Separation {
     #[inline]
     fn on_line_of_action(
         posed: &PosedFlanks,
-        pair: &Pair,
-        arcs: [Arc; 2],
+        pair: &InvolutePair,
+        arcs: [InvoluteArc; 2],
         start: &impl Trigonometry,
     ) -> Option<Separation> {
         let sum = posed.problem.sum();
@@ -235,13 +235,13 @@ impl Separation {
         start: &impl Trigonometry,
     ) -> Separation {
         let problem = posed.problem;
-        let pair = posed.pair(step).turned(turns);
-        let arcs = arcs(posed, Arc::new);
+        let pair = InvolutePair::new(posed, step).turned(turns);
+        let arcs = arcs(posed, InvoluteArc::new);
         let sum = problem.sum();
         let (mut beta, mut gap) = start.from();
         let at = |gap: f64| start.between(posed, gap);
         let (mut between, mut rate) = at(gap);
-        let mut state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
+        let mut state = RoomDerivatives::new(&arcs, &pair, (between, rate), (beta, gap), start);
         let (mut touches, mut is_settled) = (false, false);
         let mut last = (0.0f64, 0.0);
         for _ in 0..STEPS {
@@ -259,7 +259,7 @@ impl Separation {
             beta += turned;
             gap += step;
             (between, rate) = at(gap);
-            state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
+            state = RoomDerivatives::new(&arcs, &pair, (between, rate), (beta, gap), start);
             if step.abs() < SETTLED.0 && newton.abs() < SETTLED.1 {
                 (touches, is_settled) = (state.bend < LEVEL * sum, true);
                 break;
@@ -273,7 +273,7 @@ impl Separation {
             let step = -state.apart / state.turning;
             gap += step;
             (between, rate) = at(gap);
-            state = State::new(&arcs, &pair, (between, rate), (beta, gap), start);
+            state = RoomDerivatives::new(&arcs, &pair, (between, rate), (beta, gap), start);
             is_settled = step.abs() < SETTLED.0 && state.turning > 0.0;
         }
         // The remainder of `s` is rounding, and is put on the safe side for both bounds.
@@ -299,10 +299,10 @@ impl Separation {
     /// The separation at a gap in the direction `beta`, where the arcs have the `slopes` `q'` and the free gear turns by `turning`.
     fn at(
         posed: &PosedFlanks,
-        pair: &Pair,
+        pair: &InvolutePair,
         (gap, beta): (f64, f64),
         (turning, slopes): (f64, [f64; 2]),
-        arcs: [Arc; 2],
+        arcs: [InvoluteArc; 2],
         touches: bool,
     ) -> Separation {
         let offset = posed.centre - C::from(posed.problem.distance);
@@ -348,7 +348,7 @@ impl Separation {
     /// The share of the locked (0) or the free involute (1) in [`Separation::room`].
     pub fn room_of(&self, k: usize, roll: f64, [form, tip]: [f64; 2]) -> f64 {
         let base = self.arcs[k].base;
-        let arc = Arc { base, form, tip };
+        let arc = InvoluteArc { base, form, tip };
         let slight = |angle: f64| {
             let turned = slightly_turned(angle);
             (turned.im, turned.re)
@@ -399,12 +399,12 @@ impl Separation {
 }
 
 /// The involutes of `posed`, locked and free, each as `of` its half tooth.
-fn arcs(posed: &PosedFlanks, of: fn(&HalfToothShape) -> Arc) -> [Arc; 2] {
+fn arcs(posed: &PosedFlanks, of: fn(&HalfToothShape) -> InvoluteArc) -> [InvoluteArc; 2] {
     [&posed.problem.locked, &posed.problem.free].map(|teeth| of(&teeth.shape))
 }
 
 /// `s` and its derivatives.
-struct State {
+struct RoomDerivatives {
     apart: f64,
     /// By `β`, once and twice.
     tilt: f64,
@@ -415,20 +415,20 @@ struct State {
     slopes: [f64; 2],
 }
 
-impl State {
+impl RoomDerivatives {
     #[inline]
     fn new(
-        [locked, free]: &[Arc; 2],
-        pair: &Pair,
+        [locked, free]: &[InvoluteArc; 2],
+        pair: &InvolutePair,
         (between, rate): (C, C),
         (beta, gap): (f64, f64),
         by: &impl Trigonometry,
-    ) -> State {
+    ) -> RoomDerivatives {
         let direction = by.direction(beta);
         let seen = direction * between.conj();
         let l = locked.support_by(beta - pair.locked_base, |angle| by.sin_cos(angle));
         let f = free.support_by(beta - gap - pair.free_base, |angle| by.sin_cos(angle));
-        State {
+        RoomDerivatives {
             apart: seen.im - locked.base * l[0] - free.base * f[0],
             tilt: seen.re - locked.base * l[1] - free.base * f[1],
             bend: -seen.im - locked.base * l[2] - free.base * f[2],
@@ -464,7 +464,7 @@ trait Trigonometry {
     /// `B` at a gap, and its derivative by the gap.
     #[inline]
     fn between(&self, posed: &PosedFlanks, gap: f64) -> (C, C) {
-        posed.between_turned(self.gap(gap))
+        posed.centre_vector_turned(self.gap(gap))
     }
 }
 
@@ -476,7 +476,7 @@ struct Start {
 
 impl Start {
     fn new(posed: &PosedFlanks, gap: f64) -> Start {
-        let (between, _) = posed.between(gap);
+        let (between, _) = posed.centre_vector(gap);
         let sum = posed.problem.sum();
         let length = (between.norm_sqr() - sum * sum).max(0.0).sqrt();
         let beta = between.im.atan2(between.re) + length.atan2(sum);
@@ -593,7 +593,7 @@ mod tests {
             touches: true,
             beta: 0.0,
             rolls,
-            arcs: [30.0, 20.0].map(|base| Arc {
+            arcs: [30.0, 20.0].map(|base| InvoluteArc {
                 base,
                 form: f64::NEG_INFINITY,
                 tip: f64::INFINITY,

@@ -13,9 +13,10 @@
 //! it, the gap is greatest at a corner of either tip.
 
 use super::candidate::CandidateContact;
-use super::flank_problem::PosedFlanks;
+use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::line::Line;
-use super::shape::C;
+use super::path::InvolutePair;
+use super::shape::{C, HalfToothShape};
 use super::tightest::TightestContacts;
 use crate::contact::gap::dot;
 use crate::gear::ProfilePart;
@@ -31,104 +32,106 @@ struct Tangent {
     normal: C,
 }
 
-impl PosedFlanks<'_> {
-    /// Offers every contact of a locked tip land between its corners with a free involute.
-    pub(super) fn on_tangents(&self, eccentric: bool, tightest_contacts: &mut TightestContacts) {
-        let free_shape = &self.problem.free.shape;
-        let Some(start) = self.tangent_line(0.0) else {
-            return;
+/// Offers every contact of a locked tip land between its corners with a free involute.
+pub(super) fn offer_land_tangents(
+    posed: &PosedFlanks,
+    is_eccentric: bool,
+    tightest_contacts: &mut TightestContacts,
+) {
+    let free_shape = &posed.problem.free.shape;
+    let Some(start) = tangent_line(posed, 0.0) else {
+        return;
+    };
+    if !is_eccentric && !is_on_involute(free_shape, roll_on(posed.problem, &start)) {
+        return;
+    }
+    // As `B` moves by up to `2e`, a line turns by at most that over its least length.
+    let moved = 2.0 * posed.problem.free_off.norm_sqr().sqrt();
+    let base = free_shape.base;
+    let nearest = (start.between.norm_sqr().sqrt() - moved).max(base);
+    let turned = moved / ((nearest - base) * (nearest + base)).sqrt();
+    for step in posed.steps() {
+        let locked = posed.locked(step);
+        let (far, corner) = (locked.far, locked.shape.corners()[0].1);
+        let is_past = |normal: C, turned: f64| {
+            let along = dot(normal, locked.direction) + turned;
+            along * locked.shape.tip_radius < far.re.min(corner.re)
         };
-        if !eccentric && !self.is_on_involute(self.roll_on(&start)) {
-            return;
+        if is_past(normal(&start, base), turned) {
+            continue;
         }
-        // As `B` moves by up to `2e`, a line turns by at most that over its least length.
-        let moved = 2.0 * self.problem.free_off.norm_sqr().sqrt();
-        let base = free_shape.base;
-        let nearest = (start.between.norm_sqr().sqrt() - moved).max(base);
-        let turned = moved / ((nearest - base) * (nearest + base)).sqrt();
-        for step in self.steps() {
-            let locked = self.locked(step);
-            let (far, corner) = (locked.far, locked.shape.corners()[0].1);
-            let is_past = |normal: C, turned: f64| {
-                let along = dot(normal, locked.direction) + turned;
-                along * locked.shape.tip_radius < far.re.min(corner.re)
-            };
-            if is_past(normal(&start, base), turned) {
-                continue;
-            }
-            let Some(found) = self.tangent(step, &start, eccentric) else {
-                continue;
-            };
-            if !self.is_on_involute(found.roll) || !tightest_contacts.admits(found.gap) {
-                continue;
-            }
-            let seen = found.normal * locked.direction.conj();
-            if is_past(found.normal, 0.0) {
-                continue;
-            }
-            let (far, corner) = locked.range(ProfilePart::Tip);
-            let t = -seen.arg();
-            if t < far || t > corner {
-                continue;
-            }
-            let roll = found.roll.clamp(free_shape.form_roll, free_shape.tip_roll);
-            let on = (
-                (&locked, (ProfilePart::Tip, t)),
-                (&self.free(step), (ProfilePart::Involute, roll)),
-            );
-            let candidate = CandidateContact::new(on.0, on.1, self.origin_of(step), 0.0);
-            if tightest_contacts.admits(candidate.gap) {
-                tightest_contacts.offer(step, candidate);
-            }
+        let Some(found) = tangent(posed, step, &start, is_eccentric) else {
+            continue;
+        };
+        if !is_on_involute(free_shape, found.roll) || !tightest_contacts.admits(found.gap) {
+            continue;
+        }
+        let seen = found.normal * locked.direction.conj();
+        if is_past(found.normal, 0.0) {
+            continue;
+        }
+        let (far, corner) = locked.range(ProfilePart::Tip);
+        let t = -seen.arg();
+        if t < far || t > corner {
+            continue;
+        }
+        let roll = found.roll.clamp(free_shape.form_roll, free_shape.tip_roll);
+        let on = (
+            (&locked, (ProfilePart::Tip, t)),
+            (&posed.free(step), (ProfilePart::Involute, roll)),
+        );
+        let candidate = CandidateContact::new(on.0, on.1, posed.origin_of(step), 0.0);
+        if tightest_contacts.admits(candidate.gap) {
+            tightest_contacts.offer(step, candidate);
         }
     }
+}
 
-    /// The tangent from the locked outline's centre to the free base circle, the free gear turned by `gap`.
-    fn tangent_line(&self, gap: f64) -> Option<Line> {
-        Line::new(self.between(gap).0, self.problem.free.shape.base)
-    }
+/// The tangent from the locked outline's centre to the free base circle, the free gear turned by `gap`.
+fn tangent_line(posed: &PosedFlanks, gap: f64) -> Option<Line> {
+    Line::new(posed.centre_vector(gap).0, posed.problem.free.shape.base)
+}
 
-    fn roll_on(&self, line: &Line) -> f64 {
-        (line.length - self.problem.locked.shape.tip_radius) * self.problem.per_free_base
-    }
+/// Roll of the free involute at the contact on `line`.
+fn roll_on(problem: &FlankProblem, line: &Line) -> f64 {
+    (line.length - problem.locked.shape.tip_radius) * problem.per_free_base
+}
 
-    fn is_on_involute(&self, roll: f64) -> bool {
-        let free_shape = &self.problem.free.shape;
-        roll >= free_shape.form_roll && roll <= free_shape.tip_roll
-    }
+fn is_on_involute(free_shape: &HalfToothShape, roll: f64) -> bool {
+    roll >= free_shape.form_roll && roll <= free_shape.tip_roll
+}
 
-    /// `None` if the line does not settle, because the base circle reaches the land's centre.
-    fn tangent(&self, step: i64, start: &Line, eccentric: bool) -> Option<Tangent> {
-        let problem = self.problem;
-        let base = problem.free.shape.base;
-        let own = self.pair(step).free_base;
-        let gap_on = |line: &Line| line.angle - self.roll_on(line) - own;
-        let mut gap = gap_on(start);
-        let mut line = *start;
-        if eccentric {
-            let mut settled = false;
-            // Two or three steps: |dG/dμ| ≤ e/r_b < 1. Each leaves its square.
-            for _ in 0..60 {
-                let (between, rate) = self.between(gap);
-                line = Line::new(between, base)?;
-                let slope = line.slope(rate, base) * problem.per_free_base;
-                let change = (gap_on(&line) - gap) / (1.0 - slope);
-                gap += change;
-                if settled {
-                    break;
-                }
-                settled = change.abs() <= SETTLED;
+/// The contact of the extended land and involute of a step; `None` if the line does not settle, because the base circle reaches the land's centre.
+fn tangent(posed: &PosedFlanks, step: i64, start: &Line, is_eccentric: bool) -> Option<Tangent> {
+    let problem = posed.problem;
+    let base = problem.free.shape.base;
+    let own = InvolutePair::new(posed, step).free_base;
+    let gap_on = |line: &Line| line.angle - roll_on(problem, line) - own;
+    let mut gap = gap_on(start);
+    let mut line = *start;
+    if is_eccentric {
+        let mut settled = false;
+        // Two or three steps: |dG/dμ| ≤ e/r_b < 1. Each leaves its square.
+        for _ in 0..60 {
+            let (between, rate) = posed.centre_vector(gap);
+            line = Line::new(between, base)?;
+            let slope = line.slope(rate, base) * problem.per_free_base;
+            let change = (gap_on(&line) - gap) / (1.0 - slope);
+            gap += change;
+            if settled {
+                break;
             }
-            if !settled {
-                return None;
-            }
+            settled = change.abs() <= SETTLED;
         }
-        Some(Tangent {
-            gap,
-            roll: self.roll_on(&line),
-            normal: normal(&line, base),
-        })
+        if !settled {
+            return None;
+        }
     }
+    Some(Tangent {
+        gap,
+        roll: roll_on(problem, &line),
+        normal: normal(&line, base),
+    })
 }
 
 /// The land's normal at the end of a tangent to the free base circle. The involute's normal there is −iE, the land's the opposite.

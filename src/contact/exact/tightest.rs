@@ -77,7 +77,7 @@ impl TightestContacts {
 
     /// The reported contact of those that tie with the greatest gap. It is nearest to the operating pitch point; of equally near ones,
     /// first counter-clockwise on the locked gear as in [`super::flank_problem`]. A pair counts with its greatest candidate.
-    pub fn choose(&self) -> Option<Touching> {
+    pub fn choose(&self) -> Option<FirstContact> {
         let away =
             |candidate: &CandidateContact| (candidate.point - self.pitch_point).norm_sqr().sqrt();
         let mut chosen: Option<&(i64, CandidateContact)> = None;
@@ -94,7 +94,7 @@ impl TightestContacts {
                 chosen = Some(one);
             }
         }
-        chosen.map(|&(step, candidate)| Touching {
+        chosen.map(|&(step, candidate)| FirstContact {
             step,
             candidate,
             greatest: self.greatest,
@@ -104,7 +104,7 @@ impl TightestContacts {
 
 /// The pair that touches, and the greatest gap of all pairs.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Touching {
+pub(super) struct FirstContact {
     pub step: i64,
     pub candidate: CandidateContact,
     pub greatest: f64,

@@ -246,11 +246,11 @@ impl Bounding for Rectangle {
 
 /// Shapes around the pieces of a path in order, and around runs of pieces, as a tree.
 #[derive(Debug, Clone)]
-pub(in crate::contact) struct Tree<S>(Vec<(S, Inside)>);
+pub(in crate::contact) struct Tree<S>(Vec<(S, RunContent)>);
 
 /// The content of a run.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::contact) enum Inside {
+pub(in crate::contact) enum RunContent {
     /// Pieces `from..to`; one piece in a tree of rectangles.
     Pieces([usize; 2]),
     /// Two runs.
@@ -280,7 +280,7 @@ impl<S: Bounding> Tree<S> {
 
     /// The content of a run.
     #[inline]
-    pub fn inside(&self, run: usize) -> Inside {
+    pub fn inside(&self, run: usize) -> RunContent {
         self.0[run].1
     }
 
@@ -291,16 +291,16 @@ impl<S: Bounding> Tree<S> {
 }
 
 /// Adds the run of these pieces, followed by its content.
-fn add<S: Bounding>(runs: &mut Vec<(S, Inside)>, pieces: &[S], first: usize) -> S {
+fn add<S: Bounding>(runs: &mut Vec<(S, RunContent)>, pieces: &[S], first: usize) -> S {
     let place = runs.len();
-    runs.push((pieces[0], Inside::Pieces([first, first + pieces.len()])));
+    runs.push((pieces[0], RunContent::Pieces([first, first + pieces.len()])));
     let shape = if pieces.len() <= S::FEWEST {
         let rest = pieces[1..].iter();
         rest.fold(pieces[0], |round, piece| round.round(piece))
     } else {
         let (one, other) = pieces.split_at(pieces.len() / 2);
         let round = add(runs, one, first);
-        runs[place].1 = Inside::Runs([place + 1, runs.len()]);
+        runs[place].1 = RunContent::Runs([place + 1, runs.len()]);
         round.round(&add(runs, other, first + one.len()))
     };
     runs[place].0 = shape;

@@ -35,7 +35,7 @@ const FINEST: f64 = 16.0 * f64::EPSILON;
 
 /// A piece of a curve with its bounds.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::contact) struct Arc<'a> {
+pub(in crate::contact) struct CurveArc<'a> {
     placed: PlacedCurve<'a>,
     /// The caller's index of the curve.
     name: usize,
@@ -59,9 +59,9 @@ fn length(vector: C) -> f64 {
     vector.norm_sqr().sqrt()
 }
 
-impl<'a> Arc<'a> {
+impl<'a> CurveArc<'a> {
     /// `placed` from parameter `low` to `high`.
-    pub fn new(placed: PlacedCurve<'a>, name: usize, low: f64, high: f64) -> Arc<'a> {
+    pub fn new(placed: PlacedCurve<'a>, name: usize, low: f64, high: f64) -> CurveArc<'a> {
         let sample = placed.at(0.5 * (low + high));
         let (reach, turn) = placed.curve.spread(low, high);
         let radius = length(sample.point);
@@ -74,7 +74,7 @@ impl<'a> Arc<'a> {
         let z = C::i() * sample.normal * sample.point.conj();
         let psi = (z.im * z.re.signum()).atan2(z.re.abs());
         let play = turn + swing;
-        let mut arc = Arc {
+        let mut arc = CurveArc {
             placed,
             name,
             low,
@@ -134,13 +134,13 @@ impl<'a> Arc<'a> {
     }
 
     /// Whether both can have points at one radius.
-    pub fn meets(&self, other: &Arc) -> bool {
+    pub fn meets(&self, other: &CurveArc) -> bool {
         self.radii.0.max(other.radii.0) <= self.radii.1.min(other.radii.1)
     }
 
     /// Bounds of the gap with a free arc from `origin`, rad. The greatest gap is at most the second and at least the
     /// first, which is −∞ unless they are known to meet.
-    pub fn gap_with(&self, free: &Arc, origin: Origin) -> (f64, f64) {
+    pub fn gap_with(&self, free: &CurveArc, origin: Origin) -> (f64, f64) {
         let play = self.swing + free.swing;
         let middle = origin.gap(self.middle * free.middle.conj());
         // More than half a turn counts from the other side.
@@ -166,10 +166,10 @@ impl<'a> Arc<'a> {
         self.low < middle && middle < self.high
     }
 
-    fn cut(&self) -> [Arc<'a>; 2] {
+    fn cut(&self) -> [CurveArc<'a>; 2] {
         let middle = self.middle_parameter();
         [(self.low, middle), (middle, self.high)]
-            .map(|(low, high)| Arc::new(self.placed, self.name, low, high))
+            .map(|(low, high)| CurveArc::new(self.placed, self.name, low, high))
     }
 
     /// The parameter at radius `rho` of a monotone arc, limited to its ends. The steps used are added to `steps`.
@@ -196,16 +196,17 @@ impl<'a> Arc<'a> {
 const SUMMIT_STEPS: u32 = 64;
 
 /// The radius between two at which a gap concave over `ln ρ` is greatest, and how much it can be greater elsewhere, rad. The bound is the
-/// tangent: slope times distance to the place where the slope has changed its sign. `steps` counts as in [`Arc::at_radius`].
+/// tangent: slope times distance to the place where the slope has changed its sign. `steps` counts as in [`CurveArc::at_radius`].
 fn summit(
-    locked: &Arc,
-    free: &Arc,
+    locked: &CurveArc,
+    free: &CurveArc,
     rising: (bool, bool),
     (mut inner, mut outer): (f64, f64),
     steps: &Cell<usize>,
 ) -> (f64, f64) {
     let rise = |rho: f64| {
-        let at = |arc: &Arc, rising: bool| slope(&arc.placed.at(arc.at_radius(rho, rising, steps)));
+        let at =
+            |arc: &CurveArc, rising: bool| slope(&arc.placed.at(arc.at_radius(rho, rising, steps)));
         at(locked, rising.0) - at(free, rising.1)
     };
     let (mut low, mut high) = (rise(inner), rise(outer));
@@ -276,7 +277,7 @@ pub(in crate::contact) struct CurveContact {
 /// # Errors
 /// The names of two curves whose search did not end.
 pub(in crate::contact) fn greatest<'a>(
-    nodes: &mut Vec<(Arc<'a>, Arc<'a>)>,
+    nodes: &mut Vec<(CurveArc<'a>, CurveArc<'a>)>,
     origin: Origin,
     floor: f64,
     nodes_left: &mut usize,

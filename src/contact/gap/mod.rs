@@ -4,8 +4,8 @@ mod boxes;
 mod branch;
 mod paths;
 
-pub(super) use boxes::{Bounding, Inside, Rectangle, Tree};
-pub(super) use branch::{Arc, CurveContact, MOST_NODES, greatest};
+pub(super) use boxes::{Bounding, Rectangle, RunContent, Tree};
+pub(super) use branch::{CurveArc, CurveContact, MOST_NODES, greatest};
 pub(super) use paths::{LEAST_LEVEL, Path, PathSearch, PlacedRun, ROUNDING};
 
 use crate::gear::PartCurve;

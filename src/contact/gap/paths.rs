@@ -3,8 +3,8 @@
 //! Pairs of runs are taken depth first at the greatest gap so far, starting with the deepest penetration. After the first descent that gap
 //! is near the contact. A pair is dropped if its runs share no radius, or if the locked one is behind the free one.
 
-use super::boxes::{Inside, Rectangle, Tree};
-use super::{Arc, C, CurveContact, MOST_NODES, Origin, greatest, turn};
+use super::boxes::{Rectangle, RunContent, Tree};
+use super::{C, CurveArc, CurveContact, MOST_NODES, Origin, greatest, turn};
 
 /// Distance below the origin of gaps, rad, from which rectangles rule nothing out. The gap of a pair within 120° (see
 /// [`Rectangle::is_near`]) could be more than half a turn below the origin there, and count as one a turn above.
@@ -27,7 +27,7 @@ pub(in crate::contact) trait Path<'a> {
     /// A run at its position.
     fn put(&self, run: usize) -> PlacedRun;
     /// One of its pieces.
-    fn arc(&self, piece: usize) -> Arc<'a>;
+    fn arc(&self, piece: usize) -> CurveArc<'a>;
 }
 
 /// A run of pieces at its position in the pose.
@@ -60,7 +60,7 @@ pub(in crate::contact) struct Spent;
 
 /// A locked and a free run that are not ruled out at the gap of `level`.
 #[derive(Debug, Clone, Copy)]
-struct Pair {
+struct RunPair {
     /// Indices of both among the placed runs.
     runs: [u32; 2],
     /// Whether both are within 120° of each other at all gaps from [`LEAST_LEVEL`] up.
@@ -86,8 +86,8 @@ pub(in crate::contact) struct PathSearch<'a> {
     pairs: usize,
     /// Runs placed so far for both paths. Pairs refer to them by index.
     put: [Vec<PlacedRun>; 2],
-    open: Vec<Pair>,
-    nodes: Vec<(Arc<'a>, Arc<'a>)>,
+    open: Vec<RunPair>,
+    nodes: Vec<(CurveArc<'a>, CurveArc<'a>)>,
 }
 
 impl<'a> PathSearch<'a> {
@@ -166,15 +166,15 @@ impl<'a> PathSearch<'a> {
             }
             let [one, other] = self.runs(pair.runs);
             let inside = (locked_boxes.inside(one.run), free_boxes.inside(other.run));
-            if let (Inside::Pieces([piece, _]), Inside::Pieces([mate, _])) = inside {
+            if let (RunContent::Pieces([piece, _]), RunContent::Pieces([mate, _])) = inside {
                 best = self.pieces(locked.arc(piece), free.arc(mate))?.or(best);
                 continue;
             }
             // Both are divided, except one far shorter than the other.
             let lengths = [one, other].map(|run| run.rectangle.length());
             let parts = |inside, mate, [own, other]: [f64; 2]| match inside {
-                Inside::Runs(runs)
-                    if matches!(mate, Inside::Pieces(_)) || !(own < SHORT * other) =>
+                RunContent::Runs(runs)
+                    if matches!(mate, RunContent::Pieces(_)) || !(own < SHORT * other) =>
                 {
                     Some(runs)
                 }
@@ -217,7 +217,7 @@ impl<'a> PathSearch<'a> {
 
     /// A pair at the greatest gap so far; `None` if it is ruled out.
     #[inline]
-    fn looked_at(&self, runs: [u32; 2], is_near: bool) -> Option<Pair> {
+    fn looked_at(&self, runs: [u32; 2], is_near: bool) -> Option<RunPair> {
         let [locked, free] = self.runs(runs);
         let room = self.squared_rounding;
         let is_apart =
@@ -232,7 +232,7 @@ impl<'a> PathSearch<'a> {
             .beyond(&free.rectangle, self.turned, self.rounding);
         // A value of at most 0 is proof.
         let is_behind = is_near && over <= 0.0;
-        (!(is_behind && self.prunes)).then_some(Pair {
+        (!(is_behind && self.prunes)).then_some(RunPair {
             runs,
             is_near,
             level: self.level,
@@ -241,7 +241,11 @@ impl<'a> PathSearch<'a> {
     }
 
     /// Examines two pieces.
-    fn pieces(&mut self, arc: Arc<'a>, mate: Arc<'a>) -> Result<Option<CurveContact>, Spent> {
+    fn pieces(
+        &mut self,
+        arc: CurveArc<'a>,
+        mate: CurveArc<'a>,
+    ) -> Result<Option<CurveContact>, Spent> {
         if !arc.meets(&mate) || arc.gap_with(&mate, self.origin).1 <= self.level {
             return Ok(None);
         }

@@ -101,7 +101,7 @@ pub(super) struct Top<'a> {
 
 /// An arc about the gear's centre.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Arc {
+pub(super) struct LandArc {
     radius: f64,
     /// Directions of its ends from the centre, rad, and the points there.
     low: f64,
@@ -115,7 +115,7 @@ pub(super) enum Convex<'a> {
     Top(Top<'a>),
     /// Both tops of a locked tooth, whose levers are unknown.
     Tooth(Top<'a>),
-    Arc(Arc),
+    Arc(LandArc),
     /// The hull of two points: a chord of a hollow curve, which reaches no further.
     Chord([C; 2]),
 }
@@ -134,7 +134,7 @@ impl<'a> Convex<'a> {
     /// The arc of this radius, mm, between two directions, rad.
     pub fn arc(radius: f64, low: f64, high: f64) -> Convex<'a> {
         let at = |angle: f64| C::from_polar(radius, angle);
-        Convex::Arc(Arc {
+        Convex::Arc(LandArc {
             radius,
             low,
             high,
@@ -320,7 +320,7 @@ impl Top<'_> {
     }
 }
 
-impl Arc {
+impl LandArc {
     fn support(&self, omega: f64, n: C) -> Support {
         let half = 0.5 * (self.high - self.low);
         if wrapped(omega - 0.5 * (self.low + self.high)).abs() <= half {

@@ -11,8 +11,8 @@
 //!
 //! the difference has the non-negative kernel `sin(x − y)`. One evaluation proves the whole neighbourhood of a touch.
 
-use super::at::{Apart, At};
 use super::convex::{Convex, Support, along, wrapped};
+use super::facing_halves::{FacingHalves, SeparatingDirection};
 use crate::contact::gap::{C, dot, turn};
 use crate::gear::{Fillet, Part, PartCurve};
 use std::f64::consts::PI;
@@ -78,7 +78,7 @@ struct OffTangent {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum OffStretch {
     /// One direction for all points.
-    Apart(Apart),
+    SeparatingDirection(SeparatingDirection),
     /// The tangent of each point; this is the normal of the middle one, out of the locked metal.
     Tangents(C),
 }
@@ -259,7 +259,7 @@ fn least_room(room: f64, slope: f64, m: f64, w: f64) -> f64 {
     m + across * cos - slope.abs() * sin
 }
 
-impl At {
+impl FacingHalves {
     /// Distance of `mate` from the line through a point of gear `owner` across a normal, both in its own frame; `angle` is the normal's
     /// direction.
     #[inline]
@@ -410,7 +410,9 @@ impl At {
         let normal = self.out_of_locked(owner, stretch.normal);
         let off = self.off_chord(owner, stretch, mate);
         if self.stays_off_chord(stretch, off, need) {
-            return Some(OffStretch::Apart(Apart::Direction(normal)));
+            return Some(OffStretch::SeparatingDirection(
+                SeparatingDirection::Direction(normal),
+            ));
         }
         let chord = Convex::Chord(stretch.points);
         let (locked, free) = match owner {
@@ -419,9 +421,11 @@ impl At {
         };
         let nu = facing.arg();
         let across = self.room(locked, free, nu, facing);
-        let sag = self.sag_along(owner, stretch, Apart::Direction(facing));
+        let sag = self.sag_along(owner, stretch, SeparatingDirection::Direction(facing));
         if self.stays(across.room - sag, across.arm, need) {
-            return Some(OffStretch::Apart(Apart::Direction(facing)));
+            return Some(OffStretch::SeparatingDirection(
+                SeparatingDirection::Direction(facing),
+            ));
         }
         if self.is_off_tangents((owner, hollow), stretch, mate, need) {
             let (_, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
@@ -444,17 +448,21 @@ impl At {
         } else {
             self.separated(locked, free, start, need + sag, looks)?
         };
-        Some(OffStretch::Apart(apart))
+        Some(OffStretch::SeparatingDirection(apart))
     }
 
     /// The distance, mm, by which a stretch of gear `owner` can reach further than its chord where this keeps the chord off a mate.
-    fn sag_along(&self, owner: usize, stretch: &Stretch, apart: Apart) -> f64 {
+    fn sag_along(&self, owner: usize, stretch: &Stretch, apart: SeparatingDirection) -> f64 {
         let back = self.directions[owner].conj();
         let is_of_chord = match apart {
-            Apart::Direction(n) if owner == 1 => stretch.reaches_no_further(-n * back),
+            SeparatingDirection::Direction(n) if owner == 1 => {
+                stretch.reaches_no_further(-n * back)
+            }
             // The disc in which a free chord turns is not that of its curve.
-            Apart::OutOfReach(_) if owner == 1 => false,
-            Apart::Direction(n) | Apart::OutOfReach(n) => stretch.reaches_no_further(n * back),
+            SeparatingDirection::OutOfReach(_) if owner == 1 => false,
+            SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n) => {
+                stretch.reaches_no_further(n * back)
+            }
         };
         if is_of_chord { 0.0 } else { stretch.sag }
     }
@@ -517,7 +525,11 @@ impl At {
         let n = turn(nu);
         while let Some([l, f]) = open.pop() {
             if self.are_off_along([&l, &f], n, need) {
-                tell([l.ends, f.ends], 0, OffStretch::Apart(Apart::Direction(n)));
+                tell(
+                    [l.ends, f.ends],
+                    0,
+                    OffStretch::SeparatingDirection(SeparatingDirection::Direction(n)),
+                );
                 continue;
             }
             *looks += 1;
@@ -576,12 +588,12 @@ impl At {
                 let own = -(self.directions[1 - owner] * n) * back;
                 stretch.reaches_no_further(own)
             }),
-            OffStretch::Apart(Apart::Direction(n)) => {
+            OffStretch::SeparatingDirection(SeparatingDirection::Direction(n)) => {
                 let out = if owner == 0 { n } else { -n };
                 stretch.reaches_no_further(out * back)
             }
             // The disc of a chord is not that of the curve.
-            OffStretch::Apart(Apart::OutOfReach(_)) => false,
+            OffStretch::SeparatingDirection(SeparatingDirection::OutOfReach(_)) => false,
         }
     }
 
@@ -614,9 +626,9 @@ mod tests {
 
     /// A fillet of 30 teeth whose gear is locked, at the angle 0, with a mate whose own centre is at `centre`. The free axis is where the
     /// mate has a long lever about it.
-    fn facing(normal: C, centre: C) -> At {
+    fn facing(normal: C, centre: C) -> FacingHalves {
         let shift = -normal * C::i() * 50.0;
-        At {
+        FacingHalves {
             centres: [shift, shift + centre],
             angles: [0.0, 0.0],
             directions: [C::ONE; 2],
@@ -626,7 +638,7 @@ mod tests {
     }
 
     /// Whether the mate is off; `looks` counts the directions.
-    fn is_off(at: &At, hollow: &Hollow, mate: &Convex, looks: &mut u32) -> bool {
+    fn is_off(at: &FacingHalves, hollow: &Hollow, mate: &Convex, looks: &mut u32) -> bool {
         let before = *looks;
         at.is_off_hollow(
             (0, hollow),
@@ -730,7 +742,7 @@ mod tests {
                         for owner in 0..2 {
                             let mut centres = [shift; 2];
                             centres[1 - owner] += centre;
-                            let at = At {
+                            let at = FacingHalves {
                                 centres,
                                 ..facing(normal, centre)
                             };
@@ -797,7 +809,7 @@ mod tests {
                 }
             }
             // A disc behind the fillet that reaches through it is not off it, whatever its direction.
-            let behind = At {
+            let behind = FacingHalves {
                 play: 1e-12,
                 ..facing(middle, point - normal * 0.299)
             };
@@ -819,7 +831,7 @@ mod tests {
     }
 
     /// Points of the curve in a stretch, and their normals, at the position of gear `k`.
-    fn sampled(at: &At, k: usize, hollow: &Hollow, [low, high]: [f64; 2]) -> Vec<(C, C)> {
+    fn sampled(at: &FacingHalves, k: usize, hollow: &Hollow, [low, high]: [f64; 2]) -> Vec<(C, C)> {
         let place = |i: u32| {
             let (point, normal) = hollow.curve.at(low + (high - low) * f64::from(i) / 40.0);
             (
@@ -839,11 +851,11 @@ mod tests {
             _ => (mate, &own_points[..]),
         };
         let room = match proof {
-            OffStretch::Apart(Apart::Direction(n)) => {
+            OffStretch::SeparatingDirection(SeparatingDirection::Direction(n)) => {
                 least(&mut free.iter().map(|p| dot(*p, n)))
                     + least(&mut locked.iter().map(|p| -dot(*p, n)))
             }
-            OffStretch::Apart(Apart::OutOfReach(n)) => {
+            OffStretch::SeparatingDirection(SeparatingDirection::OutOfReach(n)) => {
                 least(&mut locked.iter().map(|p| -dot(*p, n)))
                     + least(&mut free.iter().map(|p| -p.norm()))
             }
@@ -881,7 +893,7 @@ mod tests {
                 let mut directions = [first; 2];
                 centres[1 - owner] += first * p + out * gap - second * q;
                 directions[1 - owner] = second;
-                let at = At {
+                let at = FacingHalves {
                     centres,
                     angles: directions.map(C::arg),
                     directions,

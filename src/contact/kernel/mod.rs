@@ -1,8 +1,8 @@
 //! Proofs by separating directions. They prove a pose that any method found from the outlines, without a search for the contact.
 
-mod at;
 mod checker;
 mod convex;
+mod facing_halves;
 mod hollow;
 mod proof;
 mod prover;

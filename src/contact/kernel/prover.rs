@@ -3,7 +3,7 @@
 //! A contact at the rotation `μ` is proven from two sides.
 //!
 //! 1. The free gear is opened to `μ + δ`. Each part of each pair of teeth in reach must be proven off the other tooth: by a direction
-//!    ([`super::at`]), by the tangents of a hollow curve ([`super::hollow`]), or as out of reach. Then nothing touches from there to
+//!    ([`super::facing_halves`]), by the tangents of a hollow curve ([`super::hollow`]), or as out of reach. Then nothing touches from there to
 //!    the middle between both contacts. If the pair interferes, nothing touches as far as the free gear can turn.
 //! 2. The free gear is closed to `μ − δ`. A point must be in the metal of both touching teeth.
 //!
@@ -15,8 +15,8 @@
 //! Three kinds of pose are not proven here: with flanks other than involutes, with contact on a fillet that bulges, and with root lands in
 //! reach of each other.
 
-use super::at::{Apart, At};
 use super::convex::{Convex, Support, along};
+use super::facing_halves::{FacingHalves, SeparatingDirection};
 use super::hollow::{Hollow, OffStretch};
 use super::proof::{Piece, Proof, Reason, Separation, SideProof, TouchProof};
 use crate::contact::Effort;
@@ -72,7 +72,7 @@ pub struct Prover {
 
 /// A contact in the frame of [`crate::contact::exact`].
 #[derive(Debug, Clone, Copy)]
-struct Held {
+struct ContactToProve {
     /// `μ`, rad.
     rotation: f64,
     /// `δ`, rad, to the open and to the closed side.
@@ -223,7 +223,7 @@ struct Proving<'a> {
     prover: &'a Prover,
     posed: &'a PosedFlanks<'a>,
     free: Member,
-    /// As [`Held::play`].
+    /// As [`ContactToProve::play`].
     play: f64,
     /// Directions examined so far.
     looks: u32,
@@ -232,53 +232,57 @@ struct Proving<'a> {
 }
 
 /// The half teeth of one step, and their tops.
-struct Pair<'a> {
+struct FacingPair<'a> {
     step: i64,
-    at: At,
+    at: FacingHalves,
     placed: [Placed<'a>; 2],
     tops: [Convex<'a>; 2],
 }
 
 /// The separation of the tops of a pair.
 struct TopsApart {
-    apart: Apart,
+    apart: SeparatingDirection,
     /// Its direction, rad, and the supports of both tops in it.
     nu: f64,
     supports: [Support; 2],
 }
 
 /// The ends of the pieces of a pair along the direction that keeps its tops apart.
-struct Along {
+struct EndsAlong {
     n: C,
     /// Reach of the locked tooth, mm.
     tooth: f64,
-    top: Lowest,
+    top: FreeStart,
     /// Whether a disc in which the free tooth turns represents each of its pieces.
     is_disc: bool,
 }
 
 /// Start of a free piece along a direction, mm, and its arm.
 #[derive(Clone, Copy)]
-struct Lowest {
+struct FreeStart {
     at: f64,
     arm: f64,
 }
 
-impl Along {
+impl EndsAlong {
     /// The ends along the direction of `apart`, in which the tops have these supports.
-    fn new(pair: &Pair, apart: Apart, [locked, free]: [Support; 2]) -> Along {
-        let (Apart::Direction(n) | Apart::OutOfReach(n)) = apart;
+    fn new(
+        pair: &FacingPair,
+        apart: SeparatingDirection,
+        [locked, free]: [Support; 2],
+    ) -> EndsAlong {
+        let (SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n)) = apart;
         let at = &pair.at;
-        let is_disc = matches!(apart, Apart::OutOfReach(_));
+        let is_disc = matches!(apart, SeparatingDirection::OutOfReach(_));
         let top = if is_disc {
-            Lowest {
+            FreeStart {
                 at: -pair.tops[1].farthest(at.centres[1] * at.directions[1].conj()),
                 arm: f64::INFINITY,
             }
         } else {
             lowest(at, n, free)
         };
-        Along {
+        EndsAlong {
             n,
             tooth: dot(at.centres[0], n) + locked.reach,
             top,
@@ -286,7 +290,7 @@ impl Along {
         }
     }
 
-    fn of_locked(&self, pair: &Pair, hollow: &Hollow, is_far: bool) -> f64 {
+    fn of_locked(&self, pair: &FacingPair, hollow: &Hollow, is_far: bool) -> f64 {
         let direction = if is_far {
             pair.placed[0].far_direction()
         } else {
@@ -295,21 +299,21 @@ impl Along {
         dot(pair.at.centres[0], self.n) + hollow.bound(self.n * direction.conj()).reach
     }
 
-    fn of_free(&self, at: &At, hollow: &Hollow) -> Lowest {
+    fn of_free(&self, at: &FacingHalves, hollow: &Hollow) -> FreeStart {
         if self.is_disc {
             return self.top;
         }
         lowest(at, self.n, hollow.bound(-self.n * at.directions[1].conj()))
     }
 
-    fn keeps_off(&self, at: &At, reach: f64, free: Lowest, need: f64) -> bool {
+    fn keeps_off(&self, at: &FacingHalves, reach: f64, free: FreeStart, need: f64) -> bool {
         at.stays(free.at - reach, free.arm, need)
     }
 }
 
 /// The start of a free piece along `n`; `back` is its support against `n`.
-fn lowest(at: &At, n: C, back: Support) -> Lowest {
-    Lowest {
+fn lowest(at: &FacingHalves, n: C, back: Support) -> FreeStart {
+    FreeStart {
         at: dot(at.centres[1], n) - back.reach,
         arm: at.least_arm(back, n),
     }
@@ -318,11 +322,11 @@ fn lowest(at: &At, n: C, back: Support) -> Lowest {
 /// The tops of a pair as pieces.
 const TOPS: [Piece; 2] = [Piece::Tooth, Piece::Top];
 
-impl Pair<'_> {
+impl FacingPair<'_> {
     /// The pair with the far half of the locked tooth instead of the near one.
-    fn far_at(&self) -> At {
+    fn far_at(&self) -> FacingHalves {
         let direction = self.placed[0].far_direction();
-        At {
+        FacingHalves {
             angles: [direction.im.atan2(direction.re), self.at.angles[1]],
             directions: [direction, self.at.directions[1]],
             ..self.at
@@ -361,7 +365,7 @@ impl<'a> Proving<'a> {
         here: &Pose,
         contact: Option<&Contact>,
         b: f64,
-    ) -> Result<Option<(Held, Option<CommonPoint>)>, NotProven> {
+    ) -> Result<Option<(ContactToProve, Option<CommonPoint>)>, NotProven> {
         if self.posed.centre.norm() * (1.0 - 1e-9) < self.prover.roots_meet {
             return Err("root lands reach each other");
         }
@@ -380,7 +384,7 @@ impl<'a> Proving<'a> {
     }
 
     /// `contact` in this frame; the free gear's nominal rotation is `onward` rad from that of the measuring plane.
-    fn held(&self, contact: &Contact, onward: f64) -> Result<Held, NotProven> {
+    fn held(&self, contact: &Contact, onward: f64) -> Result<ContactToProve, NotProven> {
         let problem = self.problem();
         let point = C::new(contact.point.x, contact.point.y);
         let point = self.mirrored(match self.free {
@@ -398,7 +402,7 @@ impl<'a> Proving<'a> {
         let is_thin =
             curves.iter().all(|curve| curve.is_land()) || curves.contains(&ToothPlace::Root);
         let closing = if is_thin { THIN * opening } else { opening };
-        Ok(Held {
+        Ok(ContactToProve {
             rotation: self.turned(contact.rotation + onward),
             opening,
             closing,
@@ -467,16 +471,16 @@ impl<'a> Proving<'a> {
         self.apart.get_or_insert_default().push(separation);
     }
 
-    fn tell_apart(&mut self, step: i64, pieces: [Piece; 2], apart: Apart) {
+    fn tell_apart(&mut self, step: i64, pieces: [Piece; 2], apart: SeparatingDirection) {
         match apart {
-            Apart::Direction(n) => self.tell(step, pieces, Reason::Direction, n),
-            Apart::OutOfReach(n) => self.tell(step, pieces, Reason::OutOfReach, n),
+            SeparatingDirection::Direction(n) => self.tell(step, pieces, Reason::Direction, n),
+            SeparatingDirection::OutOfReach(n) => self.tell(step, pieces, Reason::OutOfReach, n),
         }
     }
 
     fn tell_stretch(&mut self, step: i64, owner: usize, pieces: [Piece; 2], proof: OffStretch) {
         match (proof, owner) {
-            (OffStretch::Apart(apart), _) => self.tell_apart(step, pieces, apart),
+            (OffStretch::SeparatingDirection(apart), _) => self.tell_apart(step, pieces, apart),
             (OffStretch::Tangents(n), 0) => self.tell(step, pieces, Reason::LockedTangents, n),
             (OffStretch::Tangents(n), _) => self.tell(step, pieces, Reason::FreeTangents, n),
         }
@@ -484,13 +488,13 @@ impl<'a> Proving<'a> {
 
     /// The pair of a step at a rotation of the free gear; `turned` is `e^{i rotation}`.
     #[inline]
-    fn pair(&self, step: i64, rotation: f64, turned: C) -> Pair<'a> {
+    fn pair(&self, step: i64, rotation: f64, turned: C) -> FacingPair<'a> {
         let placed = [self.posed.locked(step), self.posed.free(step)];
         let [on_locked, on_free] = self.posed.angles(step);
         let [locked, free] = &placed;
-        Pair {
+        FacingPair {
             step,
-            at: At {
+            at: FacingHalves {
                 centres: [locked.centre, turned * free.centre],
                 angles: [on_locked, reduced(on_free + rotation)],
                 directions: [locked.direction, turned * free.direction],
@@ -506,7 +510,7 @@ impl<'a> Proving<'a> {
     }
 
     /// Proves that every pair in reach is apart slightly more open than `held`.
-    fn all_apart(&mut self, held: &Held) -> Result<(), NotProven> {
+    fn all_apart(&mut self, held: &ContactToProve) -> Result<(), NotProven> {
         let rotation = held.rotation + held.opening;
         let turned = turn(rotation);
         let nu = held.normal.im.atan2(held.normal.re);
@@ -525,7 +529,7 @@ impl<'a> Proving<'a> {
     }
 
     /// Proves that the tops of a pair are apart, first by the direction `n = e^{iν}`.
-    fn tops_apart(&mut self, pair: &Pair, (nu, n): (f64, C)) -> Result<TopsApart, NotProven> {
+    fn tops_apart(&mut self, pair: &FacingPair, (nu, n): (f64, C)) -> Result<TopsApart, NotProven> {
         let need = self.prover.need;
         let [locked, free] = &pair.tops;
         self.looks += 1;
@@ -533,14 +537,14 @@ impl<'a> Proving<'a> {
         let here = pair.at.room_of(&supports, n);
         let tops = if pair.at.stays(here.room, here.arm, need) {
             TopsApart {
-                apart: Apart::Direction(n),
+                apart: SeparatingDirection::Direction(n),
                 nu,
                 supports,
             }
         } else {
             let apart = pair.at.separated(locked, free, nu, need, &mut self.looks);
             let apart = apart.ok_or("two teeth are not shown to be apart")?;
-            let (Apart::Direction(n) | Apart::OutOfReach(n)) = apart;
+            let (SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n)) = apart;
             let nu = n.im.atan2(n.re);
             let supports = pair.at.supports(locked, free, nu, n);
             TopsApart {
@@ -554,7 +558,7 @@ impl<'a> Proving<'a> {
     }
 
     /// Proves that the fillets of a pair are apart from the mate: by the separation of the tops if it suffices, otherwise each by itself.
-    fn fillets_apart(&mut self, pair: &Pair, tops: &TopsApart) -> Result<(), NotProven> {
+    fn fillets_apart(&mut self, pair: &FacingPair, tops: &TopsApart) -> Result<(), NotProven> {
         let &TopsApart {
             apart,
             nu,
@@ -567,7 +571,7 @@ impl<'a> Proving<'a> {
         }
         let (at, [tooth, top]) = (&pair.at, &pair.tops);
         self.looks += 1;
-        let along = Along::new(pair, apart, supports);
+        let along = EndsAlong::new(pair, apart, supports);
         let free_bound = free.as_ref().map(|free| (free, along.of_free(at, free)));
         let near = near.as_ref().map(|near| (near, false));
         let far = prover.far_hollow.as_ref().map(|far| (far, true));
@@ -617,7 +621,7 @@ impl<'a> Proving<'a> {
     fn fillet_apart(
         &mut self,
         step: i64,
-        at: &At,
+        at: &FacingHalves,
         (owner, hollow): (usize, &Hollow),
         (piece, mate, facing): (Piece, &Convex, C),
         named: fn([f64; 2]) -> Piece,
@@ -645,7 +649,7 @@ impl<'a> Proving<'a> {
     }
 
     /// Proves that the root land of gear `owner` is apart from the parts of the mate that reach it.
-    fn root_apart(&mut self, pair: &Pair, owner: usize, nu: f64) -> Result<(), NotProven> {
+    fn root_apart(&mut self, pair: &FacingPair, owner: usize, nu: f64) -> Result<(), NotProven> {
         let land = self.prover.roots[owner].then(|| root_land(&pair.placed[owner]));
         let Some(land) = land.flatten() else {
             return Ok(());
@@ -681,7 +685,7 @@ impl<'a> Proving<'a> {
     /// Proves that the fillets of gear `owner` are apart from the mate's root land.
     fn fillets_off_root(
         &mut self,
-        pair: &Pair,
+        pair: &FacingPair,
         owner: usize,
         (land, nu): (&Convex, f64),
     ) -> Result<(), NotProven> {
@@ -708,7 +712,7 @@ impl<'a> Proving<'a> {
     fn both_apart(
         &mut self,
         step: i64,
-        at: &At,
+        at: &FacingHalves,
         hollows: ([&Hollow; 2], f64),
         named: fn([f64; 2]) -> Piece,
     ) -> Result<(), NotProven> {
@@ -762,7 +766,7 @@ impl<'a> Proving<'a> {
 
     fn beyond(
         &mut self,
-        pair: &Pair,
+        pair: &FacingPair,
         piece: Piece,
         convex: &Convex,
         radius: f64,
@@ -780,7 +784,7 @@ impl<'a> Proving<'a> {
     /// Closed by `δ`, both outlines overlap by `arm δ` along the normal. Half as deep below the contact of one or the other there is metal
     /// of both: below either one, unless it is a corner beside which the mate's curve slides. The teeth of `held` may tie with others that
     /// touch before by more than its bound.
-    fn common_point(&self, held: &Held) -> Option<CommonPoint> {
+    fn common_point(&self, held: &ContactToProve) -> Option<CommonPoint> {
         let down = 0.5 * held.arm * held.closing;
         let deep = held.normal * down;
         let closed = held.rotation - held.closing;
@@ -818,7 +822,7 @@ impl<'a> Proving<'a> {
             point + across / across.norm() * (0.5 * (rooms[0] - rooms[1]))
         });
         let mut tied = self.posed.steps_of_whole_teeth().filter_map(|step| {
-            let Pair { at, tops, .. } = self.pair(step, closed, turned);
+            let FacingPair { at, tops, .. } = self.pair(step, closed, turned);
             Some((step, at.middle(&tops, held.normal, 4.0 * down)?))
         });
         // A point's own rounding is at most half of that of a room.
@@ -951,7 +955,7 @@ mod tests {
                 let points: Vec<C> = points.collect();
                 for n in [1.0, 2.5, 4.0].map(turn) {
                     let supports = pair.at.supports(&pair.tops[0], &pair.tops[1], n.arg(), n);
-                    let along = Along::new(&pair, Apart::OutOfReach(n), supports);
+                    let along = EndsAlong::new(&pair, SeparatingDirection::OutOfReach(n), supports);
                     let turns = (0..720).map(|k| turn(PI / 360.0 * f64::from(k)));
                     let starts =
                         turns.flat_map(|turned| points.iter().map(move |p| dot(turned * p, n)));

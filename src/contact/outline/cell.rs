@@ -28,7 +28,7 @@
 
 use super::halves::FreeHalf;
 use super::teeth::{Frame, SideTeeth};
-use crate::contact::gap::{C, Inside, Rectangle, dot, turn};
+use crate::contact::gap::{C, Rectangle, RunContent, dot, turn};
 use crate::numeric::root_beyond;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Add;
@@ -67,7 +67,7 @@ pub(super) struct Bound {
 
 /// A contact, in the middle of a cell on the line through it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Touching {
+pub(super) struct ContactInCell {
     /// Gap, rad from the nominal rotation.
     pub level: f64,
     /// Locked and free tooth.
@@ -110,20 +110,20 @@ struct Node {
     rectangle: Rectangle,
     /// Bounds of the squares of its points' radii in the cell, mm².
     squares: (f64, f64),
-    within: Within,
+    within: NodeContent,
     /// Where its parts begin among the nodes, and their number; 0 before it is divided.
     parts: (usize, usize),
 }
 
 #[derive(Debug, Clone, Copy)]
-enum Within {
+enum NodeContent {
     Run(usize),
     /// A piece between two parameters.
     Part(usize, f64, f64),
 }
 
 /// A search from above.
-struct Ascent {
+struct SearchFromAbove {
     level: f64,
     drawn: f64,
     turned: C,
@@ -152,10 +152,11 @@ impl Add for Reach {
 }
 
 /// Result of a comparison of two rectangles.
-enum Apart {
-    Yes,
+enum Comparison {
+    /// A line divides them, or their radii do.
+    Apart,
     /// Rise of the level, rad, that separates them; `None` if no line does.
-    Above(Option<f64>),
+    Overlap(Option<f64>),
 }
 
 impl SideCell<'_> {
@@ -246,7 +247,7 @@ impl SideCell<'_> {
     /// the search ends without one.
     pub fn above(&self, pairs: impl Iterator<Item = [u32; 2]>, floor: f64) -> (Option<Bound>, u32) {
         let level = floor + self.fine;
-        let mut ascent = Ascent {
+        let mut ascent = SearchFromAbove {
             level,
             drawn: 0.0,
             turned: self.turned(level),
@@ -261,7 +262,7 @@ impl SideCell<'_> {
                 return (None, ascent.looked);
             }
         }
-        let Ascent { level, drawn, .. } = ascent;
+        let SearchFromAbove { level, drawn, .. } = ascent;
         (Some(Bound { level, drawn }), ascent.looked)
     }
 
@@ -269,7 +270,7 @@ impl SideCell<'_> {
     fn part(
         &self,
         teeth: [u32; 2],
-        ascent: &mut Ascent,
+        ascent: &mut SearchFromAbove,
         nodes: &mut [Vec<Node>; 2],
         open: &mut Vec<[usize; 2]>,
     ) -> bool {
@@ -295,12 +296,12 @@ impl SideCell<'_> {
                     return false;
                 }
                 match self.apart(both, ascent, is_flat) {
-                    Apart::Yes => continue 'pairs,
-                    Apart::Above(Some(need)) if is_small || is_flat && need <= self.fine => {
+                    Comparison::Apart => continue 'pairs,
+                    Comparison::Overlap(Some(need)) if is_small || is_flat && need <= self.fine => {
                         ascent.level += need + 1e-3 * self.fine;
                         ascent.turned = self.turned(ascent.level);
                     }
-                    Apart::Above(_) => break,
+                    Comparison::Overlap(_) => break,
                 }
             }
             let longer = usize::from(rectangles[1].length() > rectangles[0].length());
@@ -318,13 +319,18 @@ impl SideCell<'_> {
     }
 
     /// Whether a line divides two rectangles at the level, or their radii do. The rise is found only where it is needed.
-    fn apart(&self, nodes: [&Node; 2], ascent: &mut Ascent, needs_rise: bool) -> Apart {
+    fn apart(
+        &self,
+        nodes: [&Node; 2],
+        ascent: &mut SearchFromAbove,
+        needs_rise: bool,
+    ) -> Comparison {
         let [locked, free] = nodes.map(|node| &node.rectangle);
         let size = self.size();
         let [squares, mates] = nodes.map(|node| node.squares);
         let room = ROUNDING * size * size + 2.0 * self.bound * size;
         if squares.0 > mates.1 + room || mates.0 > squares.1 + room {
-            return Apart::Yes;
+            return Comparison::Apart;
         }
         let turned = ascent.turned;
         let centre = locked.centre();
@@ -332,7 +338,7 @@ impl SideCell<'_> {
         let sway =
             self.half * ((1.0 - self.rate).abs() + self.distance / squares.0.max(0.0).sqrt());
         if !(locked.is_narrow() && free.is_narrow()) {
-            return Apart::Above(None);
+            return Comparison::Overlap(None);
         }
         // Gaps differ from that of the centres by no more than both are wide, and count within half a turn of the nominal rotation.
         let play = 2.0 * NARROW + sway;
@@ -340,10 +346,10 @@ impl SideCell<'_> {
         if !(least >= -FRAC_PI_2 && dot(centre, seen) >= 0.0) {
             let ahead = (centre * seen.conj()).arg();
             if !(least + ahead >= -PI && ahead <= FRAC_PI_2) {
-                return Apart::Above(None);
+                return Comparison::Overlap(None);
             }
             if ahead < -play {
-                return Apart::Yes;
+                return Comparison::Apart;
             }
         }
         let mut need: Option<f64> = None;
@@ -372,11 +378,11 @@ impl SideCell<'_> {
             let over = self.greatest(reach) + ROUNDING * size;
             if over <= 0.0 {
                 ascent.drawn = ascent.drawn.max((over + self.bound) / arm);
-                return Apart::Yes;
+                return Comparison::Apart;
             }
             need = Some(need.map_or(over / arm, |need| need.min(over / arm)));
         }
-        Apart::Above(need)
+        Comparison::Overlap(need)
     }
 
     fn run(&self, gear: usize, teeth: [u32; 2], run: usize) -> Node {
@@ -388,7 +394,7 @@ impl SideCell<'_> {
             }
             _ => *self.still[teeth[1] as usize - 1].rectangle(run),
         };
-        self.node(gear, rectangle, Within::Run(run))
+        self.node(gear, rectangle, NodeContent::Run(run))
     }
 
     /// A part of a piece.
@@ -397,10 +403,10 @@ impl SideCell<'_> {
         let Frame { centre, direction } = self.frames[gear];
         let rectangle = Rectangle::new(&it.curve, (low, high), |t| it.point(t));
         let rectangle = rectangle.placed(centre, direction);
-        self.node(gear, rectangle, Within::Part(piece, low, high))
+        self.node(gear, rectangle, NodeContent::Part(piece, low, high))
     }
 
-    fn node(&self, gear: usize, rectangle: Rectangle, within: Within) -> Node {
+    fn node(&self, gear: usize, rectangle: Rectangle, within: NodeContent) -> Node {
         let squares = match gear {
             0 => self.squares(&rectangle),
             _ => rectangle.squares(),
@@ -426,9 +432,9 @@ impl SideCell<'_> {
         }
         let (tooth, from) = (teeth[gear], nodes.len());
         match nodes[node].within {
-            Within::Run(run) => match self.teeth[gear].boxes(tooth).inside(run) {
-                Inside::Runs(runs) => nodes.extend(runs.map(|run| self.run(gear, teeth, run))),
-                Inside::Pieces([piece, _]) => {
+            NodeContent::Run(run) => match self.teeth[gear].boxes(tooth).inside(run) {
+                RunContent::Runs(runs) => nodes.extend(runs.map(|run| self.run(gear, teeth, run))),
+                RunContent::Pieces([piece, _]) => {
                     let it = &self.teeth[gear].half(tooth).pieces[piece];
                     let (low, high) = it.range();
                     // About the axis an arc has one radius, on which only its clockwise end can touch.
@@ -443,7 +449,7 @@ impl SideCell<'_> {
                     nodes.push(self.piece(gear, tooth, piece, ends));
                 }
             },
-            Within::Part(piece, low, high) => {
+            NodeContent::Part(piece, low, high) => {
                 let middle = 0.5 * (low + high);
                 if !(low < middle && middle < high) {
                     return None;
@@ -457,7 +463,7 @@ impl SideCell<'_> {
     }
 
     /// A level that the gap of the contact's own half teeth does not fall below in the whole cell; `None` where none is shown.
-    pub fn below(&self, touching: &Touching) -> Option<Bound> {
+    pub fn below(&self, touching: &ContactInCell) -> Option<Bound> {
         let [(locked, t), (free, u)] = touching.at;
         let point = |gear: usize, piece: usize, at: f64| {
             let half = self.teeth[gear].half(touching.teeth[gear]);
@@ -507,7 +513,7 @@ impl SideCell<'_> {
     fn stretch(
         &self,
         gear: usize,
-        touching: &Touching,
+        touching: &ContactInCell,
         tip: &dyn Fn(&Rectangle) -> f64,
         root: &dyn Fn(&Rectangle) -> f64,
     ) -> Option<Vec<Rectangle>> {

@@ -6,7 +6,7 @@
 
 use super::discs::Disc;
 use super::teeth::{Frame, SideTeeth};
-use crate::contact::gap::{C, Inside, PlacedCurve, Tree};
+use crate::contact::gap::{C, PlacedCurve, RunContent, Tree};
 use crate::contact::parry::closest;
 use crate::gear::PartCurve;
 use crate::outline::HalfPiece;
@@ -93,7 +93,7 @@ impl CutSide {
 
 /// A stretch at its position in a pose.
 #[derive(Debug, Clone, Copy)]
-struct Seen<'a> {
+struct PlacedStretch<'a> {
     ends: [Point2<f64>; 2],
     half_length: f64,
     error: f64,
@@ -102,10 +102,10 @@ struct Seen<'a> {
     high: f64,
 }
 
-impl<'a> Seen<'a> {
-    fn new(chord: &Chord, curve: PlacedCurve<'a>, (low, high): (f64, f64)) -> Seen<'a> {
+impl<'a> PlacedStretch<'a> {
+    fn new(chord: &Chord, curve: PlacedCurve<'a>, (low, high): (f64, f64)) -> PlacedStretch<'a> {
         let [from, to] = chord.ends;
-        Seen {
+        PlacedStretch {
             ends: chord.ends.map(|end| Point2::new(end.re, end.im)),
             half_length: 0.5 * (to - from).norm_sqr().sqrt(),
             error: chord.error,
@@ -130,11 +130,11 @@ impl<'a> Seen<'a> {
         self.error > finest && self.low < middle && middle < self.high
     }
 
-    fn halves(&self) -> [Seen<'a>; 2] {
+    fn halves(&self) -> [PlacedStretch<'a>; 2] {
         let middle = 0.5 * (self.low + self.high);
         [(self.low, middle), (middle, self.high)].map(|range| {
             let chord = Chord::new(self.curve.curve, range, |t| self.curve.at(t).point);
-            Seen::new(&chord, self.curve, range)
+            PlacedStretch::new(&chord, self.curve, range)
         })
     }
 
@@ -182,7 +182,7 @@ fn take(left: &mut u32, units: u32) -> bool {
 }
 
 /// The half teeth of one side at a pose, in the frame of the search with the free gear's axis at the origin.
-pub(super) struct Witness<'a> {
+pub(super) struct PosedHalves<'a> {
     pub teeth: [&'a SideTeeth<'a>; 2],
     pub cut: &'a CutSide,
     pub center_distance: f64,
@@ -192,7 +192,7 @@ pub(super) struct Witness<'a> {
     pub pairs: Vec<[u32; 2]>,
 }
 
-impl<'a> Witness<'a> {
+impl<'a> PosedHalves<'a> {
     fn finest(&self) -> f64 {
         FINEST * self.center_distance
     }
@@ -234,15 +234,15 @@ impl<'a> Witness<'a> {
         let mut left = EFFORT_ON_NOTHING;
         let mut meets = |&[locked, free_tooth]: &[u32; 2]| {
             let whole = |which: usize, tooth| 0..self.half(which, tooth).chords.len();
-            let own: Vec<Seen> = self
+            let own: Vec<PlacedStretch> = self
                 .seen(0, locked, self.locked, whole(0, locked))
                 .collect();
             let mates = self.seen(1, free_tooth, free, whole(1, free_tooth));
-            let mates: Vec<Seen> = mates.collect();
+            let mates: Vec<PlacedStretch> = mates.collect();
             // After the ends of all, few are left to halve.
-            let ends = own.iter().flat_map(Seen::end_radii);
+            let ends = own.iter().flat_map(PlacedStretch::end_radii);
             let mut least = ends.fold(f64::INFINITY, f64::min);
-            let ends = mates.iter().flat_map(Seen::end_radii);
+            let ends = mates.iter().flat_map(PlacedStretch::end_radii);
             let mut greatest = ends.fold(0.0, f64::max);
             for seen in &own {
                 seen.nearest(&mut least, finest, &mut left);
@@ -281,7 +281,7 @@ impl<'a> Witness<'a> {
         tooth: u32,
         frame: Frame,
         range: Range<usize>,
-    ) -> impl Iterator<Item = Seen<'a>> {
+    ) -> impl Iterator<Item = PlacedStretch<'a>> {
         let pieces = &self.teeth[which].half(tooth).pieces[range.clone()];
         let chords = &self.half(which, tooth).chords[range];
         chords.iter().zip(pieces).map(move |(chord, piece)| {
@@ -289,7 +289,7 @@ impl<'a> Witness<'a> {
                 ends: chord.ends.map(|end| frame.centre + frame.direction * end),
                 ..*chord
             };
-            Seen::new(&there, frame.placed(piece), piece.range())
+            PlacedStretch::new(&there, frame.placed(piece), piece.range())
         })
     }
 
@@ -328,10 +328,11 @@ impl<'a> Witness<'a> {
             }
             match [0, 1].map(|which: usize| discs[which].inside(runs[which])) {
                 [
-                    Inside::Pieces([from, to]),
-                    Inside::Pieces([mate_from, mate_to]),
+                    RunContent::Pieces([from, to]),
+                    RunContent::Pieces([mate_from, mate_to]),
                 ] => {
-                    let own: Vec<Seen> = self.seen(0, locked, frames[0], from..to).collect();
+                    let own: Vec<PlacedStretch> =
+                        self.seen(0, locked, frames[0], from..to).collect();
                     let mut mates = self.seen(1, free_tooth, frames[1], mate_from..mate_to);
                     if !mates
                         .all(|mate| own.iter().all(|own| self.stretches_clear(own, &mate, left)))
@@ -340,20 +341,20 @@ impl<'a> Witness<'a> {
                     }
                 }
                 // The greater one is divided, if possible.
-                [Inside::Runs(parts), other]
-                    if own.radius >= mate.radius || matches!(other, Inside::Pieces(_)) =>
+                [RunContent::Runs(parts), other]
+                    if own.radius >= mate.radius || matches!(other, RunContent::Pieces(_)) =>
                 {
                     open.extend(parts.map(|part| [part, runs[1]]));
                 }
-                [_, Inside::Runs(parts)] => open.extend(parts.map(|part| [runs[0], part])),
-                [Inside::Runs(parts), _] => open.extend(parts.map(|part| [part, runs[1]])),
+                [_, RunContent::Runs(parts)] => open.extend(parts.map(|part| [runs[0], part])),
+                [RunContent::Runs(parts), _] => open.extend(parts.map(|part| [part, runs[1]])),
             }
         }
         true
     }
 
     /// Whether two stretches are proven clear.
-    fn stretches_clear(&self, own: &Seen, mate: &Seen, left: &mut u32) -> bool {
+    fn stretches_clear(&self, own: &PlacedStretch, mate: &PlacedStretch, left: &mut u32) -> bool {
         let within = own.reach() + mate.reach();
         if (own.middle() - mate.middle()).norm_squared() > within * within {
             return true;

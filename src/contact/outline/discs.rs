@@ -49,13 +49,13 @@ impl Bounding for Disc {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::gap::{Inside, Tree};
+    use crate::contact::gap::{RunContent, Tree};
     use std::ops::Range;
 
     fn chords_of(discs: &Tree<Disc>, run: usize) -> Range<usize> {
         match discs.inside(run) {
-            Inside::Pieces([from, to]) => from..to,
-            Inside::Runs([one, other]) => {
+            RunContent::Pieces([from, to]) => from..to,
+            RunContent::Runs([one, other]) => {
                 let (one, other) = (chords_of(discs, one), chords_of(discs, other));
                 assert_eq!(one.end, other.start);
                 one.start..other.end

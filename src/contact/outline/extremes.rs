@@ -6,9 +6,9 @@
 //! Where contact passes from one edge to the next within a cell, the gap is least at a kink. Both lines below meet near it. So the bounds are off
 //! by the second order of a cell's width there too.
 
-use super::cell::{Bound, SideCell, Touching};
+use super::cell::{Bound, ContactInCell, SideCell};
 use super::teeth::Frame;
-use super::{Meeting, OutlineKernel, SideKernel};
+use super::{OutlineKernel, SideContact, SideKernel};
 use crate::contact::cycle_search::{Cell, CycleCells, CycleSearch, GRID};
 use crate::contact::effort::Effort;
 use crate::contact::exact::{Doubt, End, Extremes};
@@ -134,14 +134,14 @@ impl CycleCells for OutlineCells<'_> {
 
 /// A line on one side of which a side's gap stays in a cell.
 #[derive(Debug, Clone, Copy)]
-struct Line {
+struct BoundLine {
     /// In the middle of the cell.
     bound: Bound,
     /// By the rotation of the locked gear along the cycle.
     slope: f64,
 }
 
-impl Line {
+impl BoundLine {
     fn at(&self, away: f64) -> f64 {
         self.bound.level + self.slope * away
     }
@@ -149,12 +149,12 @@ impl Line {
 
 /// The lost motion between the highest lines of both sides, at the ends of a cell and where lines cross: elsewhere it is between these. Also
 /// the effect of the outlines' error bounds on it.
-fn lost_between(right: &[Line], left: &[Line], half: f64) -> (Vec<f64>, f64) {
-    let highest = |lines: &[Line], away: f64| {
+fn lost_between(right: &[BoundLine], left: &[BoundLine], half: f64) -> (Vec<f64>, f64) {
+    let highest = |lines: &[BoundLine], away: f64| {
         let gaps = lines.iter().map(|line| line.at(away));
         gaps.fold(f64::NEG_INFINITY, f64::max)
     };
-    let crossing = |lines: &[Line]| match lines {
+    let crossing = |lines: &[BoundLine]| match lines {
         [one, other] => (other.bound.level - one.bound.level) / (one.slope - other.slope),
         _ => 0.0,
     };
@@ -177,7 +177,7 @@ struct EndPose {
     /// The lost motion, rad, and its error.
     angle: Option<(f64, f64)>,
     /// `None` where a contact is not found within the effort of a pose.
-    meetings: Option<[Option<Meeting>; 2]>,
+    meetings: Option<[Option<SideContact>; 2]>,
 }
 
 impl OutlineCells<'_> {
@@ -254,7 +254,7 @@ struct EndContact {
     /// From the nominal rotation.
     gap: f64,
     rate: f64,
-    touching: Touching,
+    touching: ContactInCell,
 }
 
 impl<'a> SideOverCell<'a> {
@@ -266,7 +266,7 @@ impl<'a> SideOverCell<'a> {
         mating: &Mating,
         half: f64,
         width: f64,
-        contacts: [Option<(f64, Meeting)>; 2],
+        contacts: [Option<(f64, SideContact)>; 2],
     ) -> SideOverCell<'a> {
         let (side, pair) = (&cells.kernel.sides[side], cells.pair);
         let (_, locked) = side.locked_frame(pair, mating);
@@ -303,15 +303,15 @@ impl<'a> SideOverCell<'a> {
         }
     }
 
-    fn line(&self, bound: Bound, rate: f64) -> Line {
-        Line {
+    fn line(&self, bound: Bound, rate: f64) -> BoundLine {
+        BoundLine {
             bound,
             slope: self.sense * (rate - self.cell.ratio),
         }
     }
 
     /// A line above the gap, parallel to that through both contacts, and how many rectangles were compared.
-    fn above(&self, pair: &OutlinePair, mating: &Mating) -> (Option<Line>, u32) {
+    fn above(&self, pair: &OutlinePair, mating: &Mating) -> (Option<BoundLine>, u32) {
         let (floor, rate) = match &self.contacts {
             [Some(from), Some(to)] => {
                 let slope = (to.gap - from.gap) / (to.away - from.away);
@@ -328,7 +328,7 @@ impl<'a> SideOverCell<'a> {
     }
 
     /// Lines below the gap, by the contact at each end.
-    fn below(&self) -> Vec<Line> {
+    fn below(&self) -> Vec<BoundLine> {
         let contacts = self.contacts.iter().flatten();
         let lines = contacts.filter_map(|contact| {
             let rate = contact.rate;
@@ -351,7 +351,7 @@ impl OutlineKernel<'_> {
 
 impl SideKernel<'_> {
     /// The contact of a pose whose locked gear is turned by `away` from the middle of `cell`.
-    fn end_contact(&self, cell: &SideCell, meeting: &Meeting, away: f64) -> EndContact {
+    fn end_contact(&self, cell: &SideCell, meeting: &SideContact, away: f64) -> EndContact {
         let ([p, q], normal, _) = self.touching(meeting);
         // Both points of a contact move equally fast along its normal.
         let along = |arm: C| normal.re * -arm.im + normal.im * arm.re;
@@ -362,7 +362,7 @@ impl SideKernel<'_> {
             away,
             gap,
             rate,
-            touching: Touching {
+            touching: ContactInCell {
                 level: gap + (cell.ratio - rate) * away,
                 teeth: meeting.teeth,
                 at: [meeting.found.locked, meeting.found.free],

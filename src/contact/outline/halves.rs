@@ -1,7 +1,7 @@
 //! Half teeth of outlines as paths.
 
 use super::teeth::{Frame, SideTeeth};
-use crate::contact::gap::{Arc, Path, PlacedRun, Rectangle, Tree};
+use crate::contact::gap::{CurveArc, Path, PlacedRun, Rectangle, Tree};
 use crate::outline::HalfPiece;
 
 /// A locked half tooth at its position in a pose.
@@ -33,7 +33,7 @@ impl<'a> Path<'a> for LockedHalf<'a> {
         PlacedRun::new(run, self.boxes.shape(run).placed(centre, direction))
     }
 
-    fn arc(&self, piece: usize) -> Arc<'a> {
+    fn arc(&self, piece: usize) -> CurveArc<'a> {
         self.frame.arc(&self.pieces[piece], piece)
     }
 }
@@ -42,7 +42,7 @@ impl<'a> Path<'a> for LockedHalf<'a> {
 #[derive(Debug)]
 pub(super) struct FreeHalf<'a> {
     boxes: Tree<Rectangle>,
-    arcs: Vec<Arc<'a>>,
+    arcs: Vec<CurveArc<'a>>,
     runs: Vec<PlacedRun>,
 }
 
@@ -81,7 +81,7 @@ impl<'a> Path<'a> for FreeHalf<'a> {
         self.runs[run]
     }
 
-    fn arc(&self, piece: usize) -> Arc<'a> {
+    fn arc(&self, piece: usize) -> CurveArc<'a> {
         self.arcs[piece]
     }
 }

@@ -16,14 +16,14 @@ mod teeth;
 
 use super::effort::Effort;
 use super::gap::{
-    C, CurveContact, CurvePoint, Inside, Origin, PathSearch, common_normal, rounding, turn,
+    C, CurveContact, CurvePoint, Origin, PathSearch, RunContent, common_normal, rounding, turn,
 };
-use super::lost_motion::{Contact, Framed, LostMotion, ToothPlace, Touch};
+use super::lost_motion::{Contact, ContactInFrame, LostMotion, ToothPlace, Touch};
 use super::outline_contact::{ContactNotConfirmed, SearchExhausted};
 use crate::gear::Side;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member, lens_half};
-use certificate::{CutSide, Witness};
+use certificate::{CutSide, PosedHalves};
 pub(crate) use extremes::OutlineCycle;
 use halves::{FreeHalf, LockedHalf};
 use std::f64::consts::TAU;
@@ -126,7 +126,7 @@ impl<'a> OutlineKernel<'a> {
         &self,
         pair: &OutlinePair,
         mating: &Mating,
-        meetings: [Option<&Meeting>; 2],
+        meetings: [Option<&SideContact>; 2],
     ) -> LostMotion {
         let contact = |side: usize| Some(self.sides[side].report(pair, meetings[side]?));
         let (right, left) = (contact(0), contact(1));
@@ -145,7 +145,7 @@ impl<'a> OutlineKernel<'a> {
 
 /// The greatest gap of a side.
 #[derive(Debug, Clone, Copy)]
-struct Meeting {
+struct SideContact {
     found: CurveContact,
     /// Locked and free tooth.
     teeth: [u32; 2],
@@ -206,7 +206,7 @@ impl SideKernel<'_> {
     ) -> Result<(), &'static str> {
         let (rotation, locked) = self.locked_frame(pair, mating);
         let pairs = self.facing(pair, mating, rotation, 0.0);
-        let witness = Witness {
+        let witness = PosedHalves {
             teeth: [&self.locked, &self.free],
             cut,
             center_distance: pair.center_distance(),
@@ -293,7 +293,7 @@ impl SideKernel<'_> {
         mating: &Mating,
         prunes: bool,
         effort: &Effort,
-    ) -> Result<Option<Meeting>, SearchExhausted> {
+    ) -> Result<Option<SideContact>, SearchExhausted> {
         let (rotation, locked_frame) = self.locked_frame(pair, mating);
         let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
         // Gaps count from the nominal rotation.
@@ -318,7 +318,7 @@ impl SideKernel<'_> {
             best = found.map(|meeting| (meeting, teeth)).or(best);
         }
         effort.spend(most - search.nodes_left());
-        Ok(best.map(|(found, teeth)| Meeting {
+        Ok(best.map(|(found, teeth)| SideContact {
             found,
             teeth,
             frames: [locked_frame, still],
@@ -339,8 +339,8 @@ impl SideKernel<'_> {
     }
 
     /// The contact in the picture.
-    fn report(&self, pair: &OutlinePair, meeting: &Meeting) -> Contact {
-        let Meeting { found, nominal, .. } = meeting;
+    fn report(&self, pair: &OutlinePair, meeting: &SideContact) -> Contact {
+        let SideContact { found, nominal, .. } = meeting;
         let [locked, free] = meeting.teeth;
         let halves = [self.locked.half(locked), self.free.half(free)];
         let at = [found.locked, found.free];
@@ -365,7 +365,7 @@ impl SideKernel<'_> {
         let size = pair.center_distance() + 2.0 * reach + rounded[0] + rounded[1];
         let drawn = self.locked.gear.bound() + self.free.gear.bound();
         let drawn = drawn * (1.0 + slope.abs()) / radius;
-        Framed {
+        ContactInFrame {
             side: self.side,
             free: pair.free(),
             center_distance: pair.center_distance(),
@@ -381,8 +381,8 @@ impl SideKernel<'_> {
 
     /// Where both curves of a meeting are, the free one still at rotation 0; the normal out of the locked metal and the slope by which a shift of a
     /// curve turns the gap.
-    fn touching(&self, meeting: &Meeting) -> ([CurvePoint; 2], C, f64) {
-        let Meeting { found, nominal, .. } = meeting;
+    fn touching(&self, meeting: &SideContact) -> ([CurvePoint; 2], C, f64) {
+        let SideContact { found, nominal, .. } = meeting;
         let [locked, free] = meeting.teeth;
         let halves = [self.locked.half(locked), self.free.half(free)];
         let at = [found.locked, found.free];
@@ -411,8 +411,8 @@ impl SideKernel<'_> {
                     continue;
                 }
                 match boxes.inside(run) {
-                    Inside::Runs(runs) => open.extend(runs),
-                    Inside::Pieces([name, _]) => {
+                    RunContent::Runs(runs) => open.extend(runs),
+                    RunContent::Pieces([name, _]) => {
                         let (low, high) = pieces[name].range();
                         if nearest(&frame.placed(&pieces[name]), low, high, radius) {
                             return true;

@@ -1,6 +1,6 @@
 //! The teeth of one side of an outline, and their positions in a frame.
 
-use crate::contact::gap::{Arc, C, PlacedCurve, Rectangle, Tree, turn};
+use crate::contact::gap::{C, CurveArc, PlacedCurve, Rectangle, Tree, turn};
 use crate::gear::Side;
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear};
 
@@ -91,15 +91,15 @@ impl Frame {
         }
     }
 
-    pub fn arc<'a>(&self, piece: &'a HalfPiece, name: usize) -> Arc<'a> {
+    pub fn arc<'a>(&self, piece: &'a HalfPiece, name: usize) -> CurveArc<'a> {
         let (low, high) = piece.range();
-        Arc::new(self.placed(piece), name, low, high)
+        CurveArc::new(self.placed(piece), name, low, high)
     }
 
     /// The arc of the free gear. About the axis an arc has one radius, so only its clockwise end, the one nearer the root, can touch.
-    pub fn free_arc<'a>(&self, piece: &'a HalfPiece, name: usize) -> Arc<'a> {
+    pub fn free_arc<'a>(&self, piece: &'a HalfPiece, name: usize) -> CurveArc<'a> {
         if self.centre == C::ZERO && piece.curve.is_about_the_origin() {
-            Arc::new(self.placed(piece), name, piece.ends[1], piece.ends[1])
+            CurveArc::new(self.placed(piece), name, piece.ends[1], piece.ends[1])
         } else {
             self.arc(piece, name)
         }

@@ -21,7 +21,7 @@ const WIDE: f64 = 1.0;
 
 /// The target, in the gear's own frame.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Sought {
+pub(super) enum Goal {
     /// Foremost in the direction of this unit vector.
     Foremost(C),
     /// Nearest to this point.
@@ -44,20 +44,20 @@ pub(super) fn rounding(gear: &OutlineGear) -> f64 {
     64.0 * f64::EPSILON * gear.tip_radius()
 }
 
-impl Sought {
+impl Goal {
     /// The quantity to minimise, mm.
     fn value(self, point: C) -> f64 {
         match self {
-            Sought::Foremost(along) => -(along.conj() * point).re,
-            Sought::Nearest(to) => (to - point).norm(),
+            Goal::Foremost(along) => -(along.conj() * point).re,
+            Goal::Nearest(to) => (to - point).norm(),
         }
     }
 
     /// The direction in which it falls fastest at `point`, a unit vector, and the turn of that direction within `d` mm, rad.
     fn falls(self, point: C, d: f64) -> (C, f64) {
         match self {
-            Sought::Foremost(along) => (along, 0.0),
-            Sought::Nearest(to) => {
+            Goal::Foremost(along) => (along, 0.0),
+            Goal::Nearest(to) => {
                 let distance = (to - point).norm();
                 if distance > d {
                     ((to - point) / distance, (d / distance).asin())
@@ -71,8 +71,8 @@ impl Sought {
     /// The best place of `pieces` of a half tooth of `side`, to within `fine` mm.
     pub fn on(self, pieces: &[HalfPiece], side: Side, fine: f64) -> Place {
         let own = match self {
-            Sought::Foremost(along) => Sought::Foremost(mirrored(along, side)),
-            Sought::Nearest(to) => Sought::Nearest(mirrored(to, side)),
+            Goal::Foremost(along) => Goal::Foremost(mirrored(along, side)),
+            Goal::Nearest(to) => Goal::Nearest(mirrored(to, side)),
         };
         let mut best = (f64::INFINITY, C::ZERO);
         let take = |best: &mut (f64, C), point: C| {

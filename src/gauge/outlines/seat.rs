@@ -5,7 +5,7 @@
 //! distance to the nearest metal, so it passes through none. The half teeth reach to the middle of the root: a pin that
 //! touches no flank first, or the root alone, has no seat.
 
-use super::place::{Place, Sought, rounding};
+use super::place::{Goal, Place, rounding};
 use crate::gauge::seat::check_standing_out;
 use crate::gauge::{Seat, Unmeasured, after};
 use crate::gear::Flank;
@@ -42,7 +42,7 @@ fn seat(gear: &OutlineGear, tooth: u32, diameter: f64) -> Result<Seat, Unmeasure
     let mut centre = Complex::from_polar(gear.tip_radius() + radius, middle);
     for _ in 0..MOST_STEPS {
         let found: [Place; 2] =
-            ends.map(|(side, _, half)| Sought::Nearest(centre).on(&half.pieces, side, fine));
+            ends.map(|(side, _, half)| Goal::Nearest(centre).on(&half.pieces, side, fine));
         let [one, other] = found.map(|place| {
             let away = (centre - place.at) / place.value;
             Vector2::new(away.re, away.im)

@@ -6,7 +6,7 @@
 //! stationary `W` nearest to the direction perpendicular to the middle of the spanned teeth. On involutes that is
 //! anywhere on the plateau, on round flanks the greatest, on flat parallel ones the least.
 
-use super::place::{Place, Sought, rounding};
+use super::place::{Goal, Place, rounding};
 use crate::gauge::span::check_spanned;
 use crate::gauge::{Span, Spans, Unmeasured, after};
 use crate::gear::{Flank, Side};
@@ -50,7 +50,7 @@ pub(super) fn spans(gear: &OutlineGear, k: u32) -> Result<Spans, Unmeasured> {
 }
 
 /// The flank on which one anvil closes.
-struct Outer<'a> {
+struct OuterFlank<'a> {
     side: Side,
     tooth: u32,
     half: &'a HalfOutline,
@@ -61,13 +61,13 @@ struct Outer<'a> {
 struct Anvils<'a> {
     gear: &'a OutlineGear,
     /// One for the first tooth and one for the last.
-    outer: [Outer<'a>; 2],
+    outer: [OuterFlank<'a>; 2],
     /// Perpendicular to the middle of the spanned teeth, outwards from the first one.
     square: C,
 }
 
 /// The anvils closed in one direction.
-struct Closed {
+struct ClosedAnvils {
     places: [Place; 2],
     length: f64,
     /// Change of the length with the direction, mm/rad.
@@ -83,7 +83,7 @@ impl<'a> Anvils<'a> {
             let side = face.seen_from_front(flank);
             let tooth = after(gear.teeth(), first_tooth, steps);
             let half = gear.half(side, tooth);
-            Outer {
+            OuterFlank {
                 side,
                 tooth,
                 half,
@@ -102,16 +102,16 @@ impl<'a> Anvils<'a> {
     fn places(&self, angle: f64, cut: bool) -> [Place; 2] {
         let along = self.square * Complex::from_polar(1.0, angle);
         [(0, along), (1, -along)].map(|(end, out): (usize, C)| {
-            let Outer { side, pieces, .. } = &self.outer[end];
-            Sought::Foremost(out).on(&pieces[usize::from(cut)], *side, rounding(self.gear))
+            let OuterFlank { side, pieces, .. } = &self.outer[end];
+            Goal::Foremost(out).on(&pieces[usize::from(cut)], *side, rounding(self.gear))
         })
     }
 
-    fn closed(&self, angle: f64) -> Closed {
+    fn closed(&self, angle: f64) -> ClosedAnvils {
         let places = self.places(angle, false);
         let along = self.square * Complex::from_polar(1.0, angle);
         let join = along.conj() * (places[0].at - places[1].at);
-        Closed {
+        ClosedAnvils {
             places,
             length: -places[0].value - places[1].value,
             slope: join.im,

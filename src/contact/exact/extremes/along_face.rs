@@ -24,11 +24,11 @@
 //! A tip corner that is passed by `ω` stands `r_b ξ_a ω` inside of the line, at another height than the line's point. By its twist that adds
 //! `g ω` to its tightness.
 //!
-//! Both bounds hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`Over`] bounds. Gears whose
+//! Both bounds hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`SideStretch`] bounds. Gears whose
 //! flanks spread over all turns by leads and leans, at the least distance of any section, show that.
 
-use super::course::{Course, Posed, SideCourse, posed_sides};
-use super::over::Over;
+use super::mesh_cycle::{CycleSide, MeshCycle, PosedSide, posed_sides};
+use super::side_stretch::SideStretch;
 use crate::contact::cycle_search::{Cell, CycleCells};
 use crate::contact::effort::Effort;
 use crate::contact::exact::leaning::LeaningFrame;
@@ -70,12 +70,12 @@ pub(super) struct AlongFaceCells<'a> {
     kernel: &'a ExactKernel,
     assembly: &'a GearPair,
     first: Mating,
-    sides: [SideCourse<'a>; 2],
+    sides: [CycleSide<'a>; 2],
 }
 
 impl<'a> AlongFaceCells<'a> {
     /// The cells of `course`; `None` where nothing deviates along the face, or other curves can touch.
-    pub fn new(course: &Course<'a>) -> Option<AlongFaceCells<'a>> {
+    pub fn new(course: &MeshCycle<'a>) -> Option<AlongFaceCells<'a>> {
         let assembly = course.assembly;
         if !assembly.deviates_along_face() || assembly.is_modified() {
             return None;
@@ -94,7 +94,7 @@ impl<'a> AlongFaceCells<'a> {
         let pair = assembly.with_gears(wheel, pinion, distance).ok()?;
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
-        let spread = Course::new(&kernel, &pair, (course.first, 1), &effort);
+        let spread = MeshCycle::new(&kernel, &pair, (course.first, 1), &effort);
         if !kernel.stays_on_involutes_and_fillets(&spread) {
             return None;
         }
@@ -136,7 +136,7 @@ impl CycleCells for AlongFaceCells<'_> {
         let posed = posed_sides(&self.sides, self.kernel.plane(), &pose);
         let sides = [0, 1].map(|k| {
             let ends = [posed[k].on(-half), posed[k].on(half)];
-            SideCell {
+            FaceSideCell {
                 assembly,
                 starts: ends
                     .each_ref()
@@ -144,7 +144,7 @@ impl CycleCells for AlongFaceCells<'_> {
                 leaning: LeaningFrame::new(assembly, &ends[0].flanks)
                     .zip(LeaningFrame::new(assembly, &ends[1].flanks))
                     .map(|(one, other)| [one, other]),
-                over: Over {
+                over: SideStretch {
                     stretch: [-half, half],
                     side: &self.sides[k],
                     ends,
@@ -155,7 +155,7 @@ impl CycleCells for AlongFaceCells<'_> {
         });
         let sums = |right: Bound, left: Bound| [0, 1].map(|k| right.ends[k] + left.ends[k]);
         if ends.contains(&End::Least)
-            && let [Some(right), Some(left)] = sides.each_ref().map(SideCell::above)
+            && let [Some(right), Some(left)] = sides.each_ref().map(FaceSideCell::above)
         {
             let [one, other] = sums(right, left);
             cell.low = rest_of(half, -one.max(other), angle, right.open + left.open);
@@ -193,20 +193,20 @@ struct Bound {
 }
 
 /// One side of a cell.
-struct SideCell<'a> {
+struct FaceSideCell<'a> {
     assembly: &'a GearPair,
     /// Where axes lean: the frames at both ends.
     leaning: Option<[LeaningFrame; 2]>,
     /// Lines of action at both ends, from which touches are searched.
     starts: [NearStart; 2],
     /// The cell in the measuring plane.
-    over: Over<'a>,
+    over: SideStretch<'a>,
 }
 
-impl<'a> SideCell<'a> {
+impl<'a> FaceSideCell<'a> {
     /// Steps whose locked tooth can reach the mate in some section.
     fn steps(&self) -> Range<i64> {
-        let over = |end: &Posed| end.flanks.steps_over(self.over.side.turns);
+        let over = |end: &PosedSide| end.flanks.steps_over(self.over.side.turns);
         let [one, other] = self.over.ends.each_ref().map(over);
         let more = i64::from(self.leaning.is_some());
         one.start.min(other.start) - more..one.end.max(other.end) + more
@@ -450,7 +450,7 @@ impl<'a> SideCell<'a> {
     }
 
     /// The touch of the endless involutes of a step in the section at `b` of leaning axes at an end of the cell, without leads.
-    fn on_line(&self, frame: &LeaningFrame, end: usize, step: i64, b: f64) -> Option<OnLine> {
+    fn on_line(&self, frame: &LeaningFrame, end: usize, step: i64, b: f64) -> Option<LeaningPair> {
         let posed = &self.over.ends[end];
         let (here, bases, twists) = (frame.at(&posed.flanks, b), self.bases(), self.twists());
         let turns = twists.map(|twist| twist * b);
@@ -465,7 +465,7 @@ impl<'a> SideCell<'a> {
         let leans = frame.leans(found.gap_turned(start));
         // Towards the locked gear's tangent point; towards that of the free gear is opposite.
         let winding = |k: usize| bases[k] * twists[k] * dot(leans[k], -direction);
-        Some(OnLine {
+        Some(LeaningPair {
             gap: found.gap + found.by_turn[0] * locked + found.by_turn[1] * free,
             rolls: [rolls[0] - locked, rolls[1] + bases[0] / bases[1] * locked],
             heights: touch.heights,
@@ -476,7 +476,7 @@ impl<'a> SideCell<'a> {
 }
 
 /// A pair of endless involutes in a section of leaning axes.
-struct OnLine {
+struct LeaningPair {
     gap: f64,
     rolls: [f64; 2],
     /// Heights of the contact over the section, mm.
@@ -489,7 +489,7 @@ struct OnLine {
 }
 
 /// A tip that leaves room where it is passed, mm along the base tangent.
-struct Tip {
+struct PassedTip {
     base: f64,
     roll: f64,
     /// Least roll beyond it in the section at 0 over the cell, rad, and its rate, rad/mm.
@@ -508,7 +508,7 @@ struct Tip {
     below: f64,
 }
 
-impl Tip {
+impl PassedTip {
     /// Least roll beyond it at `b`, where the locked lead is `lead`, rad.
     fn beyond(&self, b: f64, lead: f64) -> f64 {
         self.excess + self.rate * b + self.by_lead * lead
@@ -537,7 +537,7 @@ struct PairOverFace<'a> {
     knots: Vec<f64>,
     /// Turn of both teeth by leads and leans at most, rad.
     turned: f64,
-    tips: [Tip; 2],
+    tips: [PassedTip; 2],
     /// Least and greatest arm by which a tightness along the base tangent turns the free gear, mm.
     arms: [f64; 2],
     /// Rotation that leans add at both ends of the cell: factors of the powers of `b`, rad.
@@ -549,7 +549,11 @@ struct PairOverFace<'a> {
 
 impl<'a> PairOverFace<'a> {
     /// The pair of a step, with `found` in the measuring plane at both ends of the cell; `None` without a line of action.
-    fn new(cell: &SideCell<'a>, step: i64, found: &[Separation; 2]) -> Option<PairOverFace<'a>> {
+    fn new(
+        cell: &FaceSideCell<'a>,
+        step: i64,
+        found: &[Separation; 2],
+    ) -> Option<PairOverFace<'a>> {
         let problem = cell.over.side.problem;
         let teeth = cell.over.ends[0].flanks.facing_teeth(cell.assembly, step);
         let face = cell.assembly.face();
@@ -563,7 +567,7 @@ impl<'a> PairOverFace<'a> {
         });
         let turned = (ranges[0] + ranges[1]) / shapes[0].base.min(shapes[1].base);
         let plays = cell.over.plays();
-        // The line turns by less than a fifth of the gears, as [`Over::plays`] allows.
+        // The line turns by less than a fifth of the gears, as [`SideStretch::plays`] allows.
         let off = if cell.over.side.off == [0.0; 2] {
             0.0
         } else {
@@ -575,7 +579,7 @@ impl<'a> PairOverFace<'a> {
         let by_lead = [1.0 / shapes[0].base, -1.0 / shapes[1].base];
         let tips = [0, 1].map(|k| {
             let roll = found[0].rolls()[k].min(found[1].rolls()[k]);
-            Tip {
+            PassedTip {
                 base: shapes[k].base,
                 roll: shapes[k].tip_roll,
                 excess: roll - shapes[k].tip_roll - play,
@@ -624,7 +628,7 @@ impl<'a> PairOverFace<'a> {
     /// This pair with leaning axes, which have `frames` at both ends of the cell.
     fn with_leans(
         mut self,
-        cell: &SideCell<'a>,
+        cell: &FaceSideCell<'a>,
         frames: &[LeaningFrame; 2],
         step: i64,
         found: &[Separation; 2],
@@ -695,7 +699,7 @@ impl<'a> PairOverFace<'a> {
         let third = 3.0 * slope.powi(3) / (length * length) * half.powi(3) / 15.5;
         // As much again for the heights along the line.
         self.open = 2.0 * HIGHER_ORDERS * third / bases[1] + cell.other_contact(found, self.turned);
-        let most = |value: fn(&OnLine) -> f64| {
+        let most = |value: fn(&LeaningPair) -> f64| {
             sections.iter().map(value).fold(f64::NEG_INFINITY, f64::max)
         };
         let wobbles = cell.gears().map(|gear| gear.wobble());
@@ -782,7 +786,7 @@ impl<'a> PairOverFace<'a> {
     /// mm²: their rolls beyond the ends bend.
     fn most_hollow(&self, ends: [f64; 2], [least, most]: [f64; 2]) -> f64 {
         let leads = ends.map(|b| self.teeth.leads(b)[0]);
-        let hollow = |tip: &Tip| {
+        let hollow = |tip: &PassedTip| {
             let beyond = [0, 1].map(|k| tip.beyond(ends[k], leads[k]));
             let beyond = beyond[0].max(beyond[1]).clamp(0.0, 1.0) * 1.01;
             let bend = (-tip.by_lead * least).max(-tip.by_lead * most).max(0.0);
@@ -821,7 +825,7 @@ impl<'a> PairOverFace<'a> {
 
     /// The room of both tips in a part of the face is no less, mm.
     fn least_room(&self, part: [f64; 2]) -> f64 {
-        let of = |tip: &Tip| {
+        let of = |tip: &PassedTip| {
             let ends = part.map(|b| tip.excess + tip.rate * b);
             let [least, most] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
             let [own, _] = tip.room(least - self.turned);

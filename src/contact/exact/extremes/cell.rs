@@ -1,13 +1,13 @@
 //! Bounds of the lost motion over a stretch of one mating, which close with the square of its length.
 
-use super::course::{Course, FaceEnd, PARTS, Posed};
-use super::over::Over;
+use super::mesh_cycle::{FaceEnd, MeshCycle, PARTS, PosedSide};
 use super::room::{PairRoom, greatest, least};
-use super::table::{Bounds, Table};
+use super::side_stretch::SideStretch;
+use super::table::{PartBounds, Table};
 
 /// A stretch of one mating with the bounds of its lost motion, rad.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Cell {
+pub(super) struct MatingCell {
     pub mating: u64,
     pub part: usize,
     /// Fractions of the pitch.
@@ -22,11 +22,11 @@ pub(super) struct Cell {
     pub seen: Option<f64>,
 }
 
-impl Cell {
+impl MatingCell {
     /// The cell of a part of a mating, without bounds yet.
-    pub fn of_part(mating: u64, part: usize) -> Cell {
+    pub fn of_part(mating: u64, part: usize) -> MatingCell {
         let from = part as f64 / PARTS as f64;
-        Cell {
+        MatingCell {
             mating,
             part,
             from,
@@ -40,28 +40,28 @@ impl Cell {
     }
 
     /// The cell of a part of a mating, with the bounds of the table.
-    pub fn of_bounds(bounds: &Bounds) -> Cell {
-        Cell {
+    pub fn of_bounds(bounds: &PartBounds) -> MatingCell {
+        MatingCell {
             low: bounds.low,
             high: bounds.high,
-            ..Cell::of_part(bounds.mating, bounds.part)
+            ..MatingCell::of_part(bounds.mating, bounds.part)
         }
     }
 
     /// The two cells on either side of `at`, a pose that was examined; the cut is kept off the ends.
-    pub fn cut(&self, at: f64) -> [Cell; 2] {
+    pub fn cut(&self, at: f64) -> [MatingCell; 2] {
         let width = self.to - self.from;
         let border = at.clamp(self.from + 0.25 * width, self.to - 0.25 * width);
-        let whole = Cell {
+        let whole = MatingCell {
             seen: Some(at),
             ..*self
         };
         [
-            Cell {
+            MatingCell {
                 to: border,
                 ..whole
             },
-            Cell {
+            MatingCell {
                 from: border,
                 ..whole
             },
@@ -69,7 +69,7 @@ impl Cell {
     }
 
     /// This cell with the bounds of its table, taken from the line of action at both ends.
-    pub fn bounded_by_line(self, course: &Course, table: &Table) -> Cell {
+    pub fn bounded_by_line(self, course: &MeshCycle, table: &Table) -> MatingCell {
         let posed = course.posed(self.mating);
         let rooms = [0, 1].map(|k| {
             let over = self.over(course, &posed, k, Vec::new());
@@ -83,7 +83,7 @@ impl Cell {
     }
 
     /// The cell with its bounds.
-    pub fn bounded(self, course: &Course, table: &Table) -> Cell {
+    pub fn bounded(self, course: &MeshCycle, table: &Table) -> MatingCell {
         let posed = course.posed(self.mating);
         let ends = course.posed_at_ends(self.mating);
         let rooms = [0, 1].map(|k| {
@@ -96,12 +96,12 @@ impl Cell {
 
     fn over<'a>(
         &self,
-        course: &'a Course,
-        posed: &[Posed<'a>; 2],
+        course: &'a MeshCycle,
+        posed: &[PosedSide<'a>; 2],
         side: usize,
         faces: Vec<FaceEnd<'a>>,
-    ) -> Over<'a> {
-        Over {
+    ) -> SideStretch<'a> {
+        SideStretch {
             stretch: [self.from, self.to],
             side: &course.sides[side],
             ends: [self.from, self.to].map(|at| posed[side].on(at)),
@@ -111,11 +111,11 @@ impl Cell {
     }
 
     /// The same cell with the bounds that `rooms` give.
-    fn within(self, rooms: &[Vec<PairRoom>; 2]) -> Cell {
+    fn within(self, rooms: &[Vec<PairRoom>; 2]) -> MatingCell {
         let (lowest, low) = least(rooms);
         let (highest, high) = greatest(rooms);
         let width = self.to - self.from;
-        Cell {
+        MatingCell {
             low: low.max(self.low),
             high: high.min(self.high),
             lowest: self.from + lowest * width,
@@ -174,17 +174,17 @@ mod tests {
             };
             let kernel = ExactKernel::new(&pair);
             let effort = Effort::endless();
-            let course = Course::new(&kernel, &pair, (Mating::FIRST, 24), &effort);
+            let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 24), &effort);
             if !kernel.stays_on_involutes_and_fillets(&course) {
                 continue;
             }
             let table = Table::new(&course);
             table.each(0..24, &mut |bounds| {
-                let cell = Cell::of_part(bounds.mating, bounds.part);
+                let cell = MatingCell::of_part(bounds.mating, bounds.part);
                 let line = cell.bounded_by_line(&course, &table);
                 by_line += u32::from(line.low.is_finite());
                 let kinds = [
-                    ("table", Cell::of_bounds(&bounds)),
+                    ("table", MatingCell::of_bounds(&bounds)),
                     ("line", line),
                     ("cell", cell.bounded(&course, &table)),
                 ];

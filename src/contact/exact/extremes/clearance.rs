@@ -1,9 +1,10 @@
 //! The clearance of a tip corner from its mate's fillet over a stretch of the locked gear's turn, cut where its bound is too weak.
 
 use super::super::line::Line;
+use super::super::placed::Role;
 use super::super::shape::{C, HalfToothShape, turn};
 use super::corner_path::{CornerPath, is_clear_over};
-use super::dip::{Dip, Tip};
+use super::tip_at_fillet::TipAtFillet;
 
 /// Limit of halvings of a stretch (tuned: a part of a pitch of 12 teeth is down to 5 minutes of arc).
 pub(super) const HALVINGS: u32 = 5;
@@ -20,7 +21,7 @@ impl Lines {
     }
 }
 
-impl Dip {
+impl TipAtFillet {
     /// Lower bound of the free gear's further turn from the contact of the involutes to the contact of the corner with the fillet, rad;
     /// negative if the corner may be first. It holds beside the room of the involutes and their ends.
     ///
@@ -35,7 +36,7 @@ impl Dip {
         halvings: u32,
     ) -> [f64; 2] {
         let [(low, _), (high, _)] = lines.0;
-        let cut = Cut {
+        let cut = RefinedStretch {
             dip: self,
             lines,
             bend: if high == low {
@@ -70,11 +71,11 @@ impl Dip {
                 let l = -turn(at);
                 let f = turn(self.gap(at, line) - (room + bend));
                 match self.tip {
-                    Tip::Free => {
+                    Role::Free => {
                         let centre = C::from(*distance);
                         CornerPath::of_free(f * free.corner, centre, l, *distance, rate)
                     }
-                    Tip::Locked => {
+                    Role::Locked => {
                         CornerPath::of_locked(l * locked.corner, C::ZERO, f, *distance, rate)
                     }
                 }
@@ -95,16 +96,16 @@ impl Dip {
 }
 
 /// A stretch of the locked gear's turn that is cut where its bound is too weak.
-struct Cut<'a> {
-    dip: &'a Dip,
+struct RefinedStretch<'a> {
+    dip: &'a TipAtFillet,
     /// The lines at the least and the greatest distance.
     lines: &'a Lines,
     /// Curvature of the bound between the distances.
     bend: f64,
 }
 
-impl Cut<'_> {
-    /// [`Dip::clearance`] with the value `whole` of the uncut stretch, cut at most `halvings` times.
+impl RefinedStretch<'_> {
+    /// [`TipAtFillet::clearance`] with the value `whole` of the uncut stretch, cut at most `halvings` times.
     fn refined(
         &self,
         (at, play): (f64, f64),

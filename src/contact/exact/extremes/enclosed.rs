@@ -4,14 +4,14 @@
 //! its flank everywhere, over its profile and over the common face. Additional metal never adds play, so at any pose the lost motion is between those of the outer and of the inner
 //! gears.
 
-use super::course::Course;
-use super::extreme::{Doubt, End, Extreme, Proof, UNKNOWN};
+use super::extreme::{CycleBound, Doubt, End, Extreme, UNKNOWN};
+use super::mesh_cycle::MeshCycle;
 use crate::contact::ExactKernel;
 use crate::error::Error;
 use crate::pair::Member;
 
 /// Lower bound of the least and upper bound of the greatest.
-pub(super) fn bounds(course: &Course, width: f64, of: &[End]) -> Result<[Proof; 2], Error> {
+pub(super) fn bounds(course: &MeshCycle, width: f64, of: &[End]) -> Result<[CycleBound; 2], Error> {
     let assembly = course.assembly;
     let enclosing = |member: Member| assembly.gear(member).enclosing(assembly.face()).ok();
     let Some((wheels, pinions)) = enclosing(Member::Wheel).zip(enclosing(Member::Pinion)) else {
@@ -38,7 +38,7 @@ pub(super) fn bounds(course: &Course, width: f64, of: &[End]) -> Result<[Proof; 
 }
 
 /// The bound of an enclosing or enclosed pair.
-fn proof(extreme: Option<Extreme>, end: impl Fn(&Extreme) -> f64) -> Proof {
+fn proof(extreme: Option<Extreme>, end: impl Fn(&Extreme) -> f64) -> CycleBound {
     match extreme {
         Some(extreme) => (end(&extreme), Some(extreme.doubt.unwrap_or(Doubt::Profile))),
         None => UNKNOWN,

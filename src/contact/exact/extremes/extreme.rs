@@ -1,6 +1,6 @@
 //! The least and the greatest of a cycle as a result, and the poses examined during the search.
 
-use super::course::Course;
+use super::mesh_cycle::MeshCycle;
 use crate::contact::lost_motion::{LostMotion, Status};
 use crate::error::Error;
 use crate::pair::Mating;
@@ -92,16 +92,16 @@ pub enum Doubt {
 }
 
 /// A bound for the whole cycle, rad, and the reason why it is too far away.
-pub(super) type Proof = (f64, Option<Doubt>);
+pub(super) type CycleBound = (f64, Option<Doubt>);
 
 /// No bound.
-pub(super) const UNKNOWN: Proof = (f64::NAN, Some(Doubt::OffInvolute));
+pub(super) const UNKNOWN: CycleBound = (f64::NAN, Some(Doubt::OffInvolute));
 
 /// Poses examined so far.
 #[derive(Debug, Default)]
-pub(super) struct PosesSeen {
-    pub least: Option<Seen>,
-    pub greatest: Option<Seen>,
+pub(super) struct ExaminedPoses {
+    pub least: Option<PoseValue>,
+    pub greatest: Option<PoseValue>,
     pub jammed: Option<Mating>,
     pub unmeshed: Option<Mating>,
     lost: bool,
@@ -111,15 +111,19 @@ pub(super) struct PosesSeen {
 
 /// The lost motion at a pose, rad.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Seen {
+pub(super) struct PoseValue {
     pub angle: f64,
     error: f64,
     pub mating: Mating,
 }
 
-impl PosesSeen {
+impl ExaminedPoses {
     /// Examines a pose; `None` if the contact is lost.
-    pub fn look(&mut self, course: &Course, mating: Mating) -> Result<Option<LostMotion>, Error> {
+    pub fn look(
+        &mut self,
+        course: &MeshCycle,
+        mating: Mating,
+    ) -> Result<Option<LostMotion>, Error> {
         let (found, effort) = course.kernel.lost_motion_counted(course.assembly, mating);
         course.effort.spend(effort);
         let Some(found) = found? else {
@@ -132,7 +136,7 @@ impl PosesSeen {
             _ => (),
         }
         if let Some((angle, error)) = found.angle().zip(found.error()) {
-            self.take(Seen {
+            self.take(PoseValue {
                 angle,
                 error,
                 mating,
@@ -141,7 +145,7 @@ impl PosesSeen {
         Ok(Some(found))
     }
 
-    fn take(&mut self, seen: Seen) {
+    fn take(&mut self, seen: PoseValue) {
         if self.least.is_none_or(|least| seen.angle < least.angle) {
             self.least = Some(seen);
         }
@@ -151,7 +155,7 @@ impl PosesSeen {
     }
 
     /// Upper bound of the lost motion over the cycle, rad, by a search for the greatest with the result `proof`; ∞ without one.
-    pub fn most(&self, (bound, _): Proof) -> f64 {
+    pub fn most(&self, (bound, _): CycleBound) -> f64 {
         match self.greatest {
             Some(seen) if !self.lost && self.unmeshed.is_none() && bound.is_finite() => {
                 bound.max(seen.angle + seen.error)
@@ -161,10 +165,10 @@ impl PosesSeen {
     }
 
     /// The result, with the proofs of the least and the greatest.
-    pub fn extremes(&self, course: &Course, [least, greatest]: [Proof; 2]) -> Extremes {
+    pub fn extremes(&self, course: &MeshCycle, [least, greatest]: [CycleBound; 2]) -> Extremes {
         let per_radian = course.per_radian();
         // The attained value bounds one end, the proof the other.
-        let extreme = |seen: Seen, is_least: bool, (bound, doubt): Proof| {
+        let extreme = |seen: PoseValue, is_least: bool, (bound, doubt): CycleBound| {
             // The better bound of the search and of the poses.
             let bound = match self.sampled {
                 Some([low, _]) if is_least => bound.max(low),

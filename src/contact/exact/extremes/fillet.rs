@@ -12,9 +12,10 @@
 //! −(s_xx + 2 s_xμ μ' + s_μμ μ'²)/s_μ`.
 
 use super::super::flank_problem::PosedFlanks;
+use super::super::path::InvolutePair;
+use super::super::placed::Role;
 use super::super::shape::{C, HalfToothShape, turn};
 use super::corner_path::{CornerPath, around_radius};
-use super::dip::Tip;
 use crate::gear::ProfilePart;
 
 /// Limit of Newton steps: `s` is a sine of `μ`, near its steepest place (4 are usual).
@@ -22,14 +23,14 @@ const STEPS: usize = 20;
 
 /// A straight line of the mate's frame.
 #[derive(Debug, Clone, Copy)]
-struct Border {
+struct StraightLine {
     point: C,
     normal: C,
 }
 
 /// The place where the corner reaches a border.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Reached {
+pub(super) struct BorderTouch {
     pub gap: f64,
     /// Its derivative by the rotation of the locked gear.
     pub slope: f64,
@@ -47,36 +48,36 @@ pub(super) struct Reached {
 pub(super) struct OnFillet<'a> {
     posed: PosedFlanks<'a>,
     step: i64,
-    tip: Tip,
+    tip: Role,
 }
 
 /// The results of two poses: bounds of the gap at both, its slopes, and the curvature between them.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Bounds {
+pub(super) struct FilletBounds {
     /// Gaps at which the corner is clear of the fillet.
-    pub clear: [Reached; 2],
+    pub clear: [BorderTouch; 2],
     /// Gaps at which it is in the fillet; `None` if unknown.
-    pub inside: Option<[Reached; 2]>,
+    pub inside: Option<[BorderTouch; 2]>,
     /// Bound on the second derivative of any of them by the rotation of the locked gear.
     pub bend: f64,
 }
 
 impl<'a> OnFillet<'a> {
-    pub fn new(posed: PosedFlanks<'a>, step: i64, tip: Tip) -> OnFillet<'a> {
+    pub fn new(posed: PosedFlanks<'a>, step: i64, tip: Role) -> OnFillet<'a> {
         OnFillet { posed, step, tip }
     }
 
     fn mate(&self) -> &'a HalfToothShape {
         match self.tip {
-            Tip::Locked => &self.posed.problem.free.shape,
-            Tip::Free => &self.posed.problem.locked.shape,
+            Role::Locked => &self.posed.problem.free.shape,
+            Role::Free => &self.posed.problem.locked.shape,
         }
     }
 
     /// The corner's path past the fillet, at a gap that changes at `rate` with the locked gear's turn.
     pub fn path(&self, gap: f64, rate: f64) -> CornerPath {
         let problem = self.posed.problem;
-        let pair = self.posed.pair(self.step);
+        let pair = InvolutePair::new(&self.posed, self.step);
         let (locked, free) = (&problem.locked.shape, &problem.free.shape);
         let l = -turn(pair.locked_base + locked.half_base);
         let turned = turn(gap);
@@ -84,11 +85,11 @@ impl<'a> OnFillet<'a> {
         let (centre, free_centre) = (self.posed.centre, turned * self.posed.free_centre);
         let distance = problem.distance;
         match self.tip {
-            Tip::Free => {
+            Role::Free => {
                 let corner = free_centre + f * free.tip_corner();
                 CornerPath::of_free(corner, centre, l, distance, rate)
             }
-            Tip::Locked => {
+            Role::Locked => {
                 let corner = centre - distance + l * locked.tip_corner();
                 CornerPath::of_locked(corner, free_centre, f, distance, rate)
             }
@@ -96,9 +97,9 @@ impl<'a> OnFillet<'a> {
     }
 
     /// The place where the corner reaches `border`, searched near the gap `near`; `None` if it does not.
-    fn reach(&self, border: Border, near: f64) -> Option<Reached> {
+    fn reach(&self, border: StraightLine, near: f64) -> Option<BorderTouch> {
         let problem = self.posed.problem;
-        let pair = self.posed.pair(self.step);
+        let pair = InvolutePair::new(&self.posed, self.step);
         let (locked, free) = (&problem.locked.shape, &problem.free.shape);
         let l = -turn(pair.locked_base + locked.half_base);
         let f = turn(pair.free_base + free.half_base);
@@ -110,13 +111,13 @@ impl<'a> OnFillet<'a> {
             let turned = turn(gap);
             // The corner from the free axis, in the mate's frame, and its derivatives by gap and by the locked rotation.
             let (point, seen, by_gap, by_turn) = match self.tip {
-                Tip::Free => {
+                Role::Free => {
                     let point = turned * (free_centre + f * free.corners()[0].1);
                     let seen = (point - centre) * l.conj();
                     let by_turn = -moving * l.conj() - C::i() * seen;
                     (point, seen, C::i() * point * l.conj(), by_turn)
                 }
-                Tip::Locked => {
+                Role::Locked => {
                     let own = l * locked.corners()[0].1;
                     let back = turned.conj() * f.conj();
                     let point = centre + own;
@@ -136,13 +137,13 @@ impl<'a> OnFillet<'a> {
                 let slope = -along(by_turn) / turning;
                 let off = moving.norm();
                 let lengths = match self.tip {
-                    Tip::Free => [3.0 * off + seen.norm(), point.norm(), point.norm()],
-                    Tip::Locked => {
+                    Role::Free => [3.0 * off + seen.norm(), point.norm(), point.norm()],
+                    Role::Locked => {
                         let own = off + locked.tip_radius;
                         [own, own, point.norm()]
                     }
                 };
-                return Some(Reached {
+                return Some(BorderTouch {
                     gap,
                     slope,
                     turning,
@@ -165,7 +166,7 @@ pub(super) fn bounds(
     near: [f64; 2],
     angle: f64,
     deepest: f64,
-) -> Option<Bounds> {
+) -> Option<FilletBounds> {
     let mate = ends[0].mate();
     let range = (deepest, mate.fillet_end);
     // In front of the line of a chord that extends to the form circle there is no fillet, from `low` on.
@@ -202,19 +203,23 @@ pub(super) fn bounds(
 }
 
 /// These bounds with their curvature over `angle`.
-fn bent(clear: [Reached; 2], inside: Option<[Reached; 2]>, angle: f64) -> Option<Bounds> {
+fn bent(
+    clear: [BorderTouch; 2],
+    inside: Option<[BorderTouch; 2]>,
+    angle: f64,
+) -> Option<FilletBounds> {
     let both = clear.iter().chain(inside.iter().flatten());
     let bend = both
         .map(|one| one.bend(angle))
         .collect::<Option<Vec<f64>>>()?;
-    Some(Bounds {
+    Some(FilletBounds {
         clear,
         inside,
         bend: bend.into_iter().fold(0.0, f64::max),
     })
 }
 
-fn reach(ends: [OnFillet; 2], border: Border, near: [f64; 2]) -> Option<[Reached; 2]> {
+fn reach(ends: [OnFillet; 2], border: StraightLine, near: [f64; 2]) -> Option<[BorderTouch; 2]> {
     let [a, b] = [0, 1].map(|k| ends[k].reach(border, near[k]));
     Some([a?, b?])
 }
@@ -222,7 +227,7 @@ fn reach(ends: [OnFillet; 2], border: Border, near: [f64; 2]) -> Option<[Reached
 /// The parameters between which the corner stays; `None` above the form circle.
 fn radii(
     mate: &HalfToothShape,
-    found: [Reached; 2],
+    found: [BorderTouch; 2],
     angle: f64,
     (deepest, end): (f64, f64),
 ) -> Option<(f64, f64)> {
@@ -239,34 +244,34 @@ fn radii(
 }
 
 /// The chord between two parameters of a fillet, with the metal behind it.
-fn chord(mate: &HalfToothShape, (low, high): (f64, f64)) -> Border {
+fn chord(mate: &HalfToothShape, (low, high): (f64, f64)) -> StraightLine {
     let [inner, outer] = [low, high].map(|gamma| mate.at(ProfilePart::Fillet, gamma));
     let along = inner.point - outer.point;
     if along.norm() < 1e-9 * mate.base {
         // Too short for a direction: the tangent, slightly outside.
-        return Border {
+        return StraightLine {
             point: outer.point + outer.normal * along.norm(),
             normal: outer.normal,
         };
     }
     let normal = -C::i() * along / along.norm();
     let sign = if normal.im > 0.0 { -1.0 } else { 1.0 };
-    Border {
+    StraightLine {
         point: outer.point,
         normal: normal * sign,
     }
 }
 
 /// The tangent at a parameter.
-fn tangent(mate: &HalfToothShape, gamma: f64) -> Border {
+fn tangent(mate: &HalfToothShape, gamma: f64) -> StraightLine {
     let sample = mate.at(ProfilePart::Fillet, gamma);
-    Border {
+    StraightLine {
         point: sample.point,
         normal: sample.normal,
     }
 }
 
-impl Reached {
+impl BorderTouch {
     /// Bound on the second derivative over a stretch of `angle`; `None` if its assumptions on slope and arm fail.
     fn bend(&self, angle: f64) -> Option<f64> {
         let [xx, xm, mm] = self.lengths;
@@ -287,7 +292,7 @@ mod tests {
     /// `(|s_xx| + 2 |s_xμ| |μ'| + |s_μμ| μ'²)/s_μ` with a slope a fifth steeper.
     #[test]
     fn a_bend_is_its_formula() {
-        let reached = Reached {
+        let reached = BorderTouch {
             gap: 0.0,
             slope: -2.0,
             turning: 30.0,

@@ -13,21 +13,21 @@ mod along_face;
 mod cell;
 mod clearance;
 mod corner_path;
-mod course;
-mod dip;
-mod dips_over_face;
 mod enclosed;
 mod extreme;
 mod fillet;
 mod line_bends;
-mod over;
+mod mesh_cycle;
 mod rolls;
 mod room;
 mod sample;
 mod search;
 mod shift;
+mod side_stretch;
 mod side_table;
 mod table;
+mod tip_at_fillet;
+mod tips_at_fillets_over_face;
 
 use super::ExactKernel;
 use crate::contact::body::FarFlanks;
@@ -36,11 +36,11 @@ use crate::contact::effort::Effort;
 use crate::error::{Error, go_on};
 use crate::pair::{GearPair, Mating};
 use along_face::AlongFaceCells;
-use course::Course;
 pub use extreme::{Doubt, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN};
 pub(crate) use extreme::{End, is_proven};
-use extreme::{PosesSeen, UNKNOWN};
-use sample::Until;
+use extreme::{ExaminedPoses, UNKNOWN};
+use mesh_cycle::MeshCycle;
+use sample::StopAt;
 use search::Search;
 use table::Table;
 
@@ -77,7 +77,7 @@ impl ExactKernel {
         }
         let first = Mating::FIRST;
         let effort = Effort::endless();
-        let course = Course::new(self, assembly, (first, 1), &effort);
+        let course = MeshCycle::new(self, assembly, (first, 1), &effort);
         if !self.stays_on_involutes(&course) {
             return false;
         }
@@ -103,7 +103,7 @@ impl ExactKernel {
             _ => PARTS_OF_EFFORT[0],
         };
         let own = effort.part(parts);
-        let found = self.sought(&Course::new(self, assembly, over, &own), width, of);
+        let found = self.sought(&MeshCycle::new(self, assembly, over, &own), width, of);
         effort.spend(own.used());
         let found = found?;
         Ok(Extremes {
@@ -113,13 +113,13 @@ impl ExactKernel {
         })
     }
 
-    fn sought(&self, course: &Course, width: f64, of: &[End]) -> Result<Extremes, Error> {
+    fn sought(&self, course: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes, Error> {
         let until = match of {
-            [End::Least] => Until::Jammed,
-            [End::Greatest] => Until::Unmeshed,
-            _ => Until::End,
+            [End::Least] => StopAt::Jammed,
+            [End::Greatest] => StopAt::Unmeshed,
+            _ => StopAt::End,
         };
-        let mut found = PosesSeen::default();
+        let mut found = ExaminedPoses::default();
         if let Some(cells) = AlongFaceCells::new(course) {
             return Ok(self.of_cells(course, &cells, width, of));
         }
@@ -154,7 +154,7 @@ impl ExactKernel {
             // samples none.
             spare: match which {
                 End::Greatest => course.effort.left() / 3 * 2,
-                End::Least if until == Until::Jammed => 0,
+                End::Least if until == StopAt::Jammed => 0,
                 End::Least => course.effort.left() / 3,
             },
             until,
@@ -198,7 +198,7 @@ impl ExactKernel {
     /// The extremes `of` a pair with lead deviations, by bounds over cells.
     fn of_cells(
         &self,
-        course: &Course,
+        course: &MeshCycle,
         cells: &AlongFaceCells,
         width: f64,
         of: &[End],
@@ -217,7 +217,7 @@ impl ExactKernel {
     }
 
     /// Whether only involutes, their ends and tip lands can touch, and corners on fillets, and pairs of helical teeth have line contact.
-    fn stays_on_involutes_and_fillets(&self, course: &Course) -> bool {
+    fn stays_on_involutes_and_fillets(&self, course: &MeshCycle) -> bool {
         let helical = self.helical.as_ref();
         !self.section.blocked
             && self.section.bodies.is_none()
@@ -229,12 +229,12 @@ impl ExactKernel {
     }
 
     /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth, rad.
-    fn stops_before_far_flanks(&self, course: &Course, table: &Table, most: f64) -> bool {
+    fn stops_before_far_flanks(&self, course: &MeshCycle, table: &Table, most: f64) -> bool {
         self.section.far_flanks == FarFlanks::Clear || table.stops_before_far_flanks(course, most)
     }
 
     /// Whether of near half teeth only involutes, their ends and tip lands can touch, and corners on fillets, which [`dip`] bounds.
-    fn stays_on_involutes(&self, course: &Course) -> bool {
+    fn stays_on_involutes(&self, course: &MeshCycle) -> bool {
         let side = &course.sides[0];
         let problem = side.problem;
         let forms = problem.locked.shape.form_radius() + problem.free.shape.form_radius();

@@ -3,7 +3,7 @@
 use super::super::line::Line;
 use super::super::separation::{land_roll, lowest_roll};
 use super::clearance::{HALVINGS, Lines};
-use super::course::{PARTS, SideCourse};
+use super::mesh_cycle::{CycleSide, PARTS};
 
 /// Part of a turn that is examined together over a face of helical gears (tuned: no tip of 44 standard teeth seems to reach a fillet).
 pub(super) const PIECE: f64 = 0.25;
@@ -16,7 +16,7 @@ const HALVINGS_BEFORE_PATH: u32 = 1;
 
 /// The properties of a step in a part of a pitch.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Part {
+pub(super) struct StepRoom {
     /// Least room of the involutes and their ends beside the line of action, rad.
     pub beside: f64,
     /// Room of a tip corner and a fillet, at the least and at the greatest distance of the outlines' centres; `None`: none is near.
@@ -25,7 +25,7 @@ pub(super) struct Part {
 
 /// Rolls on the line of action at any pose of the cycle.
 pub(super) struct Rolls<'a> {
-    side: &'a SideCourse<'a>,
+    side: &'a CycleSide<'a>,
     line: &'a Line,
     /// The lines at the least and the greatest distance of the outlines' centres.
     lines: Option<Lines>,
@@ -38,7 +38,7 @@ pub(super) struct Rolls<'a> {
     spread: f64,
 }
 
-impl Part {
+impl StepRoom {
     /// Least room, rad.
     pub fn least(&self) -> f64 {
         self.between([0.0, 1.0])
@@ -63,7 +63,7 @@ impl Part {
 }
 
 impl<'a> Rolls<'a> {
-    pub fn new(side: &'a SideCourse<'a>, line: &'a Line, ahead: f64, spread: f64) -> Rolls<'a> {
+    pub fn new(side: &'a CycleSide<'a>, line: &'a Line, ahead: f64, spread: f64) -> Rolls<'a> {
         let problem = side.problem;
         let off = side.off[0] + side.off[1];
         let (nearest, farthest) = side.distances();
@@ -93,7 +93,7 @@ impl<'a> Rolls<'a> {
     /// The room of a step in a part of a pitch. Above `enough` it is not refined.
     ///
     /// For helical gears it covers the whole common face: all sections, piece by piece of turn.
-    pub fn of(&self, step: i64, part: usize, enough: f64) -> Part {
+    pub fn of(&self, step: i64, part: usize, enough: f64) -> StepRoom {
         let (at, half) = self.place(step, part);
         let [from, to] = self.side.turns;
         if from == to {
@@ -106,7 +106,7 @@ impl<'a> Rolls<'a> {
         let half = 0.5 * all / pieces;
         let each = (0..pieces as u64)
             .map(|piece| self.around(first + (2 * piece + 1) as f64 * half, half, enough));
-        let all = each.reduce(|one, other| Part {
+        let all = each.reduce(|one, other| StepRoom {
             beside: one.beside.min(other.beside),
             dip: match (one.dip, other.dip) {
                 (Some(a), Some(b)) => Some([a[0].min(b[0]), a[1].min(b[1])]),
@@ -139,11 +139,11 @@ impl<'a> Rolls<'a> {
     }
 
     /// The room of a locked half tooth whose place without deviations is within `half` of the angle `at`, in its own section.
-    fn around(&self, at: f64, half: f64, enough: f64) -> Part {
+    fn around(&self, at: f64, half: f64, enough: f64) -> StepRoom {
         let problem = self.side.problem;
         let is_in_reach = |(low, high): (f64, f64)| at + half >= low && at - half <= high;
         if !problem.window().is_some_and(is_in_reach) {
-            return Part {
+            return StepRoom {
                 beside: f64::INFINITY,
                 dip: None,
             };
@@ -179,7 +179,7 @@ impl<'a> Rolls<'a> {
             }
             None => [f64::NEG_INFINITY; 2],
         });
-        Part {
+        StepRoom {
             beside,
             dip: dips.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]),
         }

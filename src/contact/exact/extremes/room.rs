@@ -11,12 +11,12 @@ use std::f64::consts::PI;
 pub(super) struct PairRoom {
     tangents: [(f64, f64); 2],
     bend: f64,
-    chord: Option<Chord>,
+    chord: Option<RoomAbove>,
 }
 
 /// A bound from above, `start + rate u + bend/2 u (1 − u)`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Chord {
+pub(super) struct RoomAbove {
     start: f64,
     rate: f64,
     /// Bounds how much the room bends downwards.
@@ -33,7 +33,7 @@ impl PairRoom {
         PairRoom {
             tangents: [(a + up, at_a), (b + up - at_b, at_b)],
             bend,
-            chord: touches.then_some(Chord {
+            chord: touches.then_some(RoomAbove {
                 start: a,
                 rate: b - a,
                 bend,
@@ -47,7 +47,7 @@ impl PairRoom {
         let bend = rates[0] - rates[1] + third;
         let mut room = PairRoom::convex(ends, rates, bend, true);
         room.lower(rounding);
-        room.chord = room.chord.map(|chord| Chord {
+        room.chord = room.chord.map(|chord| RoomAbove {
             start: chord.start + rounding,
             is_sharp: true,
             ..chord
@@ -67,7 +67,7 @@ impl PairRoom {
 
     /// This room below the straight line from `ends[0]` to `ends[1]`, where there is one.
     pub fn within(self, ends: Option<[f64; 2]>) -> PairRoom {
-        let chord = ends.map(|[a, b]| Chord {
+        let chord = ends.map(|[a, b]| RoomAbove {
             start: a,
             rate: b - a,
             bend: 0.0,
@@ -117,7 +117,7 @@ impl PairRoom {
     }
 }
 
-impl Chord {
+impl RoomAbove {
     /// A straight line above it: its start and rate.
     fn raised(&self) -> (f64, f64) {
         (self.start + self.bend.max(0.0) / 8.0, self.rate)
@@ -126,7 +126,7 @@ impl Chord {
 
 /// A straight piece of [`lines_above`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct LinePiece {
     /// `u` at its ends.
     pub over: [f64; 2],
     /// Its room at `u = 0` and at `u = 1`, extended.
@@ -137,7 +137,7 @@ pub(super) struct Piece {
 /// room is known to touch.
 ///
 /// A pair with more room than this changes neither bound. Only touching rooms count, because the others have no upper bound.
-pub(super) fn lines_above(rooms: &[PairRoom]) -> Vec<Piece> {
+pub(super) fn lines_above(rooms: &[PairRoom]) -> Vec<LinePiece> {
     let chords = rooms.iter().filter_map(|room| room.chord);
     let lines = chords.map(|chord| {
         let (start, rate) = chord.raised();
@@ -163,7 +163,7 @@ pub(super) fn lines_above(rooms: &[PairRoom]) -> Vec<Piece> {
             place.then(rate(a.1).total_cmp(&rate(b.1)))
         });
         let to = next.map_or(1.0, |(place, _)| place.clamp(from, 1.0));
-        pieces.push(Piece {
+        pieces.push(LinePiece {
             over: [from, to],
             room: *line,
         });
@@ -236,7 +236,7 @@ impl Above {
     /// The bound by the sharp chords, if there are any. It takes the greatest of their bends, which hardly differ.
     fn of_sharp(side: &[PairRoom]) -> Option<Above> {
         let chords = side.iter().filter_map(|room| room.chord);
-        let chords: Vec<Chord> = chords.filter(|chord| chord.is_sharp).collect();
+        let chords: Vec<RoomAbove> = chords.filter(|chord| chord.is_sharp).collect();
         let bend = chords.iter().map(|chord| chord.bend).reduce(f64::max)?;
         Some(Above {
             lines: chords

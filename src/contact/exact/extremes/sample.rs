@@ -13,8 +13,8 @@
 //! half its base radius where lands touch flanks. Poses with tips on tips or in roots bound nothing. The stretch with the worst bound is
 //! halved.
 
-use super::course::Course;
-use super::extreme::{End, PosesSeen};
+use super::extreme::{End, ExaminedPoses};
+use super::mesh_cycle::MeshCycle;
 use crate::contact::{Contact, LostMotion};
 use crate::error::Error;
 use crate::pair::{Mating, Pose};
@@ -42,34 +42,34 @@ const HOPELESS: f64 = 1e-3;
 
 /// The condition that ends sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Until {
+pub(super) enum StopAt {
     Jammed,
     Unmeshed,
     End,
 }
 
-impl Until {
-    fn is_reached(self, found: &PosesSeen) -> bool {
+impl StopAt {
+    fn is_reached(self, found: &ExaminedPoses) -> bool {
         match self {
-            Until::Jammed => found.jammed.is_some(),
-            Until::Unmeshed => found.unmeshed.is_some(),
-            Until::End => false,
+            StopAt::Jammed => found.jammed.is_some(),
+            StopAt::Unmeshed => found.unmeshed.is_some(),
+            StopAt::End => false,
         }
     }
 
     /// The extremes to search.
     fn sought(self) -> &'static [End] {
         match self {
-            Until::Jammed => &[End::Least],
-            Until::Unmeshed => &[End::Greatest],
-            Until::End => &[End::Greatest, End::Least],
+            StopAt::Jammed => &[End::Least],
+            StopAt::Unmeshed => &[End::Greatest],
+            StopAt::End => &[End::Greatest, End::Least],
         }
     }
 }
 
 /// Free rotations at contact, less the nominal one, rad; `None` if they bound nothing.
 #[derive(Debug, Clone, Copy)]
-struct Turned {
+struct FreeRotations {
     right: f64,
     left: f64,
     error: f64,
@@ -79,18 +79,18 @@ struct Turned {
 #[derive(Debug, Clone, Copy)]
 struct Stretch {
     places: [f64; 2],
-    ends: [Option<Turned>; 2],
+    ends: [Option<FreeRotations>; 2],
 }
 
 /// A cycle with its bound between poses.
-struct Sampled<'a, 'b> {
-    course: &'a Course<'b>,
+struct SampledCycle<'a, 'b> {
+    course: &'a MeshCycle<'b>,
     /// Nominal turn of the free gear per pitch, plus what an eccentric locked outline can take back, rad.
     per_pitch: f64,
 }
 
-impl Sampled<'_, '_> {
-    fn look(&self, found: &mut PosesSeen, place: f64) -> Result<Option<Turned>, Error> {
+impl SampledCycle<'_, '_> {
+    fn look(&self, found: &mut ExaminedPoses, place: f64) -> Result<Option<FreeRotations>, Error> {
         let course = self.course;
         let mating = course.mating(place.floor() as u64, place.fract());
         let Some(seen) = found.look(course, mating)? else {
@@ -119,17 +119,17 @@ impl Sampled<'_, '_> {
         which: End,
         stretches: &mut Vec<Stretch>,
         most: u64,
-        found: &mut PosesSeen,
-        until: Until,
+        found: &mut ExaminedPoses,
+        until: StopAt,
     ) -> Result<f64, Error> {
         let worse = |stretch: &Stretch| {
             let [low, high] = self.bounds(stretch);
             which.key(low, high)
         };
-        let mut heap: BinaryHeap<Ranked> = stretches
+        let mut heap: BinaryHeap<RankedStretch> = stretches
             .drain(..)
             .enumerate()
-            .map(|(number, stretch)| Ranked {
+            .map(|(number, stretch)| RankedStretch {
                 key: worse(&stretch),
                 number,
                 stretch,
@@ -140,12 +140,12 @@ impl Sampled<'_, '_> {
             if self.course.effort.is_spent() || until.is_reached(found) {
                 break;
             }
-            let Some(Ranked { key, stretch, .. }) = heap.pop() else {
+            let Some(RankedStretch { key, stretch, .. }) = heap.pop() else {
                 break;
             };
             let [from, to] = stretch.places;
             if key == f64::INFINITY && to - from < HOPELESS {
-                heap.push(Ranked {
+                heap.push(RankedStretch {
                     key,
                     number,
                     stretch,
@@ -159,7 +159,7 @@ impl Sampled<'_, '_> {
                 ([middle, to], [between, stretch.ends[1]]),
             ] {
                 let stretch = Stretch { places, ends };
-                heap.push(Ranked {
+                heap.push(RankedStretch {
                     key: worse(&stretch),
                     number,
                     stretch,
@@ -178,35 +178,35 @@ impl Sampled<'_, '_> {
 
 /// A stretch, ordered by its bound; of equal ones the first.
 #[derive(Debug)]
-struct Ranked {
+struct RankedStretch {
     key: f64,
     number: usize,
     stretch: Stretch,
 }
 
-impl PartialEq for Ranked {
-    fn eq(&self, other: &Ranked) -> bool {
+impl PartialEq for RankedStretch {
+    fn eq(&self, other: &RankedStretch) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Ranked {}
+impl Eq for RankedStretch {}
 
-impl PartialOrd for Ranked {
-    fn partial_cmp(&self, other: &Ranked) -> Option<std::cmp::Ordering> {
+impl PartialOrd for RankedStretch {
+    fn partial_cmp(&self, other: &RankedStretch) -> Option<std::cmp::Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for Ranked {
-    fn cmp(&self, other: &Ranked) -> std::cmp::Ordering {
+impl Ord for RankedStretch {
+    fn cmp(&self, other: &RankedStretch) -> std::cmp::Ordering {
         let key = self.key.total_cmp(&other.key);
         key.then(other.number.cmp(&self.number))
     }
 }
 
 /// The bounds that a pose gives for its neighbours.
-fn turned(seen: &LostMotion, nominal: f64) -> Option<Turned> {
+fn turned(seen: &LostMotion, nominal: f64) -> Option<FreeRotations> {
     let (angle, error) = seen.angle().zip(seen.error())?;
     let (right, left) = (seen.right.as_ref()?, seen.left.as_ref()?);
     let on_lands =
@@ -217,7 +217,7 @@ fn turned(seen: &LostMotion, nominal: f64) -> Option<Turned> {
     let off = right.rotation - nominal;
     let off = off - TAU * (off / TAU).round();
     // Half a turn from nominal, the contact may be that of a neighbour.
-    (off.abs() < 0.5 * PI).then_some(Turned {
+    (off.abs() < 0.5 * PI).then_some(FreeRotations {
         right: off,
         left: off + angle,
         error,
@@ -226,7 +226,11 @@ fn turned(seen: &LostMotion, nominal: f64) -> Option<Turned> {
 
 /// Samples the cycle, more densely where its bounds are worst and around the least and the greatest, with as many poses as the effort
 /// allows.
-pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Result<(), Error> {
+pub(super) fn sample(
+    course: &MeshCycle,
+    found: &mut ExaminedPoses,
+    until: StopAt,
+) -> Result<(), Error> {
     if found.sampled.is_some() {
         return Ok(());
     }
@@ -237,7 +241,7 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Re
         .min(affordable(course)?);
     let problem = course.sides[0].problem;
     let back = course.sides[0].off[0] * problem.locked.pitch * 2.0 * problem.per_free_base;
-    let sampled = Sampled {
+    let sampled = SampledCycle {
         course,
         // A lean turns with its gear, and with it what it turns flanks by: at most its own part of the rotation.
         per_pitch: (problem.free.pitch + 2.0 * back) * (1.0 + 4.0 * course.assembly.most_lean()),
@@ -288,8 +292,8 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Re
 
 /// Number of poses that the remaining effort allows, measured by a few poses throughout the cycle. Half of the effort is for places near
 /// the best.
-fn affordable(course: &Course) -> Result<u64, Error> {
-    let mut tried = PosesSeen::default();
+fn affordable(course: &MeshCycle) -> Result<u64, Error> {
+    let mut tried = ExaminedPoses::default();
     let before = course.effort.left();
     for k in 0..TRIED {
         if course.effort.is_spent() {
@@ -317,9 +321,9 @@ mod tests {
         let kernel = ExactKernel::new(&pair);
         let first = Mating::FIRST;
         let effort = Effort::endless();
-        let course = Course::new(&kernel, &pair, (first, 20), &effort);
-        let mut found = PosesSeen::default();
-        sample(&course, &mut found, Until::End).unwrap();
+        let course = MeshCycle::new(&kernel, &pair, (first, 20), &effort);
+        let mut found = ExaminedPoses::default();
+        sample(&course, &mut found, StopAt::End).unwrap();
         let poses = (0..320).map(|k| {
             let mating = first.onward(&pair, f64::from(k) / 16.0);
             let lost = kernel.lost_motion(&Pose::new(&pair, mating)).unwrap();

@@ -1,10 +1,10 @@
 //! The search for one extreme: it cuts the stretches that can beat the best known pose, the most promising first.
 
-use super::cell::Cell;
-use super::course::{Course, PARTS};
-use super::extreme::{Doubt, End, PosesSeen, Proof, Seen};
-use super::sample::{self, Until};
-use super::table::{Bounds, Table};
+use super::cell::MatingCell;
+use super::extreme::{CycleBound, Doubt, End, ExaminedPoses, PoseValue};
+use super::mesh_cycle::{MeshCycle, PARTS};
+use super::sample::{self, StopAt};
+use super::table::{PartBounds, Table};
 use crate::error::Error;
 use crate::numeric;
 use std::collections::BinaryHeap;
@@ -33,11 +33,11 @@ const STRIDE: u64 = 512;
 /// Stretches that can contain an extreme: they can reach the best guaranteed value so far.
 struct Candidates<'a> {
     search: &'a Search<'a>,
-    kept: Vec<Bounds>,
+    kept: Vec<PartBounds>,
     /// Stretches that cannot beat the best pose, but may equal it.
-    near: Vec<Bounds>,
+    near: Vec<PartBounds>,
     /// The most promising stretch.
-    top: Option<Bounds>,
+    top: Option<PartBounds>,
     /// Its key.
     key: f64,
     /// The best guaranteed value.
@@ -62,7 +62,7 @@ impl Candidates<'_> {
         }
     }
 
-    fn take(&mut self, bounds: Bounds) {
+    fn take(&mut self, bounds: PartBounds) {
         let which = self.search.which;
         let key = which.key(bounds.low, bounds.high);
         self.sure = self.sure.max(which.sure(bounds.low, bounds.high));
@@ -76,11 +76,11 @@ impl Candidates<'_> {
     }
 
     /// Examines the most promising stretch in its middle.
-    fn look(&self, found: &mut PosesSeen) -> Result<(), Error> {
+    fn look(&self, found: &mut ExaminedPoses) -> Result<(), Error> {
         let Some(top) = self.top else {
             return Ok(());
         };
-        let cell = Cell::of_part(top.mating, top.part);
+        let cell = MatingCell::of_part(top.mating, top.part);
         let course = self.search.course;
         let middle = course.mating(top.mating, 0.5 * (cell.from + cell.to));
         found.look(course, middle)?;
@@ -89,16 +89,16 @@ impl Candidates<'_> {
 
     /// Examines the most promising stretch at its expected extreme, and drops the stretches that cannot beat that. In gears with equal
     /// teeth every mating is equally promising.
-    fn thin(&mut self, found: &mut PosesSeen) -> Result<(), Error> {
+    fn thin(&mut self, found: &mut ExaminedPoses) -> Result<(), Error> {
         let Some(top) = self.top else {
             return Ok(());
         };
         let Search { course, table, .. } = self.search;
-        let cell = Cell::of_part(top.mating, top.part).bounded(course, table);
+        let cell = MatingCell::of_part(top.mating, top.part).bounded(course, table);
         let at = self.search.expected(&cell);
         found.look(course, course.mating(top.mating, at))?;
         self.drop(found);
-        let key = |bounds: &Bounds| self.search.key(bounds.low, bounds.high);
+        let key = |bounds: &PartBounds| self.search.key(bounds.low, bounds.high);
         let top = self.kept.iter().max_by(|a, b| key(a).total_cmp(&key(b)));
         (self.top, self.key) = (top.copied(), top.map_or(f64::NEG_INFINITY, key));
         // At least doubled, so that this costs no more than keeping.
@@ -107,7 +107,7 @@ impl Candidates<'_> {
     }
 
     /// Drops the stretches that cannot beat the best pose by more than the width.
-    fn drop(&mut self, found: &PosesSeen) {
+    fn drop(&mut self, found: &ExaminedPoses) {
         let search = self.search;
         let (which, dropped, near) = (search.which, &mut self.dropped, &mut self.near);
         let enough = search.best(found) + search.width;
@@ -123,14 +123,14 @@ impl Candidates<'_> {
     }
 
     /// The stretches to examine.
-    fn ranked(mut self, found: &PosesSeen) -> Ranked {
+    fn ranked(mut self, found: &ExaminedPoses) -> RankedCells {
         self.drop(found);
-        let open = self.kept.iter().map(|bounds| Open {
+        let open = self.kept.iter().map(|bounds| RankedCell {
             key: self.search.which.key(bounds.low, bounds.high),
-            cell: Cell::of_bounds(bounds),
+            cell: MatingCell::of_bounds(bounds),
         });
-        let near = self.near.iter().map(Cell::of_bounds);
-        Ranked {
+        let near = self.near.iter().map(MatingCell::of_bounds);
+        RankedCells {
             open: open.collect(),
             near: near.collect(),
             bound: self.search.best(found).max(self.dropped),
@@ -140,7 +140,7 @@ impl Candidates<'_> {
 
 /// A search for one extreme, best bound first.
 pub(super) struct Search<'a> {
-    pub course: &'a Course<'a>,
+    pub course: &'a MeshCycle<'a>,
     pub table: &'a Table,
     /// The part of the bracket that the proof may leave open, rad.
     pub width: f64,
@@ -150,35 +150,35 @@ pub(super) struct Search<'a> {
     /// Effort reserved for the steps after this search.
     pub spare: u64,
     /// The condition that ends sampling after the effort of the search was too great.
-    pub until: Until,
+    pub until: StopAt,
 }
 
 /// A cell in the order of examination.
 #[derive(Debug)]
-struct Open {
+struct RankedCell {
     /// Its key.
     key: f64,
-    cell: Cell,
+    cell: MatingCell,
 }
 
-impl PartialEq for Open {
-    fn eq(&self, other: &Open) -> bool {
+impl PartialEq for RankedCell {
+    fn eq(&self, other: &RankedCell) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Open {}
+impl Eq for RankedCell {}
 
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Open) -> Option<std::cmp::Ordering> {
+impl PartialOrd for RankedCell {
+    fn partial_cmp(&self, other: &RankedCell) -> Option<std::cmp::Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for Open {
+impl Ord for RankedCell {
     /// The most promising first; of equal ones the first in the cycle.
-    fn cmp(&self, other: &Open) -> std::cmp::Ordering {
-        let place = |open: &Open| (open.cell.mating, open.cell.part);
+    fn cmp(&self, other: &RankedCell) -> std::cmp::Ordering {
+        let place = |open: &RankedCell| (open.cell.mating, open.cell.part);
         let key = self.key.total_cmp(&other.key);
         let place = key.then(place(other).cmp(&place(self)));
         place.then(other.cell.from.total_cmp(&self.cell.from))
@@ -187,16 +187,19 @@ impl Ord for Open {
 
 /// The cells that a search has to examine.
 #[derive(Debug, Default)]
-pub(super) struct Ranked {
-    open: Vec<Open>,
+pub(super) struct RankedCells {
+    open: Vec<RankedCell>,
     /// Cells that do not beat the best, but may equal it.
-    pub near: Vec<Cell>,
+    pub near: Vec<MatingCell>,
     /// The best key of the others.
     bound: f64,
 }
 
 /// Examines the most promising pose of each of `searches` over one cycle, and ranks the stretches that may beat the best.
-pub(super) fn rank(searches: &[Search], found: &mut PosesSeen) -> Result<Vec<Ranked>, Error> {
+pub(super) fn rank(
+    searches: &[Search],
+    found: &mut ExaminedPoses,
+) -> Result<Vec<RankedCells>, Error> {
     let Some(Search { table, .. }) = searches.first() else {
         return Ok(Vec::new());
     };
@@ -227,7 +230,7 @@ impl Search<'_> {
     }
 
     /// The place of the expected extreme in a cell with bounds.
-    fn expected(&self, cell: &Cell) -> f64 {
+    fn expected(&self, cell: &MatingCell) -> f64 {
         match self.which {
             End::Least => cell.lowest,
             End::Greatest => cell.highest,
@@ -235,7 +238,7 @@ impl Search<'_> {
     }
 
     /// The best known pose, as a key.
-    fn best(&self, found: &PosesSeen) -> f64 {
+    fn best(&self, found: &ExaminedPoses) -> f64 {
         let seen = match self.which {
             End::Least => found.least.map(|seen| -seen.angle),
             End::Greatest => found.greatest.map(|seen| seen.angle),
@@ -244,7 +247,11 @@ impl Search<'_> {
     }
 
     /// The bound for the whole cycle, rad, from the `ranked` stretches of this search.
-    pub fn run(&self, ranked: &mut Ranked, found: &mut PosesSeen) -> Result<Proof, Error> {
+    pub fn run(
+        &self,
+        ranked: &mut RankedCells,
+        found: &mut ExaminedPoses,
+    ) -> Result<CycleBound, Error> {
         let mut open = BinaryHeap::from(std::mem::take(&mut ranked.open));
         let proof = self.settle(&mut open, ranked, found)?;
         ranked.near.extend(open.into_iter().map(|open| open.cell));
@@ -254,10 +261,10 @@ impl Search<'_> {
     /// Cuts the most promising of `open` until none can beat the best pose.
     fn settle(
         &self,
-        open: &mut BinaryHeap<Open>,
-        ranked: &mut Ranked,
-        found: &mut PosesSeen,
-    ) -> Result<Proof, Error> {
+        open: &mut BinaryHeap<RankedCell>,
+        ranked: &mut RankedCells,
+        found: &mut ExaminedPoses,
+    ) -> Result<CycleBound, Error> {
         let mut bound = ranked.bound;
         // The best key of the cells that are too narrow to cut.
         let mut narrow = f64::NEG_INFINITY;
@@ -280,7 +287,7 @@ impl Search<'_> {
                 continue;
             }
             let mut cell = next.cell;
-            let beats = |cell: &Cell, found: &PosesSeen| {
+            let beats = |cell: &MatingCell, found: &ExaminedPoses| {
                 self.key(cell.low, cell.high) > self.best(found) + self.width
             };
             if cell.seen.is_none() {
@@ -310,7 +317,7 @@ impl Search<'_> {
                 continue;
             }
             for half in cell.cut(at) {
-                open.push(Open { key, cell: half });
+                open.push(RankedCell { key, cell: half });
             }
         }
         let left = open.peek().map_or(narrow, |top| narrow.max(top.key));
@@ -318,7 +325,7 @@ impl Search<'_> {
             return Ok((self.value(bound), None));
         }
         // The key of the most promising stretch is the valid bound.
-        if self.until != Until::Jammed {
+        if self.until != StopAt::Jammed {
             sample::sample(self.course, found, self.until)?;
         }
         let top = open.peek().map_or(bound, |top| bound.max(top.key));
@@ -331,7 +338,7 @@ impl Search<'_> {
     }
 
     /// Keeps the stretches of `near` that may equal the best pose; if these are too many, the first in the order of teeth.
-    fn keep_near(&self, near: &mut Vec<Bounds>, found: &PosesSeen) {
+    fn keep_near(&self, near: &mut Vec<PartBounds>, found: &ExaminedPoses) {
         let least = self.best(found) - self.equal;
         near.retain(|bounds| self.key(bounds.low, bounds.high) >= least);
         if near.len() > MOST_PLACES {
@@ -354,7 +361,11 @@ impl Search<'_> {
 
     /// Reports the first of the places equal to the best: least wheel tooth, then least pinion tooth, then least fraction. Otherwise the
     /// last bit of a sine would decide.
-    pub fn name_first(&self, mut near: Vec<Cell>, found: &mut PosesSeen) -> Result<(), Error> {
+    pub fn name_first(
+        &self,
+        mut near: Vec<MatingCell>,
+        found: &mut ExaminedPoses,
+    ) -> Result<(), Error> {
         let least = self.best(found) - self.equal;
         let best = match self.which {
             End::Least => &mut found.least,
@@ -389,8 +400,8 @@ impl Search<'_> {
     }
 
     /// The pose of a mating, if it reaches `least`.
-    fn equal_at(&self, index: u64, at: f64, least: f64) -> Result<Option<Seen>, Error> {
-        let mut seen = PosesSeen::default();
+    fn equal_at(&self, index: u64, at: f64, least: f64) -> Result<Option<PoseValue>, Error> {
+        let mut seen = ExaminedPoses::default();
         seen.look(self.course, self.course.mating(index, at))?;
         let one = match self.which {
             End::Least => seen.least,
@@ -400,7 +411,7 @@ impl Search<'_> {
     }
 
     /// A pose of a cell that reaches `least`, in the first of its cells that has one.
-    fn first_within(&self, cell: Cell, least: f64) -> Result<Option<Seen>, Error> {
+    fn first_within(&self, cell: MatingCell, least: f64) -> Result<Option<PoseValue>, Error> {
         let index = self.course.first_alike(cell.mating);
         let mut open = vec![cell];
         for _ in 0..CELLS_OF_A_PLACE {

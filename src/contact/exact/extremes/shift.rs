@@ -1,7 +1,7 @@
 //! Shifts of the outlines' centres by the eccentricities in a direction, throughout a cycle.
 
 use super::super::shape::{C, turn};
-use super::course::{PARTS, Posed, SideCourse};
+use super::mesh_cycle::{CycleSide, PARTS, PosedSide};
 use std::f64::consts::TAU;
 
 /// Values at both ends of a pitch and between its parts.
@@ -13,7 +13,7 @@ pub(super) struct Shift([Vec<Ends>; 2]);
 
 impl Shift {
     /// The shift along `toward`, times its length, of a side that is `posed` at the start of the cycle, with the free gear at `gap`.
-    pub fn new(side: &SideCourse, posed: &Posed, gap: f64, toward: C) -> Shift {
+    pub fn new(side: &CycleSide, posed: &PosedSide, gap: f64, toward: C) -> Shift {
         let problem = side.problem;
         let locked = posed.flanks.centre - C::from(problem.distance);
         let free = -posed.flanks.free_centre * turn(gap);

@@ -1,10 +1,11 @@
 //! Tables of one side: bounds of the room in each part of a pitch, and the flank offsets of every place.
 
 use super::super::line::Line;
+use super::super::path::InvolutePair;
 use super::super::shape::C;
 use super::super::teeth::Teeth;
-use super::course::{PARTS, Posed, SideCourse};
-use super::rolls::{Part, Rolls};
+use super::mesh_cycle::{CycleSide, PARTS, PosedSide};
+use super::rolls::{Rolls, StepRoom};
 use crate::gear::involute;
 use crate::pair::lens_half;
 use std::ops::Range;
@@ -26,7 +27,7 @@ pub(super) struct SideTable {
     pub open: [Vec<(i64, f64, f64)>; PARTS],
     /// The steps decided by involutes and their ends, and those whose tip corners can reach fillets.
     pub plain: [Vec<(i64, f64)>; PARTS],
-    pub dipping: [Vec<(i64, Part)>; PARTS],
+    pub dipping: [Vec<(i64, StepRoom)>; PARTS],
     /// Whether a tip corner on a fillet can have no more room than a pair on the line of action. It need not have less than
     /// [`SideTable::plain`] gives its involutes.
     pub may_dip: bool,
@@ -37,7 +38,7 @@ pub(super) struct SideTable {
     /// `κ`: 0 where base pitches are equal.
     pub per_step: f64,
     /// Part by which the difference of the rooms of two steps on the line of action may differ from that of their `r δ_L + δ_F + κ s`
-    /// ([`SideCourse::unsure`]).
+    /// ([`CycleSide::unsure`]).
     pub unsure: f64,
     /// Greatest difference of the rooms of two steps on the line of action, over all flanks and the steps that can be the tightest.
     pub spread: f64,
@@ -48,7 +49,7 @@ pub(super) struct SideTable {
 
 impl SideTable {
     /// The tables of a side that is `posed` at the start of the cycle.
-    pub fn new(side: &SideCourse, posed: &Posed) -> SideTable {
+    pub fn new(side: &CycleSide, posed: &PosedSide) -> SideTable {
         let problem = side.problem;
         let steps = steps(side, posed.flanks.ahead);
         let pad = steps.start.abs().max(steps.end.abs());
@@ -89,7 +90,7 @@ impl SideTable {
         let Some(line) = Line::new(C::from(problem.distance), problem.sum()) else {
             return table;
         };
-        let pair = posed.flanks.pair(0);
+        let pair = InvolutePair::new(&posed.flanks, 0);
         let gap = (problem.sum() * line.angle
             - line.length
             - problem.locked.shape.base * pair.locked_base)
@@ -109,7 +110,7 @@ impl SideTable {
             };
             let found = steps.clone();
             let found = found.map(|step| (step, rolls.of(step, part, limit)));
-            let found: Vec<(i64, Part)> = found.collect();
+            let found: Vec<(i64, StepRoom)> = found.collect();
             table.may_dip |= found.iter().any(|(_, part)| part.dipping() <= limit);
             let open = || found.iter().filter(|(_, part)| part.least() <= limit);
             table.open[part] = open()
@@ -209,7 +210,7 @@ impl SideTable {
     /// of action by less than `6 e Δ/r_bF`.
     ///
     /// [`FarFlanks`]: crate::contact::body::FarFlanks
-    pub fn before_far_flanks(&self, side: &SideCourse) -> Option<f64> {
+    pub fn before_far_flanks(&self, side: &CycleSide) -> Option<f64> {
         let problem = side.problem;
         let (locked, free) = (&problem.locked.shape, &problem.free.shape);
         let off = side.off[0] + side.off[1];
@@ -258,7 +259,7 @@ impl SideTable {
 }
 
 /// Steps whose locked half tooth can reach the free gear somewhere in a pitch, and on the face.
-pub(super) fn steps(side: &SideCourse, ahead: f64) -> Range<i64> {
+pub(super) fn steps(side: &CycleSide, ahead: f64) -> Range<i64> {
     let problem = side.problem;
     let Some((low, high)) = problem.window() else {
         return 0..0;

@@ -8,7 +8,7 @@
 //! throughout a part: these bound the room from above.
 
 use super::super::shape::C;
-use super::course::{Course, PARTS, SideCourse};
+use super::mesh_cycle::{CycleSide, MeshCycle, PARTS};
 use super::shift::Shift;
 use super::side_table::SideTable;
 use std::ops::Range;
@@ -62,7 +62,7 @@ struct Distances {
 
 /// Bounds of the lost motion over a part of a mating, rad.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Bounds {
+pub(super) struct PartBounds {
     pub mating: u64,
     pub part: usize,
     pub low: f64,
@@ -76,7 +76,7 @@ fn lesser(one: f64, other: f64) -> f64 {
 }
 
 impl Table {
-    pub fn new(course: &Course) -> Table {
+    pub fn new(course: &MeshCycle) -> Table {
         let posed = course.posed(0);
         let sides = [0, 1].map(|index| SideTable::new(&course.sides[index], &posed[index]));
         let side = &course.sides[0];
@@ -128,7 +128,7 @@ impl Table {
     }
 
     /// Bounds of every part of every mating of `range`, in their order.
-    pub fn each(&self, range: Range<u64>, take: &mut dyn FnMut(Bounds)) {
+    pub fn each(&self, range: Range<u64>, take: &mut dyn FnMut(PartBounds)) {
         let parts = |side: &SideTable| std::array::from_fn(|part| side.drifts(part));
         let drifts: [[[f64; 2]; PARTS]; 2] = self.sides.each_ref().map(parts);
         let nominal = self.sides[0].nominal + self.sides[1].nominal;
@@ -157,7 +157,7 @@ impl Table {
                     nominal + shift[part + end] + (drifts[0][part][end] + drifts[1][part][end])
                 });
                 let [low, high] = [0, 1].map(|bound| rooms[0][part][bound] + rooms[1][part][bound]);
-                take(Bounds {
+                take(PartBounds {
                     mating,
                     part,
                     low: low + lesser(ends[0], ends[1]) - self.slack[0],
@@ -224,9 +224,9 @@ impl Table {
     ///
     /// A pair on the line of action stops the gear first where far flanks leave more room than the flanks are spread. At other poses the room
     /// of a side is at most `most`, less the room of the other side.
-    pub fn stops_before_far_flanks(&self, course: &Course, most: f64) -> bool {
+    pub fn stops_before_far_flanks(&self, course: &MeshCycle, most: f64) -> bool {
         let mut sides = self.sides.iter().zip(&course.sides);
-        let later = |(table, side): (&SideTable, &SideCourse)| table.before_far_flanks(side);
+        let later = |(table, side): (&SideTable, &CycleSide)| table.before_far_flanks(side);
         let Some(later) = sides.try_fold(f64::INFINITY, |least: f64, side| {
             Some(least.min(later(side)?))
         }) else {
@@ -301,7 +301,7 @@ impl Distances {
 
 #[cfg(test)]
 mod tests {
-    use super::super::course::posed_sides;
+    use super::super::mesh_cycle::posed_sides;
     use super::super::side_table::steps;
     use super::*;
     use crate::contact::Effort;
@@ -349,7 +349,7 @@ mod tests {
         let pair = GearPair::new(wheel, gear(1.00001, 6.0, Face::Back), 400.05).unwrap();
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
-        let course = Course::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+        let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
         let table = Table::new(&course);
         let posed = course.posed(0);
         let mut lopsided = 0;
@@ -410,7 +410,7 @@ mod tests {
                 continue;
             }
             let effort = Effort::endless();
-            let course = Course::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+            let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
             let start = course.posed(0);
             let later = [0, 1].map(|side| {
                 let table = SideTable::new(&course.sides[side], &start[side]);

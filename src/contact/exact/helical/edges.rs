@@ -283,7 +283,7 @@ fn tips_on_tips(
     (places, effort): (&mut Vec<Place>, &Effort),
 ) {
     let [locked, free] = tip_ends(posed);
-    let Some(touching) = tangent_rotations(posed, locked[0].radius + free[0].radius) else {
+    let Some(first_contact) = tangent_rotations(posed, locked[0].radius + free[0].radius) else {
         return;
     };
     for (k, one) in locked.iter().enumerate() {
@@ -294,7 +294,7 @@ fn tips_on_tips(
             }
         }
     }
-    for rotation in touching {
+    for rotation in first_contact {
         let between = posed.free_centre_at(rotation) - posed.centre;
         let free_turning = TwistedTeeth::free(assembly, posed, rotation);
         for end in &locked {

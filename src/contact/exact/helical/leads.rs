@@ -15,12 +15,12 @@
 //! Where axes lean, the centres of a section move along the face and its flanks turn by what [`crate::pair::Pose::section`] derives. Both
 //! change smoothly, so their rate is taken from two sections beside each other.
 
-use super::facing::TurnedTeeth;
+use super::place_filter::TurnedTeeth;
 use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::LeaningFrame;
-use crate::contact::exact::path::Pair;
+use crate::contact::exact::path::InvolutePair;
 use crate::contact::exact::separation::{NearStart, Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::ProfilePart;
@@ -77,7 +77,7 @@ pub(super) struct AlongFace<'a> {
     start: NearStart,
     /// The pair of step 0 on it, with endless involutes.
     first: Separation,
-    first_pair: Pair,
+    first_pair: InvolutePair,
     /// Lowest and greatest roll of the locked and the free involute.
     ends: [[f64; 2]; 2],
     /// Where axes lean: how the frame changes along the face.
@@ -147,7 +147,7 @@ enum Fillets {
 
 /// The gap of a pair in a section, and its rate along the face, rad/mm.
 #[derive(Debug, Clone, Copy)]
-struct Look {
+struct GapInSection {
     b: f64,
     gap: f64,
     rate: f64,
@@ -196,7 +196,7 @@ impl<'a> AlongFace<'a> {
             twists: members.map(|member| posed.twist(assembly, member)),
             start: NearStart::new(posed, near),
             first,
-            first_pair: posed.pair(0),
+            first_pair: InvolutePair::new(posed, 0),
             ends: [&posed.problem.locked, &posed.problem.free]
                 .map(|teeth| [lowest_roll(&teeth.shape), teeth.shape.tip_roll]),
             leaning: LeaningFrame::new(assembly, posed),
@@ -210,7 +210,7 @@ impl<'a> AlongFace<'a> {
     /// times the square of pitch deviations, below a tie.
     fn endless(&self, step: i64) -> EndlessPair {
         let (first, bases) = (&self.first, self.bases());
-        let (own, other) = (&self.first_pair, self.posed.pair(step));
+        let (own, other) = (&self.first_pair, InvolutePair::new(self.posed, step));
         let turns = [
             other.locked_base - own.locked_base,
             other.free_base - own.free_base,
@@ -616,7 +616,7 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
-    fn look(&self, pair: &PairOfTeeth, b: f64) -> Option<Look> {
+    fn look(&self, pair: &PairOfTeeth, b: f64) -> Option<GapInSection> {
         let bases = self.bases();
         let jets = pair.teeth.jets(b);
         let turns = [0, 1].map(|k| -jets[k][0] / bases[k]);
@@ -639,7 +639,7 @@ impl<'a> AlongFace<'a> {
         for k in [0, 1] {
             smooth += found.by_turn[k] * (twists[k] - rates[k] / bases[k]);
         }
-        Some(Look {
+        Some(GapInSection {
             b,
             gap: found.gap,
             rate: smooth,
@@ -776,7 +776,7 @@ impl<'a> AlongFace<'a> {
     ///
     /// Leaning axes bend it the other way where a contact leaves the line: its height begins to move at another rate. So it is followed from a
     /// little inside each end of the window to the middle, and from a little outside each end outwards.
-    fn greatest(&self, pair: &PairOfTeeth, [from, to]: [f64; 2]) -> Option<Look> {
+    fn greatest(&self, pair: &PairOfTeeth, [from, to]: [f64; 2]) -> Option<GapInSection> {
         let beside = BESIDE * (to - from);
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = pair.window.map(inside);
@@ -833,7 +833,7 @@ impl<'a> AlongFace<'a> {
         let leads = |b: f64| {
             let [locked, free] = pair.teeth.jets(b);
             let [gap, rate] = [0, 1].map(|k| (locked[k] + free[k]) / base);
-            Look { b, gap, rate }
+            GapInSection { b, gap, rate }
         };
         let (low, high) = (leads(start), leads(end));
         if !(low.rate > 0.0 && high.rate < 0.0) {
@@ -859,7 +859,13 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The greatest gap of a step outwards from `last`, from which it rises to a maximum or up to the `border`.
-    fn outwards(&self, pair: &PairOfTeeth, mut last: Look, border: f64, beside: f64) -> Look {
+    fn outwards(
+        &self,
+        pair: &PairOfTeeth,
+        mut last: GapInSection,
+        border: f64,
+        beside: f64,
+    ) -> GapInSection {
         let outwards = (border - last.b).signum();
         let mut way = FIRST_STEP * (border - last.b).abs();
         loop {
@@ -890,7 +896,12 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The greatest gap between two places, from which it rises inwards.
-    fn between(&self, mut low: Look, mut high: Look, look: impl Fn(f64) -> Option<Look>) -> Look {
+    fn between(
+        &self,
+        mut low: GapInSection,
+        mut high: GapInSection,
+        look: impl Fn(f64) -> Option<GapInSection>,
+    ) -> GapInSection {
         let settled = if self.leaning.is_some() {
             SETTLED_LEANING
         } else {

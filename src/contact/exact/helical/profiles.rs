@@ -28,6 +28,7 @@ use crate::contact::Effort;
 use crate::contact::exact::flank_heights::deviation;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::line::Line;
+use crate::contact::exact::path::InvolutePair;
 use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::{DeviationCurve, ProfilePart};
@@ -59,7 +60,7 @@ pub(super) struct AlongFlanks<'a> {
 
 /// The place of the greatest height.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Highest {
+pub(super) struct HighestPlace {
     pub height: f64,
     /// Mm along the face.
     pub b: f64,
@@ -76,7 +77,7 @@ impl<'a> AlongFlanks<'a> {
         gap: f64,
         effort: &'a Effort<'a>,
     ) -> Option<AlongFlanks<'a>> {
-        let line = Line::new(posed.between(gap).0, posed.problem.sum())?;
+        let line = Line::new(posed.centre_vector(gap).0, posed.problem.sum())?;
         Some(AlongFlanks {
             assembly,
             posed,
@@ -87,11 +88,11 @@ impl<'a> AlongFlanks<'a> {
     }
 
     /// The highest of all places above [`LEVEL`]; `None` if there is none.
-    pub fn highest(&self) -> Result<Option<Highest>, Spent> {
+    pub fn highest(&self) -> Result<Option<HighestPlace>, Spent> {
         let twist = self.posed.twist(self.assembly, self.assembly.locked());
         let mut turns = self.assembly.face().map(|b| twist * b);
         turns.sort_unstable_by(f64::total_cmp);
-        let mut best = Highest {
+        let mut best = HighestPlace {
             height: LEVEL,
             b: f64::NAN,
         };
@@ -102,12 +103,12 @@ impl<'a> AlongFlanks<'a> {
     }
 
     /// Raises `best` to the highest place of a step.
-    fn search(&self, step: i64, best: &mut Highest) -> Result<(), Spent> {
+    fn search(&self, step: i64, best: &mut HighestPlace) -> Result<(), Spent> {
         let (assembly, posed) = (self.assembly, self.posed);
         let halves = [posed.locked(step), posed.free(step)];
         let flanks = [Flank::new(&halves[0]), Flank::new(&halves[1])];
         let teeth = posed.facing_teeth(assembly, step);
-        let pair = posed.pair(step);
+        let pair = InvolutePair::new(posed, step);
         let rolls = [
             self.line.angle - pair.locked_base,
             self.line.angle - self.gap - pair.free_base,
@@ -137,8 +138,8 @@ impl<'a> AlongFlanks<'a> {
         let flanks = flanks.each_ref();
         for ends in knots.windows(2) {
             let ends = [ends[0], ends[1]];
-            let locked = Ordered::new(&teeth, [0, 1], flanks, (rolls, twists), &self.line, ends);
-            let free = Ordered::new(&teeth, [1, 0], flanks, (rolls, twists), &self.line, ends);
+            let locked = FlankPair::new(&teeth, [0, 1], flanks, (rolls, twists), &self.line, ends);
+            let free = FlankPair::new(&teeth, [1, 0], flanks, (rolls, twists), &self.line, ends);
             for one in &pieces[0] {
                 for other in &pieces[1] {
                     locked.smooth([one, other], best, self.effort)?;
@@ -165,7 +166,7 @@ struct Flank<'a> {
 }
 
 /// A part of a flank without edges inside, continued straight beyond its ends.
-struct Piece<'a> {
+struct FlankPiece<'a> {
     deviation: Option<&'a DeviationCurve>,
     range: [f64; 2],
 }
@@ -188,8 +189,8 @@ impl<'a> Flank<'a> {
     }
 
     /// All of it. Its edges only fall.
-    fn whole(&self) -> Piece<'a> {
-        Piece {
+    fn whole(&self) -> FlankPiece<'a> {
+        FlankPiece {
             deviation: self.deviation,
             range: self.range,
         }
@@ -209,11 +210,11 @@ impl<'a> Flank<'a> {
         self.edges().chain([self.range[1]]).chain(joint)
     }
 
-    fn pieces(&self) -> Vec<Piece<'a>> {
+    fn pieces(&self) -> Vec<FlankPiece<'a>> {
         let mut ends = vec![self.range[0]];
         ends.extend(self.edges());
         ends.push(self.range[1]);
-        let piece = |ends: &[f64]| Piece {
+        let piece = |ends: &[f64]| FlankPiece {
             deviation: self.deviation,
             // Just before an edge, where the slope is that of the lesser rolls.
             range: [ends[0], ends[1].next_down()],
@@ -222,7 +223,7 @@ impl<'a> Flank<'a> {
     }
 }
 
-impl Piece<'_> {
+impl FlankPiece<'_> {
     fn jet(&self, xi: f64) -> [f64; 3] {
         let Some(curve) = self.deviation else {
             return [0.0; 3];
@@ -257,7 +258,7 @@ impl Piece<'_> {
 }
 
 /// A pair of flanks between two knots of its leads. The first one has the point whose height in the metal of the second is taken.
-struct Ordered<'a> {
+struct FlankPair<'a> {
     teeth: &'a FacingTeeth<'a>,
     order: [usize; 2],
     flanks: [&'a Flank<'a>; 2],
@@ -308,7 +309,7 @@ struct Bounds {
     turned: f64,
 }
 
-impl<'a> Ordered<'a> {
+impl<'a> FlankPair<'a> {
     fn new(
         teeth: &'a FacingTeeth<'a>,
         order: [usize; 2],
@@ -316,14 +317,14 @@ impl<'a> Ordered<'a> {
         (rolls, twists): ([f64; 2], [f64; 2]),
         line: &Line,
         ends: [f64; 2],
-    ) -> Ordered<'a> {
+    ) -> FlankPair<'a> {
         let flanks = order.map(|k| flanks[k]);
         let bases = flanks.map(|flank| flank.base);
         let (steepest, bends) = (teeth.steepest(ends), teeth.bends(ends));
         let [steepest, twists, rolls] = [steepest, twists, rolls].map(|of| order.map(|k| of[k]));
         let bends = order.map(|k| bends[k]);
         let bend = |k: usize| amount(bends[k]) / bases[k];
-        Ordered {
+        FlankPair {
             teeth,
             order,
             flanks,
@@ -344,7 +345,7 @@ impl<'a> Ordered<'a> {
     }
 
     /// The point at `b` whose normal is turned by `eta`; `None` inside the second base circle.
-    fn point(&self, b: f64, eta: f64, pieces: [&Piece; 2]) -> Option<Point> {
+    fn point(&self, b: f64, eta: f64, pieces: [&FlankPiece; 2]) -> Option<Point> {
         let [one, other] = self.bases;
         let on_line = self.on_line(b);
         let rates = self.teeth.rates(b);
@@ -423,8 +424,8 @@ impl<'a> Ordered<'a> {
     /// Raises `best` to the highest common normal of two pieces, as the first and the second flank.
     fn smooth(
         &self,
-        pieces: [&Piece; 2],
-        best: &mut Highest,
+        pieces: [&FlankPiece; 2],
+        best: &mut HighestPlace,
         effort: &Effort,
     ) -> Result<(), Spent> {
         let all = pieces.map(|piece| piece.bounds(piece.range));
@@ -601,7 +602,7 @@ impl<'a> Ordered<'a> {
     }
 
     /// Raises `best` to the highest place of the corner of the first flank at a roll.
-    fn corner(&self, roll: f64, best: &mut Highest, effort: &Effort) -> Result<(), Spent> {
+    fn corner(&self, roll: f64, best: &mut HighestPlace, effort: &Effort) -> Result<(), Spent> {
         let whole = [self.flanks[0].whole(), self.flanks[1].whole()];
         let pieces = whole.each_ref();
         let arm = self.bases[0] * roll + pieces[0].jet(roll)[0];
@@ -674,9 +675,9 @@ impl<'a> Ordered<'a> {
     }
 }
 
-impl Highest {
+impl HighestPlace {
     /// Takes a point that is on both flanks, if it is higher.
-    fn offer(&mut self, at: &Point, pieces: [&Piece; 2]) {
+    fn offer(&mut self, at: &Point, pieces: [&FlankPiece; 2]) {
         let is_on = |k: usize| {
             let [low, high] = pieces[k].range;
             at.rolls[k] >= low && at.rolls[k] <= high

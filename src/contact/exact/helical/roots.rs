@@ -44,8 +44,8 @@ pub(super) fn tips_on_roots(
             let edges = if which == 0 { [tip, root] } else { [root, tip] };
             crossing_places(posed, teeth, edges, stands, (places, effort));
         }
-        let touching = tangent_rotations(posed, middles[which].radius + root.radius);
-        let rotations = std::iter::once(stands.rotation).chain(touching.into_iter().flatten());
+        let first_contact = tangent_rotations(posed, middles[which].radius + root.radius);
+        let rotations = std::iter::once(stands.rotation).chain(first_contact.into_iter().flatten());
         for rotation in rotations {
             let between = posed.free_centre_at(rotation) - posed.centre;
             let teeth = [

@@ -29,6 +29,7 @@ use crate::contact::exact::flank_heights::{FlankHeights, deviation};
 use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::{DeviationCurve, ProfilePart};
+pub(super) use settle::greatest_gap_by_heights;
 
 /// Two flanks with the free gear held at a gap.
 struct Heights<'a> {

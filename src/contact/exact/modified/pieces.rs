@@ -1,11 +1,12 @@
 //! Flanks in pieces at a pose.
 
+use super::heights::greatest_gap_by_heights;
 use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_pieces::FlankPieces;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
-use crate::contact::gap::{Arc, Path, PathSearch, PlacedRun, Rectangle, Tree};
+use crate::contact::gap::{CurveArc, Path, PathSearch, PlacedRun, Rectangle, Tree};
 use crate::gear::ProfilePart;
 
 /// Effort of the bounds of heights, in nodes (tuned: about 10 µs, with or without a result).
@@ -37,48 +38,46 @@ impl<'a> Path<'a> for FlankPath<'a> {
         PlacedRun::new(run, placed)
     }
 
-    fn arc(&self, piece: usize) -> Arc<'a> {
+    fn arc(&self, piece: usize) -> CurveArc<'a> {
         let (low, high) = self.pieces.ends[piece];
         let part = ProfilePart::Involute;
-        Arc::new(self.half.curve(part), part as usize, low, high)
+        CurveArc::new(self.half.curve(part), part as usize, low, high)
     }
 }
 
-impl PosedFlanks<'_> {
-    /// The greatest gap above `floor` of the flanks of a step, searched first near the gap `guess`. It comes from
-    /// bounds of their heights, and otherwise from their pieces; `None` if those do not settle it either.
-    pub(in crate::contact::exact) fn greatest_gap_of_flanks(
-        &self,
-        step: i64,
-        floor: f64,
-        guess: f64,
-        effort: &Effort,
-    ) -> Option<Option<CandidateContact>> {
-        effort.spend(BY_HEIGHTS);
-        let by_heights = self.flanks_by_heights(step, floor, guess);
-        by_heights.or_else(|| self.flanks_in_pieces(step, floor, guess, effort))
-    }
+/// The greatest gap above `floor` of the flanks of a step, searched first near the gap `guess`. It comes from
+/// bounds of their heights, and otherwise from their pieces; `None` if those do not settle it either.
+pub(in crate::contact::exact) fn greatest_gap_of_flanks(
+    posed: &PosedFlanks,
+    step: i64,
+    floor: f64,
+    guess: f64,
+    effort: &Effort,
+) -> Option<Option<CandidateContact>> {
+    effort.spend(BY_HEIGHTS);
+    let by_heights = greatest_gap_by_heights(posed, step, floor, guess);
+    by_heights.or_else(|| greatest_gap_of_pieces(posed, step, floor, guess, effort))
+}
 
-    /// The greatest gap above `floor` of the flanks of a step, by branch and bound over all pairs of their pieces,
-    /// searched first near `guess`; `None` if it is not settled.
-    fn flanks_in_pieces(
-        &self,
-        step: i64,
-        floor: f64,
-        guess: f64,
-        effort: &Effort,
-    ) -> Option<Option<CandidateContact>> {
-        let (locked, free) = (self.locked(step), self.free(step));
-        let size = 2.0 * self.problem.distance;
-        let origin = self.origin_of(step);
-        let mut search = PathSearch::new(origin, size, floor, guess).within(effort.left());
-        let most = search.nodes_left();
-        let found = search.greatest(&FlankPath::new(locked), &FlankPath::new(free));
-        effort.spend(most - search.nodes_left());
-        let part = ProfilePart::Involute;
-        Some(found.ok()?.map(|found| {
-            let on = ((part, found.locked.1), (part, found.free.1));
-            CandidateContact::new((&locked, on.0), (&free, on.1), origin, found.slack)
-        }))
-    }
+/// The greatest gap above `floor` of the flanks of a step, by branch and bound over all pairs of their pieces,
+/// searched first near `guess`; `None` if it is not settled.
+fn greatest_gap_of_pieces(
+    posed: &PosedFlanks,
+    step: i64,
+    floor: f64,
+    guess: f64,
+    effort: &Effort,
+) -> Option<Option<CandidateContact>> {
+    let (locked, free) = (posed.locked(step), posed.free(step));
+    let size = 2.0 * posed.problem.distance;
+    let origin = posed.origin_of(step);
+    let mut search = PathSearch::new(origin, size, floor, guess).within(effort.left());
+    let most = search.nodes_left();
+    let found = search.greatest(&FlankPath::new(locked), &FlankPath::new(free));
+    effort.spend(most - search.nodes_left());
+    let part = ProfilePart::Involute;
+    Some(found.ok()?.map(|found| {
+        let on = ((part, found.locked.1), (part, found.free.1));
+        CandidateContact::new((&locked, on.0), (&free, on.1), origin, found.slack)
+    }))
 }

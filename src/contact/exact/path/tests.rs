@@ -39,12 +39,15 @@ fn each(mut of: impl FnMut(&PosedFlanks, &TangentVariation)) {
 fn steps_on_the_line_are_those_whose_rolls_are() {
     let (mut on, mut none) = (0, 0);
     each(|posed, variation| {
-        let (line, _) = posed.start(variation).unwrap();
+        let (line, _) = start_line(posed, variation).unwrap();
         for plays in [(0.0, 0.0), (0.15, 0.0), (0.0, 0.2), (0.1, 0.15)] {
-            let steps = posed.steps_on(&line, plays);
+            let steps = steps_on(posed, &line, plays);
             let all = posed.steps();
             let holds: Vec<i64> = all
-                .filter(|&step| posed.on_path(posed.rolls(&line, &posed.pair(step)), plays))
+                .filter(|&step| {
+                    let rolls = InvolutePair::new(posed, step).rolls_on(posed.problem, &line);
+                    is_on_path(posed.problem, rolls, plays)
+                })
                 .collect();
             let case = format!("{plays:?}: {holds:?} of {steps:?}");
             assert!(holds.iter().all(|step| steps.contains(step)), "{case}");
@@ -64,17 +67,17 @@ fn the_slope_of_a_contact_is_that_of_the_locked_flank() {
     let mut compared = 0;
     each(|posed, variation| {
         let mut tightest = TightestContacts::new(posed.problem);
-        assert!(posed.on_line(variation, &mut tightest));
-        let Some(touching) = tightest.choose() else {
+        assert!(offer_pairs_on_line(posed, variation, &mut tightest));
+        let Some(first_contact) = tightest.choose() else {
             return;
         };
-        let (part, roll) = touching.candidate.locked;
-        let locked = posed.locked(touching.step);
+        let (part, roll) = first_contact.candidate.locked;
+        let locked = posed.locked(first_contact.step);
         let [one, other] = [roll - STEP, roll + STEP].map(|roll| locked.at(part, roll).point);
         let turned = (other * one.conj()).arg();
         let farther = (other.norm_sqr() / one.norm_sqr()).ln() / 2.0;
         let slope = turned / farther;
-        let found = touching.candidate.slope;
+        let found = first_contact.candidate.slope;
         assert!(
             (found - slope).abs() < 1e-3 * slope.abs().max(1e-3),
             "{found} {slope}"

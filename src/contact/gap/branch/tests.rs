@@ -45,7 +45,7 @@ fn the_change_of_slope_lies_within_its_bounds() {
             {
                 let length = (to - from) / f64::from(parts);
                 let low = from + length * f64::from(k);
-                let arc = Arc::new(placed, 0, low, low + length);
+                let arc = CurveArc::new(placed, 0, low, low + length);
                 let Some((least, most)) = arc.slope_change(arc.radii.0, arc.radii.1) else {
                     continue;
                 };
@@ -92,10 +92,10 @@ fn the_summit_is_where_the_gap_is_greatest() {
         // Where both are monotone: the whole free flank, and the part of the locked one that the free gear reaches.
         let arcs = [0, 1].map(|which| {
             let (low, high) = [locked, free][which].range();
-            let arc = Arc::new(curves[which], 0, low, high);
+            let arc = CurveArc::new(curves[which], 0, low, high);
             let ends = [low, high].map(|t| length(curves[which].at(t).point));
             assert_eq!(ends[0] > ends[1], which == 0);
-            Arc {
+            CurveArc {
                 radii: (ends[0].min(ends[1]), ends[0].max(ends[1])),
                 ..arc
             }
@@ -110,7 +110,7 @@ fn the_summit_is_where_the_gap_is_greatest() {
         let steps = Cell::new(0);
         let gap = |rho: f64| {
             let [p, q] = [(0, false), (1, true)].map(|(which, rises)| {
-                let arc: &Arc = &arcs[which];
+                let arc: &CurveArc = &arcs[which];
                 arc.placed.at(arc.at_radius(rho, rises, &steps)).point
             });
             (p * q.conj()).arg()

@@ -26,7 +26,7 @@ const SETTLED: f64 = 1e-9;
 impl Heights<'_> {
     /// Examines the flank from `from` to the roll `end`, over ever shorter stretches, for heights above the task's
     /// level. `false` if one is found; `None` after too many places.
-    fn along(&self, from: FlankPlace, end: f64, task: &mut Task) -> Option<bool> {
+    fn along(&self, from: FlankPlace, end: f64, task: &mut HeightSearch) -> Option<bool> {
         let on = if end >= from.x { 1.0 } else { -1.0 };
         let (mut look, mut width) = (from, task.near);
         let mut open: Vec<(FlankPlace, f64)> = Vec::with_capacity(16);
@@ -82,7 +82,7 @@ impl Heights<'_> {
         &self,
         middle: &FlankPlace,
         known: Option<&FlankPlace>,
-        task: &mut Task,
+        task: &mut HeightSearch,
     ) -> Option<bool> {
         let (low, high) = self.locked.range;
         let is_clear = match known {
@@ -103,7 +103,7 @@ impl Heights<'_> {
 }
 
 /// The purpose and limits of an examination.
-struct Task {
+struct HeightSearch {
     /// Whether to find the highest place; otherwise whether any place is above the level.
     is_search: bool,
     /// Lower heights do not matter, mm.
@@ -114,7 +114,7 @@ struct Task {
     looks_left: u32,
 }
 
-impl Task {
+impl HeightSearch {
     /// Counts an examined place. Returns whether to continue; `None` after too many.
     fn offer(&mut self, heights: &Heights, look: &FlankPlace) -> Option<bool> {
         self.looks_left = self.looks_left.checked_sub(1)?;
@@ -129,117 +129,113 @@ impl Task {
     }
 }
 
-impl PosedFlanks<'_> {
-    /// The greatest gap above `floor` of the flanks of a step, searched first at the gap `guess`; `None` if it is not settled.
-    pub(in crate::contact::exact) fn flanks_by_heights(
-        &self,
-        step: i64,
-        floor: f64,
-        guess: f64,
-    ) -> Option<Option<CandidateContact>> {
-        let halves = (self.locked(step), self.free(step));
-        let flanks = [Flank::new(&halves.0)?, Flank::new(&halves.1)?];
-        let at = |gap: f64| self.heights(&halves, flanks, gap);
-        let (low, high) = flanks[0].range;
-        let mut start = 0.5 * (low + high);
-        let near = flanks[0].heights.fine();
-        let size = self.problem.distance + flanks[0].base + flanks[1].base;
-        let rounding = ROUNDING * size;
-        let mut task = Task {
-            is_search: !floor.is_finite(),
-            level: f64::NEG_INFINITY,
-            best: None,
-            near,
-            looks_left: MOST_PLACES,
-        };
-        let mut found: Option<CandidateContact> = None;
-        let mut gap = if task.is_search { guess } else { floor };
-        for _ in 0..MOST_ROUNDS {
-            let heights = at(gap);
-            let middle = heights.middle(start)?;
-            start = middle.x;
-            if !task.is_search {
-                task.level = rounding;
-                let known = match &found {
-                    Some(found) => Some(heights.look(found.locked.1)?),
-                    None => None,
-                };
-                if task.offer(&heights, &middle)?
-                    && heights.over(&middle, known.as_ref(), &mut task)?
-                {
-                    return Some(found);
-                }
+/// The greatest gap above `floor` of the flanks of a step, searched first at the gap `guess`; `None` if it is not settled.
+pub(in super::super) fn greatest_gap_by_heights(
+    posed: &PosedFlanks,
+    step: i64,
+    floor: f64,
+    guess: f64,
+) -> Option<Option<CandidateContact>> {
+    let halves = (posed.locked(step), posed.free(step));
+    let flanks = [Flank::new(&halves.0)?, Flank::new(&halves.1)?];
+    let at = |gap: f64| heights(posed, &halves, flanks, gap);
+    let (low, high) = flanks[0].range;
+    let mut start = 0.5 * (low + high);
+    let near = flanks[0].heights.fine();
+    let size = posed.problem.distance + flanks[0].base + flanks[1].base;
+    let rounding = ROUNDING * size;
+    let mut task = HeightSearch {
+        is_search: !floor.is_finite(),
+        level: f64::NEG_INFINITY,
+        best: None,
+        near,
+        looks_left: MOST_PLACES,
+    };
+    let mut found: Option<CandidateContact> = None;
+    let mut gap = if task.is_search { guess } else { floor };
+    for _ in 0..MOST_ROUNDS {
+        let heights = at(gap);
+        let middle = heights.middle(start)?;
+        start = middle.x;
+        if !task.is_search {
+            task.level = rounding;
+            let known = match &found {
+                Some(found) => Some(heights.look(found.locked.1)?),
+                None => None,
+            };
+            if task.offer(&heights, &middle)? && heights.over(&middle, known.as_ref(), &mut task)? {
+                return Some(found);
             }
-            // The highest place changes little with the gap.
-            task.is_search = true;
-            task.offer(&heights, &middle)?;
-            heights.over(&middle, None, &mut task)?;
-            let higher = heights.summit(task.best.take()?, near)?;
-            let mut best = self.touch(step, &halves, &higher)?;
-            let mut moved = best.gap - gap;
-            // At its own gap the highest place differs; the gap is less by the square of that.
-            for _ in 0..3 {
-                if moved.abs() < SAME_GAP {
-                    break;
-                }
-                let heights = at(best.gap);
-                let look = heights.look(best.locked.1)?;
-                let again = self.touch(step, &halves, &heights.summit(look, near)?)?;
-                moved = again.gap - best.gap;
-                best = again;
-            }
-            if found.is_some_and(|found| best.gap <= found.gap) || best.gap <= floor {
-                return None;
-            }
-            (gap, found) = (best.gap, Some(best));
-            task.is_search = false;
         }
-        None
-    }
-
-    /// Both flanks with the free gear held at a gap.
-    pub(super) fn heights<'b>(
-        &self,
-        (locked, free): &(Placed<'b>, Placed<'b>),
-        flanks: [Flank<'b>; 2],
-        gap: f64,
-    ) -> Heights<'b> {
-        let back = turn(-gap) * self.origin;
-        let own = free.direction.conj();
-        Heights {
-            centre: (back * locked.centre - free.centre) * own,
-            direction: back * locked.direction * own,
-            locked: flanks[0],
-            free: flanks[1],
+        // The highest place changes little with the gap.
+        task.is_search = true;
+        task.offer(&heights, &middle)?;
+        heights.over(&middle, None, &mut task)?;
+        let higher = heights.summit(task.best.take()?, near)?;
+        let mut best = touch(posed, step, &halves, &higher)?;
+        let mut moved = best.gap - gap;
+        // At its own gap the highest place differs; the gap is less by the square of that.
+        for _ in 0..3 {
+            if moved.abs() < SAME_GAP {
+                break;
+            }
+            let heights = at(best.gap);
+            let look = heights.look(best.locked.1)?;
+            let again = touch(posed, step, &halves, &heights.summit(look, near)?)?;
+            moved = again.gap - best.gap;
+            best = again;
         }
+        if found.is_some_and(|found| best.gap <= found.gap) || best.gap <= floor {
+            return None;
+        }
+        (gap, found) = (best.gap, Some(best));
+        task.is_search = false;
     }
+    None
+}
 
-    /// The gap at a place of the locked flank, or at the free flank's end where that ends.
-    fn touch(
-        &self,
-        step: i64,
-        (locked, free): &(Placed, Placed),
-        look: &FlankPlace,
-    ) -> Option<CandidateContact> {
-        let part = ProfilePart::Involute;
-        let radius = |half: &Placed, t: f64| half.at(part, t).point.norm();
-        let (low, high) = free.range(part);
-        let (x, y) = if look.y >= high - SAME_ROLL || look.y <= low + SAME_ROLL {
-            let y = look.y.clamp(low, high);
-            let (inner, outer) = locked.range(part);
-            let x = locked.curve(part);
-            (x.invert(radius(free, y), [outer, inner], look.x), y)
-        } else {
-            let y = free.curve(part);
-            let rho = radius(locked, look.x);
-            (look.x, y.invert(rho, [low, high], look.y))
-        };
-        let meets = (radius(locked, x) - radius(free, y)).abs() <= SETTLED;
-        let slack = 2.0 * ROUNDING * (self.problem.distance + locked.shape.base + free.shape.base);
-        let slack = slack * self.problem.per_free_base;
-        meets.then(|| {
-            let origin = self.origin_of(step);
-            CandidateContact::new((locked, (part, x)), (free, (part, y)), origin, slack)
-        })
+/// Both flanks with the free gear held at a gap.
+pub(super) fn heights<'a>(
+    posed: &PosedFlanks,
+    (locked, free): &(Placed<'a>, Placed<'a>),
+    flanks: [Flank<'a>; 2],
+    gap: f64,
+) -> Heights<'a> {
+    let back = turn(-gap) * posed.origin;
+    let own = free.direction.conj();
+    Heights {
+        centre: (back * locked.centre - free.centre) * own,
+        direction: back * locked.direction * own,
+        locked: flanks[0],
+        free: flanks[1],
     }
+}
+
+/// The gap at a place of the locked flank, or at the free flank's end where that ends.
+fn touch(
+    posed: &PosedFlanks,
+    step: i64,
+    (locked, free): &(Placed, Placed),
+    look: &FlankPlace,
+) -> Option<CandidateContact> {
+    let part = ProfilePart::Involute;
+    let radius = |half: &Placed, t: f64| half.at(part, t).point.norm();
+    let (low, high) = free.range(part);
+    let (x, y) = if look.y >= high - SAME_ROLL || look.y <= low + SAME_ROLL {
+        let y = look.y.clamp(low, high);
+        let (inner, outer) = locked.range(part);
+        let x = locked.curve(part);
+        (x.invert(radius(free, y), [outer, inner], look.x), y)
+    } else {
+        let y = free.curve(part);
+        let rho = radius(locked, look.x);
+        (look.x, y.invert(rho, [low, high], look.y))
+    };
+    let meets = (radius(locked, x) - radius(free, y)).abs() <= SETTLED;
+    let slack = 2.0 * ROUNDING * (posed.problem.distance + locked.shape.base + free.shape.base);
+    let slack = slack * posed.problem.per_free_base;
+    meets.then(|| {
+        let origin = posed.origin_of(step);
+        CandidateContact::new((locked, (part, x)), (free, (part, y)), origin, slack)
+    })
 }

@@ -47,10 +47,10 @@ fn at_gaps(count: u32, mut ask: impl FnMut(&Heights)) {
         let posed = section.posed(&section.right, &Pose::new(&pair, mating));
         let halves = (posed.locked(0), posed.free(0));
         let flanks = [&halves.0, &halves.1].map(|half| Flank::new(half).unwrap());
-        let found = posed.flanks_by_heights(0, f64::NEG_INFINITY, 0.0);
+        let found = greatest_gap_by_heights(&posed, 0, f64::NEG_INFINITY, 0.0);
         let gap = found.unwrap().unwrap().gap;
         for off in [-1e-4, 0.0, 1e-4] {
-            ask(&posed.heights(&halves, flanks, gap + off));
+            ask(&settle::heights(&posed, &halves, flanks, gap + off));
         }
     }
 }

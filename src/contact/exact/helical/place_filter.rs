@@ -29,7 +29,7 @@ pub(super) struct Floors {
 }
 
 /// The teeth of a pose, twisted along the face.
-pub(super) struct Facing<'a> {
+pub(super) struct PlaceFilter<'a> {
     posed: &'a PosedFlanks<'a>,
     /// Twist of the locked and the free gear in the frame of `posed`, rad/mm.
     twists: [f64; 2],
@@ -37,16 +37,16 @@ pub(super) struct Facing<'a> {
     curves: Curves,
 }
 
-impl<'a> Facing<'a> {
+impl<'a> PlaceFilter<'a> {
     /// The teeth of `posed`. Pairs of involutes are included only if line contact may be confined to the space between
     /// sections or absent (`short`); otherwise they are tightest in sections that are examined anyway.
-    pub fn new(assembly: &GearPair, posed: &'a PosedFlanks<'a>, short: bool) -> Facing<'a> {
+    pub fn new(assembly: &GearPair, posed: &'a PosedFlanks<'a>, short: bool) -> PlaceFilter<'a> {
         let all = if short {
             Curves::ALL
         } else {
             Curves::ALL.without(ProfilePart::Involute, ProfilePart::Involute)
         };
-        Facing {
+        PlaceFilter {
             posed,
             twists: [assembly.locked(), assembly.free()]
                 .map(|member| posed.twist(assembly, member)),

@@ -13,21 +13,23 @@
 
 use super::super::deepest::deepest;
 use super::super::line::Line;
+use super::super::path::InvolutePair;
+use super::super::placed::Role;
 use super::super::separation::Separation;
 use super::super::shape::{C, HalfToothShape};
 use super::super::teeth::reduced;
-use super::course::Posed;
-use super::dip::{Dip, Tip};
-use super::over::Over;
+use super::mesh_cycle::PosedSide;
 use super::room::PairRoom;
+use super::side_stretch::SideStretch;
 use super::table::OpenStep;
+use super::tip_at_fillet::TipAtFillet;
 
 /// Rounds in which the free gear's own eccentricity converges: each leaves at most a hundredth.
 const ROUNDS: usize = 6;
 
 /// The touch between the ends of the face, at one end of a stretch.
 #[derive(Debug, Clone, Copy)]
-struct Between {
+struct InnerTouch {
     /// Angle of the locked half tooth there relative to the measuring plane, rad.
     turn: f64,
     /// The gap of the touch.
@@ -38,12 +40,12 @@ struct Between {
     bend: f64,
 }
 
-impl Over<'_> {
+impl SideStretch<'_> {
     /// Adds the rooms of `dip` at `step`, whose endless involutes have `found` at both ends of the stretch; `false` if they are unknown.
     pub fn add_dip_over_face(
         &self,
         step: OpenStep,
-        dip: &Dip,
+        dip: &TipAtFillet,
         found: &[Separation; 2],
         rooms: &mut Vec<PairRoom>,
     ) -> bool {
@@ -83,7 +85,7 @@ impl Over<'_> {
     }
 
     /// Greatest difference of the room from the straight line between both ends, rad.
-    fn slack(&self, touches: [Between; 2], found: &[Separation; 2]) -> f64 {
+    fn slack(&self, touches: [InnerTouch; 2], found: &[Separation; 2]) -> f64 {
         let [a, b] = touches;
         let problem = self.side.problem;
         let angles = [problem.locked.pitch, problem.free.pitch].map(|pitch| pitch * self.width());
@@ -102,23 +104,28 @@ impl Over<'_> {
 
 /// The touch of `dip` at `step` for the centres of a pose, searched near the involutes' gap `near`, if there is one; `None` if that is
 /// unknown, or there are several.
-fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Between>> {
+fn between(
+    posed: &PosedSide,
+    step: i64,
+    dip: &TipAtFillet,
+    near: f64,
+) -> Option<Option<InnerTouch>> {
     let flanks = &posed.flanks;
     let problem = flanks.problem;
     let (locked, free) = (&problem.locked.shape, &problem.free.shape);
     let (fillet, tip) = match dip.tip {
-        Tip::Free => (locked, free),
-        Tip::Locked => (free, locked),
+        Role::Free => (locked, free),
+        Role::Locked => (free, locked),
     };
     // Without a tip radius of the tool nothing bounds the curvature of the fillet.
     if !(fillet.round > 0.0) {
         return None;
     }
-    let pair = flanks.pair(step);
+    let pair = InvolutePair::new(flanks, step);
     let mut gap = near;
     let mut last = None;
     for _ in 0..ROUNDS {
-        let (centres, _) = flanks.between(gap);
+        let (centres, _) = flanks.centre_vector(gap);
         let distance = centres.norm();
         let line = Line::new(centres, problem.sum())?;
         let on_line = (problem.sum() * line.angle - line.length - locked.base * pair.locked_base)
@@ -135,7 +142,7 @@ fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Betw
         let slope = -alpha.sin() * problem.per_free_base + lean.cos() / arm;
         // In the measuring plane it is at `λ − arg B`.
         let here = pair.locked_base + locked.half_base - centres.arg();
-        last = Some(Between {
+        last = Some(InnerTouch {
             turn: reduced(at - here),
             gap,
             distance,
@@ -156,7 +163,7 @@ fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Betw
 fn touch(
     (locked, free): (&HalfToothShape, &HalfToothShape),
     (fillet, tip): (&HalfToothShape, &HalfToothShape),
-    whose: Tip,
+    whose: Role,
     distance: f64,
 ) -> Option<Option<(f64, f64, f64)>> {
     let corner = tip.corners()[0].1;
@@ -170,8 +177,8 @@ fn touch(
     // The fillet's centre at 0 and the edge's on +x: turned by half a turn if the fillet belongs to the locked gear.
     let edge = (touch.point - C::from(distance)).arg() - corner.arg();
     let (at, gap) = match whose {
-        Tip::Free => (touch.tooth, edge + std::f64::consts::PI),
-        Tip::Locked => (edge + std::f64::consts::PI, touch.tooth),
+        Role::Free => (touch.tooth, edge + std::f64::consts::PI),
+        Role::Locked => (edge + std::f64::consts::PI, touch.tooth),
     };
     let at = reduced(at);
     let sum = locked.base + free.base;

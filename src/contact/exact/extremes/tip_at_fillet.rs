@@ -4,13 +4,14 @@
 //! chords are outside the metal. Take a point with a radius between those of a chord's ends. It is clear while it is in front of the
 //! chord's line, and of the lines of all radii that it passes. Let the pair touch on the line of action, or where its extended involutes
 //! would. Let `h` be the distance of the corner from the chord's line there, and `ρ` the radius about the free axis. Then the free gear has
-//! to turn by at least `h/ρ` more until the corner meets the fillet. [`Dip::clearance`] bounds this.
+//! to turn by at least `h/ρ` more until the corner meets the fillet. [`TipAtFillet::clearance`] bounds this.
 //!
 //! Two centred gears with the outlines' centre distance `d` represent any pose. The gap of the involutes is `μ = (Σ α − T − r_bL (λ −
 //! ψ_bL))/r_bF + ψ_bF`. With `i = r_bL/r_bF` and growing `λ`, the acceleration of a free corner in the mate's frame is at most `d + (1 +
 //! i)² ρ`. For a locked corner at `C` it is at most `(1 + 2i) d − (1 + i)² C`.
 
 use super::super::line::Line;
+use super::super::placed::Role;
 use super::super::shape::{C, HalfToothShape, turn};
 use crate::contact::gap::dot;
 use crate::gear::ProfilePart;
@@ -22,18 +23,9 @@ const CHORDS: usize = 16;
 /// Clearances above this are not distinguished, rad (a tenth of a pitch of 30 teeth: more than flanks differ).
 pub(super) const FARTHEST: f64 = 0.02;
 
-/// The gear whose tip approaches the mate's fillet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Tip {
-    /// The locked gear's tip at the free gear's fillet.
-    Locked,
-    /// The free gear's tip at the locked gear's fillet.
-    Free,
-}
-
 /// A half plane that contains the metal between two radii.
 #[derive(Debug, Clone, Copy)]
-struct Chord {
+struct FilletChord {
     radii: (f64, f64),
     point: C,
     normal: C,
@@ -41,14 +33,14 @@ struct Chord {
 
 /// One gear's tip corner with the mate's fillet.
 #[derive(Debug, Clone)]
-pub(super) struct Dip {
-    pub tip: Tip,
+pub(super) struct TipAtFillet {
+    pub tip: Role,
     /// Least `γ` of the fillet in reach.
     pub deepest: f64,
-    pub(super) locked: Outline,
-    pub(super) free: Outline,
+    pub(super) locked: TipData,
+    pub(super) free: TipData,
     /// Chords of the fillet, from the joint inwards.
-    chords: Vec<Chord>,
+    chords: Vec<FilletChord>,
     /// Greatest distance of the locked half tooth's angle from `middle` while the corner is below the form circle, at the least distance.
     half: f64,
     middle: f64,
@@ -56,7 +48,7 @@ pub(super) struct Dip {
 
 /// The data of one gear.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Outline {
+pub(super) struct TipData {
     pub base: f64,
     half_base: f64,
     pub corner: C,
@@ -64,10 +56,10 @@ pub(super) struct Outline {
     reach: f64,
 }
 
-impl Outline {
-    fn new(shape: &HalfToothShape) -> Outline {
+impl TipData {
+    fn new(shape: &HalfToothShape) -> TipData {
         let corner = shape.corners()[0].1;
-        Outline {
+        TipData {
             base: shape.base,
             half_base: shape.half_base,
             corner,
@@ -76,23 +68,23 @@ impl Outline {
     }
 }
 
-impl Dip {
+impl TipAtFillet {
     /// The corner of the gear `tip`, down to `deepest`, the least `γ` of the mate's fillet that it reaches. `least` is the least distance
     /// of the outlines' centres. `None` if the corner stays above the form circle.
     pub fn new(
-        tip: Tip,
+        tip: Role,
         [locked, free]: [&HalfToothShape; 2],
         deepest: f64,
         least: f64,
-    ) -> Option<Dip> {
+    ) -> Option<TipAtFillet> {
         let (mate, corner) = match tip {
-            Tip::Locked => (free, locked.corners()[0].1),
-            Tip::Free => (locked, free.corners()[0].1),
+            Role::Locked => (free, locked.corners()[0].1),
+            Role::Free => (locked, free.corners()[0].1),
         };
         // Locked corner: |d − e^{iλ} p| below the form radius. Free corner: the locked joint inside the free tip circle.
         let (turning, own, other) = match tip {
-            Tip::Locked => (corner, locked.tip_radius, free.form_radius()),
-            Tip::Free => (locked.joint, locked.form_radius(), free.tip_radius),
+            Role::Locked => (corner, locked.tip_radius, free.form_radius()),
+            Role::Free => (locked.joint, locked.form_radius(), free.tip_radius),
         };
         let cos = (least * least + own * own - other * other) / (2.0 * least * own);
         if cos >= 1.0 {
@@ -110,17 +102,17 @@ impl Dip {
             // The right-hand half tooth has its metal on the left of the inward direction.
             let normal = -C::i() * along / along.norm();
             let sign = if normal.im > 0.0 { -1.0 } else { 1.0 };
-            Chord {
+            FilletChord {
                 radii: (ends[1].norm(), ends[0].norm()),
                 point: ends[0],
                 normal: normal * sign,
             }
         });
-        Some(Dip {
+        Some(TipAtFillet {
             tip,
             deepest,
-            locked: Outline::new(locked),
-            free: Outline::new(free),
+            locked: TipData::new(locked),
+            free: TipData::new(free),
             chords: chords.collect(),
             half: cos.max(-1.0).acos(),
             middle: -turning.arg(),
@@ -145,12 +137,12 @@ impl Dip {
     }
 
     /// The corner at one distance and its line, with the locked half tooth within `play` of the angle `at`.
-    fn corner(&self, at: f64, play: f64, (distance, line): &(f64, Line)) -> Corner {
+    fn corner(&self, at: f64, play: f64, (distance, line): &(f64, Line)) -> MovingCorner {
         let (distance, ratio) = (*distance, self.locked.base / self.free.base);
         let (locked, free) = (&self.locked, &self.free);
         let (l, f) = (-turn(at), turn(self.gap(at, line)));
         let (point, velocity, radius, by_gap) = match self.tip {
-            Tip::Locked => {
+            Role::Locked => {
                 let corner = C::from(distance) + l * locked.corner;
                 let moving = C::i() * l * locked.corner;
                 let seen = corner * f.conj();
@@ -162,7 +154,7 @@ impl Dip {
                     by_gap,
                 )
             }
-            Tip::Free => {
+            Role::Free => {
                 let corner = f * free.corner;
                 let seen = (corner - C::from(distance)) * l.conj();
                 let moving = -C::i() * ratio * corner;
@@ -173,15 +165,15 @@ impl Dip {
         let speed = length(velocity);
         let square = (1.0 + ratio).powi(2);
         let acceleration = match self.tip {
-            Tip::Locked => {
+            Role::Locked => {
                 let corner = C::from(distance) + l * locked.corner;
                 let corner = (1.0 + 2.0 * ratio) * distance - corner * square;
                 length(corner) + square * locked.reach * play
             }
-            Tip::Free => distance + square * (radius + speed * play),
+            Role::Free => distance + square * (radius + speed * play),
         };
         let jolt = 0.5 * acceleration * play * play;
-        Corner {
+        MovingCorner {
             point,
             velocity,
             speed,
@@ -202,14 +194,14 @@ impl Dip {
     }
 
     /// Whether the corner may be above the form circle at a contact with this clearance or more, as far as clearances are distinguished.
-    fn may_be_above(&self, corner: &Corner, clearance: f64) -> bool {
+    fn may_be_above(&self, corner: &MovingCorner, clearance: f64) -> bool {
         let Some(chord) = self.chords.first() else {
             return true;
         };
         let off = length(corner.point);
         let way = match self.tip {
-            Tip::Locked => 0.0,
-            Tip::Free => {
+            Role::Locked => 0.0,
+            Role::Free => {
                 // A point at `p` with the velocity `p'` and an acceleration of at most `ρ` is within
                 // `|p| + p·p'/|p| t + (ρ²/|p| + ρ) t²/2` after the turn `t`.
                 let outwards = dot(corner.by_gap, corner.point) / off;
@@ -223,8 +215,8 @@ impl Dip {
     }
 
     /// The clearance of the corner while the locked half tooth moves by `play`.
-    fn clearance_of(&self, corner: &Corner, play: f64) -> f64 {
-        let Corner {
+    fn clearance_of(&self, corner: &MovingCorner, play: f64) -> f64 {
+        let MovingCorner {
             point,
             velocity,
             speed,
@@ -236,7 +228,7 @@ impl Dip {
         } = *corner;
         let off = length(point);
         let band = (off - moved, off + moved);
-        let least = |chord: &Chord| {
+        let least = |chord: &FilletChord| {
             let height = dot(point - chord.point, chord.normal);
             let rate = dot(velocity, chord.normal);
             let height = height - rate.abs() * play - jolt;
@@ -265,7 +257,7 @@ impl Dip {
             let reached = reached.take_while(|chord| chord.radii.1 >= low);
             reached.map(least).fold(f64::INFINITY, f64::min)
         };
-        if self.tip == Tip::Locked {
+        if self.tip == Role::Locked {
             return over(0.0);
         }
         let way = |clearance: f64| clearance.min(FARTHEST).abs();
@@ -280,7 +272,7 @@ impl Dip {
 }
 
 /// A tip corner in its mate's frame.
-struct Corner {
+struct MovingCorner {
     point: C,
     /// Its velocity, by the turn of the locked gear, and its length.
     velocity: C,
@@ -304,7 +296,7 @@ fn length(vector: C) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::course::Course;
+    use super::super::mesh_cycle::MeshCycle;
     use super::*;
     use crate::contact::{Effort, ExactKernel};
     use crate::gear::{Deviations, Face, GearDesign};
@@ -317,8 +309,8 @@ mod tests {
         let pair = GearPair::new(built(20, Face::Front), built(60, Face::Back), 40.05).unwrap();
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
-        let course = Course::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
-        let dips: Vec<&Dip> = course.sides.iter().flat_map(|side| &side.dips).collect();
+        let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+        let dips: Vec<&TipAtFillet> = course.sides.iter().flat_map(|side| &side.dips).collect();
         assert!(!dips.is_empty());
         for dip in dips {
             let line = Line::new(C::from(40.05), dip.locked.base + dip.free.base).unwrap();

@@ -31,7 +31,7 @@ const GREATEST_STEP: f64 = 0.3;
 
 /// Two half teeth at their positions in a pose, the locked one first.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct At {
+pub(super) struct FacingHalves {
     /// Centres of the outlines, mm.
     pub centres: [C; 2],
     /// `θ` of each, rad, that of the free one including its rotation; within ±π.
@@ -61,14 +61,14 @@ pub(super) struct Room {
 
 /// A direction that proves two pieces apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Apart {
+pub(super) enum SeparatingDirection {
     /// A direction out of the locked metal, valid at this and every greater rotation.
     Direction(C),
     /// A direction that keeps the locked piece off the disc in which the free one turns.
     OutOfReach(C),
 }
 
-impl At {
+impl FacingHalves {
     /// Whether a room, mm, with this arm keeps two pieces apart as the free gear turns further.
     #[inline]
     pub fn stays(&self, room: f64, arm: f64, need: f64) -> bool {
@@ -161,7 +161,7 @@ impl At {
         start: f64,
         need: f64,
         looks: &mut u32,
-    ) -> Option<Apart> {
+    ) -> Option<SeparatingDirection> {
         let own_side = wrapped(self.angles[1] + 0.5 * PI);
         self.separated_from(locked, free, start, need, looks)
             .or_else(|| self.out_of_reach(locked, free, need, looks))
@@ -178,7 +178,7 @@ impl At {
         start: f64,
         need: f64,
         looks: &mut u32,
-    ) -> Option<Apart> {
+    ) -> Option<SeparatingDirection> {
         // Directions, relative to the start, that enclose the greatest room, and the room there.
         let (mut low, mut high) = (-HALF_RANGE, HALF_RANGE);
         let mut ends: [Option<Room>; 2] = [None; 2];
@@ -189,7 +189,7 @@ impl At {
             let n = turn(nu);
             let here = self.room(locked, free, nu, n);
             if self.stays(here.room, here.arm, need) {
-                return Some(Apart::Direction(n));
+                return Some(SeparatingDirection::Direction(n));
             }
             if here.room > need && !(here.arm > 0.0) {
                 return self.with_arm(locked, free, (nu, here), need, looks);
@@ -242,7 +242,7 @@ impl At {
         (mut nu, mut here): (f64, Room),
         need: f64,
         looks: &mut u32,
-    ) -> Option<Apart> {
+    ) -> Option<SeparatingDirection> {
         for _ in 0..6 {
             let step = (1e-6 * self.radius - 1.1 * here.arm) / here.arm_slope;
             nu = wrapped(nu + step);
@@ -250,7 +250,7 @@ impl At {
             let n = turn(nu);
             here = self.room(locked, free, nu, n);
             if self.stays(here.room, here.arm, need) {
-                return Some(Apart::Direction(n));
+                return Some(SeparatingDirection::Direction(n));
             }
             if !(here.room > need) || here.arm > 0.0 {
                 return None;
@@ -266,10 +266,10 @@ impl At {
         free: &Convex,
         need: f64,
         looks: &mut u32,
-    ) -> Option<Apart> {
+    ) -> Option<SeparatingDirection> {
         let radius = free.farthest(self.centres[1] * self.directions[1].conj());
         let n = self.beyond(locked, radius, need, looks)?;
-        Some(Apart::OutOfReach(n))
+        Some(SeparatingDirection::OutOfReach(n))
     }
 
     /// A direction that keeps the locked piece off the disc of this radius, mm, about the free axis.
@@ -319,9 +319,9 @@ mod tests {
     }
 
     /// The right-hand halves of 20 and 30 teeth at 50.4 mm, eccentric, the free one turned by `rotation`.
-    fn at(rotation: f64) -> At {
+    fn at(rotation: f64) -> FacingHalves {
         let angles = [PI + 0.03, wrapped(0.02 + rotation)];
-        At {
+        FacingHalves {
             centres: [C::new(50.4, 0.01), turn(rotation) * C::new(0.02, -0.03)],
             angles,
             directions: angles.map(turn),
@@ -367,7 +367,7 @@ mod tests {
             .map(|s| Convex::top(s, s.tip_corner().conj()));
         let mut held = 0;
         for centre in (0..126).map(|k| C::from_polar(3.0, 0.05 * f64::from(k))) {
-            let turned = |by: f64| At {
+            let turned = |by: f64| FacingHalves {
                 centres: [C::new(50.4, 0.01), turn(0.02 + by) * centre],
                 play: PLAY,
                 ..at(0.02 + by)
@@ -474,7 +474,7 @@ mod tests {
         for start in 0..40 {
             let rotation = -0.1 + 0.01 * f64::from(start);
             let apart = at(rotation).separated(&locked, &free, 1.9, 1e-12, &mut looks);
-            let Some(Apart::Direction(n)) = apart else {
+            let Some(SeparatingDirection::Direction(n)) = apart else {
                 continue;
             };
             kept += 1;

@@ -2,11 +2,12 @@
 
 use super::super::ExactKernel;
 use super::super::flank_problem::{FlankProblem, PosedFlanks};
+use super::super::placed::Role;
 use super::super::section::Section;
 use super::super::shape::HalfToothShape;
 use super::super::teeth::reduced;
-use super::dip::{Dip, Tip};
 use super::line_bends::LineBends;
+use super::tip_at_fillet::TipAtFillet;
 use crate::contact::Effort;
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Pose};
@@ -15,19 +16,19 @@ use crate::pair::{GearPair, Mating, Pose};
 pub(super) const PARTS: usize = 8;
 
 /// The matings of a cycle, from `first` on, each covering one pitch.
-pub(super) struct Course<'a> {
+pub(super) struct MeshCycle<'a> {
     pub kernel: &'a ExactKernel,
     pub assembly: &'a GearPair,
     pub first: Mating,
     pub matings: u64,
-    pub sides: [SideCourse<'a>; 2],
+    pub sides: [CycleSide<'a>; 2],
     /// The budget for its extremes.
     pub effort: &'a Effort<'a>,
 }
 
 /// One side of the cycle, in the frame of [`super::super::flank_problem`].
 #[derive(Debug, Clone)]
-pub(super) struct SideCourse<'a> {
+pub(super) struct CycleSide<'a> {
     pub problem: &'a FlankProblem,
     mirror: f64,
     /// Sense in which the locked gear turns.
@@ -35,17 +36,17 @@ pub(super) struct SideCourse<'a> {
     /// Eccentricities of the locked and the free gear, where leaning axes shift the locked one of a section further.
     pub off: [f64; 2],
     pub on_line: Option<LineBends>,
-    pub dips: Vec<Dip>,
+    pub dips: Vec<TipAtFillet>,
     /// Angle of the locked teeth in a section of the common face relative to the measuring plane, rad: least and greatest.
     pub turns: [f64; 2],
 }
 
-impl SideCourse<'_> {
+impl CycleSide<'_> {
     /// The half tooth whose fillet a tip approaches.
-    pub fn mate(&self, tip: Tip) -> &HalfToothShape {
+    pub fn mate(&self, tip: Role) -> &HalfToothShape {
         match tip {
-            Tip::Locked => &self.problem.free.shape,
-            Tip::Free => &self.problem.locked.shape,
+            Role::Locked => &self.problem.free.shape,
+            Role::Free => &self.problem.locked.shape,
         }
     }
 
@@ -55,7 +56,7 @@ impl SideCourse<'_> {
         (self.problem.distance - off, self.problem.distance + off)
     }
 
-    /// The part of a range of distances that is possible: [`Dip::deepest`] holds for no other.
+    /// The part of a range of distances that is possible: [`TipAtFillet::deepest`] holds for no other.
     pub fn possible(&self, (low, high): (f64, f64)) -> (f64, f64) {
         let (least, most) = self.distances();
         (low.max(least), high.min(most))
@@ -79,7 +80,7 @@ impl SideCourse<'_> {
         }
     }
 
-    /// A clearance whose lower bound [`SideCourse::sure`] is at least `enough`.
+    /// A clearance whose lower bound [`CycleSide::sure`] is at least `enough`.
     pub fn for_sure(&self, enough: f64) -> f64 {
         if enough > 0.0 {
             enough * (1.0 + 2.0 * self.unsure())
@@ -89,13 +90,13 @@ impl SideCourse<'_> {
     }
 }
 
-impl<'a> Course<'a> {
+impl<'a> MeshCycle<'a> {
     pub fn new(
         kernel: &'a ExactKernel,
         assembly: &'a GearPair,
         (first, matings): (Mating, u64),
         effort: &'a Effort<'a>,
-    ) -> Course<'a> {
+    ) -> MeshCycle<'a> {
         let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
         let mut off = gears.map(|gear| gear.eccentricity());
         off[0] += assembly.most_shift();
@@ -113,19 +114,19 @@ impl<'a> Course<'a> {
             let proof = kernel.section.solver.as_ref().map(|solver| solver.proof);
             let reached = proof.map(|proof| {
                 [
-                    (Tip::Locked, proof.free_fillet),
-                    (Tip::Free, proof.locked_fillet),
+                    (Role::Locked, proof.free_fillet),
+                    (Role::Free, proof.locked_fillet),
                 ]
             });
             let dips = reached.into_iter().flatten();
-            SideCourse {
+            CycleSide {
                 problem,
                 mirror,
                 sense: mirror * onward,
                 off,
                 on_line: LineBends::new(problem, off),
                 dips: dips
-                    .filter_map(|(tip, deepest)| Dip::new(tip, shapes, deepest?, least))
+                    .filter_map(|(tip, deepest)| TipAtFillet::new(tip, shapes, deepest?, least))
                     .collect(),
                 turns: {
                     let [one, other] = turns.map(|turn| mirror * turn);
@@ -133,7 +134,7 @@ impl<'a> Course<'a> {
                 },
             }
         };
-        Course {
+        MeshCycle {
             kernel,
             assembly,
             first: Mating {
@@ -157,7 +158,7 @@ impl<'a> Course<'a> {
             .assembly
             .gear([self.assembly.locked(), self.assembly.free()][k]);
         let is_round = gear.eccentricity() == 0.0 && gear.wobble() == 0.0;
-        let is_equal = |side: &SideCourse| {
+        let is_equal = |side: &CycleSide| {
             let teeth = [&side.problem.locked, &side.problem.free][k];
             teeth.extremes.0 == teeth.extremes.1
         };
@@ -197,7 +198,7 @@ impl<'a> Course<'a> {
     }
 
     /// Both sides at the start of mating number `index`.
-    pub fn posed(&self, index: u64) -> [Posed<'a>; 2] {
+    pub fn posed(&self, index: u64) -> [PosedSide<'a>; 2] {
         let pose = Pose::new(self.assembly, self.mating(index, 0.0));
         self.at(&self.kernel.section, &pose)
     }
@@ -226,7 +227,7 @@ impl<'a> Course<'a> {
         ends.into()
     }
 
-    fn at(&self, section: &'a Section, pose: &Pose) -> [Posed<'a>; 2] {
+    fn at(&self, section: &'a Section, pose: &Pose) -> [PosedSide<'a>; 2] {
         posed_sides(&self.sides, section, pose)
     }
 
@@ -238,16 +239,16 @@ impl<'a> Course<'a> {
 
 /// Both sides of a section at a pose of it.
 pub(super) fn posed_sides<'a>(
-    courses: &[SideCourse; 2],
+    courses: &[CycleSide; 2],
     section: &'a Section,
     pose: &Pose,
-) -> [Posed<'a>; 2] {
+) -> [PosedSide<'a>; 2] {
     let sides = [&section.right, &section.left];
     [0, 1].map(|k| {
         let side = &courses[k];
         let flanks = section.posed(sides[k], pose);
         let nominal = side.mirror * pose.free_rotation();
-        Posed {
+        PosedSide {
             flanks,
             level: reduced(flanks.rotation(0.0) - reduced(nominal)),
             sense: side.sense,
@@ -258,7 +259,7 @@ pub(super) fn posed_sides<'a>(
 /// One side at the start of a mating, in the section at an end of the face.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceEnd<'a> {
-    pub posed: Posed<'a>,
+    pub posed: PosedSide<'a>,
     /// Angle of the locked teeth there relative to the measuring plane, rad.
     pub turn: f64,
     /// Additional steps of a pair of teeth there.
@@ -267,18 +268,18 @@ pub(super) struct FaceEnd<'a> {
 
 /// One side at the start of a mating.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Posed<'a> {
+pub(super) struct PosedSide<'a> {
     pub flanks: PosedFlanks<'a>,
     /// Difference of the nominal rotation from a gap of 0.
     level: f64,
     sense: f64,
 }
 
-impl<'a> Posed<'a> {
+impl<'a> PosedSide<'a> {
     /// This side `fraction` of a pitch later.
-    pub fn on(&self, fraction: f64) -> Posed<'a> {
+    pub fn on(&self, fraction: f64) -> PosedSide<'a> {
         let problem = self.flanks.problem;
-        Posed {
+        PosedSide {
             flanks: self
                 .flanks
                 .turned_on(self.sense * fraction * problem.locked.pitch),
@@ -298,7 +299,7 @@ impl<'a> Posed<'a> {
     }
 
     /// Turn of the locked gear to another pose of the same mating, in this frame.
-    pub fn angle_to(&self, other: &Posed) -> f64 {
+    pub fn angle_to(&self, other: &PosedSide) -> f64 {
         other.flanks.ahead - self.flanks.ahead
     }
 

@@ -20,7 +20,7 @@ const POSES: u32 = 8;
 
 /// The data of a pair whose sections need no search.
 #[derive(Debug, Clone)]
-pub(super) struct Directly {
+pub(super) struct SearchFreeSections {
     /// The solver of all sections.
     solver: DirectSolver,
     /// Both sides of the measuring plane, with all teeth that can reach the mate in any section.
@@ -29,9 +29,13 @@ pub(super) struct Directly {
     one_place: [Option<(f64, FlankProblem)>; 2],
 }
 
-impl Directly {
+impl SearchFreeSections {
     /// `None` if a section of `assembly`, whose measuring plane is `plane`, may need a search.
-    pub fn new(assembly: &GearPair, plane: &Section, edges: Option<&Edges>) -> Option<Directly> {
+    pub fn new(
+        assembly: &GearPair,
+        plane: &Section,
+        edges: Option<&Edges>,
+    ) -> Option<SearchFreeSections> {
         let is_plain = assembly.binds_anywhere()
             && !assembly.is_modified()
             && plane.bodies.is_none()
@@ -49,7 +53,7 @@ impl Directly {
             (solver.clone(), [plane.right.clone(), plane.left.clone()])
         };
         let one_place = [None, None];
-        solver.proof.is_direct().then_some(Directly {
+        solver.proof.is_direct().then_some(SearchFreeSections {
             solver,
             sides,
             one_place,
@@ -58,7 +62,7 @@ impl Directly {
 }
 
 impl Helical {
-    /// This pair with [`Directly::one_place`].
+    /// This pair with [`SearchFreeSections::one_place`].
     pub(super) fn with_one_place(mut self) -> Helical {
         let assembly = &self.assembly;
         let has_one_lead = Member::BOTH
@@ -134,7 +138,7 @@ impl Helical {
     /// Adds the contact of one side.
     fn side_directly(
         &self,
-        directly: &Directly,
+        directly: &SearchFreeSections,
         problem: &FlankProblem,
         pose: &Pose,
         effort: &Effort,

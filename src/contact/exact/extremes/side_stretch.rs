@@ -1,14 +1,15 @@
 //! Bounds of the room of one side over a stretch of a mating, pair by pair of half teeth.
 
+use super::super::path::InvolutePair;
 use super::super::separation::{Separation, lowest_roll};
 use super::clearance::{HALVINGS, Lines};
 use super::corner_path;
-use super::course::{FaceEnd, PARTS, Posed, SideCourse};
-use super::dip::{Dip, FARTHEST};
-use super::fillet::{self, OnFillet, Reached};
+use super::fillet::{self, BorderTouch, OnFillet};
+use super::mesh_cycle::{CycleSide, FaceEnd, PARTS, PosedSide};
 use super::rolls::PIECE;
-use super::room::{self, PairRoom, Piece};
+use super::room::{self, LinePiece, PairRoom};
 use super::table::{BesideLine, OpenStep};
+use super::tip_at_fillet::{FARTHEST, TipAtFillet};
 use crate::contact::Effort;
 
 /// Effort of the room of a step, in nodes (tuned: 4000 cells of an ordinary pair take about 20 ms), and of that of a tip corner and a
@@ -25,26 +26,26 @@ const LOOK: u64 = 2;
 const ON_FILLET: u64 = 30;
 
 /// Angles of a locked half tooth and distances of the outlines' centres over a cell.
-pub(super) struct Places {
+pub(super) struct PlacesOverCell {
     pub at: f64,
     pub play: f64,
     distances: (f64, f64),
 }
 
 /// One side over a stretch of a mating.
-pub(super) struct Over<'a> {
+pub(super) struct SideStretch<'a> {
     /// Fractions of the pitch at its ends.
     pub stretch: [f64; 2],
-    pub side: &'a SideCourse<'a>,
+    pub side: &'a CycleSide<'a>,
     /// The sides in the measuring plane at the ends of the cell.
-    pub ends: [Posed<'a>; 2],
+    pub ends: [PosedSide<'a>; 2],
     /// The sides in the sections at both ends of helical gears' common face, at the start of the mating.
     pub faces: Vec<FaceEnd<'a>>,
     /// Budget of the cycle.
     pub effort: &'a Effort<'a>,
 }
 
-impl<'a> Over<'a> {
+impl<'a> SideStretch<'a> {
     /// Width as a part of a pitch.
     pub fn width(&self) -> f64 {
         self.stretch[1] - self.stretch[0]
@@ -75,7 +76,11 @@ impl<'a> Over<'a> {
 
     /// The room of a pair that has `found` at both ends of the cell, which stands there as `ends`, and is on the line of action between;
     /// `None` where it may leave the line.
-    fn on_line_of_action(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> Option<PairRoom> {
+    fn on_line_of_action(
+        &self,
+        ends: &[PosedSide; 2],
+        found: &[Separation; 2],
+    ) -> Option<PairRoom> {
         let bends = self.side.on_line?;
         let angle = self.angle();
         let turned = bends.turn * angle;
@@ -92,7 +97,7 @@ impl<'a> Over<'a> {
     /// The room of a pair with `found` at both ends of the cell; `ends` are the sides there.
     fn convex(
         &self,
-        ends: &[Posed; 2],
+        ends: &[PosedSide; 2],
         found: &[Separation; 2],
         bend: f64,
         touches: bool,
@@ -145,7 +150,7 @@ impl<'a> Over<'a> {
     }
 
     /// Whether the corner of `dip` at `step` is clear of the fillet while the side has the room of a broken line.
-    fn is_clear(&self, step: i64, dip: &Dip, line: &[Piece]) -> bool {
+    fn is_clear(&self, step: i64, dip: &TipAtFillet, line: &[LinePiece]) -> bool {
         let problem = self.side.problem;
         let angle = self.ends[0].angle_to(&self.ends[1]);
         let need = self.rounding() * problem.free.shape.base;
@@ -217,7 +222,11 @@ impl<'a> Over<'a> {
     }
 
     /// The room of involutes that may leave the line of action between the ends; `None` without a bound of its curvature.
-    fn off_line_of_action(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> Option<PairRoom> {
+    fn off_line_of_action(
+        &self,
+        ends: &[PosedSide; 2],
+        found: &[Separation; 2],
+    ) -> Option<PairRoom> {
         let touches = found.iter().all(|one| one.touches);
         Some(self.convex(ends, found, self.bend(found)?, touches))
     }
@@ -284,7 +293,7 @@ impl<'a> Over<'a> {
         &self,
         OpenStep { step, enough, .. }: OpenStep,
         rooms: &mut Vec<PairRoom>,
-        near: impl Fn(&Dip, &mut Vec<PairRoom>) -> bool,
+        near: impl Fn(&TipAtFillet, &mut Vec<PairRoom>) -> bool,
     ) {
         let (ends, rounding) = (&self.ends, self.rounding());
         let places = self.places(ends, step);
@@ -306,7 +315,13 @@ impl<'a> Over<'a> {
 
     /// Additional room of `dip` against endless involutes, rad, over sections with the least and the greatest of `turns` of the locked teeth,
     /// rad; exact where less than `enough`.
-    fn clearance(&self, places: &Places, dip: &Dip, enough: f64, [from, to]: [f64; 2]) -> f64 {
+    fn clearance(
+        &self,
+        places: &PlacesOverCell,
+        dip: &TipAtFillet,
+        enough: f64,
+        [from, to]: [f64; 2],
+    ) -> f64 {
         let problem = self.side.problem;
         let lines = Lines::new(places.distances, problem.sum());
         let enough = self.side.for_sure(enough);
@@ -347,7 +362,7 @@ impl<'a> Over<'a> {
     ) -> f64 {
         let places = self.places(&self.ends, step);
         let (least, most) = places.distances;
-        let places = Places {
+        let places = PlacesOverCell {
             play: places.play + turned + 2.0 * shift / self.side.problem.distance,
             distances: self.side.possible((least - shift, most + shift)),
             ..places
@@ -358,16 +373,16 @@ impl<'a> Over<'a> {
     }
 
     /// Approximate gaps of the involutes of a section with the sides `ends`.
-    pub fn gaps(&self, ends: &[Posed; 2], step: i64) -> [f64; 2] {
+    pub fn gaps(&self, ends: &[PosedSide; 2], step: i64) -> [f64; 2] {
         separations(ends, step).map(|found| found.gap)
     }
 
     /// The room of a tip corner and a fillet in one section with the sides `ends`, searched near the gaps `near`.
     pub fn on_fillet(
         &self,
-        ends: &[Posed; 2],
+        ends: &[PosedSide; 2],
         step: i64,
-        dip: &Dip,
+        dip: &TipAtFillet,
         near: [f64; 2],
     ) -> Option<PairRoom> {
         let (rounding, angle) = (self.rounding(), self.angle());
@@ -375,7 +390,7 @@ impl<'a> Over<'a> {
         let corners = ends.map(|end| OnFillet::new(end.flanks, step, dip.tip));
         let bounds = fillet::bounds(corners, near, angle, dip.deepest)?;
         let bend = bounds.bend * angle * angle;
-        let room = |found: [Reached; 2]| [0, 1].map(|k| ends[k].room(found[k].gap));
+        let room = |found: [BorderTouch; 2]| [0, 1].map(|k| ends[k].room(found[k].gap));
         let rates = [0, 1].map(|k| ends[k].rate(bounds.clear[k].slope) * self.width());
         let clear = room(bounds.clear).map(|room| room - rounding);
         let clear = PairRoom::convex(clear, rates, bend, false);
@@ -386,12 +401,13 @@ impl<'a> Over<'a> {
     }
 
     /// Direction of the locked half tooth of a step from the line of the outlines' centres.
-    pub fn places(&self, ends: &[Posed; 2], step: i64) -> Places {
+    pub fn places(&self, ends: &[PosedSide; 2], step: i64) -> PlacesOverCell {
         let side = self.side;
         let problem = side.problem;
         let places = ends.map(|end| {
-            let (between, _) = end.flanks.between(end.nominal_gap());
-            let at = end.flanks.pair(step).locked_base + problem.locked.shape.half_base;
+            let (between, _) = end.flanks.centre_vector(end.nominal_gap());
+            let at =
+                InvolutePair::new(&end.flanks, step).locked_base + problem.locked.shape.half_base;
             (at - between.arg(), between.norm())
         });
         // The free gear's way from the rotation of `between` to the touch of the involutes, and to that of a corner and a fillet.
@@ -402,7 +418,7 @@ impl<'a> Over<'a> {
         let away = rooms[0].abs().max(rooms[1].abs()) + 1.5 * FARTHEST;
         let off = side.off[0] * problem.locked.pitch * self.width()
             + side.off[1] * (problem.free.pitch * self.width() + away);
-        Places {
+        PlacesOverCell {
             at: 0.5 * (places[0].0 + places[1].0),
             play: 0.5 * (places[0].0 - places[1].0).abs() + 2.0 * off / problem.distance,
             distances: side.possible((
@@ -414,6 +430,6 @@ impl<'a> Over<'a> {
 }
 
 /// The separations of the half teeth of a step, at both ends of a stretch.
-fn separations(ends: &[Posed; 2], step: i64) -> [Separation; 2] {
+fn separations(ends: &[PosedSide; 2], step: i64) -> [Separation; 2] {
     ends.map(|end| Separation::new(&end.flanks, step, end.nominal_gap()))
 }

@@ -335,3 +335,45 @@ fn every_session_ends_as_stored() {
     let store = "GEARLASH_SESSIONS=write stores the outcomes; review the difference as code";
     assert!(differences.is_empty(), "{differences}{store}");
 }
+
+/// Words of a sentence of a message; what stands before it (file, key and value) is not counted.
+const MOST_WORDS: usize = 25;
+
+/// All stored errors, warnings and notes, sorted by file: `-- --nocapture` prints them for a review.
+#[test]
+fn messages_are_short_sentences() {
+    let mut all = BTreeMap::new();
+    for folder in ["tests/sessions", "tests/corpus/expected/bad"] {
+        for (name, content) in contents(&root().join(folder)) {
+            for line in String::from_utf8_lossy(&content).lines() {
+                let stored = line
+                    .strip_prefix("! ")
+                    .or_else(|| line.split_once(" = ").map(|it| it.1));
+                let kinds = ["error: ", "warning: ", "note: "];
+                let Some(message) =
+                    stored.filter(|it| kinds.iter().any(|kind| it.starts_with(kind)))
+                else {
+                    continue;
+                };
+                all.entry(message.to_owned()).or_insert(name.clone());
+            }
+        }
+    }
+    assert!(all.len() > 1000, "{}", all.len());
+    let mut by_file: Vec<(String, String)> = all
+        .into_iter()
+        .map(|(message, file)| (file, message))
+        .collect();
+    by_file.sort();
+    let mut long = String::new();
+    for (file, message) in &by_file {
+        println!("{file}: {message}");
+        // "error: FILE: KEY = VALUE: WORDS"
+        let words = message.splitn(4, ": ").last().unwrap();
+        let sentences = words.split([';', ':', '?']).flat_map(|it| it.split(". "));
+        for sentence in sentences.filter(|it| it.trim().split(' ').count() > MOST_WORDS) {
+            let _ = writeln!(long, "{file}: {sentence}");
+        }
+    }
+    assert!(long.is_empty(), "{long}");
+}

@@ -114,7 +114,7 @@ fn of_flanks(
         }
         MeasurementError::DatumLeads(_) => (
             "lead.axis",
-            "give traces of single teeth of both flanks and the runout with its high_tooth, or write axis = \"own\" if the wobble is not in them",
+            "give traces of single teeth of both flanks and the runout with its high_tooth; or write axis = \"own\" where the wobble is not in them",
         ),
         MeasurementError::PitchOffHalf { flank, .. } => (
             pitch.map_or("pitch", |sheet| sheet.key(flank)),

@@ -250,14 +250,14 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         } => (
             "pitch",
             format!(
-                "the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. {} µm of it remain \
-                 on a flank, {} % of its energy, and are used as the gear's own pitch{}. The eccentricity of {} µm is therefore uncertain: measure the runout, \
+                "the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. Of it, {} µm \
+                 on a flank, {} % of its energy, are used as the gear's own pitch{}. The eccentricity of {} µm is therefore uncertain: measure the runout, \
                  and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"",
                 ascii(*left_um, 3),
                 ascii(*left_percent, 0),
                 match (*alike, *exchanged) {
-                    (true, _) => " (both flanks vary equally, as from an index error of the machine)",
-                    (false, true) => " (with right and left exchanged it is that of an eccentricity: check which column is which)",
+                    (true, _) => "; both flanks vary equally, as from an index error of the machine",
+                    (false, true) => "; with right and left exchanged it is that of an eccentricity: check which column is which",
                     (false, false) => "",
                 },
                 ascii(*eccentricity_um, 3),
@@ -289,7 +289,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         Finding::StatedEccentricityElsewhere { in_pitch, stated } => (
             "runout.high_tooth",
             format!(
-                "the pitch of both flanks contains the first harmonic of an eccentricity of {}, as large as the one stated here, {}, and both are \
+                "the pitch of both flanks contains the first harmonic of an eccentricity of {}; the one stated here is as large, {}, and both are \
                  used: check the tooth, and whether the pitch was measured about the datum axis",
                 shown(*in_pitch),
                 shown(*stated),
@@ -329,7 +329,7 @@ fn in_pitch(note: &EccentricityNote) -> String {
             "{found}. That of [runout], {stated}, is used and removed from them; the first harmonic that remains is used as the gear's own pitch"
         ),
         stated => format!(
-            "{found}, which is used as the gear's (a first harmonic of its own pitch cannot be distinguished from it){}",
+            "{found}; it is used as the gear's, as a first harmonic of its own pitch looks alike{}",
             stated.map_or(String::new(), |stated| format!(
                 "; that of [runout], {stated}, is not used"
             ))
@@ -364,7 +364,7 @@ fn outlier(of: &Statements, outlier: &Outlier) -> (&'static str, String) {
         ),
     };
     let (name, deviation) = (outlier_name(outlier), deviation(outlier));
-    let words = format!("{name} is {deviation}, {why}: check it; it is used as given");
+    let words = format!("{name} is {deviation}; {why}: check it; it is used as given");
     (key, words)
 }
 
@@ -404,7 +404,7 @@ fn deviation(outlier: &Outlier) -> String {
             reading.readings,
             if reading.flanks_taken_out {
                 format!(
-                    "{} mm, after removing the effect of the stated flanks",
+                    "{} mm, with the stated flanks' effect removed",
                     ascii(reading.median_mm, 4)
                 )
             } else {
@@ -438,10 +438,14 @@ fn runout_readings(readings: &FittedReadings) -> String {
             },
         ),
         FlankKnowledge::Pitch => format!(
-            "the readings contain an eccentricity of {fitted}, after removing the effect of the stated flanks{} (their first harmonic itself is {}). \
-             F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored",
-            probe(readings),
-            shown(readings.first_harmonic)
+            "the readings contain an eccentricity of {fitted}, with the stated flanks' effect on {} removed. Their first harmonic itself is {}. \
+             F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored{}",
+            probe(readings.probe),
+            shown(readings.first_harmonic),
+            readings.by_ball_um.map_or(String::new(), |um| format!(
+                ". The ball is taken to touch at the reference circle; another that fits changes the eccentricity by up to {} µm: state it as ball_mm",
+                ascii(um, 3)
+            ))
         ),
         FlankKnowledge::DatumPitch => format!(
             "the readings' first harmonic is an eccentricity of {fitted}; datum-axis pitch cannot separate it from a first harmonic of the gear's own tooth \
@@ -450,15 +454,10 @@ fn runout_readings(readings: &FittedReadings) -> String {
     }
 }
 
-fn probe(readings: &FittedReadings) -> String {
-    match (readings.probe, readings.by_ball_um) {
-        (Probe::Fork, _) => " as a fork at the pressure angle reads them".to_owned(),
-        (Probe::Ball(mm), None) => format!(" under a ball of {mm} mm"),
-        (Probe::Ball(mm), Some(um)) => format!(
-            " under a ball of {} mm, which touches at the reference circle (another that fits changes it by up to {} µm; state it as ball_mm)",
-            ascii(mm, 3),
-            ascii(um, 3)
-        ),
+fn probe(probe: Probe) -> String {
+    match probe {
+        Probe::Fork => "a fork at the pressure angle".to_owned(),
+        Probe::Ball(mm) => format!("a ball of {} mm", ascii(mm, 3)),
     }
 }
 
@@ -511,8 +510,8 @@ fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String {
             tooth,
             apart_um,
         } => format!(
-            "the teeth vary by {} µm by this list and by {} µm by the pitch of both flanks (right minus left), \
-             {} µm apart at tooth {tooth}; the two are added: where both were measured on the same teeth, leave one of them out",
+            "the teeth vary by {} µm by this list and by {} µm by the pitch of both flanks (right minus left); \
+             at tooth {tooth} they are {} µm apart. The two are added: where both were measured on the same teeth, leave one of them out",
             ascii(*list_um, 3),
             ascii(*pitch_um, 3),
             ascii(*apart_um, 3)

@@ -302,7 +302,7 @@ fn kinks(segments: &[PathSegment]) -> String {
     match sharpest {
         None => ", a smooth curve through its points, none a kink".to_owned(),
         Some((turn, at)) => format!(
-            ", a smooth curve through its points, {} of them kinks of more than {SHARP_DEG}° that it rounds and may overshoot, the sharpest {}° at {}",
+            ", a smooth curve through its points. It rounds, and may overshoot, {} kinks of more than {SHARP_DEG}°, the sharpest {}° at {}",
             sharp.len(),
             fixed(*turn, 1),
             coordinates(at)

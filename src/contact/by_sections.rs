@@ -42,7 +42,7 @@ impl Sections<'_> {
         });
         for b in self.places.iter().copied().chain(further) {
             let (here, lost_motion) = self.in_section(pose, b, effort)?;
-            over.take(b, &here, lost_motion);
+            over.add(b, &here, lost_motion);
             if over.is_solid() {
                 break;
             }

@@ -32,7 +32,7 @@ const UNBOUNDED: f64 = 1e-6;
 const MOST_PARTS: f64 = 4.0;
 
 /// Share of the wanted width at which bounds may stop.
-const ENOUGH: f64 = 0.8;
+const SHARE_OF_BOUNDS: f64 = 0.8;
 
 /// Units of [`Effort`] for one end (tuned: some seconds).
 const MOST_EFFORT: u64 = 10_000_000;
@@ -41,7 +41,7 @@ const MOST_EFFORT: u64 = 10_000_000;
 const LEAST_EFFORT: u64 = 30;
 
 /// Part of the wanted width by which the poses beside the best one differ from it at last.
-const POLISHED: f64 = 1e-3;
+const SETTLED: f64 = 1e-3;
 
 /// Limit of rounds of poses beside the best one. Some 15 are usual.
 const MOST_ROUNDS: u32 = 64;
@@ -113,20 +113,20 @@ fn first_best(cells: &[Cell], end: End) -> Option<&Cell> {
 /// A mesh cycle whose cells can be bounded.
 pub(super) trait CycleCells: Sync {
     /// The reason for what no narrower cell excludes.
-    const LEFT_OPEN: Doubt;
+    const DOUBT_OF_BOUNDS: Doubt;
 
     /// The mating `pitches` after the first pose.
     fn mating(&self, pitches: f64) -> Mating;
 
     /// The teeth that can meet in the cell of half the width `half`, pitches, about `pitches`, each by the first tooth that it equals. Cells
     /// with equal lists at equal fractions of a pitch are equal. `None` where this is not known.
-    fn likeness(&self, _pitches: f64, _half: f64) -> Option<Vec<u32>> {
+    fn teeth_in_reach(&self, _pitches: f64, _half: f64) -> Option<Vec<u32>> {
         None
     }
 
     /// The cell of half the width `half`, pitches, about `pitches`: one of its poses, and its bounds for `ends`. `width`, rad, is how wide
     /// bounds may be in the end.
-    fn look(&self, pitches: f64, half: f64, ends: &[End], width: f64) -> Cell;
+    fn examine(&self, pitches: f64, half: f64, ends: &[End], width: f64) -> Cell;
 }
 
 /// The search for the extremes of a cycle.
@@ -146,7 +146,7 @@ pub(super) struct CycleSearch<'a, T> {
 impl<T: CycleCells> CycleSearch<'_, T> {
     /// The extremes `ends`, in brackets of the wanted width where no more effort is needed than a search may spend, and the effort used.
     pub fn extremes(&self, ends: &[End]) -> (Extremes, u64) {
-        let cells = self.begin(ends);
+        let cells = self.first_cells(ends);
         let mut used: u64 = cells.iter().map(|cell| cell.effort).sum();
         let lost = [Status::Jammed, Status::NoContact].map(|status| {
             let lost = cells.iter().find(|cell| cell.status == status);
@@ -162,10 +162,10 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             }
             let mut cells = cells.clone();
             let effort = Effort::new(MOST_EFFORT, self.tick);
-            let closed = self.close(&mut cells, end, &effort);
+            let is_closed = self.divide(&mut cells, end, &effort);
             used += effort.used();
-            self.polish(&mut cells, end);
-            let found = self.extreme(&cells, end, closed);
+            self.refine_best(&mut cells, end);
+            let found = self.extreme(&cells, end, is_closed);
             all.extend(cells);
             found
         };
@@ -199,15 +199,15 @@ impl<T: CycleCells> CycleSearch<'_, T> {
     }
 
     /// The cells to begin with, the first of equal ones.
-    fn begin(&self, ends: &[End]) -> Vec<Cell> {
+    fn first_cells(&self, ends: &[End]) -> Vec<Cell> {
         let pitches = self.distinct;
         let count = (CELLS_A_PITCH * pitches).min(MOST_CELLS.max(pitches.min(2 * MOST_CELLS)));
-        let apart = pitches as f64 / count as f64;
+        let distance = pitches as f64 / count as f64;
         let mut seen = HashSet::new();
-        let each = (0..count).map(|k| ((k as f64 + 0.5) * apart, 0.5 * apart));
+        let each = (0..count).map(|k| ((k as f64 + 0.5) * distance, 0.5 * distance));
         let each = each.filter(|&(at, half)| {
-            let likeness = self.cells.likeness(at, half);
-            likeness.is_none_or(|teeth| seen.insert((rank(at.fract()), teeth)))
+            let teeth_in_reach = self.cells.teeth_in_reach(at, half);
+            teeth_in_reach.is_none_or(|teeth| seen.insert((rank(at.fract()), teeth)))
         });
         let each: Vec<(f64, f64)> = each.collect();
         let mut cells = Vec::new();
@@ -216,14 +216,16 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                 break;
             }
             let some = some.iter().copied();
-            cells.extend(parallel::map(some, |(at, half)| self.look(at, half, ends)));
+            cells.extend(parallel::map(some, |(at, half)| {
+                self.examine(at, half, ends)
+            }));
         }
         cells
     }
 
     /// Divides cells until none of them may be better than the best pose by the wanted width. Returns whether the effort sufficed.
-    fn close(&self, cells: &mut Vec<Cell>, end: End, effort: &Effort) -> bool {
-        let width = ENOUGH * self.width;
+    fn divide(&self, cells: &mut Vec<Cell>, end: End, effort: &Effort) -> bool {
+        let width = SHARE_OF_BOUNDS * self.width;
         let values = |cells: &[Cell], best: f64| {
             let values = cells.iter().filter_map(|cell| cell.value(end));
             values.fold(best, f64::min)
@@ -264,7 +266,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                     (at, half)
                 })
             });
-            let parts = parallel::map(parts, |(at, half)| self.look(at, half, &[end]));
+            let parts = parallel::map(parts, |(at, half)| self.examine(at, half, &[end]));
             effort.spend(parts.iter().map(|cell| cell.effort.max(LEAST_EFFORT)).sum());
             best = values(&parts, best);
             left.extend(parts);
@@ -272,14 +274,16 @@ impl<T: CycleCells> CycleSearch<'_, T> {
     }
 
     /// Examines a pose on either side of the best one, at half the distance once neither is better.
-    fn polish(&self, cells: &mut Vec<Cell>, end: End) {
+    fn refine_best(&self, cells: &mut Vec<Cell>, end: End) {
         let Some(mut best) = first_best(cells, end).copied() else {
             return;
         };
-        let mut apart = best.half;
+        let mut distance = best.half;
         for _ in 0..MOST_ROUNDS {
             let from = best;
-            let beside = parallel::map([-apart, apart], |by| self.look(from.known + by, 0.0, &[]));
+            let beside = parallel::map([-distance, distance], |by| {
+                self.examine(from.known + by, 0.0, &[])
+            });
             let mut change: f64 = 0.0;
             for pose in beside {
                 if let (Some(value), Some(own)) = (pose.value(end), from.value(end)) {
@@ -295,17 +299,17 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                     ..pose
                 });
             }
-            if change <= POLISHED * self.width {
+            if change <= SETTLED * self.width {
                 break;
             }
             if best.known == from.known {
-                apart *= 0.5;
+                distance *= 0.5;
             }
         }
     }
 
     /// The bracket that cells leave, the first of the equal poses with it.
-    fn extreme(&self, cells: &[Cell], end: End, closed: bool) -> Option<Extreme> {
+    fn extreme(&self, cells: &[Cell], end: End, is_closed: bool) -> Option<Extreme> {
         let pose = first_best(cells, end)?;
         let (angle, error) = pose.angle?;
         let bounds = cells.iter().map(|cell| {
@@ -317,10 +321,10 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             End::Least => (bound, angle + error),
             End::Greatest => (angle - error, -bound),
         };
-        let doubt = if !closed {
+        let doubt = if !is_closed {
             Some(Doubt::Effort)
         } else if high - low > self.width {
-            Some(T::LEFT_OPEN)
+            Some(T::DOUBT_OF_BOUNDS)
         } else {
             None
         };
@@ -333,7 +337,8 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         })
     }
 
-    fn look(&self, pitches: f64, half: f64, ends: &[End]) -> Cell {
-        self.cells.look(pitches, half, ends, ENOUGH * self.width)
+    fn examine(&self, pitches: f64, half: f64, ends: &[End]) -> Cell {
+        self.cells
+            .examine(pitches, half, ends, SHARE_OF_BOUNDS * self.width)
     }
 }

@@ -14,7 +14,7 @@ pub(super) struct OverFace {
     /// The first section that is certainly jammed, mm. Nothing turns then, and its contacts are the result.
     jam: Option<f64>,
     /// The first section whose overlap is within its error bound, so that it may be jammed, mm.
-    seems_jammed: Option<f64>,
+    may_be_jammed: Option<f64>,
 }
 
 /// The result of a pose over a face.
@@ -27,7 +27,7 @@ pub(super) struct FoundOverFace {
 
 impl OverFace {
     /// Adds the result of the section at `b`, mm, at its pose `here`.
-    pub fn take(&mut self, b: f64, here: &Pose, found: LostMotion) {
+    pub fn add(&mut self, b: f64, here: &Pose, found: LostMotion) {
         let nominal = here.free_rotation();
         // Rounding of the twist: a few ulps of both rotations, including whole turns.
         let rounding = 8.0 * f64::EPSILON * (here.locked_rotation().abs() + nominal.abs() + TAU);
@@ -39,7 +39,7 @@ impl OverFace {
             let overlap = overlap.map(|(right, left)| right.rotation - left.rotation);
             match overlap.zip(found.error()) {
                 Some((overlap, bound)) if overlap <= bound => {
-                    self.seems_jammed.get_or_insert(b);
+                    self.may_be_jammed.get_or_insert(b);
                 }
                 _ => (self.jam, self.right, self.left) = (Some(b), None, None),
             }
@@ -113,7 +113,7 @@ impl OverFace {
 
     /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear, whose angular pitch is `pitch`, rad.
     pub fn found(self, nominal: f64, pitch: f64) -> FoundOverFace {
-        let jam = self.jam.or(self.seems_jammed);
+        let jam = self.jam.or(self.may_be_jammed);
         // A jam independent of contacts: nothing was turned in that section.
         if self.jam.is_some() && self.right.is_none() {
             let lost_motion = LostMotion::JAMMED;

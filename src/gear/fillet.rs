@@ -232,7 +232,7 @@ impl Fillet {
 
     /// Rotation `E` of the pitch point at `gamma`.
     fn pitch_point(&self, gamma: f64) -> UnitComplex<f64> {
-        let turn = self.depth * gamma.tan() / self.radius - self.held_back(gamma.sin());
+        let turn = self.depth * gamma.tan() / self.radius - self.ellipse_lag(gamma.sin());
         UnitComplex::new(self.root_angle - turn)
     }
 
@@ -254,7 +254,7 @@ impl Fillet {
     pub(super) fn at(&self, gamma: f64) -> (Point2<f64>, Vector2<f64>) {
         let (sin, cos) = gamma.sin_cos();
         let (pitch_sin, pitch_cos) = (self.root_angle
-            - (self.depth * sin / (cos * self.radius) - self.held_back(sin)))
+            - (self.depth * sin / (cos * self.radius) - self.ellipse_lag(sin)))
         .sin_cos();
         let e = Complex::new(pitch_cos, pitch_sin);
         let normal = e * Complex::new(cos, -sin);
@@ -362,7 +362,7 @@ impl Fillet {
 
     /// Reduction of the pitch point's turn by the ellipse, rad: `ρ tan²β sin γ/(k r)`.
     #[inline]
-    fn held_back(&self, sin: f64) -> f64 {
+    fn ellipse_lag(&self, sin: f64) -> f64 {
         if self.lean > 0.0 {
             self.tip_round * self.lean * sin / (self.stretch(sin) * self.radius)
         } else {

@@ -80,10 +80,10 @@ pub(super) struct Helical {
     /// Further places between the sections where an edge may touch tightest.
     edges: Option<Edges>,
     /// Error of each contact by what sections of leaning axes leave out, rad of the free gear.
-    left_out: f64,
+    omitted_error: f64,
     bounds: FaceBounds,
     /// How sections are solved that need no search.
-    directly: Option<Box<SearchFreeSections>>,
+    search_free: Option<Box<SearchFreeSections>>,
 }
 
 impl Helical {
@@ -133,14 +133,14 @@ impl Helical {
         }
         let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
         let edges = edges.filter(|_| assembly.is_helical());
-        let left_out = if assembly.leans() {
+        let omitted_error = if assembly.leans() {
             (assembly.left_out() + assembly.beyond_ends()) / base
         } else if assembly.is_modified() {
             2.0 * LEVEL / base
         } else {
             0.0
         };
-        let directly = SearchFreeSections::new(assembly, plane, edges.as_ref()).map(Box::new);
+        let search_free = SearchFreeSections::new(assembly, plane, edges.as_ref()).map(Box::new);
         let helical = Helical {
             bounds: FaceBounds {
                 most_moved,
@@ -148,9 +148,9 @@ impl Helical {
                 by_heights: assembly.by_heights(),
                 in_fillets,
             },
-            directly,
+            search_free,
             edges,
-            left_out,
+            omitted_error,
             assembly: assembly.clone(),
             plane: plane.clone(),
             sections,
@@ -287,16 +287,16 @@ impl Helical {
             examined.section(*b, Some(section), 0.0)?;
         }
         if let Some(edges) = &self.edges {
-            examined.between(edges, &self.plane.right)?;
-            examined.between(edges, &self.plane.left)?;
+            examined.examine_edges(edges, &self.plane.right)?;
+            examined.examine_edges(edges, &self.plane.left)?;
         }
         if self.assembly.binds_anywhere() {
-            examined.along_leads(&self.plane.right)?;
-            examined.along_leads(&self.plane.left)?;
+            examined.examine_leads(&self.plane.right)?;
+            examined.examine_leads(&self.plane.left)?;
         }
         if self.assembly.is_modified() {
-            examined.along_profiles(&self.plane.right)?;
-            examined.along_profiles(&self.plane.left)?;
+            examined.examine_profiles(&self.plane.right)?;
+            examined.examine_profiles(&self.plane.left)?;
         }
         let over = examined.over;
         Ok(over.found(pose.free_rotation(), self.plane.free_pitch()))
@@ -340,14 +340,14 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
             None => (self.method)(section, &here, SectionRequest::all(effort))?,
         };
         for contact in [&mut found.right, &mut found.left].into_iter().flatten() {
-            contact.error += doubt + self.helical.left_out;
+            contact.error += doubt + self.helical.omitted_error;
         }
-        self.over.take(b, &here, found);
+        self.over.add(b, &here, found);
         Ok(())
     }
 
     /// Examines the places between the sections where an edge may touch tightest, on the side of `problem`.
-    fn between(&mut self, edges: &Edges, problem: &FlankProblem) -> Result<(), Error> {
+    fn examine_edges(&mut self, edges: &Edges, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let assembly = &helical.assembly;
         let posed = helical.plane.posed(problem, pose);
@@ -395,7 +395,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
 
 impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
     /// Examines the places at which leads make a pair tightest, on the side of `problem`.
-    fn along_leads(&mut self, problem: &FlankProblem) -> Result<(), Error> {
+    fn examine_leads(&mut self, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let (posed, nominal) = helical.posed(problem, pose);
         let known = self.over.beyond(side);
@@ -409,7 +409,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
     }
 
     /// Examines the places at which profile deviations make a pair tightest, on the side of `problem`. Each round is at the gap of the last.
-    fn along_profiles(&mut self, problem: &FlankProblem) -> Result<(), Error> {
+    fn examine_profiles(&mut self, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let (posed, nominal) = helical.posed(problem, pose);
         for round in 1..=MOST_ROUNDS_OF_PROFILES {
@@ -475,7 +475,7 @@ fn most_lead(assembly: &GearPair, side: Side) -> f64 {
 /// `None` unless some pair is always on the line of action: flanks follow each other within a pitch plus their offset.
 fn spread_on_line(plane: &Section, path: f64, base_pitch: f64) -> Option<f64> {
     let sides = [&plane.right, &plane.left];
-    let range = |teeth: &Teeth| teeth.extremes.1 - teeth.extremes.0;
+    let range = |teeth: &Teeth| teeth.offset_range.1 - teeth.offset_range.0;
     let spread = |problem: &FlankProblem| {
         let ratio = problem.locked.shape.base * problem.per_free_base;
         ratio * range(&problem.locked) + range(&problem.free)

@@ -128,7 +128,7 @@ impl ExactKernel {
                 let jam = None;
                 Ok(FoundOverFace { lost_motion, jam })
             }
-            Some(helical) => match helical.directly(pose, effort) {
+            Some(helical) => match helical.lost_motion_without_search(pose, effort) {
                 Some(found) => Ok(found),
                 None => helical.over(pose, effort, Section::lost_motion),
             },

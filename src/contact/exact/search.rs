@@ -37,8 +37,13 @@ pub(super) fn first_contact(
         // A search over a whole measured flank has no tight bound.
         let part = ProfilePart::Involute;
         for step in posed.steps() {
-            let found =
-                greatest_gap_of_flanks(posed, step, tightest_contacts.level(), 0.0, request.effort);
+            let found = greatest_gap_of_flanks(
+                posed,
+                step,
+                tightest_contacts.least_tied_gap(),
+                0.0,
+                request.effort,
+            );
             if let Some(candidate) = found.ok_or((step, SearchExhausted(part, part)))? {
                 tightest_contacts.offer(step, candidate);
             }
@@ -89,7 +94,7 @@ pub(super) fn over(
             &locked,
             &posed.free(step),
             posed.origin_of(step),
-            tightest_contacts.level().max(request.floor),
+            tightest_contacts.least_tied_gap().max(request.floor),
             curves,
             &mut nodes_left,
         );

@@ -37,7 +37,7 @@ impl TipAtFillet {
     ) -> [f64; 2] {
         let [(low, _), (high, _)] = lines.0;
         let cut = RefinedStretch {
-            dip: self,
+            tip: self,
             lines,
             bend: if high == low {
                 0.0
@@ -70,7 +70,7 @@ impl TipAtFillet {
             let path = |at: f64| {
                 let l = -turn(at);
                 let f = turn(self.gap(at, line) - (room + bend));
-                match self.tip {
+                match self.owner {
                     Role::Free => {
                         let centre = C::from(*distance);
                         CornerPath::of_free(f * free.corner, centre, l, *distance, rate)
@@ -97,7 +97,7 @@ impl TipAtFillet {
 
 /// A stretch of the locked gear's turn that is cut where its bound is too weak.
 struct RefinedStretch<'a> {
-    dip: &'a TipAtFillet,
+    tip: &'a TipAtFillet,
     /// The lines at the least and the greatest distance.
     lines: &'a Lines,
     /// Curvature of the bound between the distances.
@@ -133,7 +133,7 @@ impl RefinedStretch<'_> {
     fn over(&self, at: f64, play: f64) -> [f64; 2] {
         let Lines([near, far]) = self.lines;
         let end = |line| {
-            let (clearance, is_above) = self.dip.at_distance(at, play, line);
+            let (clearance, is_above) = self.tip.at_distance(at, play, line);
             (clearance - self.bend, is_above)
         };
         let (first, leaves) = end(near);

@@ -22,7 +22,7 @@ pub(super) struct RoomAbove {
     /// Bounds how much the room bends downwards.
     bend: f64,
     /// Whether the room bends by `bend`, but for a third order.
-    is_sharp: bool,
+    has_known_bend: bool,
 }
 
 impl PairRoom {
@@ -37,7 +37,7 @@ impl PairRoom {
                 start: a,
                 rate: b - a,
                 bend,
-                is_sharp: false,
+                has_known_bend: false,
             }),
         }
     }
@@ -49,7 +49,7 @@ impl PairRoom {
         room.lower(rounding);
         room.chord = room.chord.map(|chord| RoomAbove {
             start: chord.start + rounding,
-            is_sharp: true,
+            has_known_bend: true,
             ..chord
         });
         room
@@ -71,7 +71,7 @@ impl PairRoom {
             start: a,
             rate: b - a,
             bend: 0.0,
-            is_sharp: false,
+            has_known_bend: false,
         });
         PairRoom { chord, ..self }
     }
@@ -207,7 +207,7 @@ pub(super) fn least(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
 pub(super) fn greatest(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
     let every = rooms.each_ref().map(|side| Above::of_every(side));
     let sum = sum_of(&every);
-    let sharp = rooms.each_ref().map(|side| Above::of_sharp(side));
+    let sharp = rooms.each_ref().map(|side| Above::of_known_bends(side));
     if sharp.iter().all(Option::is_none) {
         return sum;
     }
@@ -234,9 +234,9 @@ impl Above {
     }
 
     /// The bound by the sharp chords, if there are any. It takes the greatest of their bends, which hardly differ.
-    fn of_sharp(side: &[PairRoom]) -> Option<Above> {
+    fn of_known_bends(side: &[PairRoom]) -> Option<Above> {
         let chords = side.iter().filter_map(|room| room.chord);
-        let chords: Vec<RoomAbove> = chords.filter(|chord| chord.is_sharp).collect();
+        let chords: Vec<RoomAbove> = chords.filter(|chord| chord.has_known_bend).collect();
         let bend = chords.iter().map(|chord| chord.bend).reduce(f64::max)?;
         Some(Above {
             lines: chords

@@ -35,7 +35,7 @@ pub(super) struct OpenStep {
     /// Upper bound of the room of the side in excess of this step's place on the line of action.
     pub enough: f64,
     /// Whether a corner on a fillet can have less than that.
-    pub dips: bool,
+    pub has_tips_at_fillets: bool,
     /// Least excess of its involutes and their ends over that place, anywhere in the part and on the face.
     pub beside: f64,
 }
@@ -76,10 +76,10 @@ fn lesser(one: f64, other: f64) -> f64 {
 }
 
 impl Table {
-    pub fn new(course: &MeshCycle) -> Table {
-        let posed = course.posed(0);
-        let sides = [0, 1].map(|index| SideTable::new(&course.sides[index], &posed[index]));
-        let side = &course.sides[0];
+    pub fn new(cycle: &MeshCycle) -> Table {
+        let posed = cycle.posed(0);
+        let sides = [0, 1].map(|index| SideTable::new(&cycle.sides[index], &posed[index]));
+        let side = &cycle.sides[0];
         let problem = side.problem;
         let per_base = problem.per_free_base;
         let off = side.off[0] + side.off[1];
@@ -105,7 +105,7 @@ impl Table {
             let (table, posed) = (&sides[index], &posed[index]);
             // The middle of the gaps on the line of action.
             let gap = posed.nominal_gap() - table.nominal - table.middle();
-            Shift::new(&course.sides[index], posed, gap, toward)
+            Shift::new(&cycle.sides[index], posed, gap, toward)
         };
         let cos = sum / problem.distance;
         let toward = C::new((1.0 - cos * cos).sqrt(), -cos) * per_base;
@@ -120,9 +120,9 @@ impl Table {
             distances,
             sides,
             slack,
-            matings: match course.repeats() {
-                true => course.matings.min(1),
-                false => course.matings,
+            matings: match cycle.has_equal_matings() {
+                true => cycle.matings.min(1),
+                false => cycle.matings,
             },
         }
     }
@@ -132,7 +132,7 @@ impl Table {
         let parts = |side: &SideTable| std::array::from_fn(|part| side.drifts(part));
         let drifts: [[[f64; 2]; PARTS]; 2] = self.sides.each_ref().map(parts);
         let nominal = self.sides[0].nominal + self.sides[1].nominal;
-        let mut offs = [Vec::new(), Vec::new()];
+        let mut offsets = [Vec::new(), Vec::new()];
         let is_uniform = self.sides.each_ref().map(SideTable::is_uniform);
         let mut rooms = [[[0.0; 2]; PARTS]; 2];
         for mating in range.clone() {
@@ -141,12 +141,12 @@ impl Table {
                 if is_uniform[index] && mating > range.start {
                     continue;
                 }
-                let offs = &mut offs[index];
-                side.all_offs(side.places(mating), offs);
+                let offsets = &mut offsets[index];
+                side.all_offsets(side.places(mating), offsets);
                 let distances = self.distances.as_ref();
                 let distances = distances.map(|distances| distances.sides[index].at(mating));
                 rooms[index] = std::array::from_fn(|part| {
-                    let off = |step: i64, _| side.among(offs, step);
+                    let off = |step: i64, _| side.offset_among(offsets, step);
                     self.rooms(side, part, distances.as_ref(), off)
                 });
             }
@@ -180,40 +180,40 @@ impl Table {
         let plain = side.plain[part].iter();
         let plain = plain.map(|(step, more)| off(*step, -1.0) + more);
         let mut least = plain.fold(f64::INFINITY, lesser);
-        if !side.dipping[part].is_empty() {
+        if !side.at_fillets[part].is_empty() {
             let shares = match (&self.distances, distances) {
                 (Some(all), Some(ends)) => all.shares([ends[part], ends[part + 1]]),
                 _ => [0.0, 1.0],
             };
-            let dipping = side.dipping[part].iter();
-            least = dipping
+            let at_fillets = side.at_fillets[part].iter();
+            least = at_fillets
                 .map(|(step, more)| off(*step, -1.0) + more.between(shares))
                 .fold(least, lesser);
         }
-        let covering = side.covering[part].iter();
-        let most = covering.map(|step| off(*step, 1.0));
+        let on_line_throughout = side.on_line_throughout[part].iter();
+        let most = on_line_throughout.map(|step| off(*step, 1.0));
         [least, most.fold(f64::INFINITY, lesser)]
     }
 
     /// How much more than a step on the line of action a side has in a part of a mating; `None` where no step is open.
     ///
     /// The step is the one with the least room among those on the line all through the part. Bounds of other rooms lose a part of their
-    /// difference from it ([`SideTable::unsure`]).
+    /// difference from it ([`SideTable::room_error`]).
     pub fn beside_line(&self, side: usize, mating: u64, part: usize) -> Option<BesideLine> {
         let table = &self.sides[side];
         let places = table.places(mating);
         let distances = self.distances.as_ref();
         let distances = distances.map(|distances| distances.sides[side].at(mating));
-        let covering = table.covering[part].iter().copied();
+        let on_line_throughout = table.on_line_throughout[part].iter().copied();
         let by_off = |a: &i64, b: &i64| table.off(places, *a).total_cmp(&table.off(places, *b));
-        let step = covering
+        let step = on_line_throughout
             .min_by(by_off)
             .or_else(|| table.open[part].first().map(|(step, ..)| *step))?;
         let own = table.off(places, step);
         // The offset of another step beyond its own is certain up to a part of it.
         let beyond = |step: i64, sign: f64| {
             let off = table.off(places, step) - own;
-            off + sign * table.unsure * off.abs()
+            off + sign * table.room_error * off.abs()
         };
         let [least, most] = self.rooms(table, part, distances.as_ref(), beyond);
         Some(BesideLine { step, least, most })
@@ -224,8 +224,8 @@ impl Table {
     ///
     /// A pair on the line of action stops the gear first where far flanks leave more room than the flanks are spread. At other poses the room
     /// of a side is at most `most`, less the room of the other side.
-    pub fn stops_before_far_flanks(&self, course: &MeshCycle, most: f64) -> bool {
-        let mut sides = self.sides.iter().zip(&course.sides);
+    pub fn stops_before_far_flanks(&self, cycle: &MeshCycle, most: f64) -> bool {
+        let mut sides = self.sides.iter().zip(&cycle.sides);
         let later = |(table, side): (&SideTable, &CycleSide)| table.before_far_flanks(side);
         let Some(later) = sides.try_fold(f64::INFINITY, |least: f64, side| {
             Some(least.min(later(side)?))
@@ -235,7 +235,7 @@ impl Table {
         // The far half of one more step than the table has can reach the mate.
         let one_more = |table: &SideTable| table.per_step.abs();
         let is_first =
-            |table: &SideTable| table.always_covers() && later > table.spread + one_more(table);
+            |table: &SideTable| table.is_always_on_line() && later > table.spread + one_more(table);
         if self.sides.iter().all(is_first) {
             return true;
         }
@@ -248,13 +248,13 @@ impl Table {
             .sides
             .each_ref()
             .map(|side| side.nominal + side.lowest() - one_more(side));
-        let dip = self.sides.each_ref().map(SideTable::deepest_dip);
-        most < on_line[0] + on_line[1] + shift + dip[0].min(dip[1]) + later
+        let tip = self.sides.each_ref().map(SideTable::deepest_tip);
+        most < on_line[0] + on_line[1] + shift + tip[0].min(tip[1]) + later
     }
 
     /// Whether a tip corner on a fillet can be the tightest somewhere.
-    pub fn has_dips(&self) -> bool {
-        self.sides.iter().any(|side| side.may_dip)
+    pub fn has_tips_at_fillets(&self) -> bool {
+        self.sides.iter().any(|side| side.may_be_below_form)
     }
 
     pub fn matings(&self) -> u64 {
@@ -270,17 +270,17 @@ impl Table {
     ) -> impl Iterator<Item = OpenStep> + '_ {
         let table = &self.sides[side];
         let places = table.places(mating);
-        let covering = table.covering[part].iter();
-        let limit = covering.map(|step| table.off(places, *step));
+        let on_line_throughout = table.on_line_throughout[part].iter();
+        let limit = on_line_throughout.map(|step| table.off(places, *step));
         let limit = limit.fold(f64::INFINITY, f64::min) + self.slack[1];
         let open = table.open[part].iter();
-        open.filter_map(move |(step, beside, dipping)| {
-            let more = beside.min(*dipping);
+        open.filter_map(move |(step, beside, at_fillets)| {
+            let more = beside.min(*at_fillets);
             let enough = limit - table.off(places, *step);
             (more <= enough).then_some(OpenStep {
                 step: *step,
                 enough,
-                dips: !(*dipping >= enough),
+                has_tips_at_fillets: !(*at_fillets >= enough),
                 beside: *beside,
             })
         })
@@ -349,13 +349,13 @@ mod tests {
         let pair = GearPair::new(wheel, gear(1.00001, 6.0, Face::Back), 400.05).unwrap();
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
-        let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
-        let table = Table::new(&course);
-        let posed = course.posed(0);
+        let cycle = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+        let table = Table::new(&cycle);
+        let posed = cycle.posed(0);
         let mut lopsided = 0;
         for (index, side) in table.sides.iter().enumerate() {
             assert!(side.per_step != 0.0);
-            let steps = steps(&course.sides[index], posed[index].flanks.ahead);
+            let steps = steps(&cycle.sides[index], posed[index].flanks.ahead);
             lopsided += u32::from(steps.start + steps.end - 1 != 0);
             for step in steps {
                 for drift in side.drifts(0).into_iter().chain(side.drifts(PARTS - 1)) {
@@ -410,16 +410,16 @@ mod tests {
                 continue;
             }
             let effort = Effort::endless();
-            let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
-            let start = course.posed(0);
+            let cycle = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+            let start = cycle.posed(0);
             let later = [0, 1].map(|side| {
-                let table = SideTable::new(&course.sides[side], &start[side]);
-                table.before_far_flanks(&course.sides[side])
+                let table = SideTable::new(&cycle.sides[side], &start[side]);
+                table.before_far_flanks(&cycle.sides[side])
             });
             for at in 0..10 {
                 let mating = Mating::FIRST.onward(&pair, 0.237 * f64::from(at));
                 let pose = Pose::new(&pair, mating);
-                let posed = posed_sides(&course.sides, &kernel.section, &pose);
+                let posed = posed_sides(&cycle.sides, &kernel.section, &pose);
                 for (side, later) in posed.iter().zip(later) {
                     let flanks = &side.flanks;
                     for step in flanks.steps_of_whole_teeth() {

@@ -407,7 +407,7 @@ impl<'a> AlongFace<'a> {
         // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
         let turns = self.twists.map(|twist| twist * window[0]);
         self.effort.spend(LOOK);
-        let nearest = Separation::beside(self.posed, step, turns, &self.start);
+        let nearest = Separation::near(self.posed, step, turns, &self.start);
         let most = if nearest.touches {
             nearest.gap + self.beside(&teeth, &nearest)
         } else {
@@ -423,7 +423,7 @@ impl<'a> AlongFace<'a> {
                 && self.assembly.face().iter().any(|b| {
                     let turns = self.twists.map(|twist| twist * b);
                     self.effort.spend(LOOK);
-                    let found = Separation::beside(self.posed, step, turns, &self.start);
+                    let found = Separation::near(self.posed, step, turns, &self.start);
                     is_below_form(&found)
                 })
         };
@@ -668,7 +668,7 @@ impl<'a> AlongFace<'a> {
                 (here, start, turns, there.heights, there.turns)
             }
         };
-        let found = Separation::beside(&here, step, turns, &start);
+        let found = Separation::near(&here, step, turns, &start);
         let is_searched = match pair.fillets {
             Fillets::None => false,
             Fillets::BelowForm => {

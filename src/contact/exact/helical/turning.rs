@@ -247,11 +247,12 @@ pub(super) fn crossing_places(
             if !stands.can_reach(next) || !b.is_finite() {
                 continue;
             }
-            let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;
+            let uncertainty =
+                meets(turned).map_or(0.0, |crossing| crossing.uncertainty) / edges[0].radius;
             // Twice the rounding of the crossing.
-            let off = 2.0 * unsure;
+            let off = 2.0 * uncertainty;
             let beside = [-BESIDE, BESIDE, -off, off];
-            for beside in &beside[..if unsure > BESIDE { 4 } else { 2 }] {
+            for beside in &beside[..if uncertainty > BESIDE { 4 } else { 2 }] {
                 let doubt = if beside.abs() > BESIDE {
                     per_turn * beside.abs()
                 } else {
@@ -268,7 +269,7 @@ struct Crossing {
     /// Direction of each from both centres, rad.
     directions: [[f64; 2]; 2],
     /// Uncertainty of their position along the circles, mm. It grows as the overlap shrinks.
-    unsure: f64,
+    uncertainty: f64,
 }
 
 impl Crossing {
@@ -293,7 +294,7 @@ impl Crossing {
                 let point = centres[0] + unit * C::new(along, aside);
                 centres.map(|centre| (point - centre).arg())
             }),
-            unsure: (0.5 * twice / aside).min(twice.sqrt()),
+            uncertainty: (0.5 * twice / aside).min(twice.sqrt()),
         })
     }
 }

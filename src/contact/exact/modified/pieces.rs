@@ -32,7 +32,7 @@ impl<'a> Path<'a> for FlankPath<'a> {
     }
 
     #[inline]
-    fn put(&self, run: usize) -> PlacedRun {
+    fn place(&self, run: usize) -> PlacedRun {
         let rectangle = self.pieces.boxes.shape(run);
         let placed = rectangle.placed(self.half.centre, self.half.direction);
         PlacedRun::new(run, placed)
@@ -71,7 +71,7 @@ fn greatest_gap_of_pieces(
     let (locked, free) = (posed.locked(step), posed.free(step));
     let size = 2.0 * posed.problem.distance;
     let origin = posed.origin_of(step);
-    let mut search = PathSearch::new(origin, size, floor, guess).within(effort.left());
+    let mut search = PathSearch::new(origin, size, floor, guess).with_nodes(effort.left());
     let most = search.nodes_left();
     let found = search.greatest(&FlankPath::new(locked), &FlankPath::new(free));
     effort.spend(most - search.nodes_left());

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Pose};
 
-/// Effort of a section besides its polygons, in units (tuned: about 0.5 µs).
+/// Effort of building a section, nodes, without its polygons (tuned: about 0.5 µs).
 const SECTION: u64 = 2;
 
 /// A helical pair, its gears cut into polygons.

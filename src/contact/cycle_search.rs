@@ -15,32 +15,32 @@ use crate::pair::Mating;
 use crate::parallel;
 use std::collections::HashSet;
 
-/// Cells a pitch to begin with (tuned).
+/// Cells per pitch in the first round (tuned).
 const CELLS_A_PITCH: u64 = 4;
 
-/// Cells to begin with at most (tuned: some seconds). Longer cycles have wider cells.
+/// Limit of cells in the first round (tuned: some seconds). Longer cycles have wider cells.
 const MOST_CELLS: u64 = 60_000;
 
 /// Cells divided in one round: a quarter of the open ones, or this number (tuned: enough for a machine's cores, few enough that the best
 /// pose is known soon).
 const ROUND: usize = 96;
 
-/// A cell of this width, pitches, that nothing bounds, ends the search: no bracket has that end.
+/// Half the width of a cell, pitches, below which a missing bound ends the search: the bracket then has no such end.
 const UNBOUNDED: f64 = 1e-6;
 
-/// Parts of a cell at most (tuned).
+/// Limit of the parts into which a cell is divided (tuned).
 const MOST_PARTS: f64 = 4.0;
 
-/// Share of the wanted width at which bounds may stop.
+/// Share of the wanted bracket that the bounds of cells may leave.
 const SHARE_OF_BOUNDS: f64 = 0.8;
 
-/// Units of [`Effort`] for one end (tuned: some seconds).
+/// Limit of [`Effort`] for one extreme, nodes (tuned: some seconds).
 const MOST_EFFORT: u64 = 10_000_000;
 
-/// Units of effort of a cell in which nothing is near (tuned: 10 µs).
+/// Least effort of a cell, nodes (tuned: 10 µs).
 const LEAST_EFFORT: u64 = 30;
 
-/// Part of the wanted width by which the poses beside the best one differ from it at last.
+/// Part of the wanted width. Poses beside the best one are added until they differ from it by less.
 const SETTLED: f64 = 1e-3;
 
 /// Limit of rounds of poses beside the best one. Some 15 are usual.
@@ -52,7 +52,7 @@ pub(super) const GRID: f64 = (1_u64 << 40) as f64;
 /// Values that differ by less, rad, are equal: rounding of different platforms.
 const EQUAL: f64 = 1e-12;
 
-/// A stretch of the cycle and what is known of its lost motion, rad.
+/// A stretch of the cycle with bounds of its lost motion, rad.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
     /// The middle, pitches from the first pose.
@@ -64,15 +64,15 @@ pub(super) struct Cell {
     pub status: Status,
     /// The lost motion there, and its error.
     pub angle: Option<(f64, f64)>,
-    /// The lost motion is no less, −∞ where nothing bounds it, and what no narrower cell excludes below it.
+    /// Lower bound of the lost motion, −∞ without one, and the rest below it that no narrower cell excludes.
     pub low: (f64, f64),
-    /// It is no greater, and what no narrower cell excludes above it.
+    /// Upper bound of the lost motion, and the rest above it that no narrower cell excludes.
     pub high: (f64, f64),
     pub effort: u64,
 }
 
 impl Cell {
-    /// A cell of which nothing is known.
+    /// A cell without bounds.
     pub fn unknown(pitches: f64, half: f64) -> Cell {
         Cell {
             pitches,
@@ -86,13 +86,13 @@ impl Cell {
         }
     }
 
-    /// The value of the known pose, of which the least is sought.
+    /// The lost motion of the known pose, with the sign that makes the searched extreme the least.
     fn value(&self, end: End) -> Option<f64> {
         let (angle, _) = self.angle?;
         Some(end.sign() * angle)
     }
 
-    /// No value of the cell is less, and what no narrower cell excludes beyond it.
+    /// Lower bound of [`Cell::value`] over the cell, and the rest beyond it that no narrower cell excludes.
     fn bound(&self, end: End) -> (f64, f64) {
         match end {
             End::Least => self.low,
@@ -112,7 +112,7 @@ fn first_best(cells: &[Cell], end: End) -> Option<&Cell> {
 
 /// A mesh cycle whose cells can be bounded.
 pub(super) trait CycleCells: Sync {
-    /// The reason for what no narrower cell excludes.
+    /// The doubt of a bracket whose rest no narrower cell excludes.
     const DOUBT_OF_BOUNDS: Doubt;
 
     /// The mating `pitches` after the first pose.
@@ -124,15 +124,15 @@ pub(super) trait CycleCells: Sync {
         None
     }
 
-    /// The cell of half the width `half`, pitches, about `pitches`: one of its poses, and its bounds for `ends`. `width`, rad, is how wide
-    /// bounds may be in the end.
+    /// The cell about `pitches`, `half` pitches wide on either side, with one of its poses and its bounds for `ends`. Bounds need not be closer
+    /// than `width`, rad.
     fn examine(&self, pitches: f64, half: f64, ends: &[End], width: f64) -> Cell;
 }
 
 /// The search for the extremes of a cycle.
 pub(super) struct CycleSearch<'a, T> {
     pub cells: &'a T,
-    /// Matings after which all is as it was.
+    /// Matings after which all teeth meet again.
     pub distinct: u64,
     /// All matings of the cycle.
     pub matings: u64,
@@ -198,7 +198,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         (found, used)
     }
 
-    /// The cells to begin with, the first of equal ones.
+    /// The cells of the first round; of equal ones only the first.
     fn first_cells(&self, ends: &[End]) -> Vec<Cell> {
         let pitches = self.distinct;
         let count = (CELLS_A_PITCH * pitches).min(MOST_CELLS.max(pitches.min(2 * MOST_CELLS)));
@@ -308,7 +308,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         }
     }
 
-    /// The bracket that cells leave, the first of the equal poses with it.
+    /// The bracket that the cells leave, with the first of the poses that attain it.
     fn extreme(&self, cells: &[Cell], end: End, is_closed: bool) -> Option<Extreme> {
         let pose = first_best(cells, end)?;
         let (angle, error) = pose.angle?;

@@ -1,4 +1,4 @@
-//! Helical gears stop where the first of their sections does.
+//! The contacts of helical gears over the face: on either side the first section to touch stops the free gear.
 
 use super::lost_motion::{Contact, LostMotion, Status};
 use crate::gear::Side;
@@ -69,9 +69,8 @@ impl OverFace {
         }
     }
 
-    /// The limits that another section has to exceed: the rotations beyond nominal, rad, at which the right and the
-    /// left side stop the free gear at least. Looser contacts need not be found. If a section `may_jam` and none does
-    /// yet, the limits include every contact that could overlap.
+    /// The rotations beyond nominal, rad, at which the sections so far stop the free gear on the right and on the left. Another section needs to
+    /// find only tighter contacts. If a section `may_jam` and none does yet, the limits admit every contact that could overlap.
     pub fn known(&self, may_jam: bool) -> [f64; 2] {
         match (self.right, self.left) {
             (Some((right, _)), Some((left, _))) if !may_jam => [right, left],

@@ -49,7 +49,7 @@ impl Pitch {
         Ok(self.remove_eccentricity(gear, known, false)?.pitch)
     }
 
-    /// Removes the eccentricity `e` from the data. If it is `is_sought`, corrects it until no sine is left.
+    /// Removes the eccentricity `e` from the data. If `is_sought`, corrects `e` until no sine is left.
     fn remove_eccentricity(
         &self,
         gear: &Gear,

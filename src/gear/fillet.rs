@@ -360,7 +360,7 @@ impl Fillet {
         }
     }
 
-    /// Reduction of the pitch point's turn by the ellipse, rad: `ρ tan²β sin γ/(k r)`.
+    /// Lag of the pitch point's turn by the elliptic tip round, rad: `ρ tan²β sin γ/(k r)`.
     #[inline]
     fn ellipse_lag(&self, sin: f64) -> f64 {
         if self.lean > 0.0 {

@@ -92,7 +92,7 @@ pub(super) fn least_flank_radius(locked: &Placed) -> f64 {
     outer_end(locked).1
 }
 
-/// Ends of a parameter range, the one of lesser `ρ` first. `ρ` falls with the parameter if `inward` is positive.
+/// Ends of a parameter range, the end of lesser `ρ` first. `ρ` falls with the parameter if `inward` is positive.
 fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
     if inward > 0.0 {
         [high, low]

@@ -79,10 +79,10 @@ pub(super) struct Helical {
     sections: Vec<(f64, Section)>,
     /// Further places between the sections where an edge may touch tightest.
     edges: Option<Edges>,
-    /// Error of each contact by what sections of leaning axes leave out, rad of the free gear.
+    /// Error of each contact that sections of leaning axes neglect, rad of the free gear.
     omitted_error: f64,
     bounds: FaceBounds,
-    /// How sections are solved that need no search.
+    /// The solver of sections that need no search; `None` if one may need it.
     search_free: Option<Box<SearchFreeSections>>,
 }
 
@@ -176,7 +176,7 @@ impl Helical {
         (section, pose.in_section(&self.assembly, b))
     }
 
-    /// As [`Helical::section_at`], for its teeth alone: those out of reach may be left out.
+    /// As [`Helical::section_at`], perhaps without the teeth out of reach.
     fn section_of_teeth<'a>(
         &self,
         pose: &Pose,
@@ -432,7 +432,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
     }
 }
 
-/// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
+/// Greatest move of both flanks of any pair by leads, leans and profile deviations, mm along the base tangent.
 fn most_moved(assembly: &GearPair) -> f64 {
     let wheel = assembly.gear(Member::Wheel).gear().basic_data();
     let wound = wheel.base_helix_angle().tan();

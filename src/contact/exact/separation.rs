@@ -398,7 +398,7 @@ fn arcs(posed: &PosedFlanks, of: fn(&HalfToothShape) -> InvoluteArc) -> [Involut
     [&posed.problem.locked, &posed.problem.free].map(|teeth| of(&teeth.shape))
 }
 
-/// `s` and its derivatives.
+/// The room `s` in a direction, and its derivatives.
 struct RoomDerivatives {
     apart: f64,
     /// By `β`, once and twice.
@@ -444,7 +444,7 @@ fn small_angle(unit: C) -> f64 {
     sin * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0)))
 }
 
-/// Where a separation is searched from, and how angles become vectors.
+/// The start of a search for a separation, and the conversion of angles to vectors.
 trait Trigonometry {
     /// The direction `β` and the gap to start from.
     fn from(&self) -> (f64, f64);

@@ -43,7 +43,7 @@ impl TightestContacts {
         self.greatest
     }
 
-    /// The least gap that can still count.
+    /// The least gap that ties with the greatest so far.
     pub fn least_tied_gap(&self) -> f64 {
         self.greatest - self.width
     }

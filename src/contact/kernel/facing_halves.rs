@@ -129,7 +129,7 @@ impl FacingHalves {
         touches.then(|| 0.5 * (point(locked, 0, n) + point(free, 1, -n)))
     }
 
-    /// The least arm about the free gear's axis of its support against `n`, as far as corners and a land are on the way.
+    /// The least arm of the free piece against `n` about its axis, while the direction passes its next corner and its land.
     ///
     /// On a land the room changes by `c·n`, with its centre `c`. An arm above 0 may change sign there: the room then rises and falls. At the
     /// near corner `p` it has an arm of `-e`, and falls by at most `|p| - |p·n| ≤ e²/(2 |p·n|)` from there. If the land's way gained as much

@@ -30,7 +30,7 @@ use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
 use std::iter;
 
-/// Widest bound, as a part of a pitch, that is proven: a wider one is not specific to one pair of teeth.
+/// Widest error bound of a contact, as a part of a pitch, that is proven. A wider one could be that of another pair of teeth.
 const NARROW: f64 = 1e-2;
 
 /// Limit of directions on one side; ordinary sides need 15 to 60.
@@ -39,7 +39,7 @@ const MOST_DIRECTIONS_OF_SIDE: u32 = 4000;
 /// Number of directions per unit of effort.
 const DIRECTIONS_A_UNIT: u32 = 8;
 
-/// Factor by which contacts of lands are closed further.
+/// Factor by which the free gear is closed further at contacts of lands.
 const THIN: f64 = 16.0;
 
 /// The reason why a pose is not proven here; it may still be right.
@@ -70,7 +70,7 @@ pub struct Prover {
     radius: f64,
 }
 
-/// A contact in the frame of [`crate::contact::exact`].
+/// A contact to be proven, in the frame of [`crate::contact::exact`].
 #[derive(Debug, Clone, Copy)]
 struct ContactToProve {
     /// `μ`, rad.
@@ -247,7 +247,7 @@ struct TopsApart {
     supports: [Support; 2],
 }
 
-/// The ends of the pieces of a pair along the direction that keeps its tops apart.
+/// The extents of the pieces of a pair along the direction that separates its tops.
 struct EndsAlong {
     n: C,
     /// Reach of the locked tooth, mm.
@@ -257,7 +257,7 @@ struct EndsAlong {
     is_disc: bool,
 }
 
-/// Start of a free piece along a direction, mm, and its arm.
+/// The nearest point of a free piece along a direction, mm, and its arm.
 #[derive(Clone, Copy)]
 struct FreeStart {
     at: f64,
@@ -311,7 +311,7 @@ impl EndsAlong {
     }
 }
 
-/// The start of a free piece along `n`; `back` is its support against `n`.
+/// The nearest point of a free piece along `n`; `back` is its support against `n`.
 fn lowest(at: &FacingHalves, n: C, back: Support) -> FreeStart {
     FreeStart {
         at: dot(at.centres[1], n) - back.reach,

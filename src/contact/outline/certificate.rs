@@ -124,7 +124,7 @@ impl<'a> PlacedStretch<'a> {
         self.half_length + self.error
     }
 
-    /// Whether halving it gives more.
+    /// Whether it is worth halving.
     fn is_coarse(&self, finest: f64) -> bool {
         let middle = 0.5 * (self.low + self.high);
         self.error > finest && self.low < middle && middle < self.high
@@ -174,7 +174,7 @@ impl<'a> PlacedStretch<'a> {
     }
 }
 
-/// Subtracts `units` from the rest, or all of it. Returns whether there were enough.
+/// Subtracts `units` from the effort `left`. Returns whether there were enough.
 fn charge(left: &mut u32, units: u32) -> bool {
     let enough = *left >= units;
     *left = left.saturating_sub(units);

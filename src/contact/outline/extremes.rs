@@ -26,11 +26,11 @@ const A_UNIT: u64 = 2;
 /// A mesh cycle.
 #[derive(Clone)]
 pub(crate) struct OutlineCycle<'t> {
-    /// Where it begins.
+    /// Its first mating.
     pub first: Mating,
-    /// Matings after which all is as it was.
+    /// Matings after which all teeth meet again.
     pub distinct: u64,
-    /// All of its matings.
+    /// Number of its matings.
     pub matings: u64,
     /// Equal teeth, of the locked and the free gear.
     pub classes: [Arc<ToothClasses>; 2],
@@ -132,7 +132,7 @@ impl CycleCells for OutlineCells<'_> {
     }
 }
 
-/// A line on one side of which a side's gap stays in a cell.
+/// A straight bound of a side's gap over a cell.
 #[derive(Debug, Clone, Copy)]
 struct BoundLine {
     /// In the middle of the cell.

@@ -121,7 +121,7 @@ impl<'a> OutlineKernel<'a> {
         Ok(self.lost_motion_of(pair, mating, [right.as_ref(), left.as_ref()]))
     }
 
-    /// The lost motion between what meets on the right and on the left.
+    /// The lost motion between the contacts of both sides.
     fn lost_motion_of(
         &self,
         pair: &OutlinePair,
@@ -143,7 +143,7 @@ impl<'a> OutlineKernel<'a> {
     }
 }
 
-/// The greatest gap of a side.
+/// The contact of a side: that of the greatest gap.
 #[derive(Debug, Clone, Copy)]
 struct SideContact {
     found: CurveContact,

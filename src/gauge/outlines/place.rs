@@ -53,7 +53,7 @@ impl Goal {
         }
     }
 
-    /// The direction in which it falls fastest at `point`, a unit vector, and the turn of that direction within `d` mm, rad.
+    /// The unit vector of steepest descent at `point`, and the turn of that direction within `d` mm, rad.
     fn descent(self, point: C, d: f64) -> (C, f64) {
         match self {
             Goal::Foremost(along) => (along, 0.0),

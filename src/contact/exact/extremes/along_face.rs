@@ -56,13 +56,13 @@ const CLOSE: f64 = 1e-10;
 /// Parts of the face in which corners on fillets are bounded, a pitch of twist (tuned).
 const PARTS_A_PITCH: f64 = 4.0;
 
-/// Least distance from the middle of the face, mm, of the sections that show how a lean acts.
+/// Least distance from the middle of the face, mm, of the sections from which the effect of a lean is taken.
 const LEAST_HALF_FACE: f64 = 1e-3;
 
 /// Factor of the bounds of leaning axes for their products with eccentricities and with each other.
 const HIGHER_ORDERS: f64 = 1.5;
 
-/// Half the width of a cell, pitches, from which on the rest of its bound counts as open: narrower cells hardly exclude it.
+/// Half the width of a cell, pitches, below which its whole bound counts as open: narrower cells hardly improve it.
 const NARROW: f64 = 1e-5;
 
 /// The cells of a cycle.
@@ -173,7 +173,8 @@ impl CycleCells for AlongFaceCells<'_> {
     }
 }
 
-/// A bound of a cell of half the width `half`, pitches, with the value `angle` in its middle, and what it leaves open, rad.
+/// The `bound` of a cell that is `half` pitches wide on either side, with the value `angle` in its middle, and the rest that narrower cells do
+/// not exclude, rad.
 fn rest_of(half: f64, bound: f64, angle: f64, open: f64) -> (f64, f64) {
     let rest = angle - bound;
     if half < NARROW && rest > 0.0 {
@@ -242,7 +243,7 @@ impl<'a> FaceSideCell<'a> {
         Some(self.plane.bend(found)? / 8.0 + self.plane.rounding())
     }
 
-    /// The side is no tighter than this.
+    /// An upper bound of the side's tightness.
     fn above(&self) -> Option<Bound> {
         let mut most = [f64::NEG_INFINITY; 2];
         let mut open = 0.0f64;
@@ -323,7 +324,7 @@ impl<'a> FaceSideCell<'a> {
         }
     }
 
-    /// The side is no looser than this, as the pair of `contact` holds it in its section.
+    /// A lower bound of the side's tightness, from the pair of `contact` in its section.
     fn below(&self, contact: &Contact) -> Option<Bound> {
         let problem = self.plane.side.problem;
         let flanks = &self.plane.ends[0].flanks;

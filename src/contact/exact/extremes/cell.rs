@@ -18,7 +18,7 @@ pub(super) struct MatingCell {
     /// The places between `from` and `to` where the least and the greatest lost motion are expected.
     pub lowest: f64,
     pub highest: f64,
-    /// A pose in it, or at its end, that was examined.
+    /// An examined pose in it or at its end, as a fraction of the pitch.
     pub seen: Option<f64>,
 }
 
@@ -82,7 +82,7 @@ impl MatingCell {
         }
     }
 
-    /// The cell with its bounds.
+    /// This cell with the bounds of its pairs of half teeth.
     pub fn bounded(self, cycle: &MeshCycle, table: &Table) -> MatingCell {
         let posed = cycle.posed(self.mating);
         let ends = cycle.posed_at_ends(self.mating);
@@ -110,7 +110,7 @@ impl MatingCell {
         }
     }
 
-    /// The same cell with the bounds that `rooms` give.
+    /// This cell with the bounds from `rooms`, the pairs of either side.
     fn within(self, rooms: &[Vec<PairRoom>; 2]) -> MatingCell {
         let (lowest, low) = least(rooms);
         let (highest, high) = greatest(rooms);

@@ -83,9 +83,9 @@ pub enum Doubt {
     Profile,
     /// A contact was lost at a pose: nothing bounds the extreme.
     ContactLost,
-    /// The drawings leave more open than is wanted.
+    /// The uncertainty of the drawings is wider than the requested bracket.
     Drawing,
-    /// Sections of leaning axes leave more out than is wanted.
+    /// The error by sections of leaning axes is wider than the requested bracket.
     Sections,
     /// Axes without a stated place are bounded all together.
     Axes,
@@ -97,7 +97,7 @@ pub(super) type CycleBound = (f64, Option<Doubt>);
 /// No bound.
 pub(super) const UNKNOWN: CycleBound = (f64::NAN, Some(Doubt::OffInvolute));
 
-/// Poses examined so far.
+/// The best poses examined so far.
 #[derive(Debug, Default)]
 pub(super) struct ExaminedPoses {
     pub least: Option<PoseValue>,

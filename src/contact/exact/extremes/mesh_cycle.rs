@@ -1,4 +1,4 @@
-//! A mesh cycle with its kernel: both sides of every mating, and the turn between them.
+//! A mesh cycle of a pair: its matings, and the half teeth of both sides at the start of each.
 
 use super::super::ExactKernel;
 use super::super::flank_problem::{FlankProblem, PosedFlanks};
@@ -56,13 +56,13 @@ impl CycleSide<'_> {
         (self.problem.distance - off, self.problem.distance + off)
     }
 
-    /// The part of a range of distances that is possible: [`TipAtFillet::deepest`] holds for no other.
+    /// A range of centre distances, cut to those that the cycle has: [`TipAtFillet::deepest`] holds for no other.
     pub fn possible(&self, (low, high): (f64, f64)) -> (f64, f64) {
         let (least, most) = self.distances();
         (low.max(least), high.min(most))
     }
 
-    /// Part by which a difference of rooms may differ from that of a pair with its centres at rest.
+    /// Greatest relative error of a difference of two rooms that is taken with the centres at rest.
     ///
     /// Both rooms have their own rotation of the free gear, whose eccentricity `e` displaces its centre between them. That changes the room of
     /// involutes at a rate of up to `e/r_bF`, so the difference changes by a factor between `1/(1 + e/r_bF)` and `1/(1 − e/r_bF)`.
@@ -71,7 +71,7 @@ impl CycleSide<'_> {
         part / (1.0 - part)
     }
 
-    /// Lower bound of a clearance beside the involutes, from that of a pair with its centres at rest.
+    /// Lower bound of a clearance, from the clearance with the centres at rest.
     pub fn certain_clearance(&self, clearance: f64) -> f64 {
         if clearance > 0.0 {
             clearance * (1.0 - self.room_error())
@@ -80,7 +80,7 @@ impl CycleSide<'_> {
         }
     }
 
-    /// A clearance whose lower bound [`CycleSide::sure`] is at least `enough`.
+    /// A clearance whose lower bound [`CycleSide::certain_clearance`] is at least `enough`.
     pub fn clearance_for(&self, enough: f64) -> f64 {
         if enough > 0.0 {
             enough * (1.0 + 2.0 * self.room_error())
@@ -231,7 +231,7 @@ impl<'a> MeshCycle<'a> {
         posed_sides(&self.sides, section, pose)
     }
 
-    /// Arc on the free gear's operating pitch circle of one radian, mm.
+    /// Operating pitch radius of the free gear, mm: the arc of one radian.
     pub fn per_radian(&self) -> f64 {
         self.assembly.operating_pitch_radius(self.assembly.free())
     }

@@ -8,13 +8,13 @@ use super::mesh_cycle::{CycleSide, PARTS};
 /// Part of a turn that is examined together over a face of helical gears (tuned: no tip of 44 standard teeth seems to reach a fillet).
 pub(super) const PIECE: f64 = 0.25;
 
-/// Excess of a clearance over the spread of the flanks from which it does not matter, rad.
+/// A clearance that exceeds the spread of the flanks by this, rad, does not matter.
 const BEYOND: f64 = 1e-12;
 
-/// Limit of halvings before the path of the corner is followed, which takes as long as some 60 bounds (tuned).
+/// Halvings of a stretch before the path of the corner is followed instead. That takes as long as some 60 bounds (tuned).
 const HALVINGS_BEFORE_PATH: u32 = 1;
 
-/// The properties of a step in a part of a pitch.
+/// Least room of a step in a part of a pitch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepRoom {
     /// Least room of the involutes and their ends beside the line of action, rad.
@@ -34,7 +34,7 @@ pub(super) struct Rolls<'a> {
     turning: f64,
     stretching: f64,
     places: f64,
-    /// Greatest difference of the flanks: a larger clearance does not matter.
+    /// Greatest difference between the flanks, rad: a larger clearance does not matter.
     spread: f64,
 }
 
@@ -44,7 +44,7 @@ impl StepRoom {
         self.between([0.0, 1.0])
     }
 
-    /// Least room if the distance stays between two parts of the range from the least to the greatest.
+    /// Least room, rad, if the centre distance stays between two shares of its range.
     pub fn between(&self, [low, high]: [f64; 2]) -> f64 {
         match self.at_fillet {
             None => self.beside,

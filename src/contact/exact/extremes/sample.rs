@@ -31,10 +31,10 @@ const FEW: u64 = 2_000;
 /// Rounds that divide the neighbourhood of the best poses by four: down to 1/32 000 of a pitch.
 const ROUNDS: u32 = 5;
 
-/// Poses that measure the effort of one (tuned: a thousandth of all).
+/// Poses from which the effort of one pose is measured (tuned: a thousandth of all).
 const POSES_TO_MEASURE: u64 = 8;
 
-/// Poses that are examined while any effort is left, at any cost: a helical one takes below 0.1 s.
+/// Least number of poses, as long as any effort is left: a helical one takes below 0.1 s.
 const FEWEST: u64 = 16;
 
 /// Length of a stretch, pitches, below which it has no bound if its ends have none.
@@ -205,7 +205,7 @@ impl Ord for RankedStretch {
     }
 }
 
-/// The bounds that a pose gives for its neighbours.
+/// The free rotations at a pose, for the bounds of its neighbours.
 fn free_rotations(seen: &LostMotion, nominal: f64) -> Option<FreeRotations> {
     let (angle, error) = seen.angle().zip(seen.error())?;
     let (right, left) = (seen.right.as_ref()?, seen.left.as_ref()?);

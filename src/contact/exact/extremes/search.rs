@@ -24,10 +24,10 @@ const MOST_PLACES: usize = 4_096;
 /// Part of the requested width that the proof may leave open. Rounding and equal places take the rest.
 pub(super) const PROOF_SHARE: f64 = 0.95;
 
-/// Part of the requested width within which places are equal: far above rounding, and small enough that the first of them is a valid bound.
+/// Part of the requested width within which two poses count as equal: far above rounding, and small enough for the first of them to be valid.
 pub(super) const EQUAL_SHARE: f64 = 1e-3;
 
-/// Matings whose stretches are collected before outdated ones are dropped (tuned: 160 kB of stretches).
+/// Matings whose stretches are collected before those are discarded that cannot beat the best (tuned: 160 kB).
 const STRIDE: u64 = 512;
 
 /// Stretches that can contain an extreme: they can reach the best guaranteed value so far.
@@ -112,7 +112,7 @@ impl Candidates<'_> {
         Ok(())
     }
 
-    /// Drops the stretches that cannot beat the best pose by more than the width.
+    /// Discards the stretches that cannot beat the best pose by more than the width.
     fn discard(&mut self, found: &ExaminedPoses) {
         let search = self.search;
         let (which, dropped, near) = (search.which, &mut self.dropped, &mut self.near);
@@ -153,7 +153,7 @@ pub(super) struct Search<'a> {
     /// Distance from the best within which places are equal, rad.
     pub equal: f64,
     pub which: End,
-    /// Effort reserved for the steps after this search.
+    /// Effort reserved for what follows this search.
     pub reserved: u64,
     /// The condition that ends sampling after the effort of the search was too great.
     pub until: StopAt,

@@ -12,17 +12,16 @@ use super::table::{BesideLine, OpenStep};
 use super::tip_at_fillet::{FARTHEST, TipAtFillet};
 use crate::contact::Effort;
 
-/// Effort of the room of a step, in nodes (tuned: 4000 cells of an ordinary pair take about 20 ms), and of that of a tip corner and a
-/// fillet.
+/// Effort of the room of a step, nodes (tuned: 4000 cells of an ordinary pair take about 20 ms).
 const STEP: u64 = 12;
 
-/// Effort of a tip corner and a fillet (tuned).
+/// Effort of the room between a tip corner and a fillet, nodes (tuned).
 const TIP_AT_FILLET: u64 = 8;
 
-/// Effort of one evaluation of the path of a tip corner past a fillet.
+/// Effort of one evaluation of the path of a tip corner past a fillet, nodes.
 const LOOK: u64 = 2;
 
-/// Effort of the place of a tip corner on a fillet at both ends of a stretch.
+/// Effort of finding a tip corner on a fillet at both ends of a stretch, nodes.
 const ON_FILLET: u64 = 30;
 
 /// Angles of a locked half tooth and distances of the outlines' centres over a cell.
@@ -46,7 +45,7 @@ pub(super) struct SideStretch<'a> {
 }
 
 impl<'a> SideStretch<'a> {
-    /// Width as a part of a pitch.
+    /// Width of the stretch, pitches.
     pub fn width(&self) -> f64 {
         self.stretch[1] - self.stretch[0]
     }
@@ -62,7 +61,7 @@ impl<'a> SideStretch<'a> {
         2.0 * problem.rounding(problem.free.shape.base, 1.0)
     }
 
-    /// Angle of the locked gear over it, rad.
+    /// Turn of the locked gear over the stretch, rad.
     fn angle(&self) -> f64 {
         self.side.problem.locked.pitch * self.width()
     }
@@ -74,8 +73,8 @@ impl<'a> SideStretch<'a> {
         Some(a?.max(b?) * self.angle() * self.angle())
     }
 
-    /// The room of a pair that has `found` at both ends of the cell, which stands there as `ends`, and is on the line of action between;
-    /// `None` where it may leave the line.
+    /// The room of a pair that stays on the line of action over the cell; `None` if it may leave the line. At the ends of the cell, `found` has
+    /// its separations and `ends` the sides.
     fn room_on_line(&self, ends: &[PosedSide; 2], found: &[Separation; 2]) -> Option<PairRoom> {
         let bends = self.side.on_line?;
         let angle = self.angle();
@@ -199,7 +198,7 @@ impl<'a> SideStretch<'a> {
         found
     }
 
-    /// Bounds of the room of all steps by that of `line.step` on the line of action; `None` where nothing says how it bends.
+    /// Bounds of the room of all steps, from that of `line.step` on the line of action; `None` without a bound of its curvature.
     pub fn of_all(&self, line: BesideLine) -> Option<PairRoom> {
         self.effort.spend(STEP / 2);
         let found = self.endless_separations(line.step);
@@ -286,7 +285,7 @@ impl<'a> SideStretch<'a> {
         ]
     }
 
-    /// Adds the room of tip corners and fillets that can come near, each by `near` if that has a result.
+    /// Adds the room of each tip corner that can come near a fillet: by `near` if that has a result, otherwise by a bound over all poses.
     fn add_tips(
         &self,
         OpenStep { step, enough, .. }: OpenStep,

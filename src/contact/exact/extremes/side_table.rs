@@ -10,10 +10,10 @@ use crate::gear::involute;
 use crate::pair::lens_half;
 use std::ops::Range;
 
-/// One side's tables.
+/// Tables of one side of a cycle.
 #[derive(Debug)]
 pub(super) struct SideTable {
-    /// `r δ_L` and `δ_F` by place, with some places more at both ends.
+    /// `r δ_L` and `δ_F` by place, continued by `pad` places at both ends.
     locked: Vec<f64>,
     free: Vec<f64>,
     pad: i64,
@@ -31,13 +31,13 @@ pub(super) struct SideTable {
     /// Whether a tip corner on a fillet can have no more room than a pair on the line of action. It need not have less than
     /// [`SideTable::plain`] gives its involutes.
     pub may_be_below_form: bool,
-    /// Steps that are on the line of action throughout.
+    /// Steps that stay on the line of action, for each part of a pitch.
     pub on_line_throughout: [Vec<i64>; PARTS],
     /// `ρ`.
     pub nominal: f64,
     /// `κ`: 0 where base pitches are equal.
     pub per_step: f64,
-    /// Part by which the difference of the rooms of two steps on the line of action may differ from that of their `r δ_L + δ_F + κ s`
+    /// Greatest relative error, for two steps on the line of action, of their difference in `r δ_L + δ_F + κ s` as their difference in room
     /// ([`CycleSide::room_error`]).
     pub room_error: f64,
     /// Greatest difference of the rooms of two steps on the line of action, over all flanks and the steps that can be the tightest.
@@ -174,7 +174,7 @@ impl SideTable {
         each.reduce(f64::max)
     }
 
-    /// Whether every mating is as any other: all flanks are where they belong, and no dip depends on the distance of the centres.
+    /// Whether all matings are equal: no flank deviates, and no clearance of a tip depends on the centre distance.
     pub fn is_uniform(&self) -> bool {
         let alike = |offsets: &[f64]| offsets.iter().all(|off| *off == offsets[0]);
         let has_tips_at_fillets = self.at_fillets.iter().any(|steps| !steps.is_empty());
@@ -193,15 +193,15 @@ impl SideTable {
         each.fold(0.0, f64::min)
     }
 
-    /// Whether some step is on the line of action at every pose.
+    /// Whether at every pose some step is on the line of action.
     pub fn is_always_on_line(&self) -> bool {
         self.on_line_throughout
             .iter()
             .all(|steps| !steps.is_empty())
     }
 
-    /// How much later the far flank of a locked tooth ([`FarFlanks`]) stops a free half tooth than endless involutes of the same step do: a lower
-    /// bound, rad. `None` where the axes are too near for a bound.
+    /// Lower bound of the free gear's turn, rad, from the contact of endless involutes to that with the far flank of the same locked tooth
+    /// ([`FarFlanks`]). `None` if the axes are too near for a bound.
     ///
     /// The normal at a far contact passes the free axis on its far side. `ξ` is the point's roll and `λ` the angle of the locked tooth. `d` is
     /// the distance of the outlines' centres, and `ψ` the half angle of the far flank at its base. Then `λ + ψ − ξ ≤ −acos(r_bL/d)`. At the

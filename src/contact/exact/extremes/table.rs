@@ -1,4 +1,4 @@
-//! Bounds of every mating of a cycle from tables: a few sums each.
+//! Quick bounds of every mating of a cycle: a few sums of tabulated values each.
 //!
 //! Where two involutes touch on the line of action, a side has the room `ρ + r δ_L + δ_F − ε`. `ρ` is that of perfect gears, `r δ_L + δ_F`
 //! the offset of both flanks (`r = r_bL/r_bF`), and `ε` the effect of the eccentricities. The shift `b` of the centres along the line of
@@ -19,8 +19,8 @@ pub(super) struct Table {
     sides: [SideTable; 2],
     /// `−ε` of both sides together.
     shifts: Shift,
-    /// How much less and how much more room there may be than the sums say: the second order of `ε`, which adds room, its third order, and its
-    /// bend between the ends of a part.
+    /// Greatest error of the sums, rad: room that they give too much, and too little. It contains the second order of `ε`, which adds room, its
+    /// third order, and its curvature between the ends of a part.
     slack: [f64; 2],
     /// The distances of the outlines' centres, for each side; `None` if no corner comes near a fillet.
     distances: Option<Distances>,
@@ -34,18 +34,18 @@ pub(super) struct OpenStep {
     pub step: i64,
     /// Upper bound of the room of the side in excess of this step's place on the line of action.
     pub enough: f64,
-    /// Whether a corner on a fillet can have less than that.
+    /// Whether a tip corner can touch a fillet with less room than that.
     pub has_tips_at_fillets: bool,
     /// Least excess of its involutes and their ends over that place, anywhere in the part and on the face.
     pub beside: f64,
 }
 
-/// How much more room a side has in a part of a mating than one of its steps has on the line of action.
+/// Room of a side in a part of a mating, in excess of the room of one step on the line of action, rad.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BesideLine {
     pub step: i64,
     pub least: f64,
-    /// Without end where no step is on the line all through.
+    /// ∞ if no step stays on the line.
     pub most: f64,
 }
 
@@ -195,10 +195,9 @@ impl Table {
         [least, most.fold(f64::INFINITY, lesser)]
     }
 
-    /// How much more than a step on the line of action a side has in a part of a mating; `None` where no step is open.
+    /// The room of a side in a part of a mating, against that of a step on the line of action; `None` if no step is open.
     ///
-    /// The step is the one with the least room among those on the line all through the part. Bounds of other rooms lose a part of their
-    /// difference from it ([`SideTable::room_error`]).
+    /// It is the step with the least room among those that stay on the line. The difference of any other room from that is uncertain ([`SideTable::room_error`]).
     pub fn beside_line(&self, side: usize, mating: u64, part: usize) -> Option<BesideLine> {
         let table = &self.sides[side];
         let places = table.places(mating);
@@ -222,7 +221,7 @@ impl Table {
     /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth over the cycle,
     /// rad; ∞ if unknown.
     ///
-    /// A pair on the line of action stops the gear first where far flanks leave more room than the flanks are spread. At other poses the room
+    /// A pair on the line of action stops the gear first if far flanks leave more room than the flanks differ. At other poses the room
     /// of a side is at most `most`, less the room of the other side.
     pub fn stops_before_far_flanks(&self, cycle: &MeshCycle, most: f64) -> bool {
         let mut sides = self.sides.iter().zip(&cycle.sides);
@@ -288,7 +287,7 @@ impl Table {
 }
 
 impl Distances {
-    /// The range of the centres' distance, in parts of the way from the least to the greatest, for the shifts at both ends of a part.
+    /// The centre distance in a part, as two shares of its range, for the shifts at both ends of the part.
     fn shares(&self, ends: [f64; 2]) -> [f64; 2] {
         if self.off == 0.0 {
             return [0.0, 1.0];

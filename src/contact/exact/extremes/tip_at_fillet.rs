@@ -31,7 +31,7 @@ struct FilletChord {
     normal: C,
 }
 
-/// One gear's tip corner with the mate's fillet.
+/// The tip corner of one gear and the fillet of its mate.
 #[derive(Debug, Clone)]
 pub(super) struct TipAtFillet {
     pub owner: Role,
@@ -46,7 +46,7 @@ pub(super) struct TipAtFillet {
     middle: f64,
 }
 
-/// The data of one gear.
+/// The data of a gear that the path of its tip corner needs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TipData {
     pub base: f64,
@@ -136,7 +136,7 @@ impl TipAtFillet {
             + free.half_base
     }
 
-    /// The corner at one distance and its line, with the locked half tooth within `play` of the angle `at`.
+    /// The corner at a centre distance with its line of action, while the locked half tooth is within `play` of the angle `at`.
     fn corner(&self, at: f64, play: f64, (distance, line): &(f64, Line)) -> MovingCorner {
         let (distance, ratio) = (*distance, self.locked.base / self.free.base);
         let (locked, free) = (&self.locked, &self.free);
@@ -193,7 +193,7 @@ impl TipAtFillet {
         (clearance, self.may_be_above(&corner, clearance))
     }
 
-    /// Whether the corner may be above the form circle at a contact with this clearance or more, as far as clearances are distinguished.
+    /// Whether the corner may be above the form circle at a contact with this clearance or a greater one.
     fn may_be_above(&self, corner: &MovingCorner, clearance: f64) -> bool {
         let Some(chord) = self.chords.first() else {
             return true;
@@ -281,11 +281,11 @@ struct MovingCorner {
     radius: f64,
     /// Its velocity by the turn of the free gear.
     by_gap: C,
-    /// Second-order part of its way, mm.
+    /// Second-order part of its path, mm.
     jolt: f64,
-    /// Bound of its way by the turn of the locked gear, mm.
+    /// Bound of its path over the turn of the locked gear, mm.
     moved: f64,
-    /// Bound of the change of `by_gap` on this way, and of its component along a normal that turns with the mate.
+    /// Bound of the change of `by_gap` on this path, and of its component along a normal that turns with the mate.
     turned: f64,
 }
 

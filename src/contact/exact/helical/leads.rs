@@ -88,14 +88,14 @@ pub(super) struct AlongFace<'a> {
     effort: &'a Effort<'a>,
 }
 
-/// Bounds for all teeth of a pair of gears over the face.
+/// Bounds over the face that hold for all teeth of both gears.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceBounds {
-    /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
+    /// Greatest move of both flanks of a pair by leads, leans and profile deviations, mm along the base tangent.
     pub most_moved: f64,
     /// Greatest sum of the leads of any right flanks, and of any left ones, over the face, less that in the measuring plane, mm.
     pub most_lead: [f64; 2],
-    /// Bound of what heights of leaning axes change both leads of a pair, mm.
+    /// Greatest change of both leads of a pair by the heights of contacts between leaning axes, mm.
     pub by_heights: f64,
     /// Whether tips can touch fillets.
     pub in_fillets: bool,
@@ -145,7 +145,7 @@ enum Fillets {
     All,
 }
 
-/// The gap of a pair in a section, and its rate along the face, rad/mm.
+/// The gap of a pair in the section at `b`, and its rate along the face, rad/mm.
 #[derive(Debug, Clone, Copy)]
 struct GapInSection {
     b: f64,
@@ -455,7 +455,7 @@ impl<'a> AlongFace<'a> {
         })
     }
 
-    /// Bound of what leads and leans change the gap of a touch in a fillet.
+    /// Greatest change of the gap of a touch in a fillet by leads and leans, rad.
     fn most_in_fillets(&self, teeth: &FacingTeeth) -> f64 {
         MOST_BY_ARMS * self.most_moved(teeth) / self.bases()[1]
     }
@@ -477,7 +477,7 @@ impl<'a> AlongFace<'a> {
         [problem.locked.shape.base, problem.free.shape.base]
     }
 
-    /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
+    /// Greatest move of both flanks of these teeth by leads, leans and profile deviations, mm along the base tangent.
     fn most_moved(&self, teeth: &FacingTeeth) -> f64 {
         if !self.assembly.is_modified() {
             return self.bounds.most_moved;
@@ -495,7 +495,7 @@ impl<'a> AlongFace<'a> {
         leads[0] + leads[1] + self.most_leaning + profiles[0] + profiles[1]
     }
 
-    /// Bound of what leads and leans take from the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
+    /// Greatest loss, by leads and leans, of the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
     fn beside(&self, teeth: &FacingTeeth, nearest: &Separation) -> f64 {
         let bases = self.bases();
         let turned = self.most_moved(teeth) * self.per_moved();
@@ -823,8 +823,7 @@ impl<'a> AlongFace<'a> {
         found.reduce(|one, other| if other.gap > one.gap { other } else { one })
     }
 
-    /// The place between two others at which the sum of both leads is greatest, if that is inside of them and the teeth are on the line of action
-    /// there. The gap of a pair on the line is a function of that sum alone.
+    /// The place inside a stretch at which the sum of both leads is greatest, if the teeth are on the line of action there. The gap of a pair on the line is a function of that sum alone.
     fn where_leads_are_greatest(&self, pair: &PairOfTeeth, [start, end]: [f64; 2]) -> Option<f64> {
         if !self.is_plain() || self.leaning.is_some() {
             return None;

@@ -28,7 +28,7 @@ pub(super) struct Floors {
     pub solid: f64,
 }
 
-/// The teeth of a pose, twisted along the face.
+/// Tells which places of the face need to be examined at a pose.
 pub(super) struct PlaceFilter<'a> {
     posed: &'a PosedFlanks<'a>,
     /// Twist of the locked and the free gear in the frame of `posed`, rad/mm.

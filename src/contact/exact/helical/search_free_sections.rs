@@ -1,4 +1,4 @@
-//! Pairs that bind anywhere on the face and need no search: each side by itself, from few sections.
+//! Contacts of pairs that bind anywhere on the face and need no search: each side by itself, from few sections.
 //!
 //! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]). So [`super::leads`] knows the places of
 //! all that can be tightest. Where the gears interfere, one section alone can jam. [`Helical::over`] finds these poses.
@@ -123,7 +123,7 @@ impl Helical {
         (angle > bound).then_some(found)
     }
 
-    /// The section at `b`, mm, at the pose `here`, with the teeth in reach alone; `pose` is that of the measuring plane. `None` where sections are
+    /// The section at `b`, mm, at its pose `here`, with only the teeth in reach; `pose` is that of the measuring plane. `None` if sections are
     /// searched.
     pub(super) fn section_in_reach(&self, pose: &Pose, here: &Pose, b: f64) -> Option<Section> {
         let search_free = self.search_free.as_ref()?;

@@ -10,7 +10,7 @@ use crate::pair::{GearPair, Member};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Distance from a crossing of edges, as an angle of the locked tooth, rad: about a hundred times its rounding.
+/// Angle of the locked tooth from a crossing of edges to the places just beside it, rad: about a hundred roundings.
 const BESIDE: f64 = 1e-13;
 
 /// Rounding of a centre or a radius, in ulps of their sum.

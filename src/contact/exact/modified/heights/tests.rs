@@ -50,7 +50,7 @@ fn at_gaps(count: u32, mut ask: impl FnMut(&Heights)) {
         let found = greatest_gap_by_heights(&posed, 0, f64::NEG_INFINITY, 0.0);
         let gap = found.unwrap().unwrap().gap;
         for off in [-1e-4, 0.0, 1e-4] {
-            ask(&settle::heights(&posed, &halves, flanks, gap + off));
+            ask(&search::heights(&posed, &halves, flanks, gap + off));
         }
     }
 }

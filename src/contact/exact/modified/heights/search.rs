@@ -1,7 +1,6 @@
 //! The greatest gap of two flanks: samples give the highest place, then bounds prove that none is higher, repeatedly.
 
-use super::climb::SAME_ROLL;
-use super::{Flank, FlankPlace, Heights};
+use super::{Flank, FlankPlace, Heights, SAME_ROLL};
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
@@ -23,30 +22,43 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Greatest difference of the radii of one point of contact on both flanks, mm.
 const SETTLED: f64 = 1e-9;
 
-impl Heights<'_> {
-    /// Examines the flank from `from` to the roll `end`, over ever shorter stretches, for heights above the task's
+/// An examination of the flanks at a gap.
+struct HeightSearch {
+    /// Whether to find the highest place; otherwise whether any place is above the level.
+    is_search: bool,
+    /// Lower heights do not matter, mm.
+    level: f64,
+    best: Option<FlankPlace>,
+    /// Width, rad, at which a search ends, and below which bounds of second derivatives apply.
+    near: f64,
+    places_left: u32,
+}
+
+impl HeightSearch {
+    /// Examines the flank from `from` to the roll `end`, over ever shorter stretches, for heights above the
     /// level. `false` if one is found; `None` after too many places.
-    fn along(&self, from: FlankPlace, end: f64, task: &mut HeightSearch) -> Option<bool> {
+    fn examine_towards(&mut self, heights: &Heights, from: FlankPlace, end: f64) -> Option<bool> {
         let on = if end >= from.x { 1.0 } else { -1.0 };
-        let (mut look, mut width) = (from, task.near);
+        let (mut look, mut width) = (from, self.near);
         let mut open: Vec<(FlankPlace, f64)> = Vec::with_capacity(16);
         loop {
             let rest = (end - look.x) * on;
-            let is_over = !(rest > 0.0) || self.leaves(&look, on);
-            if is_over || self.is_past(&look, on, rest, task.level) {
+            let is_over = !(rest > 0.0) || heights.leaves(&look, on);
+            if is_over || heights.is_past(&look, on, rest, self.level) {
                 return Some(true);
             }
             open.push((look, width.min(rest)));
             while let Some((look, width)) = open.pop() {
-                if self.leaves(&look, on) || self.most(&look, on, width) <= task.level {
+                if heights.leaves(&look, on) || heights.most(&look, on, width) <= self.level {
                     continue;
                 }
-                let is_near = width <= task.near;
-                if is_near && (task.is_search || self.most_near(&look, on, width) <= task.level) {
+                let is_near = width <= self.near;
+                if is_near && (self.is_search || heights.most_near(&look, on, width) <= self.level)
+                {
                     continue;
                 }
                 let middle = if is_near {
-                    self.division(&look, on, width)
+                    heights.division(&look, on, width)
                 } else {
                     look.x + 0.5 * on * width
                 };
@@ -55,8 +67,8 @@ impl Heights<'_> {
                     return None;
                 }
                 // Inside the free base circle the free flank has ended.
-                if let Some(there) = self.look(middle) {
-                    if !task.offer(self, &there)? {
+                if let Some(there) = heights.look(middle) {
+                    if !self.offer(heights, &there)? {
                         return Some(false);
                     }
                     open.push((there, width - half));
@@ -66,10 +78,10 @@ impl Heights<'_> {
             if !(width < rest) {
                 return Some(true);
             }
-            let Some(there) = self.look(look.x + on * width) else {
+            let Some(there) = heights.look(look.x + on * width) else {
                 return (on > 0.0).then_some(true);
             };
-            if !task.offer(self, &there)? {
+            if !self.offer(heights, &there)? {
                 return Some(false);
             }
             look = there;
@@ -77,47 +89,36 @@ impl Heights<'_> {
         }
     }
 
-    /// Examines the whole flank, from `middle` and from the highest place if it is `known`, as [`Heights::along`].
-    fn over(
-        &self,
+    /// Examines the whole flank, from `middle` and from the highest place if it is `known`, as [`HeightSearch::examine_towards`].
+    fn examine_flank(
+        &mut self,
+        heights: &Heights,
         middle: &FlankPlace,
         known: Option<&FlankPlace>,
-        task: &mut HeightSearch,
     ) -> Option<bool> {
-        let (low, high) = self.locked.range;
+        let (low, high) = heights.locked.range;
         let is_clear = match known {
-            None => self.along(*middle, low, task)? && self.along(*middle, high, task)?,
+            None => {
+                self.examine_towards(heights, *middle, low)?
+                    && self.examine_towards(heights, *middle, high)?
+            }
             Some(known) => {
                 let [away, back] = if known.x >= middle.x {
                     [high, low]
                 } else {
                     [low, high]
                 };
-                self.along(*known, away, task)?
-                    && self.along(*known, middle.x, task)?
-                    && self.along(*middle, back, task)?
+                self.examine_towards(heights, *known, away)?
+                    && self.examine_towards(heights, *known, middle.x)?
+                    && self.examine_towards(heights, *middle, back)?
             }
         };
         Some(is_clear)
     }
-}
 
-/// The purpose and limits of an examination.
-struct HeightSearch {
-    /// Whether to find the highest place; otherwise whether any place is above the level.
-    is_search: bool,
-    /// Lower heights do not matter, mm.
-    level: f64,
-    best: Option<FlankPlace>,
-    /// Width, rad, at which a search ends, and below which bounds of second derivatives apply.
-    near: f64,
-    looks_left: u32,
-}
-
-impl HeightSearch {
     /// Counts an examined place. Returns whether to continue; `None` after too many.
     fn offer(&mut self, heights: &Heights, look: &FlankPlace) -> Option<bool> {
-        self.looks_left = self.looks_left.checked_sub(1)?;
+        self.places_left = self.places_left.checked_sub(1)?;
         if !(look.height > self.level && heights.reaches(look)) {
             return Some(true);
         }
@@ -144,34 +145,36 @@ pub(in super::super) fn greatest_gap_by_heights(
     let near = flanks[0].heights.fine();
     let size = posed.problem.distance + flanks[0].base + flanks[1].base;
     let rounding = ROUNDING * size;
-    let mut task = HeightSearch {
+    let mut search = HeightSearch {
         is_search: !floor.is_finite(),
         level: f64::NEG_INFINITY,
         best: None,
         near,
-        looks_left: MOST_PLACES,
+        places_left: MOST_PLACES,
     };
     let mut found: Option<CandidateContact> = None;
-    let mut gap = if task.is_search { guess } else { floor };
+    let mut gap = if search.is_search { guess } else { floor };
     for _ in 0..MOST_ROUNDS {
         let heights = at(gap);
         let middle = heights.middle(start)?;
         start = middle.x;
-        if !task.is_search {
-            task.level = rounding;
+        if !search.is_search {
+            search.level = rounding;
             let known = match &found {
                 Some(found) => Some(heights.look(found.locked.1)?),
                 None => None,
             };
-            if task.offer(&heights, &middle)? && heights.over(&middle, known.as_ref(), &mut task)? {
+            if search.offer(&heights, &middle)?
+                && search.examine_flank(&heights, &middle, known.as_ref())?
+            {
                 return Some(found);
             }
         }
         // The highest place changes little with the gap.
-        task.is_search = true;
-        task.offer(&heights, &middle)?;
-        heights.over(&middle, None, &mut task)?;
-        let higher = heights.summit(task.best.take()?, near)?;
+        search.is_search = true;
+        search.offer(&heights, &middle)?;
+        search.examine_flank(&heights, &middle, None)?;
+        let higher = heights.summit(search.best.take()?, near)?;
         let mut best = touch(posed, step, &halves, &higher)?;
         let mut moved = best.gap - gap;
         // At its own gap the highest place differs; the gap is less by the square of that.
@@ -189,7 +192,7 @@ pub(in super::super) fn greatest_gap_by_heights(
             return None;
         }
         (gap, found) = (best.gap, Some(best));
-        task.is_search = false;
+        search.is_search = false;
     }
     None
 }

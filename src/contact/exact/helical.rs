@@ -44,7 +44,7 @@ use crate::numeric::rank;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
 use leads::{AlongFace, FaceBounds, MOST_BY_ARMS};
-use place_filter::{Floors, PlaceFilter};
+use place_filter::{GapLimits, PlaceFilter};
 use profiles::{AlongFlanks, HighestPlace, LEVEL};
 use search_free_sections::SearchFreeSections;
 use std::borrow::Cow;
@@ -378,7 +378,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
                 // A jam can let the free gear turn further than the known limit.
                 let [tighter, jams] = [false, self.may_jam]
                     .map(|may_jam| floor(&posed, self.over.known(may_jam), pose));
-                let floors = Floors {
+                let floors = GapLimits {
                     tighter,
                     jams,
                     solid,

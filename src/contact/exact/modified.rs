@@ -26,7 +26,7 @@ use super::direct::{AtRotation, DirectSolver, Envelopes, far_corner_reaches};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::path::{InvolutePair, settle, start_line, steps_on};
-use super::placed::{Placed, Role};
+use super::placed::{PlacedHalf, Role};
 use super::search::{self, SideRequest};
 use super::shape::{C, HalfToothShape};
 use super::tightest::{FirstContact, TightestContacts};
@@ -305,7 +305,7 @@ impl OuterGears {
         };
         let (flank, fillet) = (ProfilePart::Involute, ProfilePart::Fillet);
         let bracket = |low: f64, high: f64| if inward { [high, low] } else { [low, high] };
-        let radius = |half: &Placed, roll: f64| half.at(flank, roll).point.norm();
+        let radius = |half: &PlacedHalf, roll: f64| half.at(flank, roll).point.norm();
         let corner = half.range(flank).1;
         let rho = radius(half, corner);
         let (form, top) = mate.range(flank);
@@ -393,7 +393,7 @@ impl OuterGears {
             posed.free(first_contact.step),
         );
         let candidate = first_contact.candidate;
-        let same = |half: &Placed, (part, roll): (ProfilePart, f64)| {
+        let same = |half: &PlacedHalf, (part, roll): (ProfilePart, f64)| {
             part == ProfilePart::Involute && half.shape.is_undeviating(roll)
         };
         (same(&locked, candidate.locked) && same(&free, candidate.free)).then_some(first_contact)

@@ -63,7 +63,7 @@ pub(super) struct Stretch {
 
 /// The distance of a mate from the tangent at one point of a curve.
 #[derive(Debug, Clone, Copy)]
-struct OffTangent {
+struct TangentDistance {
     /// `σ` and `σ'`, mm.
     room: f64,
     slope: f64,
@@ -76,7 +76,7 @@ struct OffTangent {
 
 /// The kind of proof that a stretch of a hollow curve and a mate are apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum OffStretch {
+pub(super) enum StretchProof {
     /// One direction for all points.
     SeparatingDirection(SeparatingDirection),
     /// The tangent of each point; this is the normal of the middle one, out of the locked metal.
@@ -269,7 +269,7 @@ impl FacingHalves {
         (point, normal): (C, C),
         angle: f64,
         mate: &Convex,
-    ) -> OffTangent {
+    ) -> TangentDistance {
         let other = 1 - owner;
         let p = self.centres[owner] + self.directions[owner] * point;
         let n = self.directions[owner] * normal;
@@ -277,7 +277,7 @@ impl FacingHalves {
         let omega = wrapped(wrapped(self.angles[owner] + angle + PI) - self.angles[other]);
         let support = mate.support(omega, own);
         let d = self.centres[other] - p;
-        OffTangent {
+        TangentDistance {
             room: dot(d, n) - support.reach,
             slope: along(d, n) - support.along,
             radius: support.radius,
@@ -290,7 +290,7 @@ impl FacingHalves {
     }
 
     /// Distance of `mate` from the tangent at a point of a curve.
-    fn off_tangent(&self, owner: usize, (point, normal): (C, C), mate: &Convex) -> OffTangent {
+    fn off_tangent(&self, owner: usize, (point, normal): (C, C), mate: &Convex) -> TangentDistance {
         self.off_line(owner, (point, normal), normal.arg(), mate)
     }
 
@@ -315,13 +315,13 @@ impl FacingHalves {
 
     /// Distance of `mate` from the chord of a stretch.
     #[inline]
-    fn off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex) -> OffTangent {
+    fn off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex) -> TangentDistance {
         let line = (stretch.points[0], stretch.normal);
         self.off_line(owner, line, stretch.angle, mate)
     }
 
     #[inline]
-    fn stays_off_chord(&self, stretch: &Stretch, off: OffTangent, margin: f64) -> bool {
+    fn stays_off_chord(&self, stretch: &Stretch, off: TangentDistance, margin: f64) -> bool {
         let sag = if stretch.reaches_no_further(stretch.normal) {
             0.0
         } else {
@@ -338,7 +338,7 @@ impl FacingHalves {
         (mate, facing): (&Convex, C),
         margin: f64,
         (directions_tried, most): (&mut u32, u32),
-        record: &mut impl FnMut([f64; 2], OffStretch),
+        record: &mut impl FnMut([f64; 2], StretchProof),
     ) -> bool {
         let mut open: Vec<(Stretch, u32)> = Vec::new();
         // False where a stretch can be neither proven nor cut.
@@ -417,12 +417,12 @@ impl FacingHalves {
         (mate, facing): (&Convex, C),
         margin: f64,
         directions_tried: &mut u32,
-    ) -> Option<OffStretch> {
+    ) -> Option<StretchProof> {
         *directions_tried += 1;
         let normal = self.out_of_locked(owner, stretch.normal);
         let off = self.off_chord(owner, stretch, mate);
         if self.stays_off_chord(stretch, off, margin) {
-            return Some(OffStretch::SeparatingDirection(
+            return Some(StretchProof::SeparatingDirection(
                 SeparatingDirection::Direction(normal),
             ));
         }
@@ -435,13 +435,13 @@ impl FacingHalves {
         let across = self.room(locked, free, nu, facing);
         let sag = self.sag_along(owner, stretch, SeparatingDirection::Direction(facing));
         if self.stays_apart(across.room - sag, across.arm, margin) {
-            return Some(OffStretch::SeparatingDirection(
+            return Some(StretchProof::SeparatingDirection(
                 SeparatingDirection::Direction(facing),
             ));
         }
         if self.is_off_tangents((owner, hollow), stretch, mate, margin) {
             let (_, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
-            return Some(OffStretch::Tangents(self.out_of_locked(owner, normal)));
+            return Some(StretchProof::Tangents(self.out_of_locked(owner, normal)));
         }
         // A shorter stretch about the nearest tangent is proven by its tangents.
         let nearest = self.nearest_tangent((owner, hollow), stretch, mate, margin);
@@ -460,7 +460,7 @@ impl FacingHalves {
         } else {
             self.find_separation(locked, free, start, margin + sag, directions_tried)?
         };
-        Some(OffStretch::SeparatingDirection(apart))
+        Some(StretchProof::SeparatingDirection(apart))
     }
 
     /// The distance, mm, by which a stretch of gear `owner` can reach further than its chord where this keeps the chord off a mate.
@@ -528,7 +528,7 @@ impl FacingHalves {
         ([locked, free], nu): ([&Hollow; 2], f64),
         margin: f64,
         (directions_tried, most): (&mut u32, u32),
-        record: &mut impl FnMut([[f64; 2]; 2], usize, OffStretch),
+        record: &mut impl FnMut([[f64; 2]; 2], usize, StretchProof),
     ) -> bool {
         let mut open: Vec<[Stretch; 2]> = Vec::new();
         for l in &locked.stretches {
@@ -540,7 +540,7 @@ impl FacingHalves {
                 record(
                     [l.ends, f.ends],
                     0,
-                    OffStretch::SeparatingDirection(SeparatingDirection::Direction(n)),
+                    StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)),
                 );
                 continue;
             }
@@ -603,21 +603,21 @@ impl FacingHalves {
         owner: usize,
         stretch: &Stretch,
         mate: &Stretch,
-        proof: OffStretch,
+        proof: StretchProof,
     ) -> bool {
         let back = self.directions[owner].conj();
         match proof {
             // It holds between the directions of both ends if it holds for both.
-            OffStretch::Tangents(_) => mate.normals.iter().all(|n| {
+            StretchProof::Tangents(_) => mate.normals.iter().all(|n| {
                 let own = -(self.directions[1 - owner] * n) * back;
                 stretch.reaches_no_further(own)
             }),
-            OffStretch::SeparatingDirection(SeparatingDirection::Direction(n)) => {
+            StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)) => {
                 let out = if owner == 0 { n } else { -n };
                 stretch.reaches_no_further(out * back)
             }
             // The disc of a chord is not that of the curve.
-            OffStretch::SeparatingDirection(SeparatingDirection::OutOfReach(_)) => false,
+            StretchProof::SeparatingDirection(SeparatingDirection::OutOfReach(_)) => false,
         }
     }
 
@@ -872,7 +872,7 @@ mod tests {
     }
 
     /// Whether `proof` of a stretch of gear `owner` holds for points of both pieces, the owner's with normals.
-    fn holds_for(owner: usize, own: &[(C, C)], mate: &[C], proof: OffStretch) -> bool {
+    fn holds_for(owner: usize, own: &[(C, C)], mate: &[C], proof: StretchProof) -> bool {
         let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
         let own_points: Vec<C> = own.iter().map(|(point, _)| *point).collect();
         let (locked, free) = match owner {
@@ -880,15 +880,15 @@ mod tests {
             _ => (mate, &own_points[..]),
         };
         let room = match proof {
-            OffStretch::SeparatingDirection(SeparatingDirection::Direction(n)) => {
+            StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)) => {
                 least(&mut free.iter().map(|p| dot(*p, n)))
                     + least(&mut locked.iter().map(|p| -dot(*p, n)))
             }
-            OffStretch::SeparatingDirection(SeparatingDirection::OutOfReach(n)) => {
+            StretchProof::SeparatingDirection(SeparatingDirection::OutOfReach(n)) => {
                 least(&mut locked.iter().map(|p| -dot(*p, n)))
                     + least(&mut free.iter().map(|p| -p.norm()))
             }
-            OffStretch::Tangents(_) => least(
+            StretchProof::Tangents(_) => least(
                 &mut own
                     .iter()
                     .flat_map(|(p, n)| mate.iter().map(move |q| dot(*q - *p, *n))),
@@ -937,7 +937,7 @@ mod tests {
                         holds_for(by, own, mate, proof),
                         "{k} {owner} {both}: {proof:?}"
                     );
-                    let is_tangents = matches!(proof, OffStretch::Tangents(_));
+                    let is_tangents = matches!(proof, StretchProof::Tangents(_));
                     compared[usize::from(both)][usize::from(is_tangents)] += 1;
                 };
                 at.is_off_hollow(

@@ -17,11 +17,11 @@
 
 use super::convex::{Convex, Support, along};
 use super::facing_halves::{FacingHalves, SeparatingDirection};
-use super::hollow::{Hollow, OffStretch};
+use super::hollow::{Hollow, StretchProof};
 use super::proof::{Piece, Proof, Reason, Separation, SideProof, TouchProof};
 use crate::contact::Effort;
 use crate::contact::exact::{
-    ExactKernel, FlankProblem, HalfToothShape, Placed, PosedFlanks, Section, reduced,
+    ExactKernel, FlankProblem, HalfToothShape, PlacedHalf, PosedFlanks, Section, reduced,
 };
 use crate::contact::gap::{C, PlacedCurve, dot, turn};
 use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
@@ -151,7 +151,7 @@ impl Prover {
         self.over(pose, found, |section, here, b| {
             for (side, contact) in contacts(found) {
                 let posed = section.posed(section.side(side), here);
-                let mut proving = Proving::new(self, &posed, section.free(), found);
+                let mut proving = SideProver::new(self, &posed, section.free(), found);
                 let proven = proving.side(pose, here, contact, b);
                 effort.spend(u64::from(proving.directions_tried / DIRECTIONS_A_UNIT) + 1);
                 proven?;
@@ -169,7 +169,7 @@ impl Prover {
         self.over(pose, found, |section, here, b| {
             for (side, contact) in contacts(found) {
                 let posed = section.posed(section.side(side), here);
-                let mut proving = Proving::new(self, &posed, section.free(), found);
+                let mut proving = SideProver::new(self, &posed, section.free(), found);
                 proving.apart = Some(Vec::new());
                 let proven = proving.side(pose, here, contact, b)?;
                 let held = proven.map(|(held, _)| held);
@@ -219,7 +219,7 @@ fn contacts(found: &LostMotion) -> impl Iterator<Item = (Side, Option<&Contact>)
 }
 
 /// The proof of one side of one section in progress.
-struct Proving<'a> {
+struct SideProver<'a> {
     prover: &'a Prover,
     posed: &'a PosedFlanks<'a>,
     free: Member,
@@ -235,12 +235,12 @@ struct Proving<'a> {
 struct FacingPair<'a> {
     step: i64,
     at: FacingHalves,
-    placed: [Placed<'a>; 2],
+    placed: [PlacedHalf<'a>; 2],
     tops: [Convex<'a>; 2],
 }
 
 /// The separation of the tops of a pair.
-struct TopsApart {
+struct TopSeparation {
     apart: SeparatingDirection,
     /// Its direction, rad, and the supports of both tops in it.
     nu: f64,
@@ -334,15 +334,15 @@ impl FacingPair<'_> {
     }
 }
 
-impl<'a> Proving<'a> {
+impl<'a> SideProver<'a> {
     fn new(
         prover: &'a Prover,
         posed: &'a PosedFlanks<'a>,
         free: Member,
         found: &LostMotion,
-    ) -> Proving<'a> {
+    ) -> SideProver<'a> {
         let angle = found.angle().filter(|angle| *angle > 0.0);
-        Proving {
+        SideProver {
             prover,
             posed,
             free,
@@ -482,13 +482,13 @@ impl<'a> Proving<'a> {
         }
     }
 
-    fn record_stretch(&mut self, step: i64, owner: usize, pieces: [Piece; 2], proof: OffStretch) {
+    fn record_stretch(&mut self, step: i64, owner: usize, pieces: [Piece; 2], proof: StretchProof) {
         match (proof, owner) {
-            (OffStretch::SeparatingDirection(apart), _) => {
+            (StretchProof::SeparatingDirection(apart), _) => {
                 self.record_direction(step, pieces, apart)
             }
-            (OffStretch::Tangents(n), 0) => self.record(step, pieces, Reason::LockedTangents, n),
-            (OffStretch::Tangents(n), _) => self.record(step, pieces, Reason::FreeTangents, n),
+            (StretchProof::Tangents(n), 0) => self.record(step, pieces, Reason::LockedTangents, n),
+            (StretchProof::Tangents(n), _) => self.record(step, pieces, Reason::FreeTangents, n),
         }
     }
 
@@ -539,14 +539,14 @@ impl<'a> Proving<'a> {
         &mut self,
         pair: &FacingPair,
         (nu, n): (f64, C),
-    ) -> Result<TopsApart, NotProven> {
+    ) -> Result<TopSeparation, NotProven> {
         let margin = self.prover.margin;
         let [locked, free] = &pair.tops;
         self.directions_tried += 1;
         let supports = pair.at.supports(locked, free, nu, n);
         let here = pair.at.room_of(&supports, n);
         let tops = if pair.at.stays_apart(here.room, here.arm, margin) {
-            TopsApart {
+            TopSeparation {
                 apart: SeparatingDirection::Direction(n),
                 nu,
                 supports,
@@ -559,7 +559,7 @@ impl<'a> Proving<'a> {
             let (SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n)) = apart;
             let nu = n.im.atan2(n.re);
             let supports = pair.at.supports(locked, free, nu, n);
-            TopsApart {
+            TopSeparation {
                 apart,
                 nu,
                 supports,
@@ -573,9 +573,9 @@ impl<'a> Proving<'a> {
     fn prove_fillets_apart(
         &mut self,
         pair: &FacingPair,
-        tops: &TopsApart,
+        tops: &TopSeparation,
     ) -> Result<(), NotProven> {
-        let &TopsApart {
+        let &TopSeparation {
             apart,
             nu,
             supports,
@@ -870,25 +870,25 @@ fn ordered(owner: usize, piece: Piece, other: Piece) -> [Piece; 2] {
 }
 
 /// The root land as a piece of its half tooth.
-fn root_land(half: &Placed) -> Option<Convex<'static>> {
+fn root_land(half: &PlacedHalf) -> Option<Convex<'static>> {
     let (low, high) = half.range(ProfilePart::Root);
     (high > low).then(|| Convex::arc(half.shape.root_radius, -high, -low))
 }
 
 /// Depth of a point in the metal of a half tooth, between its outline and the far corner of its tip land, mm along circles about its
 /// centre; at most 0 outside. Inside the root circle it reaches `beyond` mm past the middle of the space, where the gear is solid.
-fn depth(half: &Placed, point: C, beyond: f64) -> f64 {
+fn depth(half: &PlacedHalf, point: C, beyond: f64) -> f64 {
     depth_of((point - half.centre) * half.direction.conj(), half, beyond)
 }
 
 /// Depth of a point in the metal of the tooth's other half, mm.
-fn far_depth(half: &Placed, point: C) -> f64 {
+fn far_depth(half: &PlacedHalf, point: C) -> f64 {
     let direction = half.far_direction();
     depth_of(((point - half.centre) * direction.conj()).conj(), half, 0.0)
 }
 
 /// [`depth`] of a point in the half tooth's own frame.
-fn depth_of(own: C, half: &Placed, beyond: f64) -> f64 {
+fn depth_of(own: C, half: &PlacedHalf, beyond: f64) -> f64 {
     let shape = half.shape;
     let radius = own.norm();
     let angle = own.im.atan2(own.re);
@@ -964,7 +964,7 @@ mod tests {
         let mut compared = 0;
         let checked = prover.over(&pose, &found, |section, here, _| {
             let posed = section.posed(section.side(Side::Right), here);
-            let proving = Proving::new(&prover, &posed, section.free(), &found);
+            let proving = SideProver::new(&prover, &posed, section.free(), &found);
             for step in posed.steps_of_whole_teeth() {
                 let pair = proving.pair(step, 0.0, C::ONE);
                 let [_, free] = &pair.placed;

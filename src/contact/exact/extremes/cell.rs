@@ -3,7 +3,7 @@
 use super::mesh_cycle::{FaceEnd, MeshCycle, PARTS, PosedSide};
 use super::room::{PairRoom, greatest, least};
 use super::side_stretch::SideStretch;
-use super::table::{PartBounds, Table};
+use super::table::{CycleTable, PartBounds};
 
 /// A stretch of one mating with the bounds of its lost motion, rad.
 #[derive(Debug, Clone, Copy)]
@@ -69,7 +69,7 @@ impl MatingCell {
     }
 
     /// This cell with the bounds of its table, taken from the line of action at both ends.
-    pub fn bounded_by_line(self, cycle: &MeshCycle, table: &Table) -> MatingCell {
+    pub fn bounded_by_line(self, cycle: &MeshCycle, table: &CycleTable) -> MatingCell {
         let posed = cycle.posed(self.mating);
         let rooms = [0, 1].map(|k| {
             let over = self.over(cycle, &posed, k, Vec::new());
@@ -83,7 +83,7 @@ impl MatingCell {
     }
 
     /// This cell with the bounds of its pairs of half teeth.
-    pub fn bounded(self, cycle: &MeshCycle, table: &Table) -> MatingCell {
+    pub fn bounded(self, cycle: &MeshCycle, table: &CycleTable) -> MatingCell {
         let posed = cycle.posed(self.mating);
         let ends = cycle.posed_at_ends(self.mating);
         let rooms = [0, 1].map(|k| {
@@ -178,7 +178,7 @@ mod tests {
             if !kernel.stays_on_involutes_and_fillets(&cycle) {
                 continue;
             }
-            let table = Table::new(&cycle);
+            let table = CycleTable::new(&cycle);
             table.each(0..24, &mut |bounds| {
                 let cell = MatingCell::of_part(bounds.mating, bounds.part);
                 let line = cell.bounded_by_line(&cycle, &table);

@@ -119,7 +119,11 @@ pub(super) struct PoseValue {
 
 impl ExaminedPoses {
     /// Examines a pose; `None` if the contact is lost.
-    pub fn look(&mut self, cycle: &MeshCycle, mating: Mating) -> Result<Option<LostMotion>, Error> {
+    pub fn examine(
+        &mut self,
+        cycle: &MeshCycle,
+        mating: Mating,
+    ) -> Result<Option<LostMotion>, Error> {
         let (found, effort) = cycle.kernel.lost_motion_counted(cycle.assembly, mating);
         cycle.effort.spend(effort);
         let Some(found) = found? else {

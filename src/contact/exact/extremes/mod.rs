@@ -42,7 +42,7 @@ use extreme::{ExaminedPoses, UNKNOWN};
 use mesh_cycle::MeshCycle;
 use sample::StopAt;
 use search::Search;
-use table::Table;
+use table::CycleTable;
 
 /// Parts of the remaining effort: a search of one cycle may use one part in the first number. A search for a single end, at each of about
 /// ten other centre distances, may use one part in the second (tuned).
@@ -81,7 +81,7 @@ impl ExactKernel {
         if !self.stays_on_involutes(&cycle) {
             return false;
         }
-        let table = Table::new(&cycle);
+        let table = CycleTable::new(&cycle);
         self.stops_before_far_flanks(&cycle, &table, f64::INFINITY) && !table.has_tips_at_fillets()
     }
 
@@ -147,7 +147,7 @@ impl ExactKernel {
             sample::sample(cycle, &mut found, until)?;
             return Ok(found.extremes(cycle, [UNKNOWN; 2]));
         }
-        let table = Table::new(cycle);
+        let table = CycleTable::new(cycle);
         let width = width / cycle.per_radian();
         let search = |which| Search {
             cycle,
@@ -234,11 +234,11 @@ impl ExactKernel {
             && helical.is_none_or(|helical| helical.has_line_contact())
             && self.stays_on_involutes(cycle)
             && (self.section.far_flanks == FarFlanks::Clear
-                || Table::new(cycle).stops_before_far_flanks(cycle, f64::INFINITY))
+                || CycleTable::new(cycle).stops_before_far_flanks(cycle, f64::INFINITY))
     }
 
     /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth, rad.
-    fn stops_before_far_flanks(&self, cycle: &MeshCycle, table: &Table, most: f64) -> bool {
+    fn stops_before_far_flanks(&self, cycle: &MeshCycle, table: &CycleTable, most: f64) -> bool {
         self.section.far_flanks == FarFlanks::Clear || table.stops_before_far_flanks(cycle, most)
     }
 

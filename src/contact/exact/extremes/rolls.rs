@@ -2,7 +2,7 @@
 
 use super::super::line::Line;
 use super::super::separation::{land_roll, lowest_roll};
-use super::clearance::{HALVINGS, Lines};
+use super::clearance::{HALVINGS, LinesAtDistances};
 use super::mesh_cycle::{CycleSide, PARTS};
 
 /// Part of a turn that is examined together over a face of helical gears (tuned: no tip of 44 standard teeth seems to reach a fillet).
@@ -24,11 +24,11 @@ pub(super) struct StepRoom {
 }
 
 /// Rolls on the line of action at any pose of the cycle.
-pub(super) struct Rolls<'a> {
+pub(super) struct RollsOnLine<'a> {
     side: &'a CycleSide<'a>,
     line: &'a Line,
     /// The lines at the least and the greatest distance of the outlines' centres.
-    lines: Option<Lines>,
+    lines: Option<LinesAtDistances>,
     ahead: f64,
     /// Greatest change of `arg B + α` and of `T`, and of the flanks' places.
     turning: f64,
@@ -62,18 +62,23 @@ impl StepRoom {
     }
 }
 
-impl<'a> Rolls<'a> {
-    pub fn new(side: &'a CycleSide<'a>, line: &'a Line, ahead: f64, spread: f64) -> Rolls<'a> {
+impl<'a> RollsOnLine<'a> {
+    pub fn new(
+        side: &'a CycleSide<'a>,
+        line: &'a Line,
+        ahead: f64,
+        spread: f64,
+    ) -> RollsOnLine<'a> {
         let problem = side.problem;
         let off = side.off[0] + side.off[1];
         let (nearest, farthest) = side.distances();
         let sum = problem.sum();
         let length = ((nearest - sum) * (nearest + sum)).sqrt();
         let (low, high) = problem.locked.offset_range;
-        Rolls {
+        RollsOnLine {
             side,
             line,
-            lines: Lines::new((nearest, farthest), sum),
+            lines: LinesAtDistances::new((nearest, farthest), sum),
             ahead,
             turning: off * (1.0 + sum / length) / nearest,
             stretching: off * farthest / length,

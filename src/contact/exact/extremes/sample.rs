@@ -90,10 +90,14 @@ struct SampledCycle<'a, 'b> {
 }
 
 impl SampledCycle<'_, '_> {
-    fn look(&self, found: &mut ExaminedPoses, place: f64) -> Result<Option<FreeRotations>, Error> {
+    fn examine(
+        &self,
+        found: &mut ExaminedPoses,
+        place: f64,
+    ) -> Result<Option<FreeRotations>, Error> {
         let cycle = self.cycle;
         let mating = cycle.mating(place.floor() as u64, place.fract());
-        let Some(seen) = found.look(cycle, mating)? else {
+        let Some(seen) = found.examine(cycle, mating)? else {
             return Ok(None);
         };
         let nominal = Pose::new(cycle.assembly, mating).free_rotation();
@@ -153,7 +157,7 @@ impl SampledCycle<'_, '_> {
                 break;
             }
             let middle = 0.5 * (from + to);
-            let between = self.look(found, middle)?;
+            let between = self.examine(found, middle)?;
             for (places, ends) in [
                 ([from, middle], [stretch.ends[0], between]),
                 ([middle, to], [between, stretch.ends[1]]),
@@ -250,12 +254,12 @@ pub(super) fn sample(
     let cells = (poses / 3).clamp(1, cycle.matings * PER_PITCH);
     let place = |cell: u64| cell as f64 / cells as f64 * cycle.matings as f64;
     let mut stretches = Vec::with_capacity(cells as usize);
-    let mut last = sampled.look(found, 0.0)?;
+    let mut last = sampled.examine(found, 0.0)?;
     for cell in 0..cells {
         if until.is_reached(found) || cycle.effort.is_spent() {
             return Ok(());
         }
-        let next = sampled.look(found, place(cell + 1))?;
+        let next = sampled.examine(found, place(cell + 1))?;
         stretches.push(Stretch {
             places: [place(cell), place(cell + 1)],
             ends: [last, next],
@@ -282,7 +286,7 @@ pub(super) fn sample(
                 let mating = seen.mating;
                 let beyond = f64::from(part) * 0.25 * width;
                 let near: Mating = mating.onward(cycle.assembly, beyond);
-                found.look(cycle, near)?;
+                found.examine(cycle, near)?;
             }
         }
         width *= 0.25;
@@ -300,7 +304,7 @@ fn affordable_poses(cycle: &MeshCycle) -> Result<u64, Error> {
             break;
         }
         let place = (k as f64 + 0.5) / POSES_TO_MEASURE as f64 * cycle.matings as f64;
-        tried.look(cycle, cycle.mating(place as u64, place.fract()))?;
+        tried.examine(cycle, cycle.mating(place as u64, place.fract()))?;
     }
     let left = cycle.effort.left();
     let each = ((before - left) / POSES_TO_MEASURE).max(1);

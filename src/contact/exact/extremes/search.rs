@@ -4,7 +4,7 @@ use super::cell::MatingCell;
 use super::extreme::{CycleBound, Doubt, End, ExaminedPoses, PoseValue};
 use super::mesh_cycle::{MeshCycle, PARTS};
 use super::sample::{self, StopAt};
-use super::table::{PartBounds, Table};
+use super::table::{CycleTable, PartBounds};
 use crate::error::Error;
 use crate::numeric;
 use std::collections::BinaryHeap;
@@ -78,14 +78,14 @@ impl Candidates<'_> {
     }
 
     /// Examines the most promising stretch in its middle.
-    fn look(&self, found: &mut ExaminedPoses) -> Result<(), Error> {
+    fn examine(&self, found: &mut ExaminedPoses) -> Result<(), Error> {
         let Some(most_promising) = self.most_promising else {
             return Ok(());
         };
         let cell = MatingCell::of_part(most_promising.mating, most_promising.part);
         let cycle = self.search.cycle;
         let middle = cycle.mating(most_promising.mating, 0.5 * (cell.from + cell.to));
-        found.look(cycle, middle)?;
+        found.examine(cycle, middle)?;
         Ok(())
     }
 
@@ -99,7 +99,7 @@ impl Candidates<'_> {
         let cell =
             MatingCell::of_part(most_promising.mating, most_promising.part).bounded(cycle, table);
         let at = self.search.expected(&cell);
-        found.look(cycle, cycle.mating(most_promising.mating, at))?;
+        found.examine(cycle, cycle.mating(most_promising.mating, at))?;
         self.discard(found);
         let key = |bounds: &PartBounds| self.search.key(bounds.low, bounds.high);
         let most_promising = self.kept.iter().max_by(|a, b| key(a).total_cmp(&key(b)));
@@ -147,7 +147,7 @@ impl Candidates<'_> {
 /// A search for one extreme, best bound first.
 pub(super) struct Search<'a> {
     pub cycle: &'a MeshCycle<'a>,
-    pub table: &'a Table,
+    pub table: &'a CycleTable,
     /// The part of the bracket that the proof may leave open, rad.
     pub width: f64,
     /// Distance from the best within which places are equal, rad.
@@ -224,7 +224,7 @@ pub(super) fn rank(
         }
     }
     for candidates in &candidates {
-        candidates.look(found)?;
+        candidates.examine(found)?;
     }
     let ranked = candidates.into_iter();
     Ok(ranked.map(|candidates| candidates.ranked(found)).collect())
@@ -305,7 +305,7 @@ impl Search<'_> {
             let at = self.expected(&cell);
             if beats(&cell, found) {
                 if cell.seen != Some(at) {
-                    found.look(self.cycle, self.cycle.mating(cell.mating, at))?;
+                    found.examine(self.cycle, self.cycle.mating(cell.mating, at))?;
                 }
                 let without = match self.which {
                     End::Least => found.jammed,
@@ -408,7 +408,7 @@ impl Search<'_> {
     /// The pose of a mating, if it reaches `least`.
     fn equal_at(&self, index: u64, at: f64, least: f64) -> Result<Option<PoseValue>, Error> {
         let mut seen = ExaminedPoses::default();
-        seen.look(self.cycle, self.cycle.mating(index, at))?;
+        seen.examine(self.cycle, self.cycle.mating(index, at))?;
         let one = match self.which {
             End::Least => seen.least,
             End::Greatest => seen.greatest,

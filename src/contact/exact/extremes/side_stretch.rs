@@ -2,7 +2,7 @@
 
 use super::super::path::InvolutePair;
 use super::super::separation::{Separation, lowest_roll};
-use super::clearance::{HALVINGS, Lines};
+use super::clearance::{HALVINGS, LinesAtDistances};
 use super::corner_path;
 use super::fillet::{self, BorderTouch, OnFillet};
 use super::mesh_cycle::{CycleSide, FaceEnd, PARTS, PosedSide};
@@ -320,7 +320,7 @@ impl<'a> SideStretch<'a> {
         [from, to]: [f64; 2],
     ) -> f64 {
         let problem = self.side.problem;
-        let lines = Lines::new(places.distances, problem.sum());
+        let lines = LinesAtDistances::new(places.distances, problem.sum());
         let enough = self.side.clearance_for(enough);
         // Over a face: the piece of turn with the least room.
         let pieces = (to - from) / problem.locked.pitch * PARTS as f64 / PIECE;

@@ -5,7 +5,7 @@ use super::super::path::InvolutePair;
 use super::super::shape::C;
 use super::super::teeth::Teeth;
 use super::mesh_cycle::{CycleSide, PARTS, PosedSide};
-use super::rolls::{Rolls, StepRoom};
+use super::rolls::{RollsOnLine, StepRoom};
 use crate::gear::involute;
 use crate::pair::lens_half;
 use std::ops::Range;
@@ -98,7 +98,7 @@ impl SideTable {
             - pair.free_base;
         table.nominal = posed.room(gap) - table.off(table.places(0), 0);
         let spread = table.spread;
-        let rolls = Rolls::new(side, &line, posed.flanks.ahead, spread);
+        let rolls = RollsOnLine::new(side, &line, posed.flanks.ahead, spread);
         for part in 0..PARTS {
             let on_line_throughout = steps
                 .clone()

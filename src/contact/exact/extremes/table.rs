@@ -9,16 +9,16 @@
 
 use super::super::shape::C;
 use super::mesh_cycle::{CycleSide, MeshCycle, PARTS};
-use super::shift::Shift;
+use super::shift::CentreShift;
 use super::side_table::SideTable;
 use std::ops::Range;
 
 /// The tables of both sides.
 #[derive(Debug)]
-pub(super) struct Table {
+pub(super) struct CycleTable {
     sides: [SideTable; 2],
     /// `−ε` of both sides together.
-    shifts: Shift,
+    shifts: CentreShift,
     /// Greatest error of the sums, rad: room that they give too much, and too little. It contains the second order of `ε`, which adds room, its
     /// third order, and its curvature between the ends of a part.
     slack: [f64; 2],
@@ -53,7 +53,7 @@ pub(super) struct BesideLine {
 #[derive(Debug)]
 struct Distances {
     /// Excess over the distance of the axes, for each side.
-    sides: [Shift; 2],
+    sides: [CentreShift; 2],
     /// Upper bound of the excess, in both directions.
     off: f64,
     /// Error bound of the excess: its gap, its second order, and its curvature over a part.
@@ -75,8 +75,8 @@ fn lesser(one: f64, other: f64) -> f64 {
     if other < one { other } else { one }
 }
 
-impl Table {
-    pub fn new(cycle: &MeshCycle) -> Table {
+impl CycleTable {
+    pub fn new(cycle: &MeshCycle) -> CycleTable {
         let posed = cycle.posed(0);
         let sides = [0, 1].map(|index| SideTable::new(&cycle.sides[index], &posed[index]));
         let side = &cycle.sides[0];
@@ -105,7 +105,7 @@ impl Table {
             let (table, posed) = (&sides[index], &posed[index]);
             // The middle of the gaps on the line of action.
             let gap = posed.nominal_gap() - table.nominal - table.middle();
-            Shift::new(&cycle.sides[index], posed, gap, toward)
+            CentreShift::new(&cycle.sides[index], posed, gap, toward)
         };
         let cos = sum / problem.distance;
         let toward = C::new((1.0 - cos * cos).sqrt(), -cos) * per_base;
@@ -115,7 +115,7 @@ impl Table {
             off,
             slack: side.off[1] * (level + deepest) + 0.5 * off * off / nearest + bent,
         });
-        Table {
+        CycleTable {
             shifts: along(0, toward).plus(&along(1, toward)),
             distances,
             sides,
@@ -349,7 +349,7 @@ mod tests {
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
         let cycle = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
-        let table = Table::new(&cycle);
+        let table = CycleTable::new(&cycle);
         let posed = cycle.posed(0);
         let mut lopsided = 0;
         for (index, side) in table.sides.iter().enumerate() {

@@ -28,7 +28,7 @@ use crate::numeric::rank;
 use crate::pair::{FacingTeeth, GearPair};
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
-const LOOK: u64 = 1;
+const EVALUATION: u64 = 1;
 
 /// Distance from a knot at which the rate beside it is taken, as a part of the stretch between knots.
 const BESIDE: f64 = 1e-7;
@@ -187,7 +187,7 @@ impl<'a> AlongFace<'a> {
         let gears = members.map(|member| assembly.gear(member));
         let wound = gears[0].gear().basic_data().base_helix_angle().tan();
         let reach = gears[0].reach() + gears[1].reach();
-        effort.spend(LOOK);
+        effort.spend(EVALUATION);
         let first = Separation::endless(posed, 0, nominal);
         let near = if first.touches { first.gap } else { nominal };
         AlongFace {
@@ -406,7 +406,7 @@ impl<'a> AlongFace<'a> {
         }
         // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
         let turns = self.twists.map(|twist| twist * window[0]);
-        self.effort.spend(LOOK);
+        self.effort.spend(EVALUATION);
         let nearest = Separation::near(self.posed, step, turns, &self.start);
         let most = if nearest.touches {
             nearest.gap + self.beside(&teeth, &nearest)
@@ -422,7 +422,7 @@ impl<'a> AlongFace<'a> {
             most + self.most_in_fillets(&teeth) > floor
                 && self.assembly.face().iter().any(|b| {
                     let turns = self.twists.map(|twist| twist * b);
-                    self.effort.spend(LOOK);
+                    self.effort.spend(EVALUATION);
                     let found = Separation::near(self.posed, step, turns, &self.start);
                     is_below_form(&found)
                 })
@@ -616,7 +616,7 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
-    fn look(&self, pair: &PairOfTeeth, b: f64) -> Option<GapInSection> {
+    fn gap_in_section(&self, pair: &PairOfTeeth, b: f64) -> Option<GapInSection> {
         let bases = self.bases();
         let jets = pair.teeth.jets(b);
         let turns = [0, 1].map(|k| -jets[k][0] / bases[k]);
@@ -649,7 +649,7 @@ impl<'a> AlongFace<'a> {
     /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other. `turns` has their turns by leads without
     /// heights, rad.
     fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2]) -> Option<Touch> {
-        self.effort.spend(LOOK);
+        self.effort.spend(EVALUATION);
         let (step, bases) = (pair.step, self.bases());
         let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
         let (here, start, turns, heights, turned) = match &self.leaning {
@@ -751,7 +751,7 @@ impl<'a> AlongFace<'a> {
         let Some(leaning) = &self.leaning else {
             return Some([0.0; 2]);
         };
-        self.effort.spend(LOOK);
+        self.effort.spend(EVALUATION);
         let turns = self.turns(pair, b);
         let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
         let found = leaning.undisturbed(self.posed, (pair.step, b), turns, &self.start);
@@ -781,7 +781,7 @@ impl<'a> AlongFace<'a> {
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = pair.window.map(inside);
         if let Some(b) = self.where_leads_are_greatest(pair, [start, end]) {
-            return self.look(pair, b);
+            return self.gap_in_section(pair, b);
         }
         // An end of the window outside of the stretch is no end of the line.
         let play = self.play_of_ends();
@@ -789,34 +789,36 @@ impl<'a> AlongFace<'a> {
         let plays = [play_at(pair.window[0], start), play_at(pair.window[1], end)];
         let middle = 0.5 * (start + end);
         let inner = [(start + plays[0]).min(middle), (end - plays[1]).max(middle)];
-        let low = self.look(pair, inner[0])?;
+        let low = self.gap_in_section(pair, inner[0])?;
         let high = if inner[1] == inner[0] {
             low
         } else {
-            self.look(pair, inner[1])?
+            self.gap_in_section(pair, inner[1])?
         };
         let middle = if self.leaning.is_some() && inner[0] < inner[1] {
-            self.look(pair, middle)?
+            self.gap_in_section(pair, middle)?
         } else if low.rate > 0.0 {
             high
         } else {
             low
         };
         let left = if low.rate <= 0.0 {
-            Some(self.outwards(pair, low, from, beside))
+            Some(self.greatest_outwards(pair, low, from, beside))
         } else {
-            (middle.rate < 0.0).then(|| self.between(low, middle, |b| self.look(pair, b)))
+            (middle.rate < 0.0)
+                .then(|| self.greatest_between(low, middle, |b| self.gap_in_section(pair, b)))
         };
         let right = if high.rate >= 0.0 {
-            Some(self.outwards(pair, high, to, beside))
+            Some(self.greatest_outwards(pair, high, to, beside))
         } else {
-            (middle.rate >= 0.0).then(|| self.between(middle, high, |b| self.look(pair, b)))
+            (middle.rate >= 0.0)
+                .then(|| self.greatest_between(middle, high, |b| self.gap_in_section(pair, b)))
         };
         let ends = [(start, -plays[0], from), (end, plays[1], to)];
         let beyond = ends.map(|(end, play, border)| {
-            let outer = (play != 0.0).then(|| self.look(pair, inside(end + play)));
+            let outer = (play != 0.0).then(|| self.gap_in_section(pair, inside(end + play)));
             let outer = outer.flatten().filter(|outer| outer.rate * play > 0.0);
-            outer.map(|outer| self.outwards(pair, outer, border, beside))
+            outer.map(|outer| self.greatest_outwards(pair, outer, border, beside))
         });
         let found = left.into_iter().chain(right);
         let found = found.chain(beyond.into_iter().flatten());
@@ -838,7 +840,7 @@ impl<'a> AlongFace<'a> {
         if !(low.rate > 0.0 && high.rate < 0.0) {
             return None;
         }
-        let b = self.between(low, high, |b| Some(leads(b))).b;
+        let b = self.greatest_between(low, high, |b| Some(leads(b))).b;
         let rolls = self.rolls_at(self.endless(pair.step).rolls, b);
         let is_on = self.are_on_arcs(rolls, self.most_turned());
         is_on.then_some(b)
@@ -858,22 +860,22 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The greatest gap of a step outwards from `last`, from which it rises to a maximum or up to the `border`.
-    fn outwards(
+    fn greatest_outwards(
         &self,
         pair: &PairOfTeeth,
         mut last: GapInSection,
         border: f64,
         beside: f64,
     ) -> GapInSection {
-        let outwards = (border - last.b).signum();
+        let greatest_outwards = (border - last.b).signum();
         let mut way = FIRST_STEP * (border - last.b).abs();
         loop {
             let left = (border - last.b).abs();
             if left <= 2.0 * beside {
-                return self.look(pair, border).unwrap_or(last);
+                return self.gap_in_section(pair, border).unwrap_or(last);
             }
-            let b = last.b + outwards * way.min(left - beside);
-            let Some(next) = self.look(pair, b) else {
+            let b = last.b + greatest_outwards * way.min(left - beside);
+            let Some(next) = self.gap_in_section(pair, b) else {
                 // Too far out.
                 way *= 0.5;
                 if way < beside {
@@ -881,13 +883,13 @@ impl<'a> AlongFace<'a> {
                 }
                 continue;
             };
-            if next.rate * outwards <= 0.0 {
-                let (low, high) = if outwards > 0.0 {
+            if next.rate * greatest_outwards <= 0.0 {
+                let (low, high) = if greatest_outwards > 0.0 {
                     (last, next)
                 } else {
                     (next, last)
                 };
-                return self.between(low, high, |b| self.look(pair, b));
+                return self.greatest_between(low, high, |b| self.gap_in_section(pair, b));
             }
             last = next;
             way *= 2.0;
@@ -895,7 +897,7 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The greatest gap between two places, from which it rises inwards.
-    fn between(
+    fn greatest_between(
         &self,
         mut low: GapInSection,
         mut high: GapInSection,

@@ -29,7 +29,7 @@ use crate::contact::exact::flank_heights::deviation;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::line::Line;
 use crate::contact::exact::path::InvolutePair;
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::{DeviationCurve, ProfilePart};
 use crate::pair::{FacingTeeth, GearPair};
@@ -172,7 +172,7 @@ struct FlankPiece<'a> {
 }
 
 impl<'a> Flank<'a> {
-    fn new(half: &Placed<'a>) -> Flank<'a> {
+    fn new(half: &PlacedHalf<'a>) -> Flank<'a> {
         let part = half.shape.part(ProfilePart::Involute);
         let (low, high) = part.range();
         Flank {

@@ -1,9 +1,9 @@
 //! Places along the face where edges of the teeth have a given direction, and where two edges cross.
 
 use crate::contact::Effort;
-use crate::contact::exact::curves::Curves;
+use crate::contact::exact::curves::CurvePairs;
 use crate::contact::exact::flank_problem::PosedFlanks;
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::{C, HalfToothShape};
 use crate::contact::exact::teeth::reduced;
 use crate::pair::{GearPair, Member};
@@ -86,7 +86,7 @@ impl<'a> TwistedTeeth<'a> {
             step,
             b,
             doubt,
-            curves: Curves::ALL,
+            curves: CurvePairs::ALL,
         };
         (self.face[0]..=self.face[1]).contains(&b).then_some(place)
     }
@@ -142,7 +142,7 @@ impl<'a> Edge<'a> {
     }
 
     /// The far end of the tip land of each half tooth.
-    pub fn far(shape: &HalfToothShape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
+    pub fn far(shape: &HalfToothShape, half: impl Fn(i64) -> PlacedHalf<'a> + 'a) -> Edge<'a> {
         Edge {
             radius: shape.tip_radius,
             beyond: Box::new(move |step| half(step).far.arg()),
@@ -151,7 +151,7 @@ impl<'a> Edge<'a> {
     }
 
     /// The end of the root land, where the half tooth begins that faces other teeth.
-    pub fn root_end(shape: &HalfToothShape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
+    pub fn root_end(shape: &HalfToothShape, half: impl Fn(i64) -> PlacedHalf<'a> + 'a) -> Edge<'a> {
         Edge {
             radius: shape.root_radius,
             beyond: Box::new(move |step| -half(step).root_end),
@@ -170,7 +170,7 @@ pub(super) struct Place {
     /// Uncertainty, rad, of how far a contact at this place lets the free gear turn, beyond the usual rounding.
     pub doubt: f64,
     /// The pairs of curves that can touch tightest there. Roots are always examined too.
-    pub curves: Curves,
+    pub curves: CurvePairs,
 }
 
 /// The rotation of the free gear in the frame of a pose.

@@ -5,7 +5,7 @@ use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_pieces::FlankPieces;
 use crate::contact::exact::flank_problem::PosedFlanks;
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::gap::{CurveArc, Path, PathSearch, PlacedRun, Rectangle, Tree};
 use crate::gear::ProfilePart;
 
@@ -14,12 +14,12 @@ const BY_HEIGHTS: u64 = 32;
 
 /// A flank at its position in a pose.
 struct FlankPath<'a> {
-    half: Placed<'a>,
+    half: PlacedHalf<'a>,
     pieces: &'a FlankPieces,
 }
 
 impl<'a> FlankPath<'a> {
-    fn new(half: Placed<'a>) -> FlankPath<'a> {
+    fn new(half: PlacedHalf<'a>) -> FlankPath<'a> {
         let pieces = half.shape.flank_pieces();
         FlankPath { half, pieces }
     }

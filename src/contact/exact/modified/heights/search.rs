@@ -3,7 +3,7 @@
 use super::{Flank, FlankPlace, Heights, SAME_ROLL};
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::turn;
 use crate::gear::ProfilePart;
 
@@ -39,52 +39,52 @@ impl HeightSearch {
     /// level. `false` if one is found; `None` after too many places.
     fn examine_towards(&mut self, heights: &Heights, from: FlankPlace, end: f64) -> Option<bool> {
         let on = if end >= from.x { 1.0 } else { -1.0 };
-        let (mut look, mut width) = (from, self.near);
+        let (mut place, mut width) = (from, self.near);
         let mut open: Vec<(FlankPlace, f64)> = Vec::with_capacity(16);
         loop {
-            let rest = (end - look.x) * on;
-            let is_over = !(rest > 0.0) || heights.leaves(&look, on);
-            if is_over || heights.is_past(&look, on, rest, self.level) {
+            let rest = (end - place.x) * on;
+            let is_over = !(rest > 0.0) || heights.leaves(&place, on);
+            if is_over || heights.is_past(&place, on, rest, self.level) {
                 return Some(true);
             }
-            open.push((look, width.min(rest)));
-            while let Some((look, width)) = open.pop() {
-                if heights.leaves(&look, on) || heights.most(&look, on, width) <= self.level {
+            open.push((place, width.min(rest)));
+            while let Some((place, width)) = open.pop() {
+                if heights.leaves(&place, on) || heights.most(&place, on, width) <= self.level {
                     continue;
                 }
                 let is_near = width <= self.near;
-                if is_near && (self.is_search || heights.most_near(&look, on, width) <= self.level)
+                if is_near && (self.is_search || heights.most_near(&place, on, width) <= self.level)
                 {
                     continue;
                 }
                 let middle = if is_near {
-                    heights.division(&look, on, width)
+                    heights.division(&place, on, width)
                 } else {
-                    look.x + 0.5 * on * width
+                    place.x + 0.5 * on * width
                 };
-                let half = (middle - look.x) * on;
+                let half = (middle - place.x) * on;
                 if !(half > 0.0 && half < width) {
                     return None;
                 }
                 // Inside the free base circle the free flank has ended.
-                if let Some(there) = heights.look(middle) {
+                if let Some(there) = heights.place(middle) {
                     if !self.offer(heights, &there)? {
                         return Some(false);
                     }
                     open.push((there, width - half));
                 }
-                open.push((look, half));
+                open.push((place, half));
             }
             if !(width < rest) {
                 return Some(true);
             }
-            let Some(there) = heights.look(look.x + on * width) else {
+            let Some(there) = heights.place(place.x + on * width) else {
                 return (on > 0.0).then_some(true);
             };
             if !self.offer(heights, &there)? {
                 return Some(false);
             }
-            look = there;
+            place = there;
             width *= 2.0;
         }
     }
@@ -117,14 +117,14 @@ impl HeightSearch {
     }
 
     /// Counts an examined place. Returns whether to continue; `None` after too many.
-    fn offer(&mut self, heights: &Heights, look: &FlankPlace) -> Option<bool> {
+    fn offer(&mut self, heights: &Heights, place: &FlankPlace) -> Option<bool> {
         self.places_left = self.places_left.checked_sub(1)?;
-        if !(look.height > self.level && heights.reaches(look)) {
+        if !(place.height > self.level && heights.reaches(place)) {
             return Some(true);
         }
-        self.best = Some(*look);
+        self.best = Some(*place);
         if self.is_search {
-            self.level = look.height;
+            self.level = place.height;
         }
         Some(self.is_search)
     }
@@ -161,7 +161,7 @@ pub(in super::super) fn greatest_gap_by_heights(
         if !search.is_search {
             search.level = rounding;
             let known = match &found {
-                Some(found) => Some(heights.look(found.locked.1)?),
+                Some(found) => Some(heights.place(found.locked.1)?),
                 None => None,
             };
             if search.offer(&heights, &middle)?
@@ -183,8 +183,8 @@ pub(in super::super) fn greatest_gap_by_heights(
                 break;
             }
             let heights = at(best.gap);
-            let look = heights.look(best.locked.1)?;
-            let again = touch(posed, step, &halves, &heights.summit(look, near)?)?;
+            let place = heights.place(best.locked.1)?;
+            let again = touch(posed, step, &halves, &heights.summit(place, near)?)?;
             moved = again.gap - best.gap;
             best = again;
         }
@@ -200,7 +200,7 @@ pub(in super::super) fn greatest_gap_by_heights(
 /// Both flanks with the free gear held at a gap.
 pub(super) fn heights<'a>(
     posed: &PosedFlanks,
-    (locked, free): &(Placed<'a>, Placed<'a>),
+    (locked, free): &(PlacedHalf<'a>, PlacedHalf<'a>),
     flanks: [Flank<'a>; 2],
     gap: f64,
 ) -> Heights<'a> {
@@ -218,21 +218,21 @@ pub(super) fn heights<'a>(
 fn touch(
     posed: &PosedFlanks,
     step: i64,
-    (locked, free): &(Placed, Placed),
-    look: &FlankPlace,
+    (locked, free): &(PlacedHalf, PlacedHalf),
+    place: &FlankPlace,
 ) -> Option<CandidateContact> {
     let part = ProfilePart::Involute;
-    let radius = |half: &Placed, t: f64| half.at(part, t).point.norm();
+    let radius = |half: &PlacedHalf, t: f64| half.at(part, t).point.norm();
     let (low, high) = free.range(part);
-    let (x, y) = if look.y >= high - SAME_ROLL || look.y <= low + SAME_ROLL {
-        let y = look.y.clamp(low, high);
+    let (x, y) = if place.y >= high - SAME_ROLL || place.y <= low + SAME_ROLL {
+        let y = place.y.clamp(low, high);
         let (inner, outer) = locked.range(part);
         let x = locked.curve(part);
-        (x.invert(radius(free, y), [outer, inner], look.x), y)
+        (x.invert(radius(free, y), [outer, inner], place.x), y)
     } else {
         let y = free.curve(part);
-        let rho = radius(locked, look.x);
-        (look.x, y.invert(rho, [low, high], look.y))
+        let rho = radius(locked, place.x);
+        (place.x, y.invert(rho, [low, high], place.y))
     };
     let meets = (radius(locked, x) - radius(free, y)).abs() <= SETTLED;
     let slack = 2.0 * ROUNDING * (posed.problem.distance + locked.shape.base + free.shape.base);

@@ -441,8 +441,8 @@ impl Fillet {
             .fold(self.root_angle, f64::max)
     }
 
-    /// [`Fillet::bend`] of an elliptic tip round. With `c = 1/cos γ`, `k ≥ 1` and `|k'| ≤ tan²β/2`: `|L| ≤ |h_0| c + ρ`, `|M| ≤ |h_0| c + ρ tan²β`,
-    /// `|L'| ≤ |h_0| c tan γ + ρ tan²β/2`, `|M'| ≤ |h_0| c tan γ + ρ tan²β (1 + 3/2 tan²β)`, `|ρ_t'| ≤ 3/2 tan²β ρ/cos²β`.
+    /// [`Fillet::bend`] of an elliptic tip round. With `c = 1/cos γ`, `k ≥ 1` and `|k'| ≤ tan²β/2`: `|L| ≤ |h_0| c + ρ`, `|M| ≤ |h_0| c + ρ
+    /// tan²β`, `|L'| ≤ |h_0| c tan γ + ρ tan²β/2`, `|M'| ≤ |h_0| c tan γ + ρ tan²β (1 + 3/2 tan²β)`, `|ρ_t'| ≤ 3/2 tan²β ρ/cos²β`.
     fn elliptic_bend(&self, gamma: f64) -> (f64, f64) {
         let (c, tan) = (1.0 / gamma.cos(), gamma.tan());
         let (depth, round, lean, r) =

@@ -83,8 +83,8 @@ impl FlankProblem {
         }
     }
 
-    /// The problem in a section with these teeth, a centre distance, mm, and displacements of both outlines at rotation 0. The window stays: it is
-    /// that of all sections.
+    /// The problem in a section with these teeth, a centre distance, mm, and displacements of both outlines at rotation 0. The window stays:
+    /// it is that of all sections.
     pub fn in_section(
         &self,
         distance: f64,

@@ -245,8 +245,8 @@ impl Helical {
         AlongFace::new(&self.assembly, posed, nominal, self.bounds, effort)
     }
 
-    /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`, and the tightest gap. The nominal rotation is
-    /// at the gap `nominal`.
+    /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`, and the tightest gap. The nominal
+    /// rotation is at the gap `nominal`.
     fn places_of_leads(
         &self,
         along: &AlongFace,

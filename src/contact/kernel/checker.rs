@@ -816,7 +816,8 @@ mod tests {
         }
     }
 
-    /// A pair that a direction holds apart loses no more than its arm and the turn allow as the free gear turns further. Source: the reach of the turned piece.
+    /// A pair that a direction holds apart loses no more than its arm and the turn allow as the free gear turns further. Source: the reach of
+    /// the turned piece.
     #[test]
     fn what_holds_stays_apart_as_the_free_gear_turns() {
         let assembly = eccentric(0.05, 2.0);

@@ -423,7 +423,8 @@ mod tests {
         assert!(!endless.stays_apart(2.0, 0.0, 1.0));
     }
 
-    /// Newton's method needs few directions, for pieces that hardly leave room and for pieces that hardly overlap. Source: ordinary pairs need 15 to 60 a side.
+    /// Newton's method needs few directions, for pieces that hardly leave room and for pieces that hardly overlap. Source: ordinary pairs
+    /// need 15 to 60 a side.
     #[test]
     fn few_directions_decide() {
         let shapes = [shape(20), shape(30)];

@@ -330,8 +330,9 @@ impl FacingHalves {
         self.stays_apart(off.room - sag, off.arm - sag, margin)
     }
 
-    /// Whether `mate` is off the whole hollow curve of gear `owner` by more than `margin` mm. `record` receives each proven stretch. `directions_tried`
-    /// counts the examined directions, up to `most`. The first direction for a stretch is its normal or `facing`, whichever leaves more room.
+    /// Whether `mate` is off the whole hollow curve of gear `owner` by more than `margin` mm. `record` receives each proven stretch.
+    /// `directions_tried` counts the examined directions, up to `most`. The first direction for a stretch is its normal or `facing`,
+    /// whichever leaves more room.
     pub fn is_off_hollow(
         &self,
         (owner, hollow): (usize, &Hollow),

@@ -3,8 +3,8 @@
 //! Cells share the poses at their ends. A line parallel to the chord between both ends is above the gap of a side all through a cell. The two
 //! lines that touch the gap at the ends are below it ([`SideCell`]). Bounds of the lost motion follow from the lines of both sides.
 //!
-//! Where contact passes from one edge to the next within a cell, the gap is least at a kink. Both lines below meet near it. So the bounds are off
-//! by the second order of a cell's width there too.
+//! Where contact passes from one edge to the next within a cell, the gap is least at a kink. Both lines below meet near it. So the bounds are
+//! off by the second order of a cell's width there too.
 
 use super::cell::{Bound, ContactInCell, SideCell};
 use super::teeth::Frame;
@@ -38,7 +38,8 @@ pub(crate) struct OutlineCycle<'t> {
 }
 
 impl OutlineKernel<'_> {
-    /// The extremes `ends` of `pair`, these gears, over a cycle, in brackets of `width` mm where no more effort is needed than a search may spend.
+    /// The extremes `ends` of `pair`, these gears, over a cycle, in brackets of `width` mm where no more effort is needed than a search may
+    /// spend.
     pub(crate) fn extremes(
         &self,
         pair: &OutlinePair,

@@ -384,8 +384,8 @@ impl SideKernel<'_> {
         .contact()
     }
 
-    /// Where both curves of a meeting are, the free one still at rotation 0; the normal out of the locked metal and the slope by which a shift of a
-    /// curve turns the gap.
+    /// Where both curves of a meeting are, the free one still at rotation 0; the normal out of the locked metal and the slope by which a
+    /// shift of a curve turns the gap.
     fn touching(&self, meeting: &SideContact) -> ([CurvePoint; 2], C, f64) {
         let SideContact { found, nominal, .. } = meeting;
         let [locked, free] = meeting.teeth;

@@ -212,9 +212,9 @@ impl<'a> FacingPair<'a> {
     /// How far the free gear can be turned before `free_chord` moves by `room` along `n`, whose direction is off by up to `doubt`, rad.
     ///
     /// Turned by `φ` about the axis, a point at `r` from it moves along `n` by
-    /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`. `l` and `m` are the greatest such parts (not below 0) at the two ends, and so for all points between
-    /// them. A curve lies within its error of its chord, and so do its parts. The lesser root of `φ l + φ² m/2 = room`
-    /// is a safe turn.
+    /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`. `l` and `m` are the greatest such parts (not below 0) at the two ends, and so for
+    /// all points between them. A curve lies within its error of its chord, and so do its parts. The lesser root of `φ l + φ² m/2 = room` is
+    /// a safe turn.
     fn turn_across(&self, n: Vector2<f64>, free_chord: &Chord, room: f64, doubt: f64) -> f64 {
         let (mut lever, mut bulge) = (0.0f64, 0.0f64);
         for end in free_chord.ends {

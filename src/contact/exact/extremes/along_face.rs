@@ -24,8 +24,8 @@
 //! A tip corner that is passed by `ω` stands `r_b ξ_a ω` inside of the line, at another height than the line's point. By its twist that adds
 //! `g ω` to its tightness.
 //!
-//! Both bounds hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`SideStretch`] bounds. Gears whose
-//! flanks spread over all turns by leads and leans, at the least distance of any section, show that.
+//! Both bounds hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`SideStretch`] bounds.
+//! Gears whose flanks spread over all turns by leads and leans, at the least distance of any section, show that.
 
 use super::mesh_cycle::{CycleSide, MeshCycle, PosedSide, posed_sides};
 use super::side_stretch::SideStretch;

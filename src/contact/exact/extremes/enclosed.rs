@@ -1,8 +1,8 @@
 //! Bounds of gears whose profiles or leads deviate, from enclosing gears without such deviations.
 //!
 //! Every half tooth lies within that of an outer gear and contains that of an inner one. These have the greatest and the least deviation of
-//! its flank everywhere, over its profile and over the common face. Additional metal never adds play, so at any pose the lost motion is between those of the outer and of the inner
-//! gears.
+//! its flank everywhere, over its profile and over the common face. Additional metal never adds play, so at any pose the lost motion is
+//! between those of the outer and of the inner gears.
 
 use super::extreme::{CycleBound, Doubt, End, Extreme, UNKNOWN};
 use super::mesh_cycle::MeshCycle;

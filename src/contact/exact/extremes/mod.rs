@@ -2,9 +2,9 @@
 //!
 //! Each side has room until its tightest pair of half teeth touches; the lost motion is the sum of both. Two bounds hold over a stretch of
 //! a mating. The lower bound treats each pair as nothing but involutes and their ends, and adds what fillets leave below the form circle
-//! ([`separation`](super::separation), [`tip`]). The upper bound is the room of any one pair. Tables ([`table`]) rule out nearly every mating of a long cycle.
-//! The rest is cut where its bound is worst, until no stretch can beat the best known pose by more than the requested width. So the bracket
-//! covers every rotation of every mating, and one of its ends is a pose of the exact method.
+//! ([`separation`](super::separation), [`tip_at_fillet`]). The upper bound is the room of any one pair. Tables ([`table`]) rule out nearly
+//! every mating of a long cycle. The rest is cut where its bound is worst, until no stretch can beat the best known pose by more than the
+//! requested width. So the bracket covers every rotation of every mating, and one of its ends is a pose of the exact method.
 //!
 //! The lower bound has the same conditions under which the exact method needs no search ([`super::super::search_free_proof`]). If they
 //! fail, poses are sampled, and the result reports it.
@@ -242,7 +242,7 @@ impl ExactKernel {
         self.section.far_flanks == FarFlanks::Clear || table.stops_before_far_flanks(cycle, most)
     }
 
-    /// Whether of near half teeth only involutes, their ends and tip lands can touch, and corners on fillets, which [`tip`] bounds.
+    /// Whether of near half teeth only involutes, their ends and tip lands can touch, and corners on fillets, which [`tip_at_fillet`] bounds.
     fn stays_on_involutes(&self, cycle: &MeshCycle) -> bool {
         let side = &cycle.sides[0];
         let problem = side.problem;

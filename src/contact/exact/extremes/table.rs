@@ -197,7 +197,8 @@ impl CycleTable {
 
     /// The room of a side in a part of a mating, against that of a step on the line of action; `None` if no step is open.
     ///
-    /// It is the step with the least room among those that stay on the line. The difference of any other room from that is uncertain ([`SideTable::room_error`]).
+    /// It is the step with the least room among those that stay on the line. The difference of any other room from that is uncertain
+    /// ([`SideTable::room_error`]).
     pub fn beside_line(&self, side: usize, mating: u64, part: usize) -> Option<BesideLine> {
         let table = &self.sides[side];
         let places = table.places(mating);
@@ -317,7 +318,8 @@ mod tests {
         f64::from((k * step + 7 * (k % 97) * k) % 101) / 101.0
     }
 
-    /// The random pair `k`, with at most this profile shift, range of the pitch deviations, eccentricity, and room beyond the pair without backlash.
+    /// The random pair `k`, with at most this profile shift, range of the pitch deviations, eccentricity, and room beyond the pair without
+    /// backlash.
     fn random(k: u32, teeth: [u32; 2], most: [f64; 4]) -> Option<GearPair> {
         let built = |kind: usize, face, step: u32| {
             let design = GearDesign::plain(teeth[kind], 2.0).shifted(most[0] * part(k, step));
@@ -393,8 +395,8 @@ mod tests {
         assert!(kept > 20 && touched > 10, "{kept} {touched}");
     }
 
-    /// No far flank touches before the bound of [`SideTable::before_far_flanks`]. Source: the search for contacts with far flanks, at ten poses of
-    /// pairs of few teeth.
+    /// No far flank touches before the bound of [`SideTable::before_far_flanks`]. Source: the search for contacts with far flanks, at ten
+    /// poses of pairs of few teeth.
     #[test]
     fn far_flanks_are_as_late_as_their_bound() {
         let (mut examined, mut near) = (0, 0);

@@ -1,14 +1,14 @@
 //! Places along the face where teeth with lead deviations touch tightest.
 //!
 //! In the section at `b` a tooth is that of the measuring plane, turned by its twist and by `−δ(b)/r_b`. The gap of a pair on the
-//! line of action is a constant plus `Σ δ(b)/r_bF`. A tip corner touches beyond that stretch, and without leads the gap falls concavely there. So
-//! between two knots of the leads, where `Σ δ` is straight or crowned, the gap is concave along the face. It is greatest at a knot, at an
-//! end of the face, or where its rate `∂μ/∂λ λ' + ∂μ/∂φ φ'` vanishes. [`Separation`] has the gap and both derivatives, for involutes and their
-//! ends. It is asked from the stretch on the line outwards, because far beyond it two teeth do not face each other. A pair whose endless
-//! involutes cannot reach the known gap is left out.
+//! line of action is a constant plus `Σ δ(b)/r_bF`. A tip corner touches beyond that stretch, and without leads the gap falls concavely
+//! there. So between two knots of the leads, where `Σ δ` is straight or crowned, the gap is concave along the face. It is greatest at a knot,
+//! at an end of the face, or where its rate `∂μ/∂λ λ' + ∂μ/∂φ φ'` vanishes. [`Separation`] has the gap and both derivatives, for involutes
+//! and their ends. It is asked from the stretch on the line outwards, because far beyond it two teeth do not face each other. A pair whose
+//! endless involutes cannot reach the known gap is left out.
 //!
-//! A tip that passes the form circle of its mate touches the fillet there, and leads move the place at which it is tightest ([`deepest`]). The gap
-//! of a fillet is searched in each section ([`TurnedTeeth`]), from the end of the stretch on the line and from that place outwards.
+//! A tip that passes the form circle of its mate touches the fillet there, and leads move the place at which it is tightest ([`deepest`]).
+//! The gap of a fillet is searched in each section ([`TurnedTeeth`]), from the end of the stretch on the line and from that place outwards.
 //!
 //! [`deepest`]: super::super::deepest
 //!
@@ -48,8 +48,8 @@ const HOLLOW_PARTS: usize = 8;
 /// First step outwards from the stretch on the line, as a part of the rest of a stretch between knots (tuned).
 const FIRST_STEP: f64 = 1.0 / 64.0;
 
-/// Greatest effect of a flank's move on the gap of a fillet, against an involute's. Where an edge touches a fillet tightest, the normal passes the
-/// pitch point and the effect is that on an involute. The arms differ beside that place (tuned: twice is more than occurs).
+/// Greatest effect of a flank's move on the gap of a fillet, against an involute's. Where an edge touches a fillet tightest, the normal
+/// passes the pitch point and the effect is that on an involute. The arms differ beside that place (tuned: twice is more than occurs).
 pub(super) const MOST_BY_ARMS: f64 = 2.0;
 
 /// Roll, rad, beyond the end of an involute that is still on the line of action: some roundings.
@@ -64,7 +64,8 @@ const ROUNDED: f64 = 4e-15;
 /// Gap, rad, by which a step to a maximum may still change it: rounding.
 const SETTLED: f64 = 1e-15;
 
-/// [`SETTLED`] for leaning axes, whose rates are those between neighbouring sections. It is a millionth of what their sections leave out, or less.
+/// [`SETTLED`] for leaning axes, whose rates are those between neighbouring sections. It is a millionth of what their sections leave out, or
+/// less.
 const SETTLED_LEANING: f64 = 1e-14;
 
 /// The teeth of one side of a pose over the common face.
@@ -206,8 +207,8 @@ impl<'a> AlongFace<'a> {
         }
     }
 
-    /// The pair of a step with endless involutes; that of step 0 tells it to first order. The second order is that of the free gear's eccentricity
-    /// times the square of pitch deviations, below a tie.
+    /// The pair of a step with endless involutes; that of step 0 tells it to first order. The second order is that of the free gear's
+    /// eccentricity times the square of pitch deviations, below a tie.
     fn endless(&self, step: i64) -> EndlessPair {
         let (first, bases) = (&self.first, self.bases());
         let (own, other) = (&self.first_pair, InvolutePair::new(self.posed, step));
@@ -229,8 +230,9 @@ impl<'a> AlongFace<'a> {
         }
     }
 
-    /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest` has
-    /// the steps and places at which edges touch fillets tightest without leads and leans. The second result is the tightest gap, or `floor`.
+    /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest`
+    /// has the steps and places at which edges touch fillets tightest without leads and leans. The second result is the tightest gap, or
+    /// `floor`.
     pub fn places(
         &self,
         floor: f64,
@@ -508,8 +510,8 @@ impl<'a> AlongFace<'a> {
         2.0 * (passed[0] + passed[1]) / bases[1]
     }
 
-    /// The stretch of the face, mm, on which a pair with these rolls in the measuring plane is on the line of action, up to the slight turns by leads.
-    /// Without one, the place nearest to it.
+    /// The stretch of the face, mm, on which a pair with these rolls in the measuring plane is on the line of action, up to the slight turns
+    /// by leads. Without one, the place nearest to it.
     fn on_line(&self, rolls: [f64; 2]) -> [f64; 2] {
         let face = self.assembly.face();
         let shapes = [
@@ -592,8 +594,8 @@ impl<'a> AlongFace<'a> {
 
     /// Bound of the gap of a pair of leaning axes on the face, less what leads add.
     ///
-    /// Without leads it is linear along the stretch on the line of action, with a slight concave bend. Beyond the stretch it falls, against a rate
-    /// of up to the lean. The touch of spur gears is concave over the face.
+    /// Without leads it is linear along the stretch on the line of action, with a slight concave bend. Beyond the stretch it falls, against a
+    /// rate of up to the lean. The touch of spur gears is concave over the face.
     fn most_of_leaning(&self, pair: &PairOfTeeth) -> f64 {
         if self.leaning.is_none() {
             return f64::INFINITY;
@@ -825,7 +827,8 @@ impl<'a> AlongFace<'a> {
         found.reduce(|one, other| if other.gap > one.gap { other } else { one })
     }
 
-    /// The place inside a stretch at which the sum of both leads is greatest, if the teeth are on the line of action there. The gap of a pair on the line is a function of that sum alone.
+    /// The place inside a stretch at which the sum of both leads is greatest, if the teeth are on the line of action there. The gap of a pair
+    /// on the line is a function of that sum alone.
     fn where_leads_are_greatest(&self, pair: &PairOfTeeth, [start, end]: [f64; 2]) -> Option<f64> {
         if !self.is_plain() || self.leaning.is_some() {
             return None;

@@ -1,7 +1,7 @@
 //! Contacts of pairs that bind anywhere on the face and need no search: each side by itself, from few sections.
 //!
-//! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]). So [`super::leads`] knows the places of
-//! all that can be tightest. Where the gears interfere, one section alone can jam. [`Helical::over`] finds these poses.
+//! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]). So [`super::leads`] knows the
+//! places of all that can be tightest. Where the gears interfere, one section alone can jam. [`Helical::over`] finds these poses.
 
 use super::{Edges, Helical, reduced};
 use crate::contact::Effort;

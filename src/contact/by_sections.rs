@@ -11,18 +11,18 @@ use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Pose};
 
-/// Effort of a section besides its polygons, in units (tuned: about 0.5 µs).
+/// Effort of building a section, nodes, without its polygons (tuned: about 0.5 µs).
 const SECTION: u64 = 2;
 
 /// A helical pair, its gears cut into polygons.
-pub(super) struct Sections<'a> {
+pub(super) struct CutSections<'a> {
     pub assembly: &'a GearPair,
     pub cut: [&'a CutGear; 2],
     /// Places along the face, mm.
     pub places: Vec<f64>,
 }
 
-impl Sections<'_> {
+impl CutSections<'_> {
     /// Both contacts at `pose` by the polygon method, within the budget `effort` for all sections. It also examines the
     /// sections of `found`, the result of another method.
     ///
@@ -42,7 +42,7 @@ impl Sections<'_> {
         });
         for b in self.places.iter().copied().chain(further) {
             let (here, lost_motion) = self.in_section(pose, b, effort)?;
-            over.take(b, &here, lost_motion);
+            over.add(b, &here, lost_motion);
             if over.is_solid() {
                 break;
             }
@@ -145,7 +145,7 @@ mod tests {
         let pair = GearPair::new(wheel, pinion, distance).unwrap();
         let pair = pair.with_face([-100.0, 100.0]).unwrap();
         let kernel = ExactKernel::new(&pair);
-        let sections = Sections {
+        let sections = CutSections {
             assembly: &pair,
             cut: [&cut[0], &cut[1]],
             places: kernel.sections(),

@@ -15,33 +15,33 @@ use crate::pair::Mating;
 use crate::parallel;
 use std::collections::HashSet;
 
-/// Cells a pitch to begin with (tuned).
+/// Cells per pitch in the first round (tuned).
 const CELLS_A_PITCH: u64 = 4;
 
-/// Cells to begin with at most (tuned: some seconds). Longer cycles have wider cells.
+/// Limit of cells in the first round (tuned: some seconds). Longer cycles have wider cells.
 const MOST_CELLS: u64 = 60_000;
 
 /// Cells divided in one round: a quarter of the open ones, or this number (tuned: enough for a machine's cores, few enough that the best
 /// pose is known soon).
 const ROUND: usize = 96;
 
-/// A cell of this width, pitches, that nothing bounds, ends the search: no bracket has that end.
+/// Half the width of a cell, pitches, below which a missing bound ends the search: the bracket then has no such end.
 const UNBOUNDED: f64 = 1e-6;
 
-/// Parts of a cell at most (tuned).
+/// Limit of the parts into which a cell is divided (tuned).
 const MOST_PARTS: f64 = 4.0;
 
-/// Share of the wanted width at which bounds may stop.
-const ENOUGH: f64 = 0.8;
+/// Share of the wanted bracket that the bounds of cells may leave.
+const SHARE_OF_BOUNDS: f64 = 0.8;
 
-/// Units of [`Effort`] for one end (tuned: some seconds).
+/// Limit of [`Effort`] for one extreme, nodes (tuned: some seconds).
 const MOST_EFFORT: u64 = 10_000_000;
 
-/// Units of effort of a cell in which nothing is near (tuned: 10 µs).
+/// Least effort of a cell, nodes (tuned: 10 µs).
 const LEAST_EFFORT: u64 = 30;
 
-/// Part of the wanted width by which the poses beside the best one differ from it at last.
-const POLISHED: f64 = 1e-3;
+/// Part of the wanted width. Poses beside the best one are added until they differ from it by less.
+const SETTLED: f64 = 1e-3;
 
 /// Limit of rounds of poses beside the best one. Some 15 are usual.
 const MOST_ROUNDS: u32 = 64;
@@ -52,7 +52,7 @@ pub(super) const GRID: f64 = (1_u64 << 40) as f64;
 /// Values that differ by less, rad, are equal: rounding of different platforms.
 const EQUAL: f64 = 1e-12;
 
-/// A stretch of the cycle and what is known of its lost motion, rad.
+/// A stretch of the cycle with bounds of its lost motion, rad.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
     /// The middle, pitches from the first pose.
@@ -64,15 +64,15 @@ pub(super) struct Cell {
     pub status: Status,
     /// The lost motion there, and its error.
     pub angle: Option<(f64, f64)>,
-    /// The lost motion is no less, −∞ where nothing bounds it, and what no narrower cell excludes below it.
+    /// Lower bound of the lost motion, −∞ without one, and the rest below it that no narrower cell excludes.
     pub low: (f64, f64),
-    /// It is no greater, and what no narrower cell excludes above it.
+    /// Upper bound of the lost motion, and the rest above it that no narrower cell excludes.
     pub high: (f64, f64),
     pub effort: u64,
 }
 
 impl Cell {
-    /// A cell of which nothing is known.
+    /// A cell without bounds.
     pub fn unknown(pitches: f64, half: f64) -> Cell {
         Cell {
             pitches,
@@ -86,13 +86,13 @@ impl Cell {
         }
     }
 
-    /// The value of the known pose, of which the least is sought.
+    /// The lost motion of the known pose, with the sign that makes the searched extreme the least.
     fn value(&self, end: End) -> Option<f64> {
         let (angle, _) = self.angle?;
         Some(end.sign() * angle)
     }
 
-    /// No value of the cell is less, and what no narrower cell excludes beyond it.
+    /// Lower bound of [`Cell::value`] over the cell, and the rest beyond it that no narrower cell excludes.
     fn bound(&self, end: End) -> (f64, f64) {
         match end {
             End::Least => self.low,
@@ -112,27 +112,27 @@ fn first_best(cells: &[Cell], end: End) -> Option<&Cell> {
 
 /// A mesh cycle whose cells can be bounded.
 pub(super) trait CycleCells: Sync {
-    /// The reason for what no narrower cell excludes.
-    const LEFT_OPEN: Doubt;
+    /// The doubt of a bracket whose rest no narrower cell excludes.
+    const DOUBT_OF_BOUNDS: Doubt;
 
     /// The mating `pitches` after the first pose.
     fn mating(&self, pitches: f64) -> Mating;
 
     /// The teeth that can meet in the cell of half the width `half`, pitches, about `pitches`, each by the first tooth that it equals. Cells
     /// with equal lists at equal fractions of a pitch are equal. `None` where this is not known.
-    fn likeness(&self, _pitches: f64, _half: f64) -> Option<Vec<u32>> {
+    fn teeth_in_reach(&self, _pitches: f64, _half: f64) -> Option<Vec<u32>> {
         None
     }
 
-    /// The cell of half the width `half`, pitches, about `pitches`: one of its poses, and its bounds for `ends`. `width`, rad, is how wide
-    /// bounds may be in the end.
-    fn look(&self, pitches: f64, half: f64, ends: &[End], width: f64) -> Cell;
+    /// The cell about `pitches`, `half` pitches wide on either side, with one of its poses and its bounds for `ends`. Bounds need not be closer
+    /// than `width`, rad.
+    fn examine(&self, pitches: f64, half: f64, ends: &[End], width: f64) -> Cell;
 }
 
 /// The search for the extremes of a cycle.
 pub(super) struct CycleSearch<'a, T> {
     pub cells: &'a T,
-    /// Matings after which all is as it was.
+    /// Matings after which all teeth meet again.
     pub distinct: u64,
     /// All matings of the cycle.
     pub matings: u64,
@@ -146,7 +146,7 @@ pub(super) struct CycleSearch<'a, T> {
 impl<T: CycleCells> CycleSearch<'_, T> {
     /// The extremes `ends`, in brackets of the wanted width where no more effort is needed than a search may spend, and the effort used.
     pub fn extremes(&self, ends: &[End]) -> (Extremes, u64) {
-        let cells = self.begin(ends);
+        let cells = self.first_cells(ends);
         let mut used: u64 = cells.iter().map(|cell| cell.effort).sum();
         let lost = [Status::Jammed, Status::NoContact].map(|status| {
             let lost = cells.iter().find(|cell| cell.status == status);
@@ -162,10 +162,10 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             }
             let mut cells = cells.clone();
             let effort = Effort::new(MOST_EFFORT, self.tick);
-            let closed = self.close(&mut cells, end, &effort);
+            let is_closed = self.divide(&mut cells, end, &effort);
             used += effort.used();
-            self.polish(&mut cells, end);
-            let found = self.extreme(&cells, end, closed);
+            self.refine_best(&mut cells, end);
+            let found = self.extreme(&cells, end, is_closed);
             all.extend(cells);
             found
         };
@@ -198,16 +198,16 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         (found, used)
     }
 
-    /// The cells to begin with, the first of equal ones.
-    fn begin(&self, ends: &[End]) -> Vec<Cell> {
+    /// The cells of the first round; of equal ones only the first.
+    fn first_cells(&self, ends: &[End]) -> Vec<Cell> {
         let pitches = self.distinct;
         let count = (CELLS_A_PITCH * pitches).min(MOST_CELLS.max(pitches.min(2 * MOST_CELLS)));
-        let apart = pitches as f64 / count as f64;
+        let distance = pitches as f64 / count as f64;
         let mut seen = HashSet::new();
-        let each = (0..count).map(|k| ((k as f64 + 0.5) * apart, 0.5 * apart));
+        let each = (0..count).map(|k| ((k as f64 + 0.5) * distance, 0.5 * distance));
         let each = each.filter(|&(at, half)| {
-            let likeness = self.cells.likeness(at, half);
-            likeness.is_none_or(|teeth| seen.insert((rank(at.fract()), teeth)))
+            let teeth_in_reach = self.cells.teeth_in_reach(at, half);
+            teeth_in_reach.is_none_or(|teeth| seen.insert((rank(at.fract()), teeth)))
         });
         let each: Vec<(f64, f64)> = each.collect();
         let mut cells = Vec::new();
@@ -216,14 +216,16 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                 break;
             }
             let some = some.iter().copied();
-            cells.extend(parallel::map(some, |(at, half)| self.look(at, half, ends)));
+            cells.extend(parallel::map(some, |(at, half)| {
+                self.examine(at, half, ends)
+            }));
         }
         cells
     }
 
     /// Divides cells until none of them may be better than the best pose by the wanted width. Returns whether the effort sufficed.
-    fn close(&self, cells: &mut Vec<Cell>, end: End, effort: &Effort) -> bool {
-        let width = ENOUGH * self.width;
+    fn divide(&self, cells: &mut Vec<Cell>, end: End, effort: &Effort) -> bool {
+        let width = SHARE_OF_BOUNDS * self.width;
         let values = |cells: &[Cell], best: f64| {
             let values = cells.iter().filter_map(|cell| cell.value(end));
             values.fold(best, f64::min)
@@ -264,7 +266,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                     (at, half)
                 })
             });
-            let parts = parallel::map(parts, |(at, half)| self.look(at, half, &[end]));
+            let parts = parallel::map(parts, |(at, half)| self.examine(at, half, &[end]));
             effort.spend(parts.iter().map(|cell| cell.effort.max(LEAST_EFFORT)).sum());
             best = values(&parts, best);
             left.extend(parts);
@@ -272,14 +274,16 @@ impl<T: CycleCells> CycleSearch<'_, T> {
     }
 
     /// Examines a pose on either side of the best one, at half the distance once neither is better.
-    fn polish(&self, cells: &mut Vec<Cell>, end: End) {
+    fn refine_best(&self, cells: &mut Vec<Cell>, end: End) {
         let Some(mut best) = first_best(cells, end).copied() else {
             return;
         };
-        let mut apart = best.half;
+        let mut distance = best.half;
         for _ in 0..MOST_ROUNDS {
             let from = best;
-            let beside = parallel::map([-apart, apart], |by| self.look(from.known + by, 0.0, &[]));
+            let beside = parallel::map([-distance, distance], |by| {
+                self.examine(from.known + by, 0.0, &[])
+            });
             let mut change: f64 = 0.0;
             for pose in beside {
                 if let (Some(value), Some(own)) = (pose.value(end), from.value(end)) {
@@ -295,17 +299,17 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                     ..pose
                 });
             }
-            if change <= POLISHED * self.width {
+            if change <= SETTLED * self.width {
                 break;
             }
             if best.known == from.known {
-                apart *= 0.5;
+                distance *= 0.5;
             }
         }
     }
 
-    /// The bracket that cells leave, the first of the equal poses with it.
-    fn extreme(&self, cells: &[Cell], end: End, closed: bool) -> Option<Extreme> {
+    /// The bracket that the cells leave, with the first of the poses that attain it.
+    fn extreme(&self, cells: &[Cell], end: End, is_closed: bool) -> Option<Extreme> {
         let pose = first_best(cells, end)?;
         let (angle, error) = pose.angle?;
         let bounds = cells.iter().map(|cell| {
@@ -317,10 +321,10 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             End::Least => (bound, angle + error),
             End::Greatest => (angle - error, -bound),
         };
-        let doubt = if !closed {
+        let doubt = if !is_closed {
             Some(Doubt::Effort)
         } else if high - low > self.width {
-            Some(T::LEFT_OPEN)
+            Some(T::DOUBT_OF_BOUNDS)
         } else {
             None
         };
@@ -333,7 +337,8 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         })
     }
 
-    fn look(&self, pitches: f64, half: f64, ends: &[End]) -> Cell {
-        self.cells.look(pitches, half, ends, ENOUGH * self.width)
+    fn examine(&self, pitches: f64, half: f64, ends: &[End]) -> Cell {
+        self.cells
+            .examine(pitches, half, ends, SHARE_OF_BOUNDS * self.width)
     }
 }

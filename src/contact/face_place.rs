@@ -31,7 +31,7 @@ impl FacePlace {
         FacePlace::Inside,
     ];
 
-    /// The place of `contact`, found on `assembly` at `pose`; `None` for a pair that binds alike in many sections.
+    /// The place of `contact`, found on `assembly` at `pose`; `None` if equal contacts lie in many sections.
     pub fn of(assembly: &GearPair, pose: &Pose, contact: &Contact) -> Option<FacePlace> {
         if !assembly.binds_anywhere() {
             return None;

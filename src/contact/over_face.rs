@@ -1,4 +1,4 @@
-//! Helical gears stop where the first of their sections does.
+//! The contacts of helical gears over the face: on either side the first section to touch stops the free gear.
 
 use super::lost_motion::{Contact, LostMotion, Status};
 use crate::gear::Side;
@@ -14,7 +14,7 @@ pub(super) struct OverFace {
     /// The first section that is certainly jammed, mm. Nothing turns then, and its contacts are the result.
     jam: Option<f64>,
     /// The first section whose overlap is within its error bound, so that it may be jammed, mm.
-    seems_jammed: Option<f64>,
+    may_be_jammed: Option<f64>,
 }
 
 /// The result of a pose over a face.
@@ -27,7 +27,7 @@ pub(super) struct FoundOverFace {
 
 impl OverFace {
     /// Adds the result of the section at `b`, mm, at its pose `here`.
-    pub fn take(&mut self, b: f64, here: &Pose, found: LostMotion) {
+    pub fn add(&mut self, b: f64, here: &Pose, found: LostMotion) {
         let nominal = here.free_rotation();
         // Rounding of the twist: a few ulps of both rotations, including whole turns.
         let rounding = 8.0 * f64::EPSILON * (here.locked_rotation().abs() + nominal.abs() + TAU);
@@ -39,7 +39,7 @@ impl OverFace {
             let overlap = overlap.map(|(right, left)| right.rotation - left.rotation);
             match overlap.zip(found.error()) {
                 Some((overlap, bound)) if overlap <= bound => {
-                    self.seems_jammed.get_or_insert(b);
+                    self.may_be_jammed.get_or_insert(b);
                 }
                 _ => (self.jam, self.right, self.left) = (Some(b), None, None),
             }
@@ -69,9 +69,8 @@ impl OverFace {
         }
     }
 
-    /// The limits that another section has to exceed: the rotations beyond nominal, rad, at which the right and the
-    /// left side stop the free gear at least. Looser contacts need not be found. If a section `may_jam` and none does
-    /// yet, the limits include every contact that could overlap.
+    /// The rotations beyond nominal, rad, at which the sections so far stop the free gear on the right and on the left. Another section needs to
+    /// find only tighter contacts. If a section `may_jam` and none does yet, the limits admit every contact that could overlap.
     pub fn known(&self, may_jam: bool) -> [f64; 2] {
         match (self.right, self.left) {
             (Some((right, _)), Some((left, _))) if !may_jam => [right, left],
@@ -113,7 +112,7 @@ impl OverFace {
 
     /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear, whose angular pitch is `pitch`, rad.
     pub fn found(self, nominal: f64, pitch: f64) -> FoundOverFace {
-        let jam = self.jam.or(self.seems_jammed);
+        let jam = self.jam.or(self.may_be_jammed);
         // A jam independent of contacts: nothing was turned in that section.
         if self.jam.is_some() && self.right.is_none() {
             let lost_motion = LostMotion::JAMMED;

@@ -65,7 +65,7 @@ impl<'a> Scene<'a> {
             Some(rotation) => (FreePlacement::AtContact(flank), rotation),
             None => (FreePlacement::Nominal, section.pose().free_rotation()),
         };
-        Scene::held(section.pair(), section.pose(), section.alone(), held)
+        Scene::at_rotation(section.pair(), section.pose(), section.alone(), held)
     }
 
     fn of(
@@ -80,11 +80,11 @@ impl<'a> Scene<'a> {
             (Some(_), Some(contact)) => (FreePlacement::AtContact(flank), contact.rotation),
             _ => (FreePlacement::Nominal, pose.free_rotation()),
         };
-        Scene::held(assembly, pose, lost_motion, held)
+        Scene::at_rotation(assembly, pose, lost_motion, held)
     }
 
     /// The free gear at a rotation.
-    fn held(
+    fn at_rotation(
         assembly: &'a AssembledPair,
         pose: &Pose,
         lost_motion: Option<&'a LostMotion>,

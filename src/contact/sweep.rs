@@ -1,6 +1,6 @@
 //! Many poses of one assembly, in parallel and in order.
 
-use super::by_sections::Sections;
+use super::by_sections::CutSections;
 use super::effort::Effort;
 use super::exact::ExactKernel;
 use super::kernel::{Proof, Prover};
@@ -103,7 +103,7 @@ struct Solver<'a> {
     certifier: Option<Certifier<'a>>,
     prover: Option<Prover>,
     /// Replaces polygon method and certifier for helical gears.
-    sections: Option<Sections<'a>>,
+    sections: Option<CutSections<'a>>,
     method: Method,
 }
 
@@ -124,7 +124,7 @@ impl<'a> Solver<'a> {
                 .as_ref()
                 .filter(|_| certify || method == Method::Both)
                 .map(|kernel| Prover::new(assembly, kernel)),
-            sections: places.map(|kernel| Sections {
+            sections: places.map(|kernel| CutSections {
                 assembly,
                 cut: [&cut.wheel, &cut.pinion],
                 places: kernel.sections(),

@@ -178,8 +178,8 @@ pub(super) fn along_face(
         })
         .collect();
     Some(FaceReadings {
-        own: about(gear, &face, PitchAxis::Own),
-        datum: about(gear, &face, PitchAxis::Datum),
+        own: measure_leads(gear, &face, PitchAxis::Own),
+        datum: measure_leads(gear, &face, PitchAxis::Datum),
         face_runout: face_runout(gear, &face, &sections[0], &sections[2]),
         sections,
     })
@@ -228,11 +228,15 @@ pub fn leads(
     ends: [f64; 2],
     range: Option<[f64; 2]>,
 ) -> Result<LeadReadings, Unmeasured> {
-    about(gear, &OwnFace::new(gear, ends, range), PitchAxis::Own)
+    measure_leads(gear, &OwnFace::new(gear, ends, range), PitchAxis::Own)
 }
 
 /// Measures the lead of every flank about `axis`.
-fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings, Unmeasured> {
+fn measure_leads(
+    gear: &AsBuilt,
+    face: &OwnFace,
+    axis: PitchAxis,
+) -> Result<LeadReadings, Unmeasured> {
     let heights = |[from, to]: [f64; 2]| {
         let step = move |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
         (0..POINTS).map(step)

@@ -49,7 +49,7 @@ pub use span::{Span, Spans};
 pub use stated::StatedThickness;
 
 /// The tooth `steps` ascending numbers after `tooth` of `teeth`.
-fn after(teeth: u32, tooth: u32, steps: u32) -> u32 {
+fn tooth_after(teeth: u32, tooth: u32, steps: u32) -> u32 {
     (tooth - 1 + steps) % teeth + 1
 }
 

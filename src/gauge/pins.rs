@@ -11,7 +11,7 @@
 use super::seat::{Seat, check_standing_out};
 use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
-use super::{Unmeasured, after};
+use super::{Unmeasured, tooth_after};
 use nalgebra::Point2;
 
 /// One dimension over pins.
@@ -97,7 +97,7 @@ fn over_two(
     apart: impl Fn(Point2<f64>, Point2<f64>) -> f64,
 ) -> Vec<OverPins> {
     let one = |tooth: u32| {
-        let opposite = after(teeth, tooth, teeth / 2);
+        let opposite = tooth_after(teeth, tooth, teeth / 2);
         let ((one, one_error), (other, other_error)) = (at(tooth), at(opposite));
         OverPins {
             tooth,
@@ -122,9 +122,9 @@ pub(super) fn over(
     let three = (1..=teeth)
         .filter(|_| !teeth.is_multiple_of(2))
         .map(|tooth| {
-            let opposite = after(teeth, tooth, teeth / 2);
+            let opposite = tooth_after(teeth, tooth, teeth / 2);
             let (one, error) = at(tooth);
-            let pair = [opposite, after(teeth, opposite, 1)].map(&at);
+            let pair = [opposite, tooth_after(teeth, opposite, 1)].map(&at);
             let along = (pair[1].0 - pair[0].0).normalize();
             OverPins {
                 tooth,

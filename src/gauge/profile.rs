@@ -141,7 +141,7 @@ pub(super) fn profile(
 fn of_flank(
     work: &Workpiece,
     own: Flank,
-    asked: [f64; 2],
+    rolls: [f64; 2],
 ) -> Result<(FlankTraces, f64), Unmeasured> {
     let gear = work.as_built.gear();
     let base = gear.base_radius();
@@ -167,7 +167,7 @@ fn of_flank(
     let shape = |tooth: u32| {
         let [low, high] = work.flank_rolls(side, tooth);
         let whole = [low + INSIDE, high - INSIDE];
-        let evaluated = [asked[0].max(whole[0]), asked[1].min(whole[1])];
+        let evaluated = [rolls[0].max(whole[0]), rolls[1].min(whole[1])];
         let (points, error) = read(whole, tooth)?;
         let (within, more) = read(evaluated, tooth)?;
         Some((evaluate(points, &within), error.max(more)))
@@ -183,7 +183,7 @@ fn of_flank(
         shapes.push(found);
     }
     let profiles = FlankTraces {
-        evaluated: asked.map(|xi| base * xi),
+        evaluated: rolls.map(|xi| base * xi),
         shapes,
         of_tooth,
     };

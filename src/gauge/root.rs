@@ -30,7 +30,7 @@ pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
     let half = 0.5 * ascending;
     let (mut sum, mut count) = (0.0, 0.0);
     for tooth in 1..=gear.gear().basic_data().teeth() {
-        let next = work.after(tooth, 1);
+        let next = work.tooth_after(tooth, 1);
         let ends = [(Flank::Right, tooth, half), (Flank::Left, next, -half)];
         // From the middle of the space.
         let [from, to] = ends.map(|(own, tooth, pitches)| {

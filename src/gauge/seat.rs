@@ -67,7 +67,7 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
         (face.seen_from_front(Flank::Right), tooth, half),
         (
             face.seen_from_front(Flank::Left),
-            work.after(tooth, 1),
+            work.tooth_after(tooth, 1),
             -half,
         ),
     ];

@@ -124,7 +124,7 @@ fn off_involute(work: &Workpiece, spans: &Spans) -> Option<String> {
 
 fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> {
     let face = work.as_built.face();
-    let last_tooth = work.after(first_tooth, k - 1);
+    let last_tooth = work.tooth_after(first_tooth, k - 1);
     let half = 0.5 * f64::from(k - 1) * face.ascending();
     // From the middle of the spanned teeth; sides of flanks are those of the picture.
     let ends = [

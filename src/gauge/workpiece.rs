@@ -108,8 +108,8 @@ impl<'a> Workpiece<'a> {
     }
 
     /// The tooth `steps` ascending numbers after `tooth`.
-    pub fn after(&self, tooth: u32, steps: u32) -> u32 {
-        super::after(self.as_built.gear().basic_data().teeth(), tooth, steps)
+    pub fn tooth_after(&self, tooth: u32, steps: u32) -> u32 {
+        super::tooth_after(self.as_built.gear().basic_data().teeth(), tooth, steps)
     }
 
     /// Contact of a plane face of outward normal `along` that closes on the flank of `side` of `tooth`: tip land or involute.

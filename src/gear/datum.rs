@@ -29,7 +29,7 @@ impl Pitch {
     /// # Errors
     /// [`GearError::WrongLength`]; [`GearError::DatumPitch`] when no eccentricity explains the data.
     pub fn separate_eccentricity(&self, gear: &Gear) -> Result<EccentricitySeparation, GearError> {
-        self.take_out(gear, Vector2::zeros(), true)
+        self.remove_eccentricity(gear, Vector2::zeros(), true)
     }
 
     /// Datum-axis data of `gear` without the exact effect of a known `eccentricity`, mm, towards `high_tooth`.
@@ -46,15 +46,15 @@ impl Pitch {
     ) -> Result<Pitch, GearError> {
         let (sin, cos) = ((high_tooth - 1.0) * gear.basic_data().angular_pitch()).sin_cos();
         let known = eccentricity * Vector2::new(cos, sin);
-        Ok(self.take_out(gear, known, false)?.pitch)
+        Ok(self.remove_eccentricity(gear, known, false)?.pitch)
     }
 
-    /// Removes the eccentricity `e` from the data. If it is `sought`, corrects it until no sine is left.
-    fn take_out(
+    /// Removes the eccentricity `e` from the data. If `is_sought`, corrects `e` until no sine is left.
+    fn remove_eccentricity(
         &self,
         gear: &Gear,
         mut e: Vector2<f64>,
-        sought: bool,
+        is_sought: bool,
     ) -> Result<EccentricitySeparation, GearError> {
         let teeth = gear.basic_data().teeth();
         for side in Flank::BOTH {
@@ -83,7 +83,7 @@ impl Pitch {
                 correction += left;
                 own[i] = deviations;
             }
-            if !sought {
+            if !is_sought {
                 correction = Vector2::zeros();
             }
             e += correction;
@@ -147,7 +147,7 @@ fn own_deviation(
     let mut own = reading;
     let mut change = f64::INFINITY;
     for _ in 0..MOST_STEPS {
-        let next = own + reading - read(gear, ahead, place, own, e)?;
+        let next = own + reading - datum_reading(gear, ahead, place, own, e)?;
         change = (next - own).abs();
         own = next;
         if change <= 1e-14 * r {
@@ -167,7 +167,13 @@ fn own_deviation(
 ///
 /// The involute `r_b E (1 ± iξ)`, `E = e^{i(β ∓ ξ)}`, meets the reference circle about the axis where
 /// `|P + e| = r`. Newton's method finds the roll, starting at the undisturbed crossing `ξ = tan α`.
-fn read(gear: &Gear, ahead: f64, place: f64, own: f64, e: Vector2<f64>) -> Result<f64, GearError> {
+fn datum_reading(
+    gear: &Gear,
+    ahead: f64,
+    place: f64,
+    own: f64,
+    e: Vector2<f64>,
+) -> Result<f64, GearError> {
     let basic_data = gear.basic_data();
     let (r, base) = (basic_data.reference_radius(), basic_data.base_radius());
     let alpha = basic_data.transverse_pressure_angle();

@@ -232,7 +232,7 @@ impl Fillet {
 
     /// Rotation `E` of the pitch point at `gamma`.
     fn pitch_point(&self, gamma: f64) -> UnitComplex<f64> {
-        let turn = self.depth * gamma.tan() / self.radius - self.held_back(gamma.sin());
+        let turn = self.depth * gamma.tan() / self.radius - self.ellipse_lag(gamma.sin());
         UnitComplex::new(self.root_angle - turn)
     }
 
@@ -254,7 +254,7 @@ impl Fillet {
     pub(super) fn at(&self, gamma: f64) -> (Point2<f64>, Vector2<f64>) {
         let (sin, cos) = gamma.sin_cos();
         let (pitch_sin, pitch_cos) = (self.root_angle
-            - (self.depth * sin / (cos * self.radius) - self.held_back(sin)))
+            - (self.depth * sin / (cos * self.radius) - self.ellipse_lag(sin)))
         .sin_cos();
         let e = Complex::new(pitch_cos, pitch_sin);
         let normal = e * Complex::new(cos, -sin);
@@ -360,9 +360,9 @@ impl Fillet {
         }
     }
 
-    /// Reduction of the pitch point's turn by the ellipse, rad: `ρ tan²β sin γ/(k r)`.
+    /// Lag of the pitch point's turn by the elliptic tip round, rad: `ρ tan²β sin γ/(k r)`.
     #[inline]
-    fn held_back(&self, sin: f64) -> f64 {
+    fn ellipse_lag(&self, sin: f64) -> f64 {
         if self.lean > 0.0 {
             self.tip_round * self.lean * sin / (self.stretch(sin) * self.radius)
         } else {
@@ -441,8 +441,8 @@ impl Fillet {
             .fold(self.root_angle, f64::max)
     }
 
-    /// [`Fillet::bend`] of an elliptic tip round. With `c = 1/cos γ`, `k ≥ 1` and `|k'| ≤ tan²β/2`: `|L| ≤ |h_0| c + ρ`, `|M| ≤ |h_0| c + ρ tan²β`,
-    /// `|L'| ≤ |h_0| c tan γ + ρ tan²β/2`, `|M'| ≤ |h_0| c tan γ + ρ tan²β (1 + 3/2 tan²β)`, `|ρ_t'| ≤ 3/2 tan²β ρ/cos²β`.
+    /// [`Fillet::bend`] of an elliptic tip round. With `c = 1/cos γ`, `k ≥ 1` and `|k'| ≤ tan²β/2`: `|L| ≤ |h_0| c + ρ`, `|M| ≤ |h_0| c + ρ
+    /// tan²β`, `|L'| ≤ |h_0| c tan γ + ρ tan²β/2`, `|M'| ≤ |h_0| c tan γ + ρ tan²β (1 + 3/2 tan²β)`, `|ρ_t'| ≤ 3/2 tan²β ρ/cos²β`.
     fn elliptic_bend(&self, gamma: f64) -> (f64, f64) {
         let (c, tan) = (1.0 / gamma.cos(), gamma.tan());
         let (depth, round, lean, r) =

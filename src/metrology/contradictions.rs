@@ -13,7 +13,8 @@ use crate::gear::{Deviations, Flank, Pitch, Spans, range};
 /// Below this probability, opposed flanks count as reversed. Tuned: of unrelated curves, white or random walks, at most 2 in
 /// 4000 were suspected. Curves with common waves up to 5 µm, noise of ±1 µm and one reversed flank: 84 % were found at
 /// z = 20, 91 % at z = 44. About the datum axis, with 0, 2 and 20 µm of eccentricity, at most 2 in 4000 were suspected. Reversed
-/// flanks were found in all of 4000 cases from 20 µm on, and in 57 … 96 % at 5 µm. `cargo test -p gearlash-files --test readers reversed_flanks -- --nocapture` prints the counts.
+/// flanks were found in all of 4000 cases from 20 µm on, and in 57 … 96 % at 5 µm. `cargo test -p gearlash-files --test readers
+/// reversed_flanks -- --nocapture` prints the counts.
 const UNRELATED: f64 = 1e-3;
 /// Ratio of the energies left in the spans by the two signs of the left flank, above which the sign is clear. Tuned: noise alone
 /// reaches it in 1 of 400 cases with 7 readings and in none with 20.
@@ -44,23 +45,24 @@ pub(super) fn findings(
     let mut findings = Vec::new();
     if let (Some((stated, measured)), Some(own)) = (pitch, &flanks.stated.pitch) {
         let witness = spans.as_ref().or(cross_check.as_ref());
-        if reversed(measured, own, witness, stated.is_datum(), flanks) {
+        if looks_reversed(measured, own, witness, stated.is_datum(), flanks) {
             findings.push(Finding::LeftFlankReversed {
                 eccentricity_um: eccentricities(measured, flanks),
             });
-        } else if let Some(shown) =
-            witness.and_then(|spans| refused(spans, by_pitch(flanks), by_tooth(flanks)))
-        {
+        } else if let Some(shown) = witness.and_then(|spans| {
+            contradicted_share(spans, pitch_alone(flanks), per_tooth_alone(flanks))
+        }) {
             findings.push(Finding::SpansRefusePitch {
                 shown,
                 spans_count: spans.is_some() && spans_count(flanks),
             });
         }
-        let twice = beside_pitch(own, &flanks.stated.per_tooth);
+        let twice = compare_with_pitch(own, &flanks.stated.per_tooth);
         findings.extend(twice.map(Finding::ThicknessBesidePitch));
     }
-    let refused = spans.and_then(|spans| refused(&spans, by_tooth(flanks), by_pitch(flanks)));
-    findings.extend(refused.map(|shown| Finding::SpansRefuseThickness {
+    let shown = spans
+        .and_then(|spans| contradicted_share(&spans, per_tooth_alone(flanks), pitch_alone(flanks)));
+    findings.extend(shown.map(|shown| Finding::SpansRefuseThickness {
         shown,
         spans_count: spans_count(flanks),
     }));
@@ -73,7 +75,7 @@ fn spans_count(flanks: &Flanks) -> bool {
 }
 
 /// The stated pitch alone.
-fn by_pitch(flanks: &Flanks) -> Deviations {
+fn pitch_alone(flanks: &Flanks) -> Deviations {
     Deviations {
         pitch: flanks.stated.pitch.clone(),
         ..Deviations::default()
@@ -81,7 +83,7 @@ fn by_pitch(flanks: &Flanks) -> Deviations {
 }
 
 /// The stated per-tooth thickness alone.
-fn by_tooth(flanks: &Flanks) -> Deviations {
+fn per_tooth_alone(flanks: &Flanks) -> Deviations {
     Deviations {
         per_tooth: flanks.stated.per_tooth.clone(),
         ..Deviations::default()
@@ -89,7 +91,7 @@ fn by_tooth(flanks: &Flanks) -> Deviations {
 }
 
 /// Whether the left flank's sign looks reversed: by the spans if they decide, otherwise by the flanks alone.
-fn reversed(
+fn looks_reversed(
     measured: &Pitch,
     own: &Pitch,
     spans: Option<&Spans>,
@@ -145,7 +147,7 @@ fn eccentricities(measured: &Pitch, flanks: &Flanks) -> Option<[f64; 2]> {
 }
 
 /// Compares stated per-tooth thickness with the thickness in the pitch of both flanks.
-fn beside_pitch(pitch: &Pitch, per_tooth: &[f64]) -> Option<ThicknessBesidePitch> {
+fn compare_with_pitch(pitch: &Pitch, per_tooth: &[f64]) -> Option<ThicknessBesidePitch> {
     let mean = per_tooth.iter().sum::<f64>() / per_tooth.len().max(1) as f64;
     let energy: f64 = per_tooth.iter().map(|t| (t - mean).powi(2)).sum();
     let variation = range(per_tooth);
@@ -166,7 +168,7 @@ fn beside_pitch(pitch: &Pitch, per_tooth: &[f64]) -> Option<ThicknessBesidePitch
         Some(ThicknessBesidePitch::TakenBack)
     } else if same(&turned, 1.0) {
         Some(ThicknessBesidePitch::SameIfReversed)
-    } else if let Some((by, down)) = moved(&by_flanks, &same) {
+    } else if let Some((by, down)) = shift_of_equal_list(&by_flanks, &same) {
         Some(ThicknessBesidePitch::SameIfMoved { by, down })
     } else {
         let apart = |(t, by_flanks): (&f64, &f64)| (t - mean - by_flanks).abs();
@@ -183,7 +185,7 @@ fn beside_pitch(pitch: &Pitch, per_tooth: &[f64]) -> Option<ThicknessBesidePitch
 }
 
 /// The shift in tooth numbers at which `list` is the `same` as another list, and whether the shift is down.
-fn moved(list: &[f64], same: &impl Fn(&[f64], f64) -> bool) -> Option<(usize, bool)> {
+fn shift_of_equal_list(list: &[f64], same: &impl Fn(&[f64], f64) -> bool) -> Option<(usize, bool)> {
     let most = MOST_SHIFT.min(list.len() / 2);
     (1..=most).find_map(|by| {
         let mut turned = list.to_vec();
@@ -200,7 +202,7 @@ fn moved(list: &[f64], same: &impl Fn(&[f64], f64) -> bool) -> Option<(usize, bo
 ///
 /// The spans without the effect of the `other` deviations are regressed on the spans expected from the stated ones. The slope is 1 if
 /// they agree. Below 1/2 the spans are more even without the stated ones.
-fn refused(spans: &Spans, stated: Deviations, other: Deviations) -> Option<f64> {
+fn contradicted_share(spans: &Spans, stated: Deviations, other: Deviations) -> Option<f64> {
     let other = spans.compare(&other).ok()?;
     let stated = spans.compare(&stated).ok()?;
     let pairs: Vec<(f64, f64)> = stated
@@ -238,14 +240,18 @@ pub(super) fn first_harmonic(
     flanks: &Flanks,
 ) -> Option<Finding> {
     if pitch.is_datum() {
-        not_joint(pitch, measured, flanks)
+        harmonic_beyond_eccentricity(pitch, measured, flanks)
     } else {
-        held(measured, by_readings, flanks)
+        eccentricity_in_own_pitch(measured, by_readings, flanks)
     }
 }
 
 /// Own-axis pitch that contains the eccentricity of the runout, both flanks jointly.
-fn held(measured: &Pitch, by_readings: bool, flanks: &Flanks) -> Option<Finding> {
+fn eccentricity_in_own_pitch(
+    measured: &Pitch,
+    by_readings: bool,
+    flanks: &Flanks,
+) -> Option<Finding> {
     let gear = flanks.gears.most();
     let in_runout = flanks.in_runout.filter(|stated| stated.um > 0.0)?;
     let found = measured.separate_eccentricity(gear).ok()?;
@@ -290,7 +296,11 @@ fn held(measured: &Pitch, by_readings: bool, flanks: &Flanks) -> Option<Finding>
 ///
 /// For white deviations `s` the energy left by the joint fit is exponential with the mean `z s²`. It exceeds the rest by
 /// [`STANDS_OUT`] if it is above `STANDS_OUT²/2` times this mean.
-fn not_joint(pitch: &PitchStatement, measured: &Pitch, flanks: &Flanks) -> Option<Finding> {
+fn harmonic_beyond_eccentricity(
+    pitch: &PitchStatement,
+    measured: &Pitch,
+    flanks: &Flanks,
+) -> Option<Finding> {
     if pitch.eccentricity == Some(EccentricitySource::Runout) {
         // The rest counts as the gear's own pitch.
         return None;

@@ -6,10 +6,10 @@
 //! δ(h) = n(h)·(e_0 + t h) + s τ' r_b t·q(h)
 //! ```
 //!
-//! along the base tangent, to first order in `e_0` and `t`. `q` is the place of the trace, on the reference circle, which winds by the twist `τ'`
-//! per mm, and `s` the sense of the flank. The second term is the move of the tilted flank along the axis. Every trace has its own constant, and all traces of the flanks of one side share a
-//! slope and a crown. The least squares of what is left give `t`. Eccentricity and wobble of a helical gear are hardly distinct in leads, so `e_0`
-//! must be known.
+//! along the base tangent, to first order in `e_0` and `t`. `q` is the place of the trace, on the reference circle, which winds by the twist
+//! `τ'` per mm, and `s` the sense of the flank. The second term is the move of the tilted flank along the axis. Every trace has its own
+//! constant, and all traces of the flanks of one side share a slope and a crown. The least squares of what is left give `t`. Eccentricity and
+//! wobble of a helical gear are hardly distinct in leads, so `e_0` must be known.
 
 use super::error::MeasurementError;
 use super::runout::{Runout, RunoutStatement};

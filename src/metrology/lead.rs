@@ -12,20 +12,20 @@ const KEYS: [LeadKey; 4] = [
 ];
 
 /// The deviation of one key of `lead`, over its evaluation range from its zero.
-fn only(lead: &Lead, key: LeadKey) -> Lead {
-    let mut only = Lead {
+fn with_key_alone(lead: &Lead, key: LeadKey) -> Lead {
+    let mut alone = Lead {
         face: lead.face,
         range: lead.range,
         zero: lead.zero,
         ..Lead::default()
     };
     match key {
-        LeadKey::EndRelief => only.end_reliefs = lead.end_reliefs.clone(),
-        LeadKey::Trace => only.traces = lead.traces.clone(),
-        LeadKey::All => only = lead.clone(),
+        LeadKey::EndRelief => alone.end_reliefs = lead.end_reliefs.clone(),
+        LeadKey::Trace => alone.traces = lead.traces.clone(),
+        LeadKey::All => alone = lead.clone(),
         LeadKey::Range => {}
     }
-    only
+    alone
 }
 
 /// Errors of `leads` on `gear`, the first of each flank.
@@ -38,7 +38,7 @@ pub(super) fn check(gear: &Gear, face: Face, leads: &[Lead; 2]) -> Vec<Measureme
         }
         let fault = |key| {
             let mut alone = Deviations::default();
-            alone.leads[index] = only(lead, key);
+            alone.leads[index] = with_key_alone(lead, key);
             let built = alone.leads[index]
                 .curves(teeth)
                 .and_then(|_| AsBuilt::new(gear.clone(), face, &alone));

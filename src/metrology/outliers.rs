@@ -17,7 +17,7 @@ const FEWEST: usize = 7;
 /// Variation of a coarse gear, mm: the tolerance of grade 11, the coarsest of ISO 1328-1 (source: [`GradedQuantity`]).
 ///
 /// Outside the range of the grades it is a tenth of the module.
-fn coarse(quantity: GradedQuantity, basic_data: &BasicGearData) -> f64 {
+fn coarse_variation(quantity: GradedQuantity, basic_data: &BasicGearData) -> f64 {
     let last = *crate::gear::GRADES.end();
     let tolerance = quantity.tolerance(basic_data, last);
     tolerance.unwrap_or(0.1 * basic_data.module())
@@ -50,9 +50,9 @@ pub(super) fn of_readings(
     let readings = statement.readings()?;
     let over_pins = matches!(statement, ThicknessStatement::PinReadings { .. });
     let plausible = if over_pins {
-        2.0 * coarse(GradedQuantity::Runout, basic_data)
+        2.0 * coarse_variation(GradedQuantity::Runout, basic_data)
     } else {
-        coarse(GradedQuantity::TotalPitch, basic_data)
+        coarse_variation(GradedQuantity::TotalPitch, basic_data)
     };
     let count = readings.len();
     let is_known = known.pitch.is_some() || !known.per_tooth.is_empty();
@@ -102,10 +102,10 @@ pub(super) fn of_pitch(
     statement: &PitchStatement,
     basic_data: &BasicGearData,
 ) -> Option<PitchOutlier> {
-    let coarse_um = 1000.0 * coarse(GradedQuantity::SinglePitch, basic_data);
+    let coarse_um = 1000.0 * coarse_variation(GradedQuantity::SinglePitch, basic_data);
     let farthest = |flank: Flank| {
         let um = statement.values(flank);
-        let off = off(statement.kind, um);
+        let off = distances_um(statement.kind, um);
         let half_within_um = median(off.iter().map(|off| off.abs()));
         let numbered = (1..).zip(um).zip(&off);
         let ((tooth, um), far) =
@@ -128,7 +128,7 @@ pub(super) fn of_pitch(
 }
 
 /// Distance of each value from the others or from its neighbours, µm.
-fn off(kind: PitchKind, um: &[f64]) -> Vec<f64> {
+fn distances_um(kind: PitchKind, um: &[f64]) -> Vec<f64> {
     match kind {
         PitchKind::Single => {
             let middle = median(um.iter().copied());

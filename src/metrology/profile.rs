@@ -18,21 +18,21 @@ const KEYS: [ProfileKey; 6] = [
 ];
 
 /// The deviation of one key of `profile`, with its evaluation range.
-fn only(profile: &Modification, key: ProfileKey) -> Modification {
-    let mut only = Modification {
+fn with_key_alone(profile: &Modification, key: ProfileKey) -> Modification {
+    let mut alone = Modification {
         range: profile.range,
         ..Modification::default()
     };
     match key {
-        ProfileKey::Slope => only.slope = profile.slope,
-        ProfileKey::Crowning => only.crowning = profile.crowning,
-        ProfileKey::TipRelief => only.tip_relief = profile.tip_relief,
-        ProfileKey::RootRelief => only.root_relief = profile.root_relief,
-        ProfileKey::Trace => only.traces = profile.traces.clone(),
-        ProfileKey::All => only = profile.clone(),
+        ProfileKey::Slope => alone.slope = profile.slope,
+        ProfileKey::Crowning => alone.crowning = profile.crowning,
+        ProfileKey::TipRelief => alone.tip_relief = profile.tip_relief,
+        ProfileKey::RootRelief => alone.root_relief = profile.root_relief,
+        ProfileKey::Trace => alone.traces = profile.traces.clone(),
+        ProfileKey::All => alone = profile.clone(),
         ProfileKey::Range => {}
     }
-    only
+    alone
 }
 
 /// Errors of `profiles` on `gear`, each key alone.
@@ -54,7 +54,7 @@ pub(super) fn check(
                 break;
             }
             let mut alone = Deviations::default();
-            alone.profiles[index] = only(profile, key);
+            alone.profiles[index] = with_key_alone(profile, key);
             let built = alone.profiles[index]
                 .curves(gear)
                 .and_then(|_| AsBuilt::new(gear.clone(), face, &alone));

@@ -169,14 +169,14 @@ impl FlankStatements<'_> {
         let mut runout = self.runout;
         let mut stated = self.stated;
         // The fit without the datum-axis pitch.
-        let mut fit = fitted(self.readings, &mut runout, &gears, &stated)?;
+        let mut fit = fit_readings(self.readings, &mut runout, &gears, &stated)?;
         let mut in_pitch = None;
         if let Some((_, readings)) = self.datum {
             // Rounding of the thickness is some ulps of the radius.
             let rounding = 1e-13 * basic_data.reference_radius();
             let mut settled = false;
             for _ in 0..MOST_ROUNDS {
-                let parts = separate(readings, gears.most(), counts, &runout);
+                let parts = separate_pitch(readings, gears.most(), counts, &runout);
                 let (pitch, found) = parts.map_err(MeasurementError::DatumPitch)?;
                 stated.pitch = Some(pitch);
                 in_pitch = Some(found);
@@ -203,7 +203,7 @@ impl FlankStatements<'_> {
         }
         let by_runout = counts == Some(EccentricitySource::Runout);
         if !by_runout {
-            fit = fitted(self.readings, &mut runout, &gears, &deviations)?;
+            fit = fit_readings(self.readings, &mut runout, &gears, &deviations)?;
         }
         let of_readings = match (&fit, self.readings) {
             (Some(fit), Some(readings)) => {
@@ -255,7 +255,7 @@ impl FlankStatements<'_> {
 }
 
 /// Fits the eccentricity of the readings, if any, beside the `known` deviations, and stores it in `runout`.
-fn fitted(
+fn fit_readings(
     readings: Option<&ProbeReadings>,
     runout: &mut Runout,
     gears: &Toleranced<Gear>,
@@ -274,7 +274,7 @@ fn fitted(
 ///
 /// # Errors
 /// [`GearError::DatumPitch`] if an eccentricity moves the measuring circle off the involute.
-fn separate(
+fn separate_pitch(
     readings: &Pitch,
     gear: &Gear,
     counts: Option<EccentricitySource>,

@@ -1,19 +1,19 @@
 //! Branch and bound over the pairs of curves of two half teeth.
 
 use super::candidate::CandidateContact;
-use super::curves::{Curves, SearchExhausted};
-use super::placed::Placed;
+use super::curves::{CurvePairs, SearchExhausted};
+use super::placed::PlacedHalf;
 use super::shape::C;
 use crate::contact::gap::{CurveArc, Origin, PlacedCurve, greatest};
 use crate::gear::{ProfilePart, smooth};
 
 /// The greatest gap of two half teeth over `curves`, if it exceeds `floor`. The nodes used are subtracted from `nodes_left`.
 pub(super) fn search(
-    locked: &Placed,
-    free: &Placed,
+    locked: &PlacedHalf,
+    free: &PlacedHalf,
     origin: Origin,
     floor: f64,
-    curves: Curves,
+    curves: CurvePairs,
     nodes_left: &mut usize,
 ) -> Result<Option<CandidateContact>, SearchExhausted> {
     let frees = ProfilePart::ALL.into_iter().filter_map(|curve| {
@@ -66,7 +66,7 @@ pub(super) fn arcs<'a>(
 
 /// One whole curve of the free gear, if it has any length. About its own centre a land has one radius, on which only its clockwise end can
 /// touch. That is the corner of a tip land (which also ends the involute), or the middle of the space for a root land.
-fn free_range(free: &Placed, curve: ProfilePart) -> Option<(f64, f64)> {
+fn free_range(free: &PlacedHalf, curve: ProfilePart) -> Option<(f64, f64)> {
     if !free.has(curve) {
         return None;
     }

@@ -1,6 +1,6 @@
 //! A common point of two half teeth.
 
-use super::placed::Placed;
+use super::placed::PlacedHalf;
 use super::shape::C;
 pub(super) use crate::contact::gap::slope;
 use crate::contact::gap::{Origin, common_normal};
@@ -28,8 +28,8 @@ pub(super) struct CandidateContact {
 impl CandidateContact {
     /// The candidate at one parameter each.
     pub fn new(
-        (locked_half, locked): (&Placed, (ProfilePart, f64)),
-        (free_half, free): (&Placed, (ProfilePart, f64)),
+        (locked_half, locked): (&PlacedHalf, (ProfilePart, f64)),
+        (free_half, free): (&PlacedHalf, (ProfilePart, f64)),
         origin: Origin,
         slack: f64,
     ) -> CandidateContact {

@@ -8,7 +8,7 @@
 //! its reach does not return, and if the tip corner is out of reach, the whole flank is. There `ρ` is unknown (the
 //! flank of a tooth that points sideways turns back) and does not matter.
 
-use super::placed::{Placed, Role};
+use super::placed::{PlacedHalf, Role};
 use super::shape::{C, turn};
 use crate::gear::{ProfilePart, involute};
 use std::f64::consts::TAU;
@@ -18,7 +18,7 @@ use std::f64::consts::TAU;
 ///
 /// `fillet` is the least `γ` that can be reached. `near` is a nearby point in the half tooth's own frame.
 pub(super) fn meet(
-    half: &Placed,
+    half: &PlacedHalf,
     side: Role,
     fillet: Option<f64>,
     rho: f64,
@@ -56,7 +56,7 @@ pub(super) fn meet(
 /// The roll below which the involute is monotone in `ρ`, and `ρ` there: at its tip, unless it turns back.
 ///
 /// The normal `−iE` meets the axis where `E` is `acos(r_b/D)` from the direction to it.
-fn outer_end(half: &Placed) -> (f64, f64) {
+fn outer_end(half: &PlacedHalf) -> (f64, f64) {
     let shape = half.shape;
     let tip = (shape.tip_roll, half.own_to_axis(shape.corners()[0].1));
     let distance = half.centre.norm_sqr().sqrt();
@@ -74,7 +74,7 @@ fn outer_end(half: &Placed) -> (f64, f64) {
 }
 
 /// `X = Q × n` of the involute at the tip corner, with `Q` from the free axis. It is at most 0 where a locked involute turns back.
-pub(super) fn tip_arm(half: &Placed) -> f64 {
+pub(super) fn tip_arm(half: &PlacedHalf) -> f64 {
     let shape = half.shape;
     let corner = half.centre * half.direction.conj() + shape.corners()[0].1;
     corner.re * shape.tip_normal.im - corner.im * shape.tip_normal.re
@@ -82,17 +82,17 @@ pub(super) fn tip_arm(half: &Placed) -> f64 {
 
 /// Least `ρ` where a locked involute turns back. There the normal passes through the free axis, `√(D² − r_b²)` along it
 /// from the base circle, and the involute's point is at most `r_b ξ_a` along it.
-pub(super) fn nearest_turn(locked: &Placed) -> f64 {
+pub(super) fn nearest_turn(locked: &PlacedHalf) -> f64 {
     let shape = locked.shape;
     (locked.centre.norm_sqr() - shape.base * shape.base).sqrt() - shape.base * shape.tip_roll
 }
 
 /// Least radius about the free axis of a locked involute where `ρ` is monotone: at its tip, or where it turns back.
-pub(super) fn least_flank_radius(locked: &Placed) -> f64 {
+pub(super) fn least_flank_radius(locked: &PlacedHalf) -> f64 {
     outer_end(locked).1
 }
 
-/// Ends of a parameter range, the one of lesser `ρ` first. `ρ` falls with the parameter if `inward` is positive.
+/// Ends of a parameter range, the end of lesser `ρ` first. `ρ` falls with the parameter if `inward` is positive.
 fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
     if inward > 0.0 {
         [high, low]
@@ -106,7 +106,7 @@ fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
 ///
 /// On the circle of radius `r` about `C` a point `δ` from the direction to the axis has `ρ² = (|C| − r)² + 4 |C| r sin²
 /// δ/2 = (|C| + r)² − 4 |C| r cos² δ/2`, without a difference of large squares.
-pub(super) fn on_land(half: &Placed, land: ProfilePart, rho: f64) -> Option<f64> {
+pub(super) fn on_land(half: &PlacedHalf, land: ProfilePart, rho: f64) -> Option<f64> {
     let (centre, radius) = (half.centre, half.shape.radius(land, 0.0));
     let distance = centre.norm_sqr().sqrt();
     let (least, most) = ((distance - radius).abs(), distance + radius);

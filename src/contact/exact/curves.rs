@@ -5,35 +5,35 @@ use std::array::from_fn;
 
 /// A set of pairs of curves, the locked gear's first.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Curves(pub [[bool; 4]; 4]);
+pub(super) struct CurvePairs(pub [[bool; 4]; 4]);
 
-impl Curves {
+impl CurvePairs {
     /// Every pair.
-    pub const ALL: Curves = Curves([[true; 4]; 4]);
+    pub const ALL: CurvePairs = CurvePairs([[true; 4]; 4]);
 
     /// This set without one pair.
-    pub fn without(mut self, locked: ProfilePart, free: ProfilePart) -> Curves {
+    pub fn without(mut self, locked: ProfilePart, free: ProfilePart) -> CurvePairs {
         self.0[locked as usize][free as usize] = false;
         self
     }
 
     /// Every pair that contains a curve of this kind, on either gear.
-    pub fn of(part: ProfilePart) -> Curves {
+    pub fn of(part: ProfilePart) -> CurvePairs {
         let part = part as usize;
         let one = |locked, free| locked == part || free == part;
-        Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
+        CurvePairs(from_fn(|locked| from_fn(|free| one(locked, free))))
     }
 
     /// This set without `others`.
-    pub fn except(self, others: Curves) -> Curves {
+    pub fn except(self, others: CurvePairs) -> CurvePairs {
         let one = |locked: usize, free: usize| self.0[locked][free] && !others.0[locked][free];
-        Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
+        CurvePairs(from_fn(|locked| from_fn(|free| one(locked, free))))
     }
 
     /// The pairs in both sets.
-    pub fn intersection(self, others: Curves) -> Curves {
+    pub fn intersection(self, others: CurvePairs) -> CurvePairs {
         let one = |locked: usize, free: usize| self.0[locked][free] && others.0[locked][free];
-        Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
+        CurvePairs(from_fn(|locked| from_fn(|free| one(locked, free))))
     }
 
     pub fn has(self, locked: ProfilePart, free: ProfilePart) -> bool {
@@ -49,7 +49,7 @@ impl Curves {
     }
 
     pub fn is_empty(self) -> bool {
-        self == Curves::default()
+        self == CurvePairs::default()
     }
 }
 

@@ -11,7 +11,7 @@ use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{offer_lands, without_lands};
 use super::line::TangentVariation;
 use super::path::offer_pairs_on_line;
-use super::placed::{Placed, Role};
+use super::placed::{PlacedHalf, Role};
 use super::search::{self, SideRequest};
 use super::search_free_proof::{ProofInput, SearchFreeProof};
 use super::shape::{C, turn};
@@ -104,7 +104,7 @@ pub(super) fn first_contact(
         offer_lands(posed, proof.open, &mut tightest_contacts);
     }
     let rest = without_lands(proof.open);
-    let curves = |locked: &Placed| {
+    let curves = |locked: &PlacedHalf| {
         let mut curves = rest;
         if proof
             .steep_arm
@@ -184,7 +184,7 @@ impl DirectSolver {
     ///
     /// `X = D cos η − r_b`, where `η` is the angle of `E` from the line of centres and falls from the tip inwards. `X`
     /// is least at the tip, or where `η` is negative; the proof covers that case.
-    fn is_steep(&self, locked: &Placed, arm: f64) -> bool {
+    fn is_steep(&self, locked: &PlacedHalf, arm: f64) -> bool {
         tip_arm(locked) <= arm && least_flank_radius(locked) <= self.outmost
     }
 }
@@ -334,8 +334,8 @@ impl CornerSearch<'_, '_> {
     fn offer(
         &mut self,
         step: i64,
-        locked: (&Placed, (ProfilePart, f64)),
-        free: (&Placed, (ProfilePart, f64)),
+        locked: (&PlacedHalf, (ProfilePart, f64)),
+        free: (&PlacedHalf, (ProfilePart, f64)),
     ) {
         let candidate = CandidateContact::new(locked, free, self.posed.origin_of(step), 0.0);
         if self.tightest_contacts.admits(candidate.gap) {

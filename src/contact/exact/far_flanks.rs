@@ -9,7 +9,7 @@ use super::candidate::CandidateContact;
 use super::corner::{least_flank_radius, tip_arm};
 use super::curves::SearchExhausted;
 use super::flank_problem::PosedFlanks;
-use super::placed::Placed;
+use super::placed::PlacedHalf;
 use super::search::SideRequest;
 use super::shape::C;
 use super::tightest::FirstContact;
@@ -69,7 +69,7 @@ pub(super) fn with_far_flanks(
 /// nearest to the axis where it turns back, or at its end.
 pub(super) fn is_sideways(posed: &PosedFlanks, step: i64) -> bool {
     let locked = posed.locked(step);
-    let mirrored = Placed {
+    let mirrored = PlacedHalf {
         centre: locked.centre.conj(),
         direction: locked.far_direction().conj(),
         ..locked

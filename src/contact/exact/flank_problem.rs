@@ -7,7 +7,7 @@
 //! *Steps* count places counter-clockwise from the locked tooth nearest to the line of centres. The free tooth that
 //! faces it is as many steps clockwise of its own.
 
-use super::placed::Placed;
+use super::placed::PlacedHalf;
 use super::shape::{C, turn};
 use super::teeth::{Teeth, nearest, reduced};
 use crate::contact::gap::{Origin, rounding};
@@ -83,8 +83,8 @@ impl FlankProblem {
         }
     }
 
-    /// The problem in a section with these teeth, a centre distance, mm, and displacements of both outlines at rotation 0. The window stays: it is
-    /// that of all sections.
+    /// The problem in a section with these teeth, a centre distance, mm, and displacements of both outlines at rotation 0. The window stays:
+    /// it is that of all sections.
     pub fn in_section(
         &self,
         distance: f64,
@@ -368,10 +368,10 @@ impl<'a> PosedFlanks<'a> {
     }
 
     /// The locked half tooth of a step.
-    pub fn locked(&self, step: i64) -> Placed<'a> {
+    pub fn locked(&self, step: i64) -> PlacedHalf<'a> {
         let teeth = &self.problem.locked;
         let place = teeth.beside(self.locked_place, step);
-        Placed {
+        PlacedHalf {
             shape: teeth.shape_at(place),
             centre: self.centre,
             direction: -self.turned * teeth.direction(place),
@@ -381,10 +381,10 @@ impl<'a> PosedFlanks<'a> {
     }
 
     /// The free half tooth of a step, at rotation 0.
-    pub fn free(&self, step: i64) -> Placed<'a> {
+    pub fn free(&self, step: i64) -> PlacedHalf<'a> {
         let teeth = &self.problem.free;
         let place = teeth.beside(self.free_place, -step);
-        Placed {
+        PlacedHalf {
             shape: teeth.shape_at(place),
             centre: self.problem.free_off,
             direction: teeth.direction(place),

@@ -44,7 +44,7 @@ use crate::numeric::rank;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
 use leads::{AlongFace, FaceBounds, MOST_BY_ARMS};
-use place_filter::{Floors, PlaceFilter};
+use place_filter::{GapLimits, PlaceFilter};
 use profiles::{AlongFlanks, HighestPlace, LEVEL};
 use search_free_sections::SearchFreeSections;
 use std::borrow::Cow;
@@ -79,11 +79,11 @@ pub(super) struct Helical {
     sections: Vec<(f64, Section)>,
     /// Further places between the sections where an edge may touch tightest.
     edges: Option<Edges>,
-    /// Error of each contact by what sections of leaning axes leave out, rad of the free gear.
-    left_out: f64,
+    /// Error of each contact that sections of leaning axes neglect, rad of the free gear.
+    omitted_error: f64,
     bounds: FaceBounds,
-    /// How sections are solved that need no search.
-    directly: Option<Box<SearchFreeSections>>,
+    /// The solver of sections that need no search; `None` if one may need it.
+    search_free: Option<Box<SearchFreeSections>>,
 }
 
 impl Helical {
@@ -133,14 +133,14 @@ impl Helical {
         }
         let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
         let edges = edges.filter(|_| assembly.is_helical());
-        let left_out = if assembly.leans() {
+        let omitted_error = if assembly.leans() {
             (assembly.left_out() + assembly.beyond_ends()) / base
         } else if assembly.is_modified() {
             2.0 * LEVEL / base
         } else {
             0.0
         };
-        let directly = SearchFreeSections::new(assembly, plane, edges.as_ref()).map(Box::new);
+        let search_free = SearchFreeSections::new(assembly, plane, edges.as_ref()).map(Box::new);
         let helical = Helical {
             bounds: FaceBounds {
                 most_moved,
@@ -148,9 +148,9 @@ impl Helical {
                 by_heights: assembly.by_heights(),
                 in_fillets,
             },
-            directly,
+            search_free,
             edges,
-            left_out,
+            omitted_error,
             assembly: assembly.clone(),
             plane: plane.clone(),
             sections,
@@ -176,7 +176,7 @@ impl Helical {
         (section, pose.in_section(&self.assembly, b))
     }
 
-    /// As [`Helical::section_at`], for its teeth alone: those out of reach may be left out.
+    /// As [`Helical::section_at`], perhaps without the teeth out of reach.
     fn section_of_teeth<'a>(
         &self,
         pose: &Pose,
@@ -245,8 +245,8 @@ impl Helical {
         AlongFace::new(&self.assembly, posed, nominal, self.bounds, effort)
     }
 
-    /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`, and the tightest gap. The nominal rotation is
-    /// at the gap `nominal`.
+    /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`, and the tightest gap. The nominal
+    /// rotation is at the gap `nominal`.
     fn places_of_leads(
         &self,
         along: &AlongFace,
@@ -287,16 +287,16 @@ impl Helical {
             examined.section(*b, Some(section), 0.0)?;
         }
         if let Some(edges) = &self.edges {
-            examined.between(edges, &self.plane.right)?;
-            examined.between(edges, &self.plane.left)?;
+            examined.examine_edges(edges, &self.plane.right)?;
+            examined.examine_edges(edges, &self.plane.left)?;
         }
         if self.assembly.binds_anywhere() {
-            examined.along_leads(&self.plane.right)?;
-            examined.along_leads(&self.plane.left)?;
+            examined.examine_leads(&self.plane.right)?;
+            examined.examine_leads(&self.plane.left)?;
         }
         if self.assembly.is_modified() {
-            examined.along_profiles(&self.plane.right)?;
-            examined.along_profiles(&self.plane.left)?;
+            examined.examine_profiles(&self.plane.right)?;
+            examined.examine_profiles(&self.plane.left)?;
         }
         let over = examined.over;
         Ok(over.found(pose.free_rotation(), self.plane.free_pitch()))
@@ -340,14 +340,14 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
             None => (self.method)(section, &here, SectionRequest::all(effort))?,
         };
         for contact in [&mut found.right, &mut found.left].into_iter().flatten() {
-            contact.error += doubt + self.helical.left_out;
+            contact.error += doubt + self.helical.omitted_error;
         }
-        self.over.take(b, &here, found);
+        self.over.add(b, &here, found);
         Ok(())
     }
 
     /// Examines the places between the sections where an edge may touch tightest, on the side of `problem`.
-    fn between(&mut self, edges: &Edges, problem: &FlankProblem) -> Result<(), Error> {
+    fn examine_edges(&mut self, edges: &Edges, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let assembly = &helical.assembly;
         let posed = helical.plane.posed(problem, pose);
@@ -378,7 +378,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
                 // A jam can let the free gear turn further than the known limit.
                 let [tighter, jams] = [false, self.may_jam]
                     .map(|may_jam| floor(&posed, self.over.known(may_jam), pose));
-                let floors = Floors {
+                let floors = GapLimits {
                     tighter,
                     jams,
                     solid,
@@ -395,7 +395,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
 
 impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
     /// Examines the places at which leads make a pair tightest, on the side of `problem`.
-    fn along_leads(&mut self, problem: &FlankProblem) -> Result<(), Error> {
+    fn examine_leads(&mut self, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let (posed, nominal) = helical.posed(problem, pose);
         let known = self.over.beyond(side);
@@ -409,7 +409,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
     }
 
     /// Examines the places at which profile deviations make a pair tightest, on the side of `problem`. Each round is at the gap of the last.
-    fn along_profiles(&mut self, problem: &FlankProblem) -> Result<(), Error> {
+    fn examine_profiles(&mut self, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let (posed, nominal) = helical.posed(problem, pose);
         for round in 1..=MOST_ROUNDS_OF_PROFILES {
@@ -432,7 +432,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
     }
 }
 
-/// Bound of what leads, leans and profile deviations move both flanks of any pair, mm along the base tangent.
+/// Greatest move of both flanks of any pair by leads, leans and profile deviations, mm along the base tangent.
 fn most_moved(assembly: &GearPair) -> f64 {
     let wheel = assembly.gear(Member::Wheel).gear().basic_data();
     let wound = wheel.base_helix_angle().tan();
@@ -475,7 +475,7 @@ fn most_lead(assembly: &GearPair, side: Side) -> f64 {
 /// `None` unless some pair is always on the line of action: flanks follow each other within a pitch plus their offset.
 fn spread_on_line(plane: &Section, path: f64, base_pitch: f64) -> Option<f64> {
     let sides = [&plane.right, &plane.left];
-    let range = |teeth: &Teeth| teeth.extremes.1 - teeth.extremes.0;
+    let range = |teeth: &Teeth| teeth.offset_range.1 - teeth.offset_range.0;
     let spread = |problem: &FlankProblem| {
         let ratio = problem.locked.shape.base * problem.per_free_base;
         ratio * range(&problem.locked) + range(&problem.free)

@@ -13,9 +13,9 @@
 
 use super::candidate::CandidateContact;
 use super::corner::on_land;
-use super::curves::Curves;
+use super::curves::CurvePairs;
 use super::flank_problem::PosedFlanks;
-use super::placed::Placed;
+use super::placed::PlacedHalf;
 use super::shape::{C, turn};
 use super::tightest::TightestContacts;
 use crate::contact::gap::Origin;
@@ -25,7 +25,7 @@ use crate::gear::ProfilePart::{self, Root, Tip};
 pub(super) const LANDS: [(ProfilePart, ProfilePart); 3] = [(Tip, Tip), (Tip, Root), (Root, Tip)];
 
 /// `curves` without pairs of lands.
-pub(super) fn without_lands(curves: Curves) -> Curves {
+pub(super) fn without_lands(curves: CurvePairs) -> CurvePairs {
     LANDS
         .into_iter()
         .fold(curves, |rest, (locked_land, free_land)| {
@@ -36,10 +36,10 @@ pub(super) fn without_lands(curves: Curves) -> Curves {
 /// The greatest gap of the pairs of lands in `curves`.
 #[cold]
 pub(super) fn land_on_land(
-    locked: &Placed,
-    free: &Placed,
+    locked: &PlacedHalf,
+    free: &PlacedHalf,
     origin: Origin,
-    curves: Curves,
+    curves: CurvePairs,
 ) -> Option<CandidateContact> {
     LANDS
         .into_iter()
@@ -53,7 +53,7 @@ pub(super) fn land_on_land(
 /// Offers the greatest gap of the pairs of lands in `curves`, step by step.
 pub(super) fn offer_lands(
     posed: &PosedFlanks,
-    curves: Curves,
+    curves: CurvePairs,
     tightest_contacts: &mut TightestContacts,
 ) {
     for step in posed.steps() {
@@ -71,8 +71,8 @@ fn greater(one: CandidateContact, other: CandidateContact) -> CandidateContact {
 }
 
 fn greatest(
-    locked: &Placed,
-    free: &Placed,
+    locked: &PlacedHalf,
+    free: &PlacedHalf,
     (locked_land, free_land): (ProfilePart, ProfilePart),
     origin: Origin,
 ) -> Option<CandidateContact> {
@@ -84,7 +84,7 @@ fn greatest(
             0.0,
         )
     };
-    let ends = |placed: &Placed, curve: ProfilePart| {
+    let ends = |placed: &PlacedHalf, curve: ProfilePart| {
         let (low, high) = placed.range(curve);
         [low, high].map(|t| (t, placed.at(curve, t).point.norm()))
     };
@@ -106,8 +106,8 @@ fn greatest(
 
 /// Parameters on both lands where the circles touch.
 fn tangents(
-    locked: &Placed,
-    free: &Placed,
+    locked: &PlacedHalf,
+    free: &PlacedHalf,
     (on_locked, on_free): (ProfilePart, ProfilePart),
 ) -> [Option<(f64, f64)>; 2] {
     let (locked_centre, free_centre) = (locked.centre, free.centre);
@@ -119,7 +119,7 @@ fn tangents(
     if !(cos.abs() <= 1.0) {
         return [None; 2];
     }
-    let on = |placed: &Placed, curve: ProfilePart, centre: C, point: C| {
+    let on = |placed: &PlacedHalf, curve: ProfilePart, centre: C, point: C| {
         let t = -((point - centre) * placed.direction.conj()).arg();
         let (low, high) = placed.range(curve);
         (low..=high).contains(&t).then_some(t)

@@ -85,7 +85,7 @@ impl LeaningFrame {
         start: &NearStart,
     ) -> Option<(PosedFlanks<'a>, Separation, LeaningTouch)> {
         let here = self.at(posed, b);
-        let found = Separation::beside(&here, step, turns, start);
+        let found = Separation::near(&here, step, turns, start);
         found
             .touches
             .then(|| (here, found, self.touch(b, &here, &found, start)))

@@ -121,7 +121,8 @@ impl TangentVariation {
         let spread = |(low, high): (f64, f64)| high - low;
         let ratio = problem.locked.shape.base * problem.per_free_base;
         let error = error
-            + 2.0 * (ratio * spread(problem.locked.extremes) + spread(problem.free.extremes))
+            + 2.0
+                * (ratio * spread(problem.locked.offset_range) + spread(problem.free.offset_range))
             + problem.all_steps();
         let play = self.turning * error;
         let free_play = ratio * play + self.stretching * problem.per_free_base * error;

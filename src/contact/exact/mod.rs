@@ -51,7 +51,7 @@ mod tightest;
 pub use extremes::{Doubt, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN};
 pub(crate) use extremes::{End, is_proven};
 pub(super) use flank_problem::{FlankProblem, PosedFlanks};
-pub(super) use placed::Placed;
+pub(super) use placed::PlacedHalf;
 pub(super) use section::Section;
 pub(super) use shape::HalfToothShape;
 pub(super) use teeth::reduced;
@@ -128,7 +128,7 @@ impl ExactKernel {
                 let jam = None;
                 Ok(FoundOverFace { lost_motion, jam })
             }
-            Some(helical) => match helical.directly(pose, effort) {
+            Some(helical) => match helical.lost_motion_without_search(pose, effort) {
                 Some(found) => Ok(found),
                 None => helical.over(pose, effort, Section::lost_motion),
             },

@@ -26,7 +26,7 @@ use super::direct::{AtRotation, DirectSolver, Envelopes, far_corner_reaches};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::path::{InvolutePair, settle, start_line, steps_on};
-use super::placed::{Placed, Role};
+use super::placed::{PlacedHalf, Role};
 use super::search::{self, SideRequest};
 use super::shape::{C, HalfToothShape};
 use super::tightest::{FirstContact, TightestContacts};
@@ -156,18 +156,18 @@ impl OuterGears {
             Side::Right => &self.right,
             Side::Left => &self.left,
         });
-        let undeviating = || {
+        let of_outer_gears = || {
             self.is_cut_back
-                .then(|| self.undeviating(posed, &outer, request.effort))
+                .then(|| self.contact_of_outer_gears(posed, &outer, request.effort))
                 .flatten()
         };
-        match undeviating().or_else(|| self.quick(posed, &outer, request.effort)) {
+        match of_outer_gears().or_else(|| self.without_search(posed, &outer, request.effort)) {
             Some(first_contact) => Ok(Some(first_contact)),
             None => search::first_contact(posed, request),
         }
     }
 
-    fn quick(
+    fn without_search(
         &self,
         posed: &PosedFlanks,
         outer: &PosedFlanks,
@@ -176,13 +176,13 @@ impl OuterGears {
         // Gaps count from the free tooth's own direction, which differs by its offset.
         let beyond = outer.free_offset - posed.free_offset;
         let mut pairs = [None; MOST_PAIRS];
-        let count = self.on_line(outer, &mut pairs)?;
+        let count = self.pairs_on_line(outer, &mut pairs)?;
         let pairs = &mut pairs[..count];
         let gap = |pair: &Option<OuterPair>| pair.map_or(f64::NEG_INFINITY, |pair| pair.gap);
         pairs.sort_by(|a, b| gap(b).total_cmp(&gap(a)));
         let mut tightest = TightestContacts::new(posed.problem);
         for pair in pairs.iter().flatten() {
-            if pair.gap - beyond < tightest.level() {
+            if pair.gap - beyond < tightest.least_tied_gap() {
                 break;
             }
             let tangent = if self.is_convex {
@@ -193,7 +193,7 @@ impl OuterGears {
             let found = match tangent {
                 Some(candidate) => Some(candidate),
                 None => {
-                    let (floor, guess) = (tightest.level(), pair.gap - beyond);
+                    let (floor, guess) = (tightest.least_tied_gap(), pair.gap - beyond);
                     greatest_gap_of_flanks(posed, pair.step, floor, guess, effort)?
                 }
             };
@@ -205,12 +205,12 @@ impl OuterGears {
             return None;
         }
         let settled = |step| pairs.iter().flatten().any(|pair| pair.step == step);
-        self.on_tips((posed, outer), &mut tightest, settled, effort)?;
+        self.offer_tips((posed, outer), &mut tightest, settled, effort)?;
         tightest.choose()
     }
 
     /// Outer pairs on the line of action; `None` if one does not settle, or there are too many.
-    fn on_line(&self, outer: &PosedFlanks, pairs: &mut [Option<OuterPair>]) -> Option<usize> {
+    fn pairs_on_line(&self, outer: &PosedFlanks, pairs: &mut [Option<OuterPair>]) -> Option<usize> {
         let variation = &self.solver.variation;
         let (start, plays) = start_line(outer, variation)?;
         // Any deviation moves a flank's contact along it by far less than this, rad; a larger move stays open below.
@@ -236,7 +236,7 @@ impl OuterGears {
 
     /// Offers every tip corner that the outer gears do not show clear at the greatest gap so far, except on flanks of
     /// `settled` steps. `None` if one stays open.
-    fn on_tips(
+    fn offer_tips(
         &self,
         (posed, outer): (&PosedFlanks, &PosedFlanks),
         tightest: &mut TightestContacts,
@@ -244,15 +244,15 @@ impl OuterGears {
         effort: &Effort,
     ) -> Option<()> {
         let beyond = outer.free_offset - posed.free_offset;
-        let level = AtRotation::at(outer, tightest.greatest() + beyond);
+        let gears = AtRotation::at(outer, tightest.greatest() + beyond);
         let open = self.solver.proof.open;
         let mut nodes_left = effort.left().min(MOST_NODES as u64) as usize;
         for step in outer.steps() {
-            let tips = self.clear(outer, &level, step, tip_corner);
-            let stands_in = |end| self.clear(outer, &level, step, end) != [true; 2];
+            let tips = self.ends_are_clear(outer, &gears, step, tip_corner);
+            let stands_in = |end| self.ends_are_clear(outer, &gears, step, end) != [true; 2];
             if !open.is_empty() && (tips != [true; 2] || stands_in(joint)) {
                 let (locked, free) = (posed.locked(step), posed.free(step));
-                let floor = tightest.level();
+                let floor = tightest.least_tied_gap();
                 let (curves, origin) = (without_lands(open), posed.origin_of(step));
                 let before = nodes_left;
                 let found = search_pair(&locked, &free, origin, floor, curves, &mut nodes_left);
@@ -272,13 +272,15 @@ impl OuterGears {
             let mut settled = settled(step);
             if tips != [true; 2] && !(settled || self.is_convex) {
                 // If flanks are not convex, only their heights prove that the gap is greatest at an end.
-                if let Some(found) = greatest_gap_by_heights(posed, step, tightest.level(), 0.0)? {
+                if let Some(found) =
+                    greatest_gap_by_heights(posed, step, tightest.least_tied_gap(), 0.0)?
+                {
                     tightest.offer(step, found);
                 }
                 settled = true;
             }
-            for (tip, clear) in [Role::Locked, Role::Free].into_iter().zip(tips) {
-                if !clear && let Some(candidate) = self.on_tip(posed, step, tip, settled)? {
+            for (tip, is_clear) in [Role::Locked, Role::Free].into_iter().zip(tips) {
+                if !is_clear && let Some(candidate) = self.tip_contact(posed, step, tip, settled)? {
                     tightest.offer(step, candidate);
                 }
             }
@@ -287,7 +289,7 @@ impl OuterGears {
     }
 
     /// The contact of a tip corner with the mate's flank or fillet. `Some(None)` on the flank of a `settled` step; `None` if it stays open.
-    fn on_tip(
+    fn tip_contact(
         &self,
         posed: &PosedFlanks,
         step: i64,
@@ -303,7 +305,7 @@ impl OuterGears {
         };
         let (flank, fillet) = (ProfilePart::Involute, ProfilePart::Fillet);
         let bracket = |low: f64, high: f64| if inward { [high, low] } else { [low, high] };
-        let radius = |half: &Placed, roll: f64| half.at(flank, roll).point.norm();
+        let radius = |half: &PlacedHalf, roll: f64| half.at(flank, roll).point.norm();
         let corner = half.range(flank).1;
         let rho = radius(half, corner);
         let (form, top) = mate.range(flank);
@@ -345,10 +347,10 @@ impl OuterGears {
     }
 
     /// Whether an end of the flanks of a step is clear of the outer mate: the locked end and the free end.
-    fn clear(
+    fn ends_are_clear(
         &self,
         outer: &PosedFlanks,
-        level: &AtRotation,
+        gears: &AtRotation,
         step: i64,
         end: fn(&HalfToothShape) -> C,
     ) -> [bool; 2] {
@@ -356,21 +358,21 @@ impl OuterGears {
         let (locked_teeth, free_teeth) = (&outer.problem.locked, &outer.problem.free);
         let (locked_place, free_place) = outer.places(step);
         let toward = free_teeth.direction(free_place);
-        let seen = level.direction * locked_teeth.direction(locked_place);
+        let seen = gears.direction * locked_teeth.direction(locked_place);
         let point = end(&locked_teeth.shape);
-        let near = (level.centre + seen * point) * toward.conj();
+        let near = (gears.centre + seen * point) * toward.conj();
         let beyond = || outer.locked(step).own_to_axis(point) > self.solver.outmost;
         let locked = envelopes.free.clears(near) || envelopes.free.is_beyond_tip(near) && beyond();
         let point = end(&free_teeth.shape);
-        let near = (toward * point - level.centre) * seen.conj();
+        let near = (toward * point - gears.centre) * seen.conj();
         let short = || outer.free(step).own_to_axis(point) < outer.locked(step).least_land_radius();
         let over = || envelopes.locked.is_beyond_tip(near) && short();
-        let free = level.is_ahead(near, seen) && (envelopes.locked.clears(near) || over());
+        let free = gears.is_ahead(near, seen) && (envelopes.locked.clears(near) || over());
         [locked, free]
     }
 
     /// The contact of the outer gears, if both flanks touch where nothing deviates.
-    fn undeviating(
+    fn contact_of_outer_gears(
         &self,
         posed: &PosedFlanks,
         outer: &PosedFlanks,
@@ -391,7 +393,7 @@ impl OuterGears {
             posed.free(first_contact.step),
         );
         let candidate = first_contact.candidate;
-        let same = |half: &Placed, (part, roll): (ProfilePart, f64)| {
+        let same = |half: &PlacedHalf, (part, roll): (ProfilePart, f64)| {
             part == ProfilePart::Involute && half.shape.is_undeviating(roll)
         };
         (same(&locked, candidate.locked) && same(&free, candidate.free)).then_some(first_contact)

@@ -76,7 +76,7 @@ pub(super) fn steps_on(posed: &PosedFlanks, line: &Line, plays: (f64, f64)) -> R
     let least = (locked_shape.form_roll - plays.0).max(opposite(free_shape.tip_roll) - free_play);
     let most = (locked_shape.tip_roll + plays.0).min(opposite(free_shape.form_roll) + free_play);
     // ξ_L = arg B + α − (λ_0 + s τ + δ − ψ_b), δ anywhere between the extremes.
-    let (low, high) = problem.locked.extremes;
+    let (low, high) = problem.locked.offset_range;
     let first =
         (line.angle - posed.ahead + locked_shape.half_base - most - high) * problem.per_pitch;
     let last =

@@ -13,7 +13,7 @@ pub(super) enum Role {
 
 /// A half tooth at its position in a pose: `centre + direction · P`, from the free gear's axis.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::contact) struct Placed<'a> {
+pub(in crate::contact) struct PlacedHalf<'a> {
     pub shape: &'a HalfToothShape,
     pub centre: C,
     pub direction: C,
@@ -23,7 +23,7 @@ pub(in crate::contact) struct Placed<'a> {
     pub root_end: f64,
 }
 
-impl<'a> Placed<'a> {
+impl<'a> PlacedHalf<'a> {
     /// One of its curves.
     #[inline]
     pub fn curve(&self, part: ProfilePart) -> PlacedCurve<'a> {
@@ -81,7 +81,7 @@ impl<'a> Placed<'a> {
     }
 
     /// The rounding of rectangles around curves of both half teeth, mm, and of the squares of radii, mm².
-    pub fn rounding(&self, free: &Placed) -> [f64; 2] {
+    pub fn rounding(&self, free: &PlacedHalf) -> [f64; 2] {
         let size = self.centre.norm() + self.shape.tip_radius + free.shape.tip_radius;
         [ROUNDING * size, ROUNDING * size * size]
     }
@@ -144,7 +144,7 @@ mod tests {
         let half = shape.tip_corner().arg().abs();
         for centre in [C::new(40.0, 0.0), C::new(39.0, 0.7), C::new(0.6, -41.0)] {
             for step in -12..=12 {
-                let placed = Placed {
+                let placed = PlacedHalf {
                     shape: &shape,
                     centre,
                     direction: turn((-centre).arg() + 0.4 * half * f64::from(step)),
@@ -166,7 +166,7 @@ mod tests {
     fn a_rectangle_is_around_its_curve() {
         for teeth in [9, 17, 60] {
             let shape = shape(teeth);
-            let placed = Placed {
+            let placed = PlacedHalf {
                 shape: &shape,
                 centre: C::new(40.0, 3.0),
                 direction: turn(2.9),
@@ -196,7 +196,7 @@ mod tests {
             let shape = shape(teeth);
             let (low, high) = shape.range(Root);
             for (root_end, root) in [(high.max(low + 0.01), true), (low, false)] {
-                let placed = Placed {
+                let placed = PlacedHalf {
                     shape: &shape,
                     centre: C::new(40.0, 0.0),
                     direction: turn(3.0),

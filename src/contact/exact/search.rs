@@ -1,11 +1,11 @@
 //! The general method: branch and bound over every facing pair.
 
 use super::branch::search;
-use super::curves::{Curves, SearchExhausted};
+use super::curves::{CurvePairs, SearchExhausted};
 use super::flank_problem::PosedFlanks;
 use super::lands::{offer_lands, without_lands};
 use super::modified::pieces::greatest_gap_of_flanks;
-use super::placed::Placed;
+use super::placed::PlacedHalf;
 use super::tightest::{FirstContact, TightestContacts};
 use crate::contact::Effort;
 use crate::contact::gap::MOST_NODES;
@@ -30,15 +30,20 @@ pub(super) fn first_contact(
     request: SideRequest,
 ) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
     let mut tightest_contacts = TightestContacts::new(posed.problem);
-    offer_lands(posed, Curves::ALL, &mut tightest_contacts);
-    let mut curves = without_lands(Curves::ALL);
+    offer_lands(posed, CurvePairs::ALL, &mut tightest_contacts);
+    let mut curves = without_lands(CurvePairs::ALL);
     let (locked, free) = (&posed.problem.locked, &posed.problem.free);
     if locked.is_modified() || free.is_modified() {
         // A search over a whole measured flank has no tight bound.
         let part = ProfilePart::Involute;
         for step in posed.steps() {
-            let found =
-                greatest_gap_of_flanks(posed, step, tightest_contacts.level(), 0.0, request.effort);
+            let found = greatest_gap_of_flanks(
+                posed,
+                step,
+                tightest_contacts.least_tied_gap(),
+                0.0,
+                request.effort,
+            );
             if let Some(candidate) = found.ok_or((step, SearchExhausted(part, part)))? {
                 tightest_contacts.offer(step, candidate);
             }
@@ -60,7 +65,7 @@ pub(super) fn by_search(
     over(
         posed,
         TightestContacts::new(posed.problem),
-        |_| Curves::ALL,
+        |_| CurvePairs::ALL,
         request,
         16 * MOST_NODES,
     )
@@ -73,7 +78,7 @@ pub(super) fn by_search(
 pub(super) fn over(
     posed: &PosedFlanks,
     mut tightest_contacts: TightestContacts,
-    curves: impl Fn(&Placed) -> Curves,
+    curves: impl Fn(&PlacedHalf) -> CurvePairs,
     request: SideRequest,
     most_nodes: usize,
 ) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
@@ -89,7 +94,7 @@ pub(super) fn over(
             &locked,
             &posed.free(step),
             posed.origin_of(step),
-            tightest_contacts.level().max(request.floor),
+            tightest_contacts.least_tied_gap().max(request.floor),
             curves,
             &mut nodes_left,
         );

@@ -21,7 +21,7 @@
 //! The check holds for all poses, with the centre of the locked outline anywhere within its eccentricity `e_L` of its
 //! axis. Pairs of curves that fail are *open*: branch and bound searches them.
 
-use super::curves::Curves;
+use super::curves::CurvePairs;
 use super::shape::HalfToothShape;
 use super::teeth::Teeth;
 use crate::gear::ProfilePart::{self, Fillet, Involute, Root, Tip};
@@ -33,7 +33,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SearchFreeProof {
     /// Pairs of curves that must be searched.
-    pub open: Curves,
+    pub open: CurvePairs,
     /// Least `γ` of the locked and of the free fillet that can be reached; `None` if unreachable or searched.
     pub locked_fillet: Option<f64>,
     pub free_fillet: Option<f64>,
@@ -99,7 +99,7 @@ impl ProofInput<'_> {
             return None;
         }
 
-        let mut open = Curves::default();
+        let mut open = CurvePairs::default();
         let free_reach = reached(free, self.inmost() - self.free_off);
         let locked_reach = reached(locked, near - self.outmost());
         for curve in ProfilePart::ALL {
@@ -152,7 +152,7 @@ impl ProofInput<'_> {
     }
 
     /// Opens the pairs of curves whose tip land is not round enough about the axis.
-    fn open_lands(&self, open: &mut Curves, fillet_arm: Option<f64>, free_fillet: Option<f64>) {
+    fn open_lands(&self, open: &mut CurvePairs, fillet_arm: Option<f64>, free_fillet: Option<f64>) {
         let (locked, free, near) = (self.locked, self.free, self.near());
         if let Some(gamma) = free_fillet {
             let steepest = slope_at(free.steepest_fillet(gamma) + self.shift());

@@ -61,7 +61,7 @@ pub(in crate::contact) struct Section {
     /// The pair, if its teeth can enter the mate's body.
     pub bodies: Option<Box<GearPair>>,
     /// Whether no pose can be assembled.
-    pub blocked: bool,
+    pub never_assembles: bool,
     /// Where a free tooth can meet a locked tooth's far flank first.
     pub(super) far_flanks: FarFlanks,
 }
@@ -162,7 +162,7 @@ impl Section {
             outer: outer.map(Box::new),
             free: assembly.free(),
             bodies: may_be_solid(assembly).then(|| Box::new(assembly.clone())),
-            blocked: reaches_over_an_axis(assembly),
+            never_assembles: reaches_over_an_axis(assembly),
         }
     }
 
@@ -172,7 +172,7 @@ impl Section {
         pose: &Pose,
         request: SectionRequest,
     ) -> Result<LostMotion, Error> {
-        self.with(pose, request, |posed, side| match &self.outer {
+        self.solve(pose, request, |posed, side| match &self.outer {
             None => direct::first_contact(posed, self.solver.as_ref(), side),
             Some(outer) => outer.first_contact(posed, side),
         })
@@ -184,7 +184,7 @@ impl Section {
         pose: &Pose,
         request: SectionRequest,
     ) -> Result<LostMotion, Error> {
-        self.with(pose, request, search::by_search)
+        self.solve(pose, request, search::by_search)
     }
 
     /// As [`super::ExactKernel::is_direct`].
@@ -194,7 +194,7 @@ impl Section {
             .is_some_and(|solver| solver.proof.is_direct())
     }
 
-    fn with(
+    fn solve(
         &self,
         pose: &Pose,
         request: SectionRequest,
@@ -203,7 +203,7 @@ impl Section {
             SideRequest,
         ) -> Result<Option<FirstContact>, (i64, SearchExhausted)>,
     ) -> Result<LostMotion, Error> {
-        if self.blocked {
+        if self.never_assembles {
             return Ok(LostMotion::JAMMED);
         }
         let mating = pose.mating();
@@ -212,9 +212,9 @@ impl Section {
         let turned = turn(rotation);
         let contact = |problem: &FlankProblem| -> Result<Option<Contact>, Error> {
             let posed = problem.posed(pose, teeth, rotation, turned);
-            spend(&posed, request.effort);
+            charge_steps(&posed, request.effort);
             if request.effort.is_spent() {
-                return Err(self.lost(&posed, 0, SPENT, pose));
+                return Err(self.contact_lost(&posed, 0, SPENT, pose));
             }
             let side = SideRequest {
                 effort: request.effort,
@@ -225,7 +225,7 @@ impl Section {
             match found {
                 Ok(first_contact) => Ok(first_contact
                     .map(|first_contact| report::contact(&posed, &first_contact, self.free))),
-                Err((step, lost)) => Err(self.lost(&posed, step, lost.reason(), pose)),
+                Err((step, lost)) => Err(self.contact_lost(&posed, step, lost.reason(), pose)),
             }
         };
         let result = LostMotion {
@@ -251,7 +251,7 @@ impl Section {
         solver: &DirectSolver,
         effort: &Effort,
     ) -> Option<Contact> {
-        spend(posed, effort);
+        charge_steps(posed, effort);
         let request = SideRequest {
             effort,
             floor: f64::NEG_INFINITY,
@@ -261,7 +261,13 @@ impl Section {
         Some(report::contact(posed, &first_contact, self.free))
     }
 
-    fn lost(&self, posed: &PosedFlanks, step: i64, reason: &'static str, pose: &Pose) -> Error {
+    fn contact_lost(
+        &self,
+        posed: &PosedFlanks,
+        step: i64,
+        reason: &'static str,
+        pose: &Pose,
+    ) -> Error {
         let (locked_place, free_place) = posed.places(step);
         let locked = posed.problem.locked.number(locked_place);
         let free = posed.problem.free.number(free_place);
@@ -280,7 +286,7 @@ impl Section {
 }
 
 /// Charges the teeth of one side.
-fn spend(posed: &PosedFlanks, effort: &Effort) {
+fn charge_steps(posed: &PosedFlanks, effort: &Effort) {
     let steps = posed.steps();
     let steps = (steps.end - steps.start).max(0) as u64;
     effort.spend(SIDE + STEP * steps);

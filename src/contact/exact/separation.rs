@@ -137,7 +137,7 @@ impl Separation {
 
     /// Like [`Separation::endless`], with the locked and the free tooth turned by `turns`, rad, about their own centres. The line to search from
     /// may be that of another pair or section.
-    pub fn endless_beside(
+    pub fn endless_near(
         posed: &PosedFlanks,
         step: i64,
         turns: [f64; 2],
@@ -181,12 +181,7 @@ impl Separation {
 
     /// Like [`Separation::turned`], found from a direction and a gap that may be those of another pair or section.
     #[inline]
-    pub fn beside(
-        posed: &PosedFlanks,
-        step: i64,
-        turns: [f64; 2],
-        start: &NearStart,
-    ) -> Separation {
+    pub fn near(posed: &PosedFlanks, step: i64, turns: [f64; 2], start: &NearStart) -> Separation {
         let pair = InvolutePair::new(posed, step).turned(turns);
         let arcs = arcs(posed, InvoluteArc::new);
         let Some(line) = Separation::on_line_of_action(posed, &pair, arcs, start) else {
@@ -374,15 +369,15 @@ impl Separation {
 
     /// Greatest deficit of room of involutes with ends against endless ones, between this pose and `other`, rad of the free gear. For
     /// endless ones only the cube of the part below the form roll counts.
-    pub fn short(&self, other: &Separation, plays: [f64; 2], forms: [f64; 2]) -> f64 {
+    pub fn greatest_deficit(&self, other: &Separation, plays: [f64; 2], forms: [f64; 2]) -> f64 {
         let bases = [self.arcs[0].base, self.arcs[1].base];
-        let short = |k: usize| {
+        let deficit = |k: usize| {
             let roll = self.rolls[k].min(other.rolls[k]) - plays[k];
             let below = (forms[k] - roll).max(0.0);
             // δ − sin δ − ξ_f (1 − cos δ) of δ = ξ_f − ξ, at most δ³/6.
             (below - below.sin() - forms[k] * (1.0 - below.cos())).max(0.0)
         };
-        (bases[0] * short(0) + bases[1] * short(1)) / bases[1]
+        (bases[0] * deficit(0) + bases[1] * deficit(1)) / bases[1]
     }
 
     /// Bound on the second derivative of the rotation of the touch by that of the locked gear, while the rolls change by `plays`, with the
@@ -403,7 +398,7 @@ fn arcs(posed: &PosedFlanks, of: fn(&HalfToothShape) -> InvoluteArc) -> [Involut
     [&posed.problem.locked, &posed.problem.free].map(|teeth| of(&teeth.shape))
 }
 
-/// `s` and its derivatives.
+/// The room `s` in a direction, and its derivatives.
 struct RoomDerivatives {
     apart: f64,
     /// By `β`, once and twice.
@@ -439,7 +434,7 @@ impl RoomDerivatives {
 }
 
 /// The angle of a unit vector, rad.
-fn slight_angle(unit: C) -> f64 {
+fn small_angle(unit: C) -> f64 {
     let sin = unit.im;
     // The first term left out, 15/336 of the seventh power, is below rounding.
     if sin.abs() > 5e-3 || unit.re < 0.0 {
@@ -449,7 +444,7 @@ fn slight_angle(unit: C) -> f64 {
     sin * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0)))
 }
 
-/// Where a separation is searched from, and how angles become vectors.
+/// The start of a search for a separation, and the conversion of angles to vectors.
 trait Trigonometry {
     /// The direction `β` and the gap to start from.
     fn from(&self) -> (f64, f64);
@@ -572,7 +567,7 @@ impl Trigonometry for NearStart {
         }
         let length = square.sqrt();
         let direction = between * C::new(sum, length) / all;
-        let beta = self.beta + slight_angle(direction * self.direction.conj());
+        let beta = self.beta + small_angle(direction * self.direction.conj());
         Some((direction, beta, length))
     }
 }
@@ -607,8 +602,8 @@ mod tests {
         let [locked, free] = [farther(0.01, 0.01 - 0.08), farther(0.02, -0.02 - 0.06)];
         let expected = (30.0 * locked + 20.0 * free) / 20.0;
         assert!(locked > 0.0 && free > 0.0);
-        let found = here.short(&there, [0.08, 0.06], [0.01, 0.02]);
+        let found = here.greatest_deficit(&there, [0.08, 0.06], [0.01, 0.02]);
         assert!((found - expected).abs() < 1e-16);
-        assert_eq!(there.short(&there, [0.0, 0.0], [0.0, 0.0]), 0.0);
+        assert_eq!(there.greatest_deficit(&there, [0.0, 0.0], [0.0, 0.0]), 0.0);
     }
 }

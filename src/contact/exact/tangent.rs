@@ -101,7 +101,8 @@ fn is_on_involute(free_shape: &HalfToothShape, roll: f64) -> bool {
     roll >= free_shape.form_roll && roll <= free_shape.tip_roll
 }
 
-/// The contact of the extended land and involute of a step; `None` if the line does not settle, because the base circle reaches the land's centre.
+/// The contact of the extended land and involute of a step; `None` if the line does not settle, because the base circle reaches the land's
+/// centre.
 fn tangent(posed: &PosedFlanks, step: i64, start: &Line, is_eccentric: bool) -> Option<Tangent> {
     let problem = posed.problem;
     let base = problem.free.shape.base;

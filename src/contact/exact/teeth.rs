@@ -30,7 +30,7 @@ pub(in crate::contact) struct Teeth {
     /// The halves of the first and the following places.
     halves: Vec<Half>,
     /// Least and greatest offset.
-    pub extremes: (f64, f64),
+    pub offset_range: (f64, f64),
     /// Greatest angle of a far corner from its tooth's undisturbed centre line.
     pub farthest: f64,
     /// Greatest angle of a root land's end from its tooth's undisturbed centre line, to the other side.
@@ -79,7 +79,7 @@ impl Teeth {
             count: i64::from(count),
             first: 0,
             halves: Vec::with_capacity(count as usize),
-            extremes: (0.0, 0.0),
+            offset_range: (0.0, 0.0),
             farthest: f64::NEG_INFINITY,
             deepest: f64::NEG_INFINITY,
         };
@@ -104,12 +104,12 @@ impl Teeth {
                 root_end,
             });
         }
-        teeth.set_extremes();
+        teeth.set_offset_range();
         teeth
     }
 
-    fn set_extremes(&mut self) {
-        self.extremes = self
+    fn set_offset_range(&mut self) {
+        self.offset_range = self
             .halves
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), half| {
@@ -144,7 +144,7 @@ impl Teeth {
             deepest: self.deepest + 2.0 * most,
             ..*self
         };
-        teeth.set_extremes();
+        teeth.set_offset_range();
         teeth
     }
 

@@ -43,14 +43,14 @@ impl TightestContacts {
         self.greatest
     }
 
-    /// The least gap that can still count.
-    pub fn level(&self) -> f64 {
+    /// The least gap that ties with the greatest so far.
+    pub fn least_tied_gap(&self) -> f64 {
         self.greatest - self.width
     }
 
     /// Whether a candidate with this gap counts.
     pub fn admits(&self, gap: f64) -> bool {
-        gap >= self.level()
+        gap >= self.least_tied_gap()
     }
 
     /// Adds the candidate of a step.
@@ -69,10 +69,10 @@ impl TightestContacts {
     }
 
     fn candidates(&self) -> impl Iterator<Item = &(i64, CandidateContact)> {
-        let level = self.level();
+        let least_tied_gap = self.least_tied_gap();
         let few = self.few[..self.count].iter().flatten();
         few.chain(&self.more)
-            .filter(move |(_, candidate)| candidate.gap >= level)
+            .filter(move |(_, candidate)| candidate.gap >= least_tied_gap)
     }
 
     /// The reported contact of those that tie with the greatest gap. It is nearest to the operating pitch point; of equally near ones,

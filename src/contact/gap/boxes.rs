@@ -158,8 +158,8 @@ impl Rectangle {
         self.is_narrow() && free.is_narrow() && dot(self.middle, seen) >= 0.0
     }
 
-    /// Whether it is behind a free rectangle that is turned by `turned`, across a line with the unit `normal` out of this one and with `room`, mm.
-    /// The points of both are within 60° of the line's direction, so within 120° of each other.
+    /// Whether it is behind a free rectangle that is turned by `turned`, across a line with the unit `normal` out of this one and with
+    /// `room`, mm. The points of both are within 60° of the line's direction, so within 120° of each other.
     pub fn is_behind(&self, free: &Rectangle, turned: C, normal: C, room: f64) -> bool {
         let along = -C::i() * normal;
         let is_ahead = |one: &Rectangle, along: C| {

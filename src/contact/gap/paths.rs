@@ -25,7 +25,7 @@ pub(in crate::contact) trait Path<'a> {
     /// The rectangles around its pieces.
     fn boxes(&self) -> &Tree<Rectangle>;
     /// A run at its position.
-    fn put(&self, run: usize) -> PlacedRun;
+    fn place(&self, run: usize) -> PlacedRun;
     /// One of its pieces.
     fn arc(&self, piece: usize) -> CurveArc<'a>;
 }
@@ -67,7 +67,7 @@ struct RunPair {
     is_near: bool,
     level: f64,
     /// Penetration of the locked run into its mate.
-    over: f64,
+    penetration: f64,
 }
 
 /// A search over pairs of paths. The greatest gap so far rules out the rest.
@@ -85,7 +85,7 @@ pub(in crate::contact) struct PathSearch<'a> {
     /// Pairs of runs examined since the count was last charged.
     pairs: usize,
     /// Runs placed so far for both paths. Pairs refer to them by index.
-    put: [Vec<PlacedRun>; 2],
+    placed: [Vec<PlacedRun>; 2],
     open: Vec<RunPair>,
     nodes: Vec<(CurveArc<'a>, CurveArc<'a>)>,
 }
@@ -102,14 +102,14 @@ impl<'a> PathSearch<'a> {
             level: floor,
             nodes_left: MOST_NODES,
             pairs: 0,
-            put: [Vec::with_capacity(64), Vec::with_capacity(64)],
+            placed: [Vec::with_capacity(64), Vec::with_capacity(64)],
             open: Vec::with_capacity(64),
             nodes: Vec::with_capacity(4),
         }
     }
 
     /// This search with at most `most` nodes.
-    pub fn within(self, most: u64) -> PathSearch<'a> {
+    pub fn with_nodes(self, most: u64) -> PathSearch<'a> {
         PathSearch {
             nodes_left: most.min(MOST_NODES as u64) as usize,
             ..self
@@ -122,7 +122,7 @@ impl<'a> PathSearch<'a> {
     }
 
     /// This search without rectangles.
-    pub fn of_all(self) -> PathSearch<'a> {
+    pub fn without_rectangles(self) -> PathSearch<'a> {
         PathSearch {
             prunes: false,
             ..self
@@ -142,16 +142,16 @@ impl<'a> PathSearch<'a> {
         let Some(whole) = locked_boxes.whole().zip(free_boxes.whole()) else {
             return Ok(None);
         };
-        self.put.iter_mut().for_each(Vec::clear);
+        self.placed.iter_mut().for_each(Vec::clear);
         let whole = [
-            self.add(0, locked.put(whole.0)),
-            self.add(1, free.put(whole.1)),
+            self.add(0, locked.place(whole.0)),
+            self.add(1, free.place(whole.1)),
         ];
         let mut best = None;
-        self.open.extend(self.looked_at(whole, false));
+        self.open.extend(self.pair(whole, false));
         while let Some(mut pair) = self.open.pop() {
             if pair.level < self.level {
-                match self.looked_at(pair.runs, pair.is_near) {
+                match self.pair(pair.runs, pair.is_near) {
                     Some(still) => pair = still,
                     None => continue,
                 }
@@ -184,21 +184,21 @@ impl<'a> PathSearch<'a> {
             let free_runs = parts(inside.1, inside.0, [lengths[1], lengths[0]]);
             let from = self.open.len();
             let frees = match free_runs {
-                Some(runs) => runs.map(|run| Some(self.add(1, free.put(run)))),
+                Some(runs) => runs.map(|run| Some(self.add(1, free.place(run)))),
                 None => [Some(pair.runs[1]), None],
             };
             let lockeds = match locked_runs {
-                Some(runs) => runs.map(|run| Some(self.add(0, locked.put(run)))),
+                Some(runs) => runs.map(|run| Some(self.add(0, locked.place(run)))),
                 None => [Some(pair.runs[0]), None],
             };
             for locked in lockeds.into_iter().flatten() {
                 for free in frees.into_iter().flatten() {
-                    let found = self.looked_at([locked, free], pair.is_near);
+                    let found = self.pair([locked, free], pair.is_near);
                     self.open.extend(found);
                 }
             }
             // The deepest penetration goes last, because the last is taken first.
-            self.open[from..].sort_by(|a, b| a.over.total_cmp(&b.over));
+            self.open[from..].sort_by(|a, b| a.penetration.total_cmp(&b.penetration));
         }
         Ok(best)
     }
@@ -206,18 +206,21 @@ impl<'a> PathSearch<'a> {
     /// Adds a run of a path and returns its index.
     #[inline]
     fn add(&mut self, path: usize, run: PlacedRun) -> u32 {
-        self.put[path].push(run);
-        self.put[path].len() as u32 - 1
+        self.placed[path].push(run);
+        self.placed[path].len() as u32 - 1
     }
 
     #[inline]
     fn runs(&self, [locked, free]: [u32; 2]) -> [&PlacedRun; 2] {
-        [&self.put[0][locked as usize], &self.put[1][free as usize]]
+        [
+            &self.placed[0][locked as usize],
+            &self.placed[1][free as usize],
+        ]
     }
 
     /// A pair at the greatest gap so far; `None` if it is ruled out.
     #[inline]
-    fn looked_at(&self, runs: [u32; 2], is_near: bool) -> Option<RunPair> {
+    fn pair(&self, runs: [u32; 2], is_near: bool) -> Option<RunPair> {
         let [locked, free] = self.runs(runs);
         let room = self.squared_rounding;
         let is_apart =
@@ -227,16 +230,16 @@ impl<'a> PathSearch<'a> {
         }
         let near = || locked.rectangle.is_near(&free.rectangle, self.turned);
         let is_near = is_near || self.level - self.origin.about >= LEAST_LEVEL && near();
-        let over = locked
+        let penetration = locked
             .rectangle
             .beyond(&free.rectangle, self.turned, self.rounding);
         // A value of at most 0 is proof.
-        let is_behind = is_near && over <= 0.0;
+        let is_behind = is_near && penetration <= 0.0;
         (!(is_behind && self.prunes)).then_some(RunPair {
             runs,
             is_near,
             level: self.level,
-            over,
+            penetration,
         })
     }
 

@@ -106,8 +106,8 @@ fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<()
     };
     if let Some(touch) = &proof.touch {
         let tooth = locked(touch.locked_tooth);
-        let in_locked = tooth.near.has(touch.point) || tooth.far.has(touch.point);
-        if !(in_locked && free(touch.free_tooth, touch.closed).has(touch.point)) {
+        let in_locked = tooth.near.contains(touch.point) || tooth.far.contains(touch.point);
+        if !(in_locked && free(touch.free_tooth, touch.closed).contains(touch.point)) {
             return Err(format!(
                 "teeth {} and {} do not both hold the common point",
                 touch.locked_tooth, touch.free_tooth
@@ -515,15 +515,15 @@ impl<'a> Half<'a> {
         };
         let ends = [low, high].map(|t| self.at(part, t).0);
         let [n, far, other] = [
-            self.own(self.centre + n),
-            self.own(ends[0]),
-            self.own(ends[1]),
+            self.to_own_frame(self.centre + n),
+            self.to_own_frame(ends[0]),
+            self.to_own_frame(ends[1]),
         ];
         match part {
             // Only from past the far corner, or within 30° of straight from behind: elsewhere curves follow.
             ProfilePart::Tip => {
                 let (form, _) = self.range(ProfilePart::Involute);
-                let joint = self.own(self.at(ProfilePart::Involute, form).0);
+                let joint = self.to_own_frame(self.at(ProfilePart::Involute, form).0);
                 let is_behind = n.dot(&joint) < -0.75f64.sqrt() * joint.norm();
                 (n.y > 0.0 && far.perp(&n) > 0.0 || is_behind).then_some(ends[0])
             }
@@ -540,7 +540,7 @@ impl<'a> Half<'a> {
             return None;
         }
         let (start, end) = self.range(ProfilePart::Tip);
-        let n = self.own(self.centre + n);
+        let n = self.to_own_frame(self.centre + n);
         let angle = n.y.atan2(n.x);
         (angle + end > 0.0).then_some(LandAhead {
             turn: angle + end,
@@ -580,14 +580,14 @@ impl<'a> Half<'a> {
 
 /// Geometry of the metal, in the frame of the tooth as a right-hand half.
 impl Half<'_> {
-    fn own(&self, point: Point2<f64>) -> Vector2<f64> {
+    fn to_own_frame(&self, point: Point2<f64>) -> Vector2<f64> {
         let own = self.turned.inverse() * (point - self.centre);
         Vector2::new(own.x, -self.side.sense() * own.y)
     }
 
     /// Whether a point is in its metal: within the root circle, or between the outline and the far corner of the tip land.
-    fn has(&self, point: Point2<f64>) -> bool {
-        let own = self.own(point);
+    fn contains(&self, point: Point2<f64>) -> bool {
+        let own = self.to_own_frame(point);
         let radius = own.norm();
         let gear = self.gear.gear();
         let here = own.y.atan2(own.x);
@@ -621,7 +621,7 @@ impl Half<'_> {
 
     /// Least distance of a point from the sector between far corner and root end, within the tip circle.
     fn distance(&self, point: Point2<f64>) -> f64 {
-        let own = self.own(point);
+        let own = self.to_own_frame(point);
         let (radius, far) = (self.gear.gear().tip_radius(), own.norm());
         let ends = [
             -self.range(ProfilePart::Root).1,
@@ -666,7 +666,7 @@ impl Half<'_> {
 
     /// Greatest distance of an arc about the gear's centre between two parameters of a land: straight past the centre, or at an end.
     fn arc_about(&self, radius: f64, (low, high): (f64, f64), axis: Point2<f64>) -> f64 {
-        let axis = self.own(axis);
+        let axis = self.to_own_frame(axis);
         let at = (-(-axis.y).atan2(-axis.x)).clamp(low.min(high), high);
         let distance = |t: f64| (radius * Vector2::new(t.cos(), -t.sin()) - axis).norm();
         [at, low, high]
@@ -816,7 +816,8 @@ mod tests {
         }
     }
 
-    /// A pair that a direction holds apart loses no more than its arm and the turn allow as the free gear turns further. Source: the reach of the turned piece.
+    /// A pair that a direction holds apart loses no more than its arm and the turn allow as the free gear turns further. Source: the reach of
+    /// the turned piece.
     #[test]
     fn what_holds_stays_apart_as_the_free_gear_turns() {
         let assembly = eccentric(0.05, 2.0);

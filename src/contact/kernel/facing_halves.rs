@@ -71,13 +71,13 @@ pub(super) enum SeparatingDirection {
 impl FacingHalves {
     /// Whether a room, mm, with this arm keeps two pieces apart as the free gear turns further.
     #[inline]
-    pub fn stays(&self, room: f64, arm: f64, need: f64) -> bool {
+    pub fn stays_apart(&self, room: f64, arm: f64, margin: f64) -> bool {
         let lost = if arm > 0.0 {
             0.0
         } else {
             self.play * (self.radius * self.play - arm)
         };
-        room > need + lost
+        room > margin + lost
     }
 
     /// The supports of `locked` along the direction `n = e^{iν}` and of `free` against it, `ν` within ±π.
@@ -129,7 +129,7 @@ impl FacingHalves {
         touches.then(|| 0.5 * (point(locked, 0, n) + point(free, 1, -n)))
     }
 
-    /// The least arm about the free gear's axis of its support against `n`, as far as corners and a land are on the way.
+    /// The least arm of the free piece against `n` about its axis, while the direction passes its next corner and its land.
     ///
     /// On a land the room changes by `c·n`, with its centre `c`. An arm above 0 may change sign there: the room then rises and falls. At the
     /// near corner `p` it has an arm of `-e`, and falls by at most `|p| - |p·n| ≤ e²/(2 |p·n|)` from there. If the land's way gained as much
@@ -152,47 +152,49 @@ impl FacingHalves {
         arm.min(at_end)
     }
 
-    /// A direction that keeps both pieces apart by more than `need` mm. Newton's method on `s_ν` in a bracket finds it, first from `start`,
-    /// then from the free tooth's own side. `looks` counts the directions tried.
-    pub fn separated(
+    /// A direction that keeps both pieces apart by more than `margin` mm. Newton's method on `s_ν` in a bracket finds it, first from `start`,
+    /// then from the free tooth's own side. `directions_tried` counts the directions tried.
+    pub fn find_separation(
         &self,
         locked: &Convex,
         free: &Convex,
         start: f64,
-        need: f64,
-        looks: &mut u32,
+        margin: f64,
+        directions_tried: &mut u32,
     ) -> Option<SeparatingDirection> {
         let own_side = wrapped(self.angles[1] + 0.5 * PI);
-        self.separated_from(locked, free, start, need, looks)
-            .or_else(|| self.out_of_reach(locked, free, need, looks))
+        self.find_separation_from(locked, free, start, margin, directions_tried)
+            .or_else(|| self.find_out_of_reach(locked, free, margin, directions_tried))
             .or_else(|| {
                 let far = wrapped(own_side - start).abs() > 0.5;
-                far.then(|| self.separated_from(locked, free, own_side, need, looks))?
+                far.then(|| {
+                    self.find_separation_from(locked, free, own_side, margin, directions_tried)
+                })?
             })
     }
 
-    fn separated_from(
+    fn find_separation_from(
         &self,
         locked: &Convex,
         free: &Convex,
         start: f64,
-        need: f64,
-        looks: &mut u32,
+        margin: f64,
+        directions_tried: &mut u32,
     ) -> Option<SeparatingDirection> {
         // Directions, relative to the start, that enclose the greatest room, and the room there.
         let (mut low, mut high) = (-HALF_RANGE, HALF_RANGE);
         let mut ends: [Option<Room>; 2] = [None; 2];
         let mut off = 0.0;
         for tried in 0..MOST_DIRECTIONS {
-            *looks += 1;
+            *directions_tried += 1;
             let nu = wrapped(start + off);
             let n = turn(nu);
             let here = self.room(locked, free, nu, n);
-            if self.stays(here.room, here.arm, need) {
+            if self.stays_apart(here.room, here.arm, margin) {
                 return Some(SeparatingDirection::Direction(n));
             }
-            if here.room > need && !(here.arm > 0.0) {
-                return self.with_arm(locked, free, (nu, here), need, looks);
+            if here.room > margin && !(here.arm > 0.0) {
+                return self.find_with_arm(locked, free, (nu, here), margin, directions_tried);
             }
             if here.slope > 0.0 {
                 low = off;
@@ -202,7 +204,7 @@ impl FacingHalves {
                 ends[1] = Some(here);
             }
             if let [Some(one), Some(other)] = ends
-                && greatest_between(one, other, high - low) < need
+                && greatest_between(one, other, high - low) < margin
             {
                 return None;
             }
@@ -235,24 +237,24 @@ impl FacingHalves {
     }
 
     /// A direction with a positive arm near `nu`, where there is room without one. Newton's method on the arm.
-    fn with_arm(
+    fn find_with_arm(
         &self,
         locked: &Convex,
         free: &Convex,
         (mut nu, mut here): (f64, Room),
-        need: f64,
-        looks: &mut u32,
+        margin: f64,
+        directions_tried: &mut u32,
     ) -> Option<SeparatingDirection> {
         for _ in 0..6 {
             let step = (1e-6 * self.radius - 1.1 * here.arm) / here.arm_slope;
             nu = wrapped(nu + step);
-            *looks += 1;
+            *directions_tried += 1;
             let n = turn(nu);
             here = self.room(locked, free, nu, n);
-            if self.stays(here.room, here.arm, need) {
+            if self.stays_apart(here.room, here.arm, margin) {
                 return Some(SeparatingDirection::Direction(n));
             }
-            if !(here.room > need) || here.arm > 0.0 {
+            if !(here.room > margin) || here.arm > 0.0 {
                 return None;
             }
         }
@@ -260,27 +262,33 @@ impl FacingHalves {
     }
 
     /// A direction that keeps the locked piece off the disc about the free axis in which the free piece turns.
-    pub fn out_of_reach(
+    pub fn find_out_of_reach(
         &self,
         locked: &Convex,
         free: &Convex,
-        need: f64,
-        looks: &mut u32,
+        margin: f64,
+        directions_tried: &mut u32,
     ) -> Option<SeparatingDirection> {
         let radius = free.farthest(self.centres[1] * self.directions[1].conj());
-        let n = self.beyond(locked, radius, need, looks)?;
+        let n = self.beyond(locked, radius, margin, directions_tried)?;
         Some(SeparatingDirection::OutOfReach(n))
     }
 
     /// A direction that keeps the locked piece off the disc of this radius, mm, about the free axis.
-    pub fn beyond(&self, locked: &Convex, radius: f64, need: f64, looks: &mut u32) -> Option<C> {
+    pub fn beyond(
+        &self,
+        locked: &Convex,
+        radius: f64,
+        margin: f64,
+        directions_tried: &mut u32,
+    ) -> Option<C> {
         let mut nu = (-self.centres[0]).arg();
         for _ in 0..24 {
-            *looks += 1;
+            *directions_tried += 1;
             let n = turn(nu);
             let l = locked.support(wrapped(nu - self.angles[0]), n * self.directions[0].conj());
             let room = -dot(self.centres[0], n) - l.reach - radius;
-            if room > need {
+            if room > margin {
                 return Some(n);
             }
             let slope = -along(self.centres[0], n) - l.along;
@@ -411,11 +419,12 @@ mod tests {
             }
         }
         let endless = at(0.0);
-        assert!(endless.stays(2.0, 1e-9, 1.0) && !endless.stays(1.0, 1e-9, 1.0));
-        assert!(!endless.stays(2.0, 0.0, 1.0));
+        assert!(endless.stays_apart(2.0, 1e-9, 1.0) && !endless.stays_apart(1.0, 1e-9, 1.0));
+        assert!(!endless.stays_apart(2.0, 0.0, 1.0));
     }
 
-    /// Newton's method needs few directions, for pieces that hardly leave room and for pieces that hardly overlap. Source: ordinary pairs need 15 to 60 a side.
+    /// Newton's method needs few directions, for pieces that hardly leave room and for pieces that hardly overlap. Source: ordinary pairs
+    /// need 15 to 60 a side.
     #[test]
     fn few_directions_decide() {
         let shapes = [shape(20), shape(30)];
@@ -423,9 +432,15 @@ mod tests {
             .each_ref()
             .map(|s| Convex::top(s, s.tip_corner().conj()));
         let apart = |rotation: f64, start: f64| {
-            let mut looks = 0;
-            let apart = at(rotation).separated_from(&locked, &free, start, 1e-12, &mut looks);
-            (apart.is_some(), looks)
+            let mut directions_tried = 0;
+            let apart = at(rotation).find_separation_from(
+                &locked,
+                &free,
+                start,
+                1e-12,
+                &mut directions_tried,
+            );
+            (apart.is_some(), directions_tried)
         };
         let (mut low, mut high) = (-0.1, 0.3);
         for _ in 0..60 {
@@ -438,27 +453,31 @@ mod tests {
         }
         for start in [1.5, 1.7, 1.9, 2.1] {
             for off in [1e-10, 1e-8, 1e-6, 1e-4] {
-                let (is_apart, looks) = apart(high + off, start);
+                let (is_apart, directions_tried) = apart(high + off, start);
                 assert!(
-                    is_apart && (1..=8).contains(&looks),
-                    "{start} {off}: {looks}"
+                    is_apart && (1..=8).contains(&directions_tried),
+                    "{start} {off}: {directions_tried}"
                 );
-                let (is_apart, looks) = apart(low - off, start);
+                let (is_apart, directions_tried) = apart(low - off, start);
                 assert!(
-                    !is_apart && (1..=10).contains(&looks),
-                    "{start} {off}: {looks}"
+                    !is_apart && (1..=10).contains(&directions_tried),
+                    "{start} {off}: {directions_tried}"
                 );
             }
         }
-        let mut looks = 0;
+        let mut directions_tried = 0;
         let disc = free.farthest(at(0.0).centres[1] * at(0.0).directions[1].conj());
         assert!(
             at(0.0)
-                .beyond(&locked, 0.3 * disc, 1e-12, &mut looks)
+                .beyond(&locked, 0.3 * disc, 1e-12, &mut directions_tried)
                 .is_some()
         );
-        assert!(at(0.0).beyond(&locked, disc, 1e-12, &mut looks).is_none());
-        assert!((2..=8).contains(&looks), "{looks}");
+        assert!(
+            at(0.0)
+                .beyond(&locked, disc, 1e-12, &mut directions_tried)
+                .is_none()
+        );
+        assert!((2..=8).contains(&directions_tried), "{directions_tried}");
     }
 
     /// Pieces that one direction with a positive arm separates stay apart as the free gear turns further, up to a right angle. Source: new
@@ -469,11 +488,12 @@ mod tests {
         let [locked, free] = shapes
             .each_ref()
             .map(|s| Convex::top(s, s.tip_corner().conj()));
-        let mut looks = 0;
+        let mut directions_tried = 0;
         let mut kept = 0;
         for start in 0..40 {
             let rotation = -0.1 + 0.01 * f64::from(start);
-            let apart = at(rotation).separated(&locked, &free, 1.9, 1e-12, &mut looks);
+            let apart =
+                at(rotation).find_separation(&locked, &free, 1.9, 1e-12, &mut directions_tried);
             let Some(SeparatingDirection::Direction(n)) = apart else {
                 continue;
             };
@@ -483,7 +503,8 @@ mod tests {
                 let there = at(rotation + 0.04 * f64::from(on));
                 let here = there.room(&locked, &free, n.arg(), n);
                 assert!(here.arm <= 0.0 || here.room > first, "{start} {on}");
-                let apart = there.separated(&locked, &free, 1.9, 1e-12, &mut looks);
+                let apart =
+                    there.find_separation(&locked, &free, 1.9, 1e-12, &mut directions_tried);
                 assert!(apart.is_some(), "{start} {on}");
             }
         }

@@ -63,7 +63,7 @@ pub(super) struct Stretch {
 
 /// The distance of a mate from the tangent at one point of a curve.
 #[derive(Debug, Clone, Copy)]
-struct OffTangent {
+struct TangentDistance {
     /// `σ` and `σ'`, mm.
     room: f64,
     slope: f64,
@@ -76,7 +76,7 @@ struct OffTangent {
 
 /// The kind of proof that a stretch of a hollow curve and a mate are apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum OffStretch {
+pub(super) enum StretchProof {
     /// One direction for all points.
     SeparatingDirection(SeparatingDirection),
     /// The tangent of each point; this is the normal of the middle one, out of the locked metal.
@@ -269,7 +269,7 @@ impl FacingHalves {
         (point, normal): (C, C),
         angle: f64,
         mate: &Convex,
-    ) -> OffTangent {
+    ) -> TangentDistance {
         let other = 1 - owner;
         let p = self.centres[owner] + self.directions[owner] * point;
         let n = self.directions[owner] * normal;
@@ -277,7 +277,7 @@ impl FacingHalves {
         let omega = wrapped(wrapped(self.angles[owner] + angle + PI) - self.angles[other]);
         let support = mate.support(omega, own);
         let d = self.centres[other] - p;
-        OffTangent {
+        TangentDistance {
             room: dot(d, n) - support.reach,
             slope: along(d, n) - support.along,
             radius: support.radius,
@@ -290,7 +290,7 @@ impl FacingHalves {
     }
 
     /// Distance of `mate` from the tangent at a point of a curve.
-    fn off_tangent(&self, owner: usize, (point, normal): (C, C), mate: &Convex) -> OffTangent {
+    fn off_tangent(&self, owner: usize, (point, normal): (C, C), mate: &Convex) -> TangentDistance {
         self.off_line(owner, (point, normal), normal.arg(), mate)
     }
 
@@ -302,50 +302,63 @@ impl FacingHalves {
 
     /// Whether the normal of a stretch's chord keeps `mate` off the whole stretch.
     #[inline]
-    pub fn is_off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex, need: f64) -> bool {
+    pub fn is_off_chord(
+        &self,
+        owner: usize,
+        stretch: &Stretch,
+        mate: &Convex,
+        margin: f64,
+    ) -> bool {
         let off = self.off_chord(owner, stretch, mate);
-        self.stays_off_chord(stretch, off, need)
+        self.stays_off_chord(stretch, off, margin)
     }
 
     /// Distance of `mate` from the chord of a stretch.
     #[inline]
-    fn off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex) -> OffTangent {
+    fn off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex) -> TangentDistance {
         let line = (stretch.points[0], stretch.normal);
         self.off_line(owner, line, stretch.angle, mate)
     }
 
     #[inline]
-    fn stays_off_chord(&self, stretch: &Stretch, off: OffTangent, need: f64) -> bool {
+    fn stays_off_chord(&self, stretch: &Stretch, off: TangentDistance, margin: f64) -> bool {
         let sag = if stretch.reaches_no_further(stretch.normal) {
             0.0
         } else {
             stretch.sag
         };
-        self.stays(off.room - sag, off.arm - sag, need)
+        self.stays_apart(off.room - sag, off.arm - sag, margin)
     }
 
-    /// Whether `mate` is off the whole hollow curve of gear `owner` by more than `need` mm. `tell` receives each proven stretch. `looks`
-    /// counts the examined directions, up to `most`. The first direction for a stretch is its normal or `facing`, whichever leaves more room.
+    /// Whether `mate` is off the whole hollow curve of gear `owner` by more than `margin` mm. `record` receives each proven stretch.
+    /// `directions_tried` counts the examined directions, up to `most`. The first direction for a stretch is its normal or `facing`,
+    /// whichever leaves more room.
     pub fn is_off_hollow(
         &self,
         (owner, hollow): (usize, &Hollow),
         (mate, facing): (&Convex, C),
-        need: f64,
-        (looks, most): (&mut u32, u32),
-        tell: &mut impl FnMut([f64; 2], OffStretch),
+        margin: f64,
+        (directions_tried, most): (&mut u32, u32),
+        record: &mut impl FnMut([f64; 2], StretchProof),
     ) -> bool {
         let mut open: Vec<(Stretch, u32)> = Vec::new();
         // False where a stretch can be neither proven nor cut.
         let mut examine = |stretch: &Stretch, depth, open: &mut Vec<(Stretch, u32)>| {
-            let proof = self.off_stretch((owner, hollow), stretch, (mate, facing), need, looks);
+            let proof = self.off_stretch(
+                (owner, hollow),
+                stretch,
+                (mate, facing),
+                margin,
+                directions_tried,
+            );
             if let Some(proof) = proof {
-                tell(stretch.ends, proof);
+                record(stretch.ends, proof);
                 return true;
             }
-            if depth >= DEEPEST || *looks > most {
+            if depth >= DEEPEST || *directions_tried > most {
                 return false;
             }
-            let nearest = self.nearest_tangent((owner, hollow), stretch, mate, need);
+            let nearest = self.nearest_tangent((owner, hollow), stretch, mate, margin);
             let parts = hollow.cut(stretch, nearest.map(|(at, _)| at));
             open.extend(parts.map(|part| (part, depth + 1)));
             true
@@ -369,7 +382,7 @@ impl FacingHalves {
         (owner, hollow): (usize, &Hollow),
         stretch: &Stretch,
         mate: &Convex,
-        need: f64,
+        margin: f64,
     ) -> Option<(f64, bool)> {
         let [low, high] = stretch.ends;
         let radii = stretch.radii?;
@@ -386,7 +399,7 @@ impl FacingHalves {
             }
             let step = off.slope / bend * (high - low) / turned;
             if step.abs() <= 1e-9 * (high - low) {
-                return Some((at, self.stays(off.room, off.arm, need)));
+                return Some((at, self.stays_apart(off.room, off.arm, margin)));
             }
             at -= step;
             if !(at >= low && at <= high) {
@@ -394,7 +407,7 @@ impl FacingHalves {
             }
         }
         let off = self.off_tangent(owner, hollow.curve.at(at), mate);
-        Some((at, self.stays(off.room, off.arm, need)))
+        Some((at, self.stays_apart(off.room, off.arm, margin)))
     }
 
     /// The proof that `mate` is off a stretch.
@@ -403,14 +416,14 @@ impl FacingHalves {
         (owner, hollow): (usize, &Hollow),
         stretch: &Stretch,
         (mate, facing): (&Convex, C),
-        need: f64,
-        looks: &mut u32,
-    ) -> Option<OffStretch> {
-        *looks += 1;
+        margin: f64,
+        directions_tried: &mut u32,
+    ) -> Option<StretchProof> {
+        *directions_tried += 1;
         let normal = self.out_of_locked(owner, stretch.normal);
         let off = self.off_chord(owner, stretch, mate);
-        if self.stays_off_chord(stretch, off, need) {
-            return Some(OffStretch::SeparatingDirection(
+        if self.stays_off_chord(stretch, off, margin) {
+            return Some(StretchProof::SeparatingDirection(
                 SeparatingDirection::Direction(normal),
             ));
         }
@@ -422,17 +435,17 @@ impl FacingHalves {
         let nu = facing.arg();
         let across = self.room(locked, free, nu, facing);
         let sag = self.sag_along(owner, stretch, SeparatingDirection::Direction(facing));
-        if self.stays(across.room - sag, across.arm, need) {
-            return Some(OffStretch::SeparatingDirection(
+        if self.stays_apart(across.room - sag, across.arm, margin) {
+            return Some(StretchProof::SeparatingDirection(
                 SeparatingDirection::Direction(facing),
             ));
         }
-        if self.is_off_tangents((owner, hollow), stretch, mate, need) {
+        if self.is_off_tangents((owner, hollow), stretch, mate, margin) {
             let (_, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
-            return Some(OffStretch::Tangents(self.out_of_locked(owner, normal)));
+            return Some(StretchProof::Tangents(self.out_of_locked(owner, normal)));
         }
         // A shorter stretch about the nearest tangent is proven by its tangents.
-        let nearest = self.nearest_tangent((owner, hollow), stretch, mate, need);
+        let nearest = self.nearest_tangent((owner, hollow), stretch, mate, margin);
         if nearest.is_some_and(|(_, stays)| stays) {
             return None;
         }
@@ -441,14 +454,14 @@ impl FacingHalves {
         } else {
             nu
         };
-        let apart = self.separated(locked, free, start, need, looks)?;
+        let apart = self.find_separation(locked, free, start, margin, directions_tried)?;
         let sag = self.sag_along(owner, stretch, apart);
         let apart = if sag == 0.0 {
             apart
         } else {
-            self.separated(locked, free, start, need + sag, looks)?
+            self.find_separation(locked, free, start, margin + sag, directions_tried)?
         };
-        Some(OffStretch::SeparatingDirection(apart))
+        Some(StretchProof::SeparatingDirection(apart))
     }
 
     /// The distance, mm, by which a stretch of gear `owner` can reach further than its chord where this keeps the chord off a mate.
@@ -473,7 +486,7 @@ impl FacingHalves {
         (owner, hollow): (usize, &Hollow),
         stretch: &Stretch,
         mate: &Convex,
-        need: f64,
+        margin: f64,
     ) -> bool {
         // For a chord each end has its own bound: across the chord's normal its support jumps.
         if let Convex::Chord([a, b]) = mate
@@ -482,7 +495,7 @@ impl FacingHalves {
             let ends = [*a, *b].map(|end| Convex::Chord([end; 2]));
             return ends
                 .iter()
-                .all(|end| self.is_off_tangents((owner, hollow), stretch, end, need));
+                .all(|end| self.is_off_tangents((owner, hollow), stretch, end, margin));
         }
         let (point, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
         let off = self.off_tangent(owner, (point, normal), mate);
@@ -506,7 +519,7 @@ impl FacingHalves {
         };
         let is_short = stretch.normals.iter().all(|end| dot(*end, normal) > 0.0);
         let arm = off.arm - play * (point + radius);
-        is_short && play < 0.5 && self.stays(least, arm, need)
+        is_short && play < 0.5 && self.stays_apart(least, arm, margin)
     }
 
     /// Whether two hollow curves stay off each other. For any two stretches one must be off the other's chord, by more than its sag where
@@ -514,9 +527,9 @@ impl FacingHalves {
     pub fn is_off_both(
         &self,
         ([locked, free], nu): ([&Hollow; 2], f64),
-        need: f64,
-        (looks, most): (&mut u32, u32),
-        tell: &mut impl FnMut([[f64; 2]; 2], usize, OffStretch),
+        margin: f64,
+        (directions_tried, most): (&mut u32, u32),
+        record: &mut impl FnMut([[f64; 2]; 2], usize, StretchProof),
     ) -> bool {
         let mut open: Vec<[Stretch; 2]> = Vec::new();
         for l in &locked.stretches {
@@ -524,15 +537,15 @@ impl FacingHalves {
         }
         let n = turn(nu);
         while let Some([l, f]) = open.pop() {
-            if self.are_off_along([&l, &f], n, need) {
-                tell(
+            if self.are_off_along([&l, &f], n, margin) {
+                record(
                     [l.ends, f.ends],
                     0,
-                    OffStretch::SeparatingDirection(SeparatingDirection::Direction(n)),
+                    StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)),
                 );
                 continue;
             }
-            *looks += 1;
+            *directions_tried += 1;
             let chords = [&l, &f].map(|stretch| Convex::Chord(stretch.points));
             let mut proof = |owner: usize| {
                 let ((hollow, stretch), mate) = match owner {
@@ -540,19 +553,31 @@ impl FacingHalves {
                     _ => ((free, &f), &l),
                 };
                 let chord = &chords[1 - owner];
-                let off = self.off_stretch((owner, hollow), stretch, (chord, n), need, looks)?;
+                let off = self.off_stretch(
+                    (owner, hollow),
+                    stretch,
+                    (chord, n),
+                    margin,
+                    directions_tried,
+                )?;
                 if self.holds_for_curve(1 - owner, mate, stretch, off) {
                     return Some((owner, off));
                 }
-                let need = need + mate.sag;
-                let off = self.off_stretch((owner, hollow), stretch, (chord, n), need, looks)?;
+                let margin = margin + mate.sag;
+                let off = self.off_stretch(
+                    (owner, hollow),
+                    stretch,
+                    (chord, n),
+                    margin,
+                    directions_tried,
+                )?;
                 Some((owner, off))
             };
             if let Some((owner, proof)) = proof(0).or_else(|| proof(1)) {
-                tell([l.ends, f.ends], owner, proof);
+                record([l.ends, f.ends], owner, proof);
                 continue;
             }
-            if *looks > most || open.len() > 400 {
+            if *directions_tried > most || open.len() > 400 {
                 return false;
             }
             if l.sag > f.sag {
@@ -565,12 +590,12 @@ impl FacingHalves {
     }
 
     /// Whether one direction keeps a stretch of the locked gear off one of the free gear.
-    fn are_off_along(&self, [locked, free]: [&Stretch; 2], n: C, need: f64) -> bool {
+    fn are_off_along(&self, [locked, free]: [&Stretch; 2], n: C, margin: f64) -> bool {
         let own = [0, 1].map(|k| n * self.directions[k].conj());
         let (reach, _) = locked.bound(own[0]);
         let (back, least) = free.bound(-own[1]);
         let room = dot(self.centres[1] - self.centres[0], n) - reach - back;
-        self.stays(room, least - along(self.centres[1], n), need)
+        self.stays_apart(room, least - along(self.centres[1], n), margin)
     }
 
     /// Whether the direction that keeps a chord of gear `owner` off `mate` also keeps the curve off, at any distance from the chord.
@@ -579,21 +604,21 @@ impl FacingHalves {
         owner: usize,
         stretch: &Stretch,
         mate: &Stretch,
-        proof: OffStretch,
+        proof: StretchProof,
     ) -> bool {
         let back = self.directions[owner].conj();
         match proof {
             // It holds between the directions of both ends if it holds for both.
-            OffStretch::Tangents(_) => mate.normals.iter().all(|n| {
+            StretchProof::Tangents(_) => mate.normals.iter().all(|n| {
                 let own = -(self.directions[1 - owner] * n) * back;
                 stretch.reaches_no_further(own)
             }),
-            OffStretch::SeparatingDirection(SeparatingDirection::Direction(n)) => {
+            StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)) => {
                 let out = if owner == 0 { n } else { -n };
                 stretch.reaches_no_further(out * back)
             }
             // The disc of a chord is not that of the curve.
-            OffStretch::SeparatingDirection(SeparatingDirection::OutOfReach(_)) => false,
+            StretchProof::SeparatingDirection(SeparatingDirection::OutOfReach(_)) => false,
         }
     }
 
@@ -602,16 +627,16 @@ impl FacingHalves {
         &self,
         hollow: &Hollow,
         radius: f64,
-        need: f64,
-        (looks, most): (&mut u32, u32),
-        tell: &mut impl FnMut([f64; 2], C),
+        margin: f64,
+        (directions_tried, most): (&mut u32, u32),
+        record: &mut impl FnMut([f64; 2], C),
     ) -> bool {
         let mut open = hollow.stretches.clone();
         while let Some(stretch) = open.pop() {
             let chord = Convex::Chord(stretch.points);
-            match self.beyond(&chord, radius, need + stretch.sag, looks) {
-                Some(n) => tell(stretch.ends, n),
-                None if *looks > most => return false,
+            match self.beyond(&chord, radius, margin + stretch.sag, directions_tried) {
+                Some(n) => record(stretch.ends, n),
+                None if *directions_tried > most => return false,
                 None => open.extend(hollow.halves(&stretch)),
             }
         }
@@ -637,14 +662,19 @@ mod tests {
         }
     }
 
-    /// Whether the mate is off; `looks` counts the directions.
-    fn is_off(at: &FacingHalves, hollow: &Hollow, mate: &Convex, looks: &mut u32) -> bool {
-        let before = *looks;
+    /// Whether the mate is off; `directions_tried` counts the directions.
+    fn is_off(
+        at: &FacingHalves,
+        hollow: &Hollow,
+        mate: &Convex,
+        directions_tried: &mut u32,
+    ) -> bool {
+        let before = *directions_tried;
         at.is_off_hollow(
             (0, hollow),
             (mate, C::ONE),
             1e-14,
-            (looks, before + 4000),
+            (directions_tried, before + 4000),
             &mut |_, _| (),
         )
     }
@@ -754,7 +784,7 @@ mod tests {
                             for k in 0..=100 {
                                 let t = low + (high - low) * f64::from(k) / 100.0;
                                 let off = at.off_tangent(owner, hollow.curve.at(t), &mate);
-                                assert!(at.stays(off.room, off.arm, 1e-14), "{k}: {off:?}");
+                                assert!(at.stays_apart(off.room, off.arm, 1e-14), "{k}: {off:?}");
                             }
                         }
                     }
@@ -802,10 +832,10 @@ mod tests {
                     } else {
                         Convex::Chord([C::ZERO; 2])
                     };
-                    let mut looks = 0;
-                    let found = is_off(&there, &hollow, &mate, &mut looks);
+                    let mut directions_tried = 0;
+                    let found = is_off(&there, &hollow, &mate, &mut directions_tried);
                     assert_eq!(found, expected, "{k} {share} {gap}");
-                    looks_of_all += if expected { looks } else { 0 };
+                    looks_of_all += if expected { directions_tried } else { 0 };
                 }
             }
             // A disc behind the fillet that reaches through it is not off it, whatever its direction.
@@ -827,7 +857,7 @@ mod tests {
             );
         }
         assert!(tried > 60, "{tried}");
-        println!("{} looks", looks_of_all / tried);
+        println!("{} directions", looks_of_all / tried);
     }
 
     /// Points of the curve in a stretch, and their normals, at the position of gear `k`.
@@ -843,7 +873,7 @@ mod tests {
     }
 
     /// Whether `proof` of a stretch of gear `owner` holds for points of both pieces, the owner's with normals.
-    fn holds_for(owner: usize, own: &[(C, C)], mate: &[C], proof: OffStretch) -> bool {
+    fn holds_for(owner: usize, own: &[(C, C)], mate: &[C], proof: StretchProof) -> bool {
         let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
         let own_points: Vec<C> = own.iter().map(|(point, _)| *point).collect();
         let (locked, free) = match owner {
@@ -851,15 +881,15 @@ mod tests {
             _ => (mate, &own_points[..]),
         };
         let room = match proof {
-            OffStretch::SeparatingDirection(SeparatingDirection::Direction(n)) => {
+            StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)) => {
                 least(&mut free.iter().map(|p| dot(*p, n)))
                     + least(&mut locked.iter().map(|p| -dot(*p, n)))
             }
-            OffStretch::SeparatingDirection(SeparatingDirection::OutOfReach(n)) => {
+            StretchProof::SeparatingDirection(SeparatingDirection::OutOfReach(n)) => {
                 least(&mut locked.iter().map(|p| -dot(*p, n)))
                     + least(&mut free.iter().map(|p| -p.norm()))
             }
-            OffStretch::Tangents(_) => least(
+            StretchProof::Tangents(_) => least(
                 &mut own
                     .iter()
                     .flat_map(|(p, n)| mate.iter().map(move |q| dot(*q - *p, *n))),
@@ -908,7 +938,7 @@ mod tests {
                         holds_for(by, own, mate, proof),
                         "{k} {owner} {both}: {proof:?}"
                     );
-                    let is_tangents = matches!(proof, OffStretch::Tangents(_));
+                    let is_tangents = matches!(proof, StretchProof::Tangents(_));
                     compared[usize::from(both)][usize::from(is_tangents)] += 1;
                 };
                 at.is_off_hollow(

@@ -7,7 +7,7 @@
 //!    the middle between both contacts. If the pair interferes, nothing touches as far as the free gear can turn.
 //! 2. The free gear is closed to `μ − δ`. A point must be in the metal of both touching teeth.
 //!
-//! The rounding of a room is `need = 8 ε (a + r_aL + r_aF)`, mm. With `δ = error + 3 need/arm` the touching pair is separated by its own
+//! The rounding of a room is `margin = 8 ε (a + r_aL + r_aF)`, mm. With `δ = error + 3 margin/arm` the touching pair is separated by its own
 //! normal.
 //!
 //! The locked tooth counts with both its flanks, because a free gear of few teeth can close against the far one.
@@ -17,11 +17,11 @@
 
 use super::convex::{Convex, Support, along};
 use super::facing_halves::{FacingHalves, SeparatingDirection};
-use super::hollow::{Hollow, OffStretch};
+use super::hollow::{Hollow, StretchProof};
 use super::proof::{Piece, Proof, Reason, Separation, SideProof, TouchProof};
 use crate::contact::Effort;
 use crate::contact::exact::{
-    ExactKernel, FlankProblem, HalfToothShape, Placed, PosedFlanks, Section, reduced,
+    ExactKernel, FlankProblem, HalfToothShape, PlacedHalf, PosedFlanks, Section, reduced,
 };
 use crate::contact::gap::{C, PlacedCurve, dot, turn};
 use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
@@ -30,16 +30,16 @@ use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
 use std::iter;
 
-/// Widest bound, as a part of a pitch, that is proven: a wider one is not specific to one pair of teeth.
+/// Widest error bound of a contact, as a part of a pitch, that is proven. A wider one could be that of another pair of teeth.
 const NARROW: f64 = 1e-2;
 
 /// Limit of directions on one side; ordinary sides need 15 to 60.
-const MOST_LOOKS: u32 = 4000;
+const MOST_DIRECTIONS_OF_SIDE: u32 = 4000;
 
 /// Number of directions per unit of effort.
-const LOOKS_A_UNIT: u32 = 8;
+const DIRECTIONS_A_UNIT: u32 = 8;
 
-/// Factor by which contacts of lands are closed further.
+/// Factor by which the free gear is closed further at contacts of lands.
 const THIN: f64 = 16.0;
 
 /// The reason why a pose is not proven here; it may still be right.
@@ -63,14 +63,14 @@ pub struct Prover {
     /// The reason why no pose of the assembly is proven here.
     beyond: Option<NotProven>,
     /// Rounding of a room, mm.
-    need: f64,
+    margin: f64,
     /// Angular pitch of the free gear, rad.
     pitch: f64,
     /// Greatest radius of the free gear about its axis, mm.
     radius: f64,
 }
 
-/// A contact in the frame of [`crate::contact::exact`].
+/// A contact to be proven, in the frame of [`crate::contact::exact`].
 #[derive(Debug, Clone, Copy)]
 struct ContactToProve {
     /// `μ`, rad.
@@ -123,7 +123,7 @@ impl Prover {
             hollows: [0, 1].map(|k| hollow(k, false)),
             far_hollow: hollow(0, true),
             beyond,
-            need: 8.0 * f64::EPSILON * (distance + tips[0] + tips[1]),
+            margin: 8.0 * f64::EPSILON * (distance + tips[0] + tips[1]),
             pitch: gears[1].gear().basic_data().angular_pitch(),
             radius: gears[1].reach(),
         }
@@ -151,9 +151,9 @@ impl Prover {
         self.over(pose, found, |section, here, b| {
             for (side, contact) in contacts(found) {
                 let posed = section.posed(section.side(side), here);
-                let mut proving = Proving::new(self, &posed, section.free(), found);
+                let mut proving = SideProver::new(self, &posed, section.free(), found);
                 let proven = proving.side(pose, here, contact, b);
-                effort.spend(u64::from(proving.looks / LOOKS_A_UNIT) + 1);
+                effort.spend(u64::from(proving.directions_tried / DIRECTIONS_A_UNIT) + 1);
                 proven?;
             }
             Ok(())
@@ -169,7 +169,7 @@ impl Prover {
         self.over(pose, found, |section, here, b| {
             for (side, contact) in contacts(found) {
                 let posed = section.posed(section.side(side), here);
-                let mut proving = Proving::new(self, &posed, section.free(), found);
+                let mut proving = SideProver::new(self, &posed, section.free(), found);
                 proving.apart = Some(Vec::new());
                 let proven = proving.side(pose, here, contact, b)?;
                 let held = proven.map(|(held, _)| held);
@@ -219,14 +219,14 @@ fn contacts(found: &LostMotion) -> impl Iterator<Item = (Side, Option<&Contact>)
 }
 
 /// The proof of one side of one section in progress.
-struct Proving<'a> {
+struct SideProver<'a> {
     prover: &'a Prover,
     posed: &'a PosedFlanks<'a>,
     free: Member,
     /// As [`ContactToProve::play`].
     play: f64,
     /// Directions examined so far.
-    looks: u32,
+    directions_tried: u32,
     /// The separations found, if the proof is to be returned.
     apart: Option<Vec<Separation>>,
 }
@@ -235,19 +235,19 @@ struct Proving<'a> {
 struct FacingPair<'a> {
     step: i64,
     at: FacingHalves,
-    placed: [Placed<'a>; 2],
+    placed: [PlacedHalf<'a>; 2],
     tops: [Convex<'a>; 2],
 }
 
 /// The separation of the tops of a pair.
-struct TopsApart {
+struct TopSeparation {
     apart: SeparatingDirection,
     /// Its direction, rad, and the supports of both tops in it.
     nu: f64,
     supports: [Support; 2],
 }
 
-/// The ends of the pieces of a pair along the direction that keeps its tops apart.
+/// The extents of the pieces of a pair along the direction that separates its tops.
 struct EndsAlong {
     n: C,
     /// Reach of the locked tooth, mm.
@@ -257,7 +257,7 @@ struct EndsAlong {
     is_disc: bool,
 }
 
-/// Start of a free piece along a direction, mm, and its arm.
+/// The nearest point of a free piece along a direction, mm, and its arm.
 #[derive(Clone, Copy)]
 struct FreeStart {
     at: f64,
@@ -306,12 +306,12 @@ impl EndsAlong {
         lowest(at, self.n, hollow.bound(-self.n * at.directions[1].conj()))
     }
 
-    fn keeps_off(&self, at: &FacingHalves, reach: f64, free: FreeStart, need: f64) -> bool {
-        at.stays(free.at - reach, free.arm, need)
+    fn keeps_off(&self, at: &FacingHalves, reach: f64, free: FreeStart, margin: f64) -> bool {
+        at.stays_apart(free.at - reach, free.arm, margin)
     }
 }
 
-/// The start of a free piece along `n`; `back` is its support against `n`.
+/// The nearest point of a free piece along `n`; `back` is its support against `n`.
 fn lowest(at: &FacingHalves, n: C, back: Support) -> FreeStart {
     FreeStart {
         at: dot(at.centres[1], n) - back.reach,
@@ -334,21 +334,21 @@ impl FacingPair<'_> {
     }
 }
 
-impl<'a> Proving<'a> {
+impl<'a> SideProver<'a> {
     fn new(
         prover: &'a Prover,
         posed: &'a PosedFlanks<'a>,
         free: Member,
         found: &LostMotion,
-    ) -> Proving<'a> {
+    ) -> SideProver<'a> {
         let angle = found.angle().filter(|angle| *angle > 0.0);
-        Proving {
+        SideProver {
             prover,
             posed,
             free,
             // Slightly past the middle, so that both sides together cover the whole play.
             play: angle.map_or(f64::INFINITY, |angle| 0.5 * angle * (1.0 + 1e-9)),
-            looks: 0,
+            directions_tried: 0,
             apart: None,
         }
     }
@@ -370,21 +370,25 @@ impl<'a> Proving<'a> {
             return Err("root lands reach each other");
         }
         let Some(contact) = contact else {
-            return self.nothing().map(|()| None);
+            return self.prove_no_contact().map(|()| None);
         };
         let onward = here.free_rotation() - pose.free_rotation();
-        let held = self.held(contact, onward)?;
+        let held = self.contact_to_prove(contact, onward)?;
         let touch = if contact.section == b {
             let touch = self.common_point(&held);
             Some(touch.ok_or("nothing is shown to touch")?)
         } else {
             None
         };
-        self.all_apart(&held).map(|()| Some((held, touch)))
+        self.prove_all_apart(&held).map(|()| Some((held, touch)))
     }
 
     /// `contact` in this frame; the free gear's nominal rotation is `onward` rad from that of the measuring plane.
-    fn held(&self, contact: &Contact, onward: f64) -> Result<ContactToProve, NotProven> {
+    fn contact_to_prove(
+        &self,
+        contact: &Contact,
+        onward: f64,
+    ) -> Result<ContactToProve, NotProven> {
         let problem = self.problem();
         let point = C::new(contact.point.x, contact.point.y);
         let point = self.mirrored(match self.free {
@@ -393,7 +397,7 @@ impl<'a> Proving<'a> {
         });
         let normal = -self.mirrored(C::new(contact.normal.x, contact.normal.y));
         let arm = -along(point, normal);
-        let opening = contact.error + 3.0 * self.prover.need / arm;
+        let opening = contact.error + 3.0 * self.prover.margin / arm;
         if !(arm > 0.0 && opening < NARROW * self.prover.pitch) {
             return Err("the contact has next to no lever");
         }
@@ -455,7 +459,7 @@ impl<'a> Proving<'a> {
         [problem.locked.number(locked), problem.free.number(free)]
     }
 
-    fn tell(&mut self, step: i64, [locked, free]: [Piece; 2], by: Reason, n: C) {
+    fn record(&mut self, step: i64, [locked, free]: [Piece; 2], by: Reason, n: C) {
         if self.apart.is_none() {
             return;
         }
@@ -471,18 +475,20 @@ impl<'a> Proving<'a> {
         self.apart.get_or_insert_default().push(separation);
     }
 
-    fn tell_apart(&mut self, step: i64, pieces: [Piece; 2], apart: SeparatingDirection) {
+    fn record_direction(&mut self, step: i64, pieces: [Piece; 2], apart: SeparatingDirection) {
         match apart {
-            SeparatingDirection::Direction(n) => self.tell(step, pieces, Reason::Direction, n),
-            SeparatingDirection::OutOfReach(n) => self.tell(step, pieces, Reason::OutOfReach, n),
+            SeparatingDirection::Direction(n) => self.record(step, pieces, Reason::Direction, n),
+            SeparatingDirection::OutOfReach(n) => self.record(step, pieces, Reason::OutOfReach, n),
         }
     }
 
-    fn tell_stretch(&mut self, step: i64, owner: usize, pieces: [Piece; 2], proof: OffStretch) {
+    fn record_stretch(&mut self, step: i64, owner: usize, pieces: [Piece; 2], proof: StretchProof) {
         match (proof, owner) {
-            (OffStretch::SeparatingDirection(apart), _) => self.tell_apart(step, pieces, apart),
-            (OffStretch::Tangents(n), 0) => self.tell(step, pieces, Reason::LockedTangents, n),
-            (OffStretch::Tangents(n), _) => self.tell(step, pieces, Reason::FreeTangents, n),
+            (StretchProof::SeparatingDirection(apart), _) => {
+                self.record_direction(step, pieces, apart)
+            }
+            (StretchProof::Tangents(n), 0) => self.record(step, pieces, Reason::LockedTangents, n),
+            (StretchProof::Tangents(n), _) => self.record(step, pieces, Reason::FreeTangents, n),
         }
     }
 
@@ -510,18 +516,18 @@ impl<'a> Proving<'a> {
     }
 
     /// Proves that every pair in reach is apart slightly more open than `held`.
-    fn all_apart(&mut self, held: &ContactToProve) -> Result<(), NotProven> {
+    fn prove_all_apart(&mut self, held: &ContactToProve) -> Result<(), NotProven> {
         let rotation = held.rotation + held.opening;
         let turned = turn(rotation);
         let nu = held.normal.im.atan2(held.normal.re);
         for step in self.posed.steps_of_whole_teeth() {
             let pair = self.pair(step, rotation, turned);
-            let tops = self.tops_apart(&pair, (nu, held.normal))?;
-            self.fillets_apart(&pair, &tops)?;
+            let tops = self.prove_tops_apart(&pair, (nu, held.normal))?;
+            self.prove_fillets_apart(&pair, &tops)?;
             for owner in 0..2 {
-                self.root_apart(&pair, owner, tops.nu)?;
+                self.prove_root_apart(&pair, owner, tops.nu)?;
             }
-            if self.looks > MOST_LOOKS {
+            if self.directions_tried > MOST_DIRECTIONS_OF_SIDE {
                 return Err("too many directions were tried");
             }
         }
@@ -529,37 +535,47 @@ impl<'a> Proving<'a> {
     }
 
     /// Proves that the tops of a pair are apart, first by the direction `n = e^{iν}`.
-    fn tops_apart(&mut self, pair: &FacingPair, (nu, n): (f64, C)) -> Result<TopsApart, NotProven> {
-        let need = self.prover.need;
+    fn prove_tops_apart(
+        &mut self,
+        pair: &FacingPair,
+        (nu, n): (f64, C),
+    ) -> Result<TopSeparation, NotProven> {
+        let margin = self.prover.margin;
         let [locked, free] = &pair.tops;
-        self.looks += 1;
+        self.directions_tried += 1;
         let supports = pair.at.supports(locked, free, nu, n);
         let here = pair.at.room_of(&supports, n);
-        let tops = if pair.at.stays(here.room, here.arm, need) {
-            TopsApart {
+        let tops = if pair.at.stays_apart(here.room, here.arm, margin) {
+            TopSeparation {
                 apart: SeparatingDirection::Direction(n),
                 nu,
                 supports,
             }
         } else {
-            let apart = pair.at.separated(locked, free, nu, need, &mut self.looks);
+            let apart =
+                pair.at
+                    .find_separation(locked, free, nu, margin, &mut self.directions_tried);
             let apart = apart.ok_or("two teeth are not shown to be apart")?;
             let (SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n)) = apart;
             let nu = n.im.atan2(n.re);
             let supports = pair.at.supports(locked, free, nu, n);
-            TopsApart {
+            TopSeparation {
                 apart,
                 nu,
                 supports,
             }
         };
-        self.tell_apart(pair.step, TOPS, tops.apart);
+        self.record_direction(pair.step, TOPS, tops.apart);
         Ok(tops)
     }
 
     /// Proves that the fillets of a pair are apart from the mate: by the separation of the tops if it suffices, otherwise each by itself.
-    fn fillets_apart(&mut self, pair: &FacingPair, tops: &TopsApart) -> Result<(), NotProven> {
-        let &TopsApart {
+    fn prove_fillets_apart(
+        &mut self,
+        pair: &FacingPair,
+        tops: &TopSeparation,
+    ) -> Result<(), NotProven> {
+        let &TopSeparation {
             apart,
             nu,
             supports,
@@ -570,7 +586,7 @@ impl<'a> Proving<'a> {
             return Ok(());
         }
         let (at, [tooth, top]) = (&pair.at, &pair.tops);
-        self.looks += 1;
+        self.directions_tried += 1;
         let along = EndsAlong::new(pair, apart, supports);
         let free_bound = free.as_ref().map(|free| (free, along.of_free(at, free)));
         let near = near.as_ref().map(|near| (near, false));
@@ -584,10 +600,10 @@ impl<'a> Proving<'a> {
             let piece = named(hollow.whole.ends);
             let reach = along.of_locked(pair, hollow, is_far);
             let here = || if is_far { pair.far_at() } else { pair.at };
-            if along.keeps_off(at, reach, along.top, prover.need) {
-                self.tell_apart(pair.step, [piece, Piece::Top], apart);
+            if along.keeps_off(at, reach, along.top, prover.margin) {
+                self.record_direction(pair.step, [piece, Piece::Top], apart);
             } else {
-                self.fillet_apart(
+                self.prove_fillet_apart(
                     pair.step,
                     &here(),
                     (0, hollow),
@@ -598,27 +614,27 @@ impl<'a> Proving<'a> {
             let Some((free, bound)) = free_bound.filter(|_| prover.fillets_meet) else {
                 continue;
             };
-            if along.keeps_off(at, reach, bound, prover.need) {
+            if along.keeps_off(at, reach, bound, prover.margin) {
                 let pieces = [piece, Piece::Fillet(free.whole.ends)];
-                self.tell_apart(pair.step, pieces, apart);
+                self.record_direction(pair.step, pieces, apart);
             } else {
-                self.both_apart(pair.step, &here(), ([hollow, free], nu), named)?;
+                self.prove_both_apart(pair.step, &here(), ([hollow, free], nu), named)?;
             }
         }
         let Some((free, bound)) = free_bound else {
             return Ok(());
         };
-        if along.keeps_off(at, along.tooth, bound, prover.need) {
+        if along.keeps_off(at, along.tooth, bound, prover.margin) {
             let pieces = [Piece::Tooth, Piece::Fillet(free.whole.ends)];
-            self.tell_apart(pair.step, pieces, apart);
+            self.record_direction(pair.step, pieces, apart);
             return Ok(());
         }
         let mate = (Piece::Tooth, tooth, along.n);
-        self.fillet_apart(pair.step, at, (1, free), mate, Piece::Fillet)
+        self.prove_fillet_apart(pair.step, at, (1, free), mate, Piece::Fillet)
     }
 
     /// Proves that a fillet of gear `owner` is apart from a convex piece of the mate.
-    fn fillet_apart(
+    fn prove_fillet_apart(
         &mut self,
         step: i64,
         at: &FacingHalves,
@@ -626,21 +642,21 @@ impl<'a> Proving<'a> {
         (piece, mate, facing): (Piece, &Convex, C),
         named: fn([f64; 2]) -> Piece,
     ) -> Result<(), NotProven> {
-        let need = self.prover.need;
-        self.looks += 1;
-        if at.is_off_chord(owner, &hollow.whole, mate, need) {
+        let margin = self.prover.margin;
+        self.directions_tried += 1;
+        if at.is_off_chord(owner, &hollow.whole, mate, margin) {
             let pieces = ordered(owner, named(hollow.whole.ends), piece);
             let n = at.out_of_locked(owner, hollow.whole.normal);
-            self.tell(step, pieces, Reason::Direction, n);
+            self.record(step, pieces, Reason::Direction, n);
             return Ok(());
         }
-        let mut looks = self.looks;
-        let budget = (&mut looks, MOST_LOOKS);
-        let mut tell = |ends, proof| {
-            self.tell_stretch(step, owner, ordered(owner, named(ends), piece), proof);
+        let mut directions_tried = self.directions_tried;
+        let budget = (&mut directions_tried, MOST_DIRECTIONS_OF_SIDE);
+        let mut record = |ends, proof| {
+            self.record_stretch(step, owner, ordered(owner, named(ends), piece), proof);
         };
-        let is_off = at.is_off_hollow((owner, hollow), (mate, facing), need, budget, &mut tell);
-        self.looks = looks;
+        let is_off = at.is_off_hollow((owner, hollow), (mate, facing), margin, budget, &mut record);
+        self.directions_tried = directions_tried;
         if is_off {
             Ok(())
         } else {
@@ -649,7 +665,12 @@ impl<'a> Proving<'a> {
     }
 
     /// Proves that the root land of gear `owner` is apart from the parts of the mate that reach it.
-    fn root_apart(&mut self, pair: &FacingPair, owner: usize, nu: f64) -> Result<(), NotProven> {
+    fn prove_root_apart(
+        &mut self,
+        pair: &FacingPair,
+        owner: usize,
+        nu: f64,
+    ) -> Result<(), NotProven> {
         let land = self.prover.roots[owner].then(|| root_land(&pair.placed[owner]));
         let Some(land) = land.flatten() else {
             return Ok(());
@@ -659,7 +680,7 @@ impl<'a> Proving<'a> {
             0 => (&land, mate),
             _ => (mate, &land),
         };
-        let need = self.prover.need;
+        let margin = self.prover.margin;
         // A tip may face the middle of the land, a right angle and more from the direction that keeps the tops apart.
         let (low, high) = pair.placed[owner].range(ProfilePart::Root);
         let across = pair.at.out_of_locked(owner, turn(-0.5 * (low + high)));
@@ -667,23 +688,23 @@ impl<'a> Proving<'a> {
             .into_iter()
             .find_map(|start| {
                 pair.at
-                    .separated(locked, free, start, need, &mut self.looks)
+                    .find_separation(locked, free, start, margin, &mut self.directions_tried)
             });
         let apart = apart.ok_or("a root land is not shown to be apart from the mate's tip")?;
-        self.tell_apart(
+        self.record_direction(
             pair.step,
             ordered(owner, Piece::Root, TOPS[1 - owner]),
             apart,
         );
         if self.prover.deep_roots[owner] {
-            self.fillets_off_root(pair, 1 - owner, (&land, nu))
+            self.prove_fillets_off_root(pair, 1 - owner, (&land, nu))
         } else {
             Ok(())
         }
     }
 
     /// Proves that the fillets of gear `owner` are apart from the mate's root land.
-    fn fillets_off_root(
+    fn prove_fillets_off_root(
         &mut self,
         pair: &FacingPair,
         owner: usize,
@@ -692,14 +713,14 @@ impl<'a> Proving<'a> {
         let prover = self.prover;
         if let Some(hollow) = &prover.hollows[owner] {
             let mate = (Piece::Root, land, turn(nu));
-            self.fillet_apart(pair.step, &pair.at, (owner, hollow), mate, Piece::Fillet)?;
+            self.prove_fillet_apart(pair.step, &pair.at, (owner, hollow), mate, Piece::Fillet)?;
         }
         let far = prover.far_hollow.as_ref().filter(|_| owner == 0);
         let Some(hollow) = far else {
             return Ok(());
         };
         let mate = (Piece::Root, land, turn(nu));
-        self.fillet_apart(
+        self.prove_fillet_apart(
             pair.step,
             &pair.far_at(),
             (0, hollow),
@@ -709,21 +730,21 @@ impl<'a> Proving<'a> {
     }
 
     /// Proves that a fillet of the locked tooth and one of the free tooth are apart.
-    fn both_apart(
+    fn prove_both_apart(
         &mut self,
         step: i64,
         at: &FacingHalves,
         hollows: ([&Hollow; 2], f64),
         named: fn([f64; 2]) -> Piece,
     ) -> Result<(), NotProven> {
-        let (need, mut looks) = (self.prover.need, self.looks);
-        let budget = (&mut looks, MOST_LOOKS);
-        let mut tell = |[locked, free]: [[f64; 2]; 2], owner, proof| {
+        let (margin, mut directions_tried) = (self.prover.margin, self.directions_tried);
+        let budget = (&mut directions_tried, MOST_DIRECTIONS_OF_SIDE);
+        let mut record = |[locked, free]: [[f64; 2]; 2], owner, proof| {
             let pieces = [named(locked), Piece::Fillet(free)];
-            self.tell_stretch(step, owner, pieces, proof);
+            self.record_stretch(step, owner, pieces, proof);
         };
-        let is_off = at.is_off_both(hollows, need, budget, &mut tell);
-        self.looks = looks;
+        let is_off = at.is_off_both(hollows, margin, budget, &mut record);
+        self.directions_tried = directions_tried;
         if is_off {
             Ok(())
         } else {
@@ -732,7 +753,7 @@ impl<'a> Proving<'a> {
     }
 
     /// Proves that no pair of facing half teeth in reach touches at any rotation.
-    fn nothing(&mut self) -> Result<(), NotProven> {
+    fn prove_no_contact(&mut self) -> Result<(), NotProven> {
         for step in self.posed.steps() {
             let pair = self.pair(step, 0.0, C::ONE);
             let at = &pair.at;
@@ -742,14 +763,14 @@ impl<'a> Proving<'a> {
             let top = Convex::top(locked.shape, locked.far);
             self.beyond(&pair, Piece::Top, &top, radius)?;
             if let Some(hollow) = &self.prover.hollows[0] {
-                let (need, mut looks) = (self.prover.need, self.looks);
-                let budget = (&mut looks, MOST_LOOKS);
-                let mut tell = |ends, n| {
+                let (margin, mut directions_tried) = (self.prover.margin, self.directions_tried);
+                let budget = (&mut directions_tried, MOST_DIRECTIONS_OF_SIDE);
+                let mut record = |ends, n| {
                     let pieces = [Piece::Fillet(ends), Piece::Top];
-                    self.tell(step, pieces, Reason::OutOfReach, n);
+                    self.record(step, pieces, Reason::OutOfReach, n);
                 };
-                let is_beyond = at.is_beyond(hollow, radius, need, budget, &mut tell);
-                self.looks = looks;
+                let is_beyond = at.is_beyond(hollow, radius, margin, budget, &mut record);
+                self.directions_tried = directions_tried;
                 if !is_beyond {
                     return Err("a fillet is not shown to be out of reach");
                 }
@@ -771,11 +792,14 @@ impl<'a> Proving<'a> {
         convex: &Convex,
         radius: f64,
     ) -> Result<(), NotProven> {
-        let n = pair
-            .at
-            .beyond(convex, radius, self.prover.need, &mut self.looks);
+        let n = pair.at.beyond(
+            convex,
+            radius,
+            self.prover.margin,
+            &mut self.directions_tried,
+        );
         let n = n.ok_or("a tooth is not shown to be out of reach")?;
-        self.tell(pair.step, [piece, Piece::Top], Reason::OutOfReach, n);
+        self.record(pair.step, [piece, Piece::Top], Reason::OutOfReach, n);
         Ok(())
     }
 
@@ -789,11 +813,11 @@ impl<'a> Proving<'a> {
         let deep = held.normal * down;
         let closed = held.rotation - held.closing;
         let turned = turn(closed);
-        let is_common = |(step, point): &CommonPoint, need: f64| {
+        let is_common = |(step, point): &CommonPoint, margin: f64| {
             let (locked, free) = (self.posed.locked(*step), self.posed.free(*step));
             let in_locked =
-                depth(&locked, *point, down) > need || far_depth(&locked, *point) > need;
-            in_locked && depth(&free, point * turned.conj(), down) > need
+                depth(&locked, *point, down) > margin || far_depth(&locked, *point) > margin;
+            in_locked && depth(&free, point * turned.conj(), down) > margin
         };
         let named =
             (self.posed.steps_of_whole_teeth()).find(|step| held.teeth == self.teeth(*step))?;
@@ -826,11 +850,11 @@ impl<'a> Proving<'a> {
             Some((step, at.middle(&tops, held.normal, 4.0 * down)?))
         });
         // A point's own rounding is at most half of that of a room.
-        let need = self.prover.need;
+        let margin = self.prover.margin;
         let near = near.into_iter().flatten().chain(lens).chain(beside);
         let mut near = near.map(|point| (named, point));
-        near.find(|found| is_common(found, 0.5 * need))
-            .or_else(|| tied.find(|found| is_common(found, need)))
+        near.find(|found| is_common(found, 0.5 * margin))
+            .or_else(|| tied.find(|found| is_common(found, margin)))
     }
 }
 
@@ -846,25 +870,25 @@ fn ordered(owner: usize, piece: Piece, other: Piece) -> [Piece; 2] {
 }
 
 /// The root land as a piece of its half tooth.
-fn root_land(half: &Placed) -> Option<Convex<'static>> {
+fn root_land(half: &PlacedHalf) -> Option<Convex<'static>> {
     let (low, high) = half.range(ProfilePart::Root);
     (high > low).then(|| Convex::arc(half.shape.root_radius, -high, -low))
 }
 
 /// Depth of a point in the metal of a half tooth, between its outline and the far corner of its tip land, mm along circles about its
 /// centre; at most 0 outside. Inside the root circle it reaches `beyond` mm past the middle of the space, where the gear is solid.
-fn depth(half: &Placed, point: C, beyond: f64) -> f64 {
+fn depth(half: &PlacedHalf, point: C, beyond: f64) -> f64 {
     depth_of((point - half.centre) * half.direction.conj(), half, beyond)
 }
 
 /// Depth of a point in the metal of the tooth's other half, mm.
-fn far_depth(half: &Placed, point: C) -> f64 {
+fn far_depth(half: &PlacedHalf, point: C) -> f64 {
     let direction = half.far_direction();
     depth_of(((point - half.centre) * direction.conj()).conj(), half, 0.0)
 }
 
 /// [`depth`] of a point in the half tooth's own frame.
-fn depth_of(own: C, half: &Placed, beyond: f64) -> f64 {
+fn depth_of(own: C, half: &PlacedHalf, beyond: f64) -> f64 {
     let shape = half.shape;
     let radius = own.norm();
     let angle = own.im.atan2(own.re);
@@ -940,7 +964,7 @@ mod tests {
         let mut compared = 0;
         let checked = prover.over(&pose, &found, |section, here, _| {
             let posed = section.posed(section.side(Side::Right), here);
-            let proving = Proving::new(&prover, &posed, section.free(), &found);
+            let proving = SideProver::new(&prover, &posed, section.free(), &found);
             for step in posed.steps_of_whole_teeth() {
                 let pair = proving.pair(step, 0.0, C::ONE);
                 let [_, free] = &pair.placed;

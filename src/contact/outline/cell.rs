@@ -84,7 +84,7 @@ pub(super) struct SideCell<'a> {
     /// Locked and free.
     pub teeth: [&'a SideTeeth<'a>; 2],
     /// The free half teeth at rotation 0.
-    pub still: &'a [FreeHalf<'a>],
+    pub free_halves: &'a [FreeHalf<'a>],
     pub frames: [Frame; 2],
     /// Greatest radius of each gear about its axis, mm.
     pub reach: [f64; 2],
@@ -127,7 +127,7 @@ struct SearchFromAbove {
     level: f64,
     drawn: f64,
     turned: C,
-    looked: u32,
+    compared: u32,
 }
 
 /// How far points reach along a direction in a cell: a bound at either end from value and slope in the middle, the second derivative there,
@@ -247,30 +247,30 @@ impl SideCell<'_> {
     /// the search ends without one.
     pub fn above(&self, pairs: impl Iterator<Item = [u32; 2]>, floor: f64) -> (Option<Bound>, u32) {
         let level = floor + self.fine;
-        let mut ascent = SearchFromAbove {
+        let mut search = SearchFromAbove {
             level,
             drawn: 0.0,
             turned: self.turned(level),
-            looked: 0,
+            compared: 0,
         };
         let mut open = Vec::with_capacity(ROOM);
         let mut nodes = [0, 1].map(|_| Vec::with_capacity(ROOM));
         for teeth in pairs {
             open.clear();
             nodes.iter_mut().for_each(Vec::clear);
-            if !self.part(teeth, &mut ascent, &mut nodes, &mut open) {
-                return (None, ascent.looked);
+            if !self.part(teeth, &mut search, &mut nodes, &mut open) {
+                return (None, search.compared);
             }
         }
-        let SearchFromAbove { level, drawn, .. } = ascent;
-        (Some(Bound { level, drawn }), ascent.looked)
+        let SearchFromAbove { level, drawn, .. } = search;
+        (Some(Bound { level, drawn }), search.compared)
     }
 
     /// Raises the level until a pair of half teeth is apart below it. `nodes` and `open` are empty.
     fn part(
         &self,
         teeth: [u32; 2],
-        ascent: &mut SearchFromAbove,
+        search: &mut SearchFromAbove,
         nodes: &mut [Vec<Node>; 2],
         open: &mut Vec<[usize; 2]>,
     ) -> bool {
@@ -291,15 +291,15 @@ impl SideCell<'_> {
             let is_flat = rectangles.iter().all(|it| it.width() <= flat);
             let is_small = is_flat && rectangles.iter().all(|it| it.length() <= short);
             for _ in 0..STEPS {
-                ascent.looked += 1;
-                if ascent.looked > MOST_PAIRS {
+                search.compared += 1;
+                if search.compared > MOST_PAIRS {
                     return false;
                 }
-                match self.apart(both, ascent, is_flat) {
+                match self.apart(both, search, is_flat) {
                     Comparison::Apart => continue 'pairs,
                     Comparison::Overlap(Some(need)) if is_small || is_flat && need <= self.fine => {
-                        ascent.level += need + 1e-3 * self.fine;
-                        ascent.turned = self.turned(ascent.level);
+                        search.level += need + 1e-3 * self.fine;
+                        search.turned = self.turned(search.level);
                     }
                     Comparison::Overlap(_) => break,
                 }
@@ -322,7 +322,7 @@ impl SideCell<'_> {
     fn apart(
         &self,
         nodes: [&Node; 2],
-        ascent: &mut SearchFromAbove,
+        search: &mut SearchFromAbove,
         needs_rise: bool,
     ) -> Comparison {
         let [locked, free] = nodes.map(|node| &node.rectangle);
@@ -332,7 +332,7 @@ impl SideCell<'_> {
         if squares.0 > mates.1 + room || mates.0 > squares.1 + room {
             return Comparison::Apart;
         }
-        let turned = ascent.turned;
+        let turned = search.turned;
         let centre = locked.centre();
         let seen = turned * free.centre();
         let sway =
@@ -342,7 +342,7 @@ impl SideCell<'_> {
         }
         // Gaps differ from that of the centres by no more than both are wide, and count within half a turn of the nominal rotation.
         let play = 2.0 * NARROW + sway;
-        let least = ascent.level - self.drift() - play;
+        let least = search.level - self.drift() - play;
         if !(least >= -FRAC_PI_2 && dot(centre, seen) >= 0.0) {
             let ahead = (centre * seen.conj()).arg();
             if !(least + ahead >= -PI && ahead <= FRAC_PI_2) {
@@ -377,7 +377,7 @@ impl SideCell<'_> {
                 self.locked_reach(locked, n, turning) + self.free_reach(free, -n, turning, back);
             let over = self.greatest(reach) + ROUNDING * size;
             if over <= 0.0 {
-                ascent.drawn = ascent.drawn.max((over + self.bound) / arm);
+                search.drawn = search.drawn.max((over + self.bound) / arm);
                 return Comparison::Apart;
             }
             need = Some(need.map_or(over / arm, |need| need.min(over / arm)));
@@ -392,7 +392,7 @@ impl SideCell<'_> {
                 let boxes = self.teeth[0].boxes(teeth[0]);
                 boxes.shape(run).placed(centre, direction)
             }
-            _ => *self.still[teeth[1] as usize - 1].rectangle(run),
+            _ => *self.free_halves[teeth[1] as usize - 1].rectangle(run),
         };
         self.node(gear, rectangle, NodeContent::Run(run))
     }
@@ -503,7 +503,7 @@ impl SideCell<'_> {
             let [common, normal] = [0, 1 + gear].map(|k: usize| touching.normals[k]);
             let mut lines = [(normal, gear), (common, 1)].into_iter();
             lines.find_map(|(n, fixed_to)| {
-                self.held(n, self.turns_with(fixed_to), touching.level, locked, free)
+                self.level_of_line(n, self.turns_with(fixed_to), touching.level, locked, free)
             })
         })
     }
@@ -554,7 +554,7 @@ impl SideCell<'_> {
 
     /// The level, from `level` down, at which a line has `free` wholly on its locked side and `locked` on its free side throughout the cell. Its
     /// normal is `n` in the middle and turns at the rate `turning`.
-    fn held(
+    fn level_of_line(
         &self,
         n: C,
         turning: f64,

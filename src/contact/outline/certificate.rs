@@ -124,7 +124,7 @@ impl<'a> PlacedStretch<'a> {
         self.half_length + self.error
     }
 
-    /// Whether halving it gives more.
+    /// Whether it is worth halving.
     fn is_coarse(&self, finest: f64) -> bool {
         let middle = 0.5 * (self.low + self.high);
         self.error > finest && self.low < middle && middle < self.high
@@ -150,7 +150,7 @@ impl<'a> PlacedStretch<'a> {
         match self.is_coarse(finest) {
             // The curve goes through the ends of its chords, not through the middle of a disc.
             true if far + self.error <= *greatest => (),
-            true if take(left, LOOK) => self
+            true if charge(left, LOOK) => self
                 .halves()
                 .iter()
                 .for_each(|half| half.farthest(greatest, finest, left)),
@@ -164,7 +164,7 @@ impl<'a> PlacedStretch<'a> {
         let near = closest(&self.ends, &[Point2::origin(); 2]).distance;
         match self.is_coarse(finest) {
             true if near - self.error >= *least => (),
-            true if take(left, LOOK) => self
+            true if charge(left, LOOK) => self
                 .halves()
                 .iter()
                 .for_each(|half| half.nearest(least, finest, left)),
@@ -174,8 +174,8 @@ impl<'a> PlacedStretch<'a> {
     }
 }
 
-/// Subtracts `units` from the rest, or all of it. Returns whether there were enough.
-fn take(left: &mut u32, units: u32) -> bool {
+/// Subtracts `units` from the effort `left`. Returns whether there were enough.
+fn charge(left: &mut u32, units: u32) -> bool {
     let enough = *left >= units;
     *left = left.saturating_sub(units);
     enough
@@ -198,7 +198,7 @@ impl<'a> PosedHalves<'a> {
     }
 
     /// Turn of the free gear to either side, rad, for a point with this lever, mm.
-    pub fn little(&self, lever: f64) -> f64 {
+    pub fn turn_of_finest(&self, lever: f64) -> f64 {
         APART * self.finest() / lever
     }
 
@@ -209,7 +209,7 @@ impl<'a> PosedHalves<'a> {
     pub fn touches(&self, open: f64, closed: f64) -> Result<(), &'static str> {
         let mut left = EFFORT;
         let free = [open, closed].map(|rotation| self.free(rotation));
-        let mut seen = |free, pair: &[u32; 2]| self.clear(free, *pair, &mut left);
+        let mut seen = |free, pair: &[u32; 2]| self.are_clear(free, *pair, &mut left);
         if !self.pairs.iter().all(|pair| seen(free[0], pair)) {
             return Err(match left {
                 0 => SPENT,
@@ -228,16 +228,16 @@ impl<'a> PosedHalves<'a> {
     ///
     /// # Errors
     /// If two have one.
-    pub fn touches_nothing(&self) -> Result<(), &'static str> {
+    pub fn check_no_touch(&self) -> Result<(), &'static str> {
         let finest = self.finest();
         let free = self.free(0.0);
         let mut left = EFFORT_ON_NOTHING;
         let mut meets = |&[locked, free_tooth]: &[u32; 2]| {
             let whole = |which: usize, tooth| 0..self.half(which, tooth).chords.len();
             let own: Vec<PlacedStretch> = self
-                .seen(0, locked, self.locked, whole(0, locked))
+                .stretches(0, locked, self.locked, whole(0, locked))
                 .collect();
-            let mates = self.seen(1, free_tooth, free, whole(1, free_tooth));
+            let mates = self.stretches(1, free_tooth, free, whole(1, free_tooth));
             let mates: Vec<PlacedStretch> = mates.collect();
             // After the ends of all, few are left to halve.
             let ends = own.iter().flat_map(PlacedStretch::end_radii);
@@ -275,7 +275,7 @@ impl<'a> PosedHalves<'a> {
     }
 
     /// Pieces of a half tooth, locked (0) or free (1).
-    fn seen(
+    fn stretches(
         &self,
         which: usize,
         tooth: u32,
@@ -294,7 +294,7 @@ impl<'a> PosedHalves<'a> {
     }
 
     /// Whether two half teeth are proven clear.
-    fn clear(&self, free: Frame, [locked, free_tooth]: [u32; 2], left: &mut u32) -> bool {
+    fn are_clear(&self, free: Frame, [locked, free_tooth]: [u32; 2], left: &mut u32) -> bool {
         let teeth = [locked, free_tooth];
         let frames = [self.locked, free];
         let discs = [0, 1].map(|which: usize| &self.half(which, teeth[which]).discs);
@@ -317,7 +317,7 @@ impl<'a> PosedHalves<'a> {
             _ => vec![],
         };
         while let Some(runs) = open.pop() {
-            if !take(left, 1) {
+            if !charge(left, 1) {
                 return false;
             }
             let [own, mate] = [0, 1].map(|which: usize| placed(which, runs[which]));
@@ -332,11 +332,12 @@ impl<'a> PosedHalves<'a> {
                     RunContent::Pieces([mate_from, mate_to]),
                 ] => {
                     let own: Vec<PlacedStretch> =
-                        self.seen(0, locked, frames[0], from..to).collect();
-                    let mut mates = self.seen(1, free_tooth, frames[1], mate_from..mate_to);
-                    if !mates
-                        .all(|mate| own.iter().all(|own| self.stretches_clear(own, &mate, left)))
-                    {
+                        self.stretches(0, locked, frames[0], from..to).collect();
+                    let mut mates = self.stretches(1, free_tooth, frames[1], mate_from..mate_to);
+                    if !mates.all(|mate| {
+                        own.iter()
+                            .all(|own| self.are_stretches_clear(own, &mate, left))
+                    }) {
                         return false;
                     }
                 }
@@ -354,12 +355,17 @@ impl<'a> PosedHalves<'a> {
     }
 
     /// Whether two stretches are proven clear.
-    fn stretches_clear(&self, own: &PlacedStretch, mate: &PlacedStretch, left: &mut u32) -> bool {
+    fn are_stretches_clear(
+        &self,
+        own: &PlacedStretch,
+        mate: &PlacedStretch,
+        left: &mut u32,
+    ) -> bool {
         let within = own.reach() + mate.reach();
         if (own.middle() - mate.middle()).norm_squared() > within * within {
             return true;
         }
-        if !take(left, LOOK) {
+        if !charge(left, LOOK) {
             return false;
         }
         let finest = self.finest();
@@ -372,11 +378,11 @@ impl<'a> PosedHalves<'a> {
             (false, false) => false,
             (true, other) if !other || own.error >= mate.error => {
                 let mut halves = own.halves().into_iter();
-                halves.all(|half| self.stretches_clear(&half, mate, left))
+                halves.all(|half| self.are_stretches_clear(&half, mate, left))
             }
             _ => {
                 let mut halves = mate.halves().into_iter();
-                halves.all(|half| self.stretches_clear(own, &half, left))
+                halves.all(|half| self.are_stretches_clear(own, &half, left))
             }
         }
     }

@@ -3,8 +3,8 @@
 //! Cells share the poses at their ends. A line parallel to the chord between both ends is above the gap of a side all through a cell. The two
 //! lines that touch the gap at the ends are below it ([`SideCell`]). Bounds of the lost motion follow from the lines of both sides.
 //!
-//! Where contact passes from one edge to the next within a cell, the gap is least at a kink. Both lines below meet near it. So the bounds are off
-//! by the second order of a cell's width there too.
+//! Where contact passes from one edge to the next within a cell, the gap is least at a kink. Both lines below meet near it. So the bounds are
+//! off by the second order of a cell's width there too.
 
 use super::cell::{Bound, ContactInCell, SideCell};
 use super::teeth::Frame;
@@ -26,11 +26,11 @@ const A_UNIT: u64 = 2;
 /// A mesh cycle.
 #[derive(Clone)]
 pub(crate) struct OutlineCycle<'t> {
-    /// Where it begins.
+    /// Its first mating.
     pub first: Mating,
-    /// Matings after which all is as it was.
+    /// Matings after which all teeth meet again.
     pub distinct: u64,
-    /// All of its matings.
+    /// Number of its matings.
     pub matings: u64,
     /// Equal teeth, of the locked and the free gear.
     pub classes: [Arc<ToothClasses>; 2],
@@ -38,7 +38,8 @@ pub(crate) struct OutlineCycle<'t> {
 }
 
 impl OutlineKernel<'_> {
-    /// The extremes `ends` of `pair`, these gears, over a cycle, in brackets of `width` mm where no more effort is needed than a search may spend.
+    /// The extremes `ends` of `pair`, these gears, over a cycle, in brackets of `width` mm where no more effort is needed than a search may
+    /// spend.
     pub(crate) fn extremes(
         &self,
         pair: &OutlinePair,
@@ -75,26 +76,26 @@ struct OutlineCells<'a> {
 }
 
 impl CycleCells for OutlineCells<'_> {
-    const LEFT_OPEN: Doubt = Doubt::Drawing;
+    const DOUBT_OF_BOUNDS: Doubt = Doubt::Drawing;
 
     fn mating(&self, pitches: f64) -> Mating {
         self.cycle.first.onward(self.pair, pitches)
     }
 
-    fn likeness(&self, pitches: f64, half: f64) -> Option<Vec<u32>> {
+    fn teeth_in_reach(&self, pitches: f64, half: f64) -> Option<Vec<u32>> {
         let (pair, mating) = (self.pair, self.mating(pitches));
         let half = half * pair.gear(pair.locked()).pitch();
         let [locked, free] = &self.cycle.classes;
         let sides = self.kernel.sides.iter();
         let facing = sides.flat_map(|side| {
             let (rotation, _) = side.locked_frame(pair, &mating);
-            side.facing(pair, &mating, rotation, half)
+            side.facing_pairs(pair, &mating, rotation, half)
         });
         let classes = facing.flat_map(|teeth| [locked.first(teeth[0]), free.first(teeth[1])]);
         Some(classes.collect())
     }
 
-    fn look(&self, pitches: f64, half: f64, ends: &[End], wanted: f64) -> Cell {
+    fn examine(&self, pitches: f64, half: f64, ends: &[End], wanted: f64) -> Cell {
         let (kernel, pair) = (self.kernel, self.pair);
         let mut cell = Cell::unknown(pitches, half);
         let from = self.pose(pitches - half);
@@ -103,7 +104,7 @@ impl CycleCells for OutlineCells<'_> {
         cell.status = from.status;
         cell.angle = from.angle;
         // Nothing bounds a cell wider than a pitch.
-        if half == 0.0 || half > 0.5 || from.meetings.is_none() {
+        if half == 0.0 || half > 0.5 || from.contacts.is_none() {
             return cell;
         }
         let poses = [from, self.pose(pitches + half)];
@@ -132,7 +133,7 @@ impl CycleCells for OutlineCells<'_> {
     }
 }
 
-/// A line on one side of which a side's gap stays in a cell.
+/// A straight bound of a side's gap over a cell.
 #[derive(Debug, Clone, Copy)]
 struct BoundLine {
     /// In the middle of the cell.
@@ -177,7 +178,7 @@ struct EndPose {
     /// The lost motion, rad, and its error.
     angle: Option<(f64, f64)>,
     /// `None` where a contact is not found within the effort of a pose.
-    meetings: Option<[Option<SideContact>; 2]>,
+    contacts: Option<[Option<SideContact>; 2]>,
 }
 
 impl OutlineCells<'_> {
@@ -197,17 +198,17 @@ impl OutlineCells<'_> {
         let (kernel, pair, mating) = (self.kernel, self.pair, self.mating(pitches));
         let spent = Effort::of_pose();
         let sides = kernel.sides.each_ref();
-        let [right, left] = sides.map(|side| side.meeting(pair, &mating, true, &spent).ok());
-        let meetings = right.zip(left).map(|(right, left)| [right, left]);
-        let found = meetings.map(|meetings| {
-            kernel.lost_motion_of(pair, &mating, meetings.each_ref().map(Option::as_ref))
+        let [right, left] = sides.map(|side| side.side_contact(pair, &mating, true, &spent).ok());
+        let contacts = right.zip(left).map(|(right, left)| [right, left]);
+        let found = contacts.map(|contacts| {
+            kernel.lost_motion_of(pair, &mating, contacts.each_ref().map(Option::as_ref))
         });
         EndPose {
             pitches,
             effort: spent.used(),
             status: found.as_ref().map_or(Status::Unproven, LostMotion::status),
             angle: found.and_then(|found| found.angle().zip(found.error())),
-            meetings,
+            contacts,
         }
     }
 
@@ -223,7 +224,7 @@ impl OutlineCells<'_> {
         [0, 1].map(|side: usize| {
             let contacts = poses.each_ref().map(|pose| {
                 let away = (pose.pitches - pitches) * pitch;
-                Some((away, pose.meetings?[side]?))
+                Some((away, pose.contacts?[side]?))
             });
             SideOverCell::new(
                 self,
@@ -279,7 +280,7 @@ impl<'a> SideOverCell<'a> {
         let ratio = -gears[1].pitch() / gears[0].pitch();
         let cell = SideCell {
             teeth: [&side.locked, &side.free],
-            still: &side.still,
+            free_halves: &side.free_halves,
             frames: [locked, free],
             reach: gears.map(OutlineGear::reach),
             nominal: turn(-side.side.sense() * pair.rotation(pair.free(), mating)),
@@ -322,7 +323,7 @@ impl<'a> SideOverCell<'a> {
         };
         let cell = SideCell { rate, ..self.cell };
         let (rotation, _) = self.side.locked_frame(pair, mating);
-        let facing = self.side.facing(pair, mating, rotation, cell.half);
+        let facing = self.side.facing_pairs(pair, mating, rotation, cell.half);
         let (bound, looked) = cell.above(facing, floor.max(-0.5));
         (bound.map(|bound| self.line(bound, rate)), looked)
     }

@@ -28,7 +28,7 @@ impl<'a> Path<'a> for LockedHalf<'a> {
     }
 
     #[inline]
-    fn put(&self, run: usize) -> PlacedRun {
+    fn place(&self, run: usize) -> PlacedRun {
         let Frame { centre, direction } = self.frame;
         PlacedRun::new(run, self.boxes.shape(run).placed(centre, direction))
     }
@@ -77,7 +77,7 @@ impl<'a> Path<'a> for FreeHalf<'a> {
     }
 
     #[inline]
-    fn put(&self, run: usize) -> PlacedRun {
+    fn place(&self, run: usize) -> PlacedRun {
         self.runs[run]
     }
 

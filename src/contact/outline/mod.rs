@@ -45,7 +45,7 @@ struct SideKernel<'a> {
     locked: SideTeeth<'a>,
     free: SideTeeth<'a>,
     /// The free half teeth, by number, at rotation 0.
-    still: Vec<FreeHalf<'a>>,
+    free_halves: Vec<FreeHalf<'a>>,
 }
 
 impl<'a> OutlineKernel<'a> {
@@ -62,7 +62,7 @@ impl<'a> OutlineKernel<'a> {
             SideKernel {
                 side,
                 locked: teeth(pair.locked()),
-                still: halves.collect(),
+                free_halves: halves.collect(),
                 free,
             }
         });
@@ -116,19 +116,19 @@ impl<'a> OutlineKernel<'a> {
             Effort::endless()
         };
         let [right, left] = &self.sides;
-        let right = right.meeting(pair, mating, prunes, &effort)?;
-        let left = left.meeting(pair, mating, prunes, &effort)?;
+        let right = right.side_contact(pair, mating, prunes, &effort)?;
+        let left = left.side_contact(pair, mating, prunes, &effort)?;
         Ok(self.lost_motion_of(pair, mating, [right.as_ref(), left.as_ref()]))
     }
 
-    /// The lost motion between what meets on the right and on the left.
+    /// The lost motion between the contacts of both sides.
     fn lost_motion_of(
         &self,
         pair: &OutlinePair,
         mating: &Mating,
-        meetings: [Option<&SideContact>; 2],
+        contacts: [Option<&SideContact>; 2],
     ) -> LostMotion {
-        let contact = |side: usize| Some(self.sides[side].report(pair, meetings[side]?));
+        let contact = |side: usize| Some(self.sides[side].report(pair, contacts[side]?));
         let (right, left) = (contact(0), contact(1));
         let overlap = right
             .zip(left)
@@ -143,7 +143,7 @@ impl<'a> OutlineKernel<'a> {
     }
 }
 
-/// The greatest gap of a side.
+/// The contact of a side: that of the greatest gap.
 #[derive(Debug, Clone, Copy)]
 struct SideContact {
     found: CurveContact,
@@ -186,7 +186,7 @@ impl<'a> OutlineCertifier<'a> {
         let contacts = [found.right.as_ref(), found.left.as_ref()];
         let sides = self.kernel.sides.iter().zip(&self.cut).zip(contacts);
         for ((side, cut), contact) in sides {
-            let seen = side.confirmed(self.kernel.pair, cut, mating, contact);
+            let seen = side.confirm(self.kernel.pair, cut, mating, contact);
             seen.map_err(|reason| ContactNotConfirmed {
                 flank: side.side.name(),
                 reason,
@@ -197,7 +197,7 @@ impl<'a> OutlineCertifier<'a> {
 }
 
 impl SideKernel<'_> {
-    fn confirmed(
+    fn confirm(
         &self,
         pair: &OutlinePair,
         cut: &CutSide,
@@ -205,7 +205,7 @@ impl SideKernel<'_> {
         contact: Option<&Contact>,
     ) -> Result<(), &'static str> {
         let (rotation, locked) = self.locked_frame(pair, mating);
-        let pairs = self.facing(pair, mating, rotation, 0.0);
+        let pairs = self.facing_pairs(pair, mating, rotation, 0.0);
         let witness = PosedHalves {
             teeth: [&self.locked, &self.free],
             cut,
@@ -214,20 +214,20 @@ impl SideKernel<'_> {
             pairs: pairs.collect(),
         };
         let Some(contact) = contact else {
-            return witness.touches_nothing();
+            return witness.check_no_touch();
         };
         let lever = contact.lever(pair.axis(pair.free()));
-        let little = contact.error + witness.little(lever);
-        if !(little <= NARROW * self.free.gear.pitch()) {
+        let turn_of_finest = contact.error + witness.turn_of_finest(lever);
+        if !(turn_of_finest <= NARROW * self.free.gear.pitch()) {
             return Ok(());
         }
         let there = -self.side.sense() * contact.rotation;
-        witness.touches(there + little, there - little)
+        witness.touches(there + turn_of_finest, there - turn_of_finest)
     }
 
     /// Half teeth that face each other within reach at a rotation of the locked gear in this frame `± half`, locked and free, the likeliest to
     /// touch first.
-    fn facing(
+    fn facing_pairs(
         &self,
         pair: &OutlinePair,
         mating: &Mating,
@@ -287,7 +287,7 @@ impl SideKernel<'_> {
         window(there + half).0..=window(there - half).1
     }
 
-    fn meeting(
+    fn side_contact(
         &self,
         pair: &OutlinePair,
         mating: &Mating,
@@ -306,15 +306,20 @@ impl SideKernel<'_> {
             direction: C::ONE,
         };
         let size = pair.center_distance() + self.locked.gear.reach() + self.free.gear.reach();
-        let search = PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0).within(effort.left());
-        let mut search = if prunes { search } else { search.of_all() };
+        let search =
+            PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0).with_nodes(effort.left());
+        let mut search = if prunes {
+            search
+        } else {
+            search.without_rectangles()
+        };
         let most = search.nodes_left();
         let mut best: Option<(CurveContact, [u32; 2])> = None;
-        for teeth in self.facing(pair, mating, rotation, 0.0) {
+        for teeth in self.facing_pairs(pair, mating, rotation, 0.0) {
             let [locked_tooth, free_tooth] = teeth;
             let locked = LockedHalf::new(&self.locked, locked_tooth, locked_frame);
-            let found = search.greatest(&locked, &self.still[free_tooth as usize - 1]);
-            let found = found.map_err(|_| self.unsettled(pair, teeth))?;
+            let found = search.greatest(&locked, &self.free_halves[free_tooth as usize - 1]);
+            let found = found.map_err(|_| self.search_exhausted(pair, teeth))?;
             best = found.map(|meeting| (meeting, teeth)).or(best);
         }
         effort.spend(most - search.nodes_left());
@@ -326,7 +331,7 @@ impl SideKernel<'_> {
         }))
     }
 
-    fn unsettled(&self, pair: &OutlinePair, [locked, free]: [u32; 2]) -> SearchExhausted {
+    fn search_exhausted(&self, pair: &OutlinePair, [locked, free]: [u32; 2]) -> SearchExhausted {
         let (wheel_tooth, pinion_tooth) = match pair.locked() {
             Member::Wheel => (locked, free),
             Member::Pinion => (free, locked),
@@ -379,8 +384,8 @@ impl SideKernel<'_> {
         .contact()
     }
 
-    /// Where both curves of a meeting are, the free one still at rotation 0; the normal out of the locked metal and the slope by which a shift of a
-    /// curve turns the gap.
+    /// Where both curves of a meeting are, the free one still at rotation 0; the normal out of the locked metal and the slope by which a
+    /// shift of a curve turns the gap.
     fn touching(&self, meeting: &SideContact) -> ([CurvePoint; 2], C, f64) {
         let SideContact { found, nominal, .. } = meeting;
         let [locked, free] = meeting.teeth;

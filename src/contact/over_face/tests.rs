@@ -57,7 +57,7 @@ fn over(sections: &[[Option<f64>; 2]]) -> OverFace {
     let here = pose(0.3);
     let mut over = OverFace::default();
     for (beyond, b) in sections.iter().zip(1..) {
-        over.take(f64::from(b), &here, found(&here, *beyond, 0.0));
+        over.add(f64::from(b), &here, found(&here, *beyond, 0.0));
     }
     over
 }
@@ -83,7 +83,7 @@ fn each_side_stops_where_its_tightest_section_does() {
         (4.0, 2.2, [0.15, 0.45], 1.0),
     ] {
         let here = pose(pitches);
-        over.take(b, &here, found(&here, beyond.map(Some), turns));
+        over.add(b, &here, found(&here, beyond.map(Some), turns));
     }
     assert!(!over.is_solid());
     assert!(is_near(over.beyond(Side::Right).unwrap(), 0.2));
@@ -127,7 +127,7 @@ fn a_bound_grows_by_the_rounding_of_both_rotations() {
     for pitches in [0.0, 3e5] {
         let here = pose(pitches);
         let mut over = OverFace::default();
-        over.take(1.0, &here, found(&here, [Some(0.1), Some(0.4)], 0.0));
+        over.add(1.0, &here, found(&here, [Some(0.1), Some(0.4)], 0.0));
         let all = over.found(0.0, 0.2).lost_motion;
         let rotations = here.locked_rotation().abs() + here.free_rotation().abs();
         let ulps = f64::EPSILON * (rotations + TAU);
@@ -145,9 +145,9 @@ fn a_section_that_jams_is_reported_alone() {
     // Clear, both behind the nominal rotation, and on either side of it.
     for beyond in [[0.3, 0.1], [-0.1, -0.3], [0.1, -0.1]] {
         let mut over = over(&[[Some(0.35), Some(0.4)]]);
-        over.take(2.0, &here, jammed(&here, beyond));
+        over.add(2.0, &here, jammed(&here, beyond));
         assert!(over.is_solid());
-        over.take(3.0, &here, found(&here, [Some(0.38), Some(-0.4)], 0.0));
+        over.add(3.0, &here, found(&here, [Some(0.38), Some(-0.4)], 0.0));
         let all = over.found(0.0, 1.0);
         let found = all.lost_motion;
         assert_eq!((all.jam, sections(&found)), (Some(2.0), [2.0; 2]));
@@ -157,7 +157,7 @@ fn a_section_that_jams_is_reported_alone() {
         assert_eq!(found.status(), Status::Jammed);
     }
     let mut over = over(&[[Some(0.1), Some(0.4)]]);
-    over.take(2.0, &here, LostMotion::JAMMED);
+    over.add(2.0, &here, LostMotion::JAMMED);
     let all = over.found(0.0, 1.0);
     assert_eq!((all.jam, all.lost_motion), (Some(2.0), LostMotion::JAMMED));
 }
@@ -168,10 +168,10 @@ fn an_overlap_within_its_bound_only_seems_to_jam() {
     let here = pose(0.3);
     let mut over = OverFace::default();
     for b in [1.0, 2.0] {
-        over.take(b, &here, jammed(&here, [0.2 + ERROR, 0.2]));
+        over.add(b, &here, jammed(&here, [0.2 + ERROR, 0.2]));
         assert!(!over.is_solid());
     }
-    over.take(3.0, &here, found(&here, [Some(0.3), Some(0.1)], 0.0));
+    over.add(3.0, &here, found(&here, [Some(0.3), Some(0.1)], 0.0));
     let all = over.found(0.0, 1.0);
     let found = all.lost_motion;
     assert_eq!((all.jam, sections(&found)), (Some(1.0), [3.0; 2]));

@@ -4,9 +4,9 @@
 //! within both chordal errors of each other. At a slightly smaller opening one pair must touch. The step on either side is the error bound
 //! of the result plus the resolution of the finest polygons. The certificate uses nothing of the method under test but its answer.
 
-use super::flank_problem::{CutTeeth, FlankProblem};
+use super::examination::{Finding, examine};
+use super::facing_pair::{CutTeeth, FacingPair};
 use super::kernel::{PolygonKernel, finest_chord, steps_in_reach};
-use super::look::{Finding, examine};
 use super::search::search;
 use crate::contact::Effort;
 use crate::contact::lost_motion::{Contact, LostMotion, Status};
@@ -98,10 +98,10 @@ impl<'a> Certifier<'a> {
         let pitch = pitch.gear().basic_data().angular_pitch();
         let checked = match contact {
             Some(contact) if contact.error > WIDEST_CHECKED * pitch => {
-                self.touches_within(pose, side, contact, effort)?
+                self.check_touch_within(pose, side, contact, effort)?
             }
-            Some(contact) => self.touches(pose, side, contact, effort),
-            None => self.touches_nothing(pose, side, effort)?,
+            Some(contact) => self.check_touch(pose, side, contact, effort),
+            None => self.check_no_touch(pose, side, effort)?,
         };
         checked.map_err(|reason| self.failed(pose, side, reason))
     }
@@ -119,7 +119,7 @@ impl<'a> Certifier<'a> {
     }
 
     /// Confirms that all pairs are clear at the greater opening and that one touches at the smaller.
-    fn touches(
+    fn check_touch(
         &self,
         pose: &Pose,
         side: Side,
@@ -152,7 +152,7 @@ impl<'a> Certifier<'a> {
         let allowed = effort.left().saturating_mul(PAIRS_PER_UNIT.into());
         let mut left = allowed.min(EFFORT.into()) as u32;
         let steps = steps_in_reach(assembly, pose);
-        for problem in FlankProblem::all(&self.kernel.teeth, pose, side, steps) {
+        for problem in FacingPair::all(&self.kernel.teeth, pose, side, steps) {
             // Clear polygons are 2δ apart, and a fillet's chords lie up to δ in front of it. Another δ and the rounding
             // complete the margin.
             let margin = contact.error + (4.0 * finest + problem.rounding()) / lever;
@@ -182,7 +182,7 @@ impl<'a> Certifier<'a> {
 
     /// Confirms a contact with a wide bound: the polygons' own contact must lie within it. Lands that press on each
     /// other have almost no lever, and the bound on their rotation can be half a turn.
-    fn touches_within(
+    fn check_touch_within(
         &self,
         pose: &Pose,
         side: Side,
@@ -202,7 +202,7 @@ impl<'a> Certifier<'a> {
     }
 
     /// Confirms that no pair in reach ever touches, or only by a distance below the rounding of the axes.
-    fn touches_nothing(
+    fn check_no_touch(
         &self,
         pose: &Pose,
         side: Side,
@@ -213,7 +213,7 @@ impl<'a> Certifier<'a> {
         };
         let assembly = self.kernel.teeth.assembly;
         let doubt = 4.0 * finest_chord(assembly)
-            + FlankProblem::new(&self.kernel.teeth, pose, side, 0).rounding();
+            + FacingPair::new(&self.kernel.teeth, pose, side, 0).rounding();
         let wider = assembly.at(assembly.center_distance() + doubt)?;
         Ok(
             if first_touching(&self.kernel.teeth.at(&wider), pose, side, effort)? {
@@ -246,6 +246,6 @@ fn first_touching(
     effort: &Effort,
 ) -> Result<bool, Error> {
     let steps = steps_in_reach(teeth.assembly, pose);
-    let problems: Vec<FlankProblem> = FlankProblem::facing(teeth, pose, side, steps).collect();
+    let problems: Vec<FacingPair> = FacingPair::facing(teeth, pose, side, steps).collect();
     Ok(!search(&problems, finest_chord(teeth.assembly), effort)?.is_empty())
 }

@@ -1,7 +1,7 @@
 //! The polygon method on one pair of gears.
 
 use super::chord::CutGear;
-use super::flank_problem::{CutTeeth, FlankProblem};
+use super::facing_pair::{CutTeeth, FacingPair};
 use super::search::{FoundTouch, search};
 use crate::contact::Effort;
 use crate::contact::body::{
@@ -82,12 +82,11 @@ impl<'a> PolygonKernel<'a> {
         effort: &Effort,
     ) -> Result<Option<Contact>, Error> {
         let steps = steps_in_reach(self.teeth.assembly, pose);
-        let facing: Vec<FlankProblem> =
-            FlankProblem::facing(&self.teeth, pose, side, steps.clone()).collect();
+        let facing: Vec<FacingPair> =
+            FacingPair::facing(&self.teeth, pose, side, steps.clone()).collect();
         let mut found = search(&facing, self.finest, effort)?;
         if !found.is_empty() && FarFlanks::of(self.teeth.assembly) != FarFlanks::Clear {
-            let all: Vec<FlankProblem> =
-                FlankProblem::all(&self.teeth, pose, side, steps).collect();
+            let all: Vec<FacingPair> = FacingPair::all(&self.teeth, pose, side, steps).collect();
             found = search(&all, self.finest, effort)?;
         }
         let tightest = |end: fn(&FoundTouch) -> f64| {

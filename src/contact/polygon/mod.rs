@@ -5,10 +5,10 @@
 
 mod certificate;
 mod chord;
-mod flank_problem;
+mod examination;
+mod facing_pair;
 mod graphs;
 mod kernel;
-mod look;
 mod place;
 mod search;
 

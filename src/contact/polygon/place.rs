@@ -1,7 +1,7 @@
 //! The contact where two half teeth are closest: curves, radii, point and normal.
 
 use super::chord::{Chord, Half};
-use super::flank_problem::FlankProblem;
+use super::facing_pair::FacingPair;
 use crate::contact::lost_motion::{Contact, Touch};
 use crate::contact::parry::Closest;
 use crate::gear::ProfilePart;
@@ -27,7 +27,7 @@ pub(super) struct Place {
 }
 
 /// One half tooth's side of a contact.
-struct Part {
+struct SideOfContact {
     touch: Touch,
     /// `None` at an edge.
     normal: Option<Vector2<f64>>,
@@ -38,7 +38,7 @@ struct Part {
 impl Place {
     /// The contact at the opening `touching`, where `chords` are `closest`.
     pub fn new(
-        problem: &FlankProblem,
+        problem: &FacingPair,
         touching: f64,
         chords: &[Chord; 2],
         closest: &Closest,
@@ -100,7 +100,7 @@ impl Place {
 }
 
 /// The contact's side on `half`, at the point `at` of its chord in its own frame.
-fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
+fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> SideOfContact {
     let profile = half.profile();
     let gear = profile.gear();
     let (curve, parameter) = (chord.curve, chord.parameter_at(at));
@@ -115,7 +115,7 @@ fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
         let (from, to) = profile.range(curve);
         from > to && parameter == to
     };
-    Part {
+    SideOfContact {
         touch: Touch {
             tooth,
             curve: named.into(),

@@ -26,7 +26,7 @@
 //! inner end is half a turn away.
 
 use super::chord::Chord;
-use super::flank_problem::FlankProblem;
+use super::facing_pair::FacingPair;
 use super::place::Place;
 use crate::contact::Effort;
 use crate::contact::parry::closest;
@@ -113,7 +113,7 @@ enum Turned {
 /// # Errors
 /// [`Error::ContactLost`] when the effort is spent.
 pub(super) fn search(
-    problems: &[FlankProblem],
+    problems: &[FacingPair],
     finest: f64,
     effort: &Effort,
 ) -> Result<Vec<FoundTouch>, Error> {
@@ -173,7 +173,7 @@ const SPENT: &str = "the effort allowed for one pose was spent: too many stretch
                      other to be told apart";
 
 /// Queues all pairs of uncut chords of a facing pair that can meet, from the opening where they share no direction.
-fn start(index: usize, problem: &FlankProblem, waiting: &mut BinaryHeap<QueuedPair>) {
+fn start(index: usize, problem: &FacingPair, waiting: &mut BinaryHeap<QueuedPair>) {
     let (locked, free) = (&problem.locked, &problem.free);
     for free_chord in free.shared().iter().chain(free.own()) {
         let radii = problem.radii(free_chord);
@@ -194,7 +194,7 @@ fn start(index: usize, problem: &FlankProblem, waiting: &mut BinaryHeap<QueuedPa
 
 /// Cuts the chord with the larger error.
 fn cut(
-    problem: &FlankProblem,
+    problem: &FacingPair,
     pair: &QueuedPair,
     opening: f64,
     waiting: &mut BinaryHeap<QueuedPair>,
@@ -224,7 +224,7 @@ fn cut(
 }
 
 /// Turns the chords of `pair` in by safe steps.
-fn turn_in(problem: &FlankProblem, pair: &QueuedPair, finest: f64) -> Turned {
+fn turn_in(problem: &FacingPair, pair: &QueuedPair, finest: f64) -> Turned {
     let [locked_chord, free_chord] = &pair.chords;
     // A distance below its own rounding carries no information.
     let rounding = problem.rounding() / 8.0;
@@ -254,7 +254,7 @@ fn turn_in(problem: &FlankProblem, pair: &QueuedPair, finest: f64) -> Turned {
 /// The bracket of a contact whose finest chords touch at the opening `touching`.
 fn bracket(
     index: usize,
-    problem: &FlankProblem,
+    problem: &FacingPair,
     chords: &[Chord; 2],
     clear: f64,
     touching: f64,

@@ -53,8 +53,8 @@ impl Goal {
         }
     }
 
-    /// The direction in which it falls fastest at `point`, a unit vector, and the turn of that direction within `d` mm, rad.
-    fn falls(self, point: C, d: f64) -> (C, f64) {
+    /// The unit vector of steepest descent at `point`, and the turn of that direction within `d` mm, rad.
+    fn descent(self, point: C, d: f64) -> (C, f64) {
         match self {
             Goal::Foremost(along) => (along, 0.0),
             Goal::Nearest(to) => {
@@ -96,8 +96,8 @@ impl Goal {
             let point = piece.point(middle);
             let value = take(&mut best, point);
             let (d, turned) = piece.curve.spread(low, high);
-            let (falls, turns) = own.falls(point, d);
-            let (slack, lean) = (turned + turns, (falls.conj() * piece.normal(middle)).im);
+            let (descent, turns) = own.descent(point, d);
+            let (slack, lean) = (turned + turns, (descent.conj() * piece.normal(middle)).im);
             let off = lean.abs().min(1.0).asin();
             if off > slack && turned < FRAC_PI_2 {
                 take(&mut best, piece.point(low));

@@ -7,7 +7,7 @@
 
 use super::place::{Goal, Place, rounding};
 use crate::gauge::seat::check_standing_out;
-use crate::gauge::{Seat, Unmeasured, after};
+use crate::gauge::{Seat, Unmeasured, tooth_after};
 use crate::gear::Flank;
 use crate::outline::OutlineGear;
 use crate::parallel;
@@ -35,7 +35,7 @@ fn seat(gear: &OutlineGear, tooth: u32, diameter: f64) -> Result<Seat, Unmeasure
     let (face, radius, fine) = (gear.face(), 0.5 * diameter, rounding(gear));
     let ends = [(Flank::Right, 0), (Flank::Left, 1)].map(|(flank, steps)| {
         let side = face.seen_from_front(flank);
-        let tooth = after(gear.teeth(), tooth, steps);
+        let tooth = tooth_after(gear.teeth(), tooth, steps);
         (side, tooth, gear.half(side, tooth))
     });
     let middle = gear.tooth_angle(f64::from(tooth) + 0.5);

@@ -8,7 +8,7 @@
 
 use super::place::{Goal, Place, rounding};
 use crate::gauge::span::check_spanned;
-use crate::gauge::{Span, Spans, Unmeasured, after};
+use crate::gauge::{Span, Spans, Unmeasured, tooth_after};
 use crate::gear::{Flank, Side};
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear};
 use crate::parallel;
@@ -81,7 +81,7 @@ impl<'a> Anvils<'a> {
         let reach = gear.root_radius() + REACH * depth;
         let outer = [(Flank::Left, 0), (Flank::Right, k - 1)].map(|(flank, steps)| {
             let side = face.seen_from_front(flank);
-            let tooth = after(gear.teeth(), first_tooth, steps);
+            let tooth = tooth_after(gear.teeth(), first_tooth, steps);
             let half = gear.half(side, tooth);
             OuterFlank {
                 side,

@@ -24,8 +24,8 @@
 //! A tip corner that is passed by `ω` stands `r_b ξ_a ω` inside of the line, at another height than the line's point. By its twist that adds
 //! `g ω` to its tightness.
 //!
-//! Both bounds hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`SideStretch`] bounds. Gears whose
-//! flanks spread over all turns by leads and leans, at the least distance of any section, show that.
+//! Both bounds hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`SideStretch`] bounds.
+//! Gears whose flanks spread over all turns by leads and leans, at the least distance of any section, show that.
 
 use super::mesh_cycle::{CycleSide, MeshCycle, PosedSide, posed_sides};
 use super::side_stretch::SideStretch;
@@ -56,13 +56,13 @@ const CLOSE: f64 = 1e-10;
 /// Parts of the face in which corners on fillets are bounded, a pitch of twist (tuned).
 const PARTS_A_PITCH: f64 = 4.0;
 
-/// Least distance from the middle of the face, mm, of the sections that show how a lean acts.
+/// Least distance from the middle of the face, mm, of the sections from which the effect of a lean is taken.
 const LEAST_HALF_FACE: f64 = 1e-3;
 
 /// Factor of the bounds of leaning axes for their products with eccentricities and with each other.
 const HIGHER_ORDERS: f64 = 1.5;
 
-/// Half the width of a cell, pitches, from which on the rest of its bound counts as open: narrower cells hardly exclude it.
+/// Half the width of a cell, pitches, below which its whole bound counts as open: narrower cells hardly improve it.
 const NARROW: f64 = 1e-5;
 
 /// The cells of a cycle.
@@ -74,9 +74,9 @@ pub(super) struct AlongFaceCells<'a> {
 }
 
 impl<'a> AlongFaceCells<'a> {
-    /// The cells of `course`; `None` where nothing deviates along the face, or other curves can touch.
-    pub fn new(course: &MeshCycle<'a>) -> Option<AlongFaceCells<'a>> {
-        let assembly = course.assembly;
+    /// The cells of `cycle`; `None` where nothing deviates along the face, or other curves can touch.
+    pub fn new(cycle: &MeshCycle<'a>) -> Option<AlongFaceCells<'a>> {
+        let assembly = cycle.assembly;
         if !assembly.deviates_along_face() || assembly.is_modified() {
             return None;
         }
@@ -94,31 +94,31 @@ impl<'a> AlongFaceCells<'a> {
         let pair = assembly.with_gears(wheel, pinion, distance).ok()?;
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
-        let spread = MeshCycle::new(&kernel, &pair, (course.first, 1), &effort);
+        let spread = MeshCycle::new(&kernel, &pair, (cycle.first, 1), &effort);
         if !kernel.stays_on_involutes_and_fillets(&spread) {
             return None;
         }
-        let mut sides = course.sides.clone();
+        let mut sides = cycle.sides.clone();
         for (side, spread) in sides.iter_mut().zip(spread.sides) {
-            side.dips = spread.dips;
+            side.tips_at_fillets = spread.tips_at_fillets;
         }
         Some(AlongFaceCells {
-            kernel: course.kernel,
+            kernel: cycle.kernel,
             assembly,
-            first: course.first,
+            first: cycle.first,
             sides,
         })
     }
 }
 
 impl CycleCells for AlongFaceCells<'_> {
-    const LEFT_OPEN: Doubt = Doubt::Sections;
+    const DOUBT_OF_BOUNDS: Doubt = Doubt::Sections;
 
     fn mating(&self, pitches: f64) -> Mating {
         self.first.onward(self.assembly, pitches)
     }
 
-    fn look(&self, pitches: f64, half: f64, ends: &[End], _width: f64) -> Cell {
+    fn examine(&self, pitches: f64, half: f64, ends: &[End], _width: f64) -> Cell {
         let assembly = self.assembly;
         let mut cell = Cell::unknown(pitches, half);
         let effort = Effort::of_pose();
@@ -135,7 +135,7 @@ impl CycleCells for AlongFaceCells<'_> {
         };
         let posed = posed_sides(&self.sides, self.kernel.plane(), &pose);
         let sides = [0, 1].map(|k| {
-            let ends = [posed[k].on(-half), posed[k].on(half)];
+            let ends = [posed[k].after(-half), posed[k].after(half)];
             FaceSideCell {
                 assembly,
                 starts: ends
@@ -144,7 +144,7 @@ impl CycleCells for AlongFaceCells<'_> {
                 leaning: LeaningFrame::new(assembly, &ends[0].flanks)
                     .zip(LeaningFrame::new(assembly, &ends[1].flanks))
                     .map(|(one, other)| [one, other]),
-                over: SideStretch {
+                plane: SideStretch {
                     stretch: [-half, half],
                     side: &self.sides[k],
                     ends,
@@ -173,7 +173,8 @@ impl CycleCells for AlongFaceCells<'_> {
     }
 }
 
-/// A bound of a cell of half the width `half`, pitches, with the value `angle` in its middle, and what it leaves open, rad.
+/// The `bound` of a cell that is `half` pitches wide on either side, with the value `angle` in its middle, and the rest that narrower cells do
+/// not exclude, rad.
 fn rest_of(half: f64, bound: f64, angle: f64, open: f64) -> (f64, f64) {
     let rest = angle - bound;
     if half < NARROW && rest > 0.0 {
@@ -200,14 +201,14 @@ struct FaceSideCell<'a> {
     /// Lines of action at both ends, from which touches are searched.
     starts: [NearStart; 2],
     /// The cell in the measuring plane.
-    over: SideStretch<'a>,
+    plane: SideStretch<'a>,
 }
 
 impl<'a> FaceSideCell<'a> {
     /// Steps whose locked tooth can reach the mate in some section.
     fn steps(&self) -> Range<i64> {
-        let over = |end: &PosedSide| end.flanks.steps_over(self.over.side.turns);
-        let [one, other] = self.over.ends.each_ref().map(over);
+        let over = |end: &PosedSide| end.flanks.steps_over(self.plane.side.turns);
+        let [one, other] = self.plane.ends.each_ref().map(over);
         let more = i64::from(self.leaning.is_some());
         one.start.min(other.start) - more..one.end.max(other.end) + more
     }
@@ -217,47 +218,47 @@ impl<'a> FaceSideCell<'a> {
     }
 
     fn bases(&self) -> [f64; 2] {
-        let problem = self.over.side.problem;
+        let problem = self.plane.side.problem;
         [problem.locked.shape.base, problem.free.shape.base]
     }
 
     fn tip_rolls(&self) -> [f64; 2] {
-        let problem = self.over.side.problem;
+        let problem = self.plane.side.problem;
         [&problem.locked, &problem.free].map(|teeth| teeth.shape.tip_roll)
     }
 
     fn twists(&self) -> [f64; 2] {
-        let flanks = &self.over.ends[0].flanks;
+        let flanks = &self.plane.ends[0].flanks;
         self.members()
             .map(|member| flanks.twist(self.assembly, member))
     }
 
     /// Turn of the locked and of the free gear over the cell, rad.
     fn turns(&self) -> [f64; 2] {
-        self.over.plays().map(|play| play / 1.2)
+        self.plane.plays().map(|play| play / 1.2)
     }
 
     /// Bound on what a pair's tightness rises above the chord between its ends, or falls below it, rad.
     fn bend(&self, found: &[Separation; 2]) -> Option<f64> {
-        Some(self.over.bend(found)? / 8.0 + self.over.rounding())
+        Some(self.plane.bend(found)? / 8.0 + self.plane.rounding())
     }
 
-    /// The side is no tighter than this.
+    /// An upper bound of the side's tightness.
     fn above(&self) -> Option<Bound> {
         let mut most = [f64::NEG_INFINITY; 2];
         let mut open = 0.0f64;
         let mut pairs = Vec::new();
         for step in self.steps() {
-            self.over.effort.spend(STEP);
+            self.plane.effort.spend(STEP);
             let found = [0, 1].map(|k| {
-                let flanks = &self.over.ends[k].flanks;
-                Separation::endless_beside(flanks, step, [0.0; 2], &self.starts[k])
+                let flanks = &self.plane.ends[k].flanks;
+                Separation::endless_near(flanks, step, [0.0; 2], &self.starts[k])
             });
             if !found.iter().all(|one| one.touches) {
                 return None;
             }
             let bend = self.bend(&found)?;
-            let line = [0, 1].map(|k| bend - self.over.ends[k].room(found[k].gap));
+            let line = [0, 1].map(|k| bend - self.plane.ends[k].room(found[k].gap));
             pairs.push((step, found, line));
         }
         // Pairs far from their tips are likely to be tightest. They come first.
@@ -291,10 +292,10 @@ impl<'a> FaceSideCell<'a> {
             self.add_fillets(step, &pair, line, &mut most);
             open = open.max(pair.open);
         }
-        let left_out = self.assembly.left_out() / self.bases()[1];
+        let omitted_error = self.assembly.left_out() / self.bases()[1];
         Some(Bound {
             ends: most,
-            open: open + left_out,
+            open: open + omitted_error,
         })
     }
 
@@ -303,7 +304,7 @@ impl<'a> FaceSideCell<'a> {
     fn add_fillets(&self, step: i64, pair: &PairOverFace, line: [f64; 2], most: &mut [f64; 2]) {
         let [from, to] = pair.face;
         let twist = self.twists()[0];
-        let pitches = (to - from) * twist.abs() / self.over.side.problem.locked.pitch;
+        let pitches = (to - from) * twist.abs() / self.plane.side.problem.locked.pitch;
         let parts = (PARTS_A_PITCH * pitches).ceil().max(1.0);
         let at = |part: f64| from + (to - from) * (part / parts);
         for part in 0..parts as u32 {
@@ -315,7 +316,7 @@ impl<'a> FaceSideCell<'a> {
                 let turns = part.map(|b| twist * b);
                 let turns = [turns[0].min(turns[1]), turns[0].max(turns[1])];
                 let beside = (pair.turned, self.assembly.most_shift());
-                let clearance = self.over.least_clearance(step, enough, turns, beside);
+                let clearance = self.plane.least_clearance(step, enough, turns, beside);
                 for k in 0..2 {
                     most[k] = most[k].max(top[k] - clearance);
                 }
@@ -323,10 +324,10 @@ impl<'a> FaceSideCell<'a> {
         }
     }
 
-    /// The side is no looser than this, as the pair of `contact` holds it in its section.
+    /// A lower bound of the side's tightness, from the pair of `contact` in its section.
     fn below(&self, contact: &Contact) -> Option<Bound> {
-        let problem = self.over.side.problem;
-        let flanks = &self.over.ends[0].flanks;
+        let problem = self.plane.side.problem;
+        let flanks = &self.plane.ends[0].flanks;
         let teeth = self.members().map(|member| contact.touch(member).tooth);
         let step = self.steps().find(|step| {
             let (locked, free) = flanks.places(*step);
@@ -347,14 +348,14 @@ impl<'a> FaceSideCell<'a> {
             open = self.other_contact(&found, 0.0);
         }
         Some(Bound {
-            ends: [0, 1].map(|k| -self.over.ends[k].room(found[k].gap) - bend),
+            ends: [0, 1].map(|k| -self.plane.ends[k].room(found[k].gap) - bend),
             open,
         })
     }
 
     /// The touch of a step in the section at `b` at an end of the cell.
     fn touch(&self, end: usize, step: i64, b: f64) -> Option<Separation> {
-        let posed = &self.over.ends[end];
+        let posed = &self.plane.ends[end];
         let teeth = posed.flanks.facing_teeth(self.assembly, step);
         let (bases, twists, near) = (self.bases(), self.twists(), posed.nominal_gap());
         let leads = teeth.leads(b);
@@ -362,14 +363,14 @@ impl<'a> FaceSideCell<'a> {
         let Some(frames) = &self.leaning else {
             return Some(Separation::turned(&posed.flanks, step, near, turns));
         };
-        self.over.effort.spend(LEANING_STEP);
+        self.plane.effort.spend(LEANING_STEP);
         let start = &self.starts[end];
         let (here, _, touch) = frames[end].undisturbed(&posed.flanks, (step, b), turns, start)?;
         let turns = [0, 1].map(|k| {
             let lead = teeth.leads(b + touch.heights[k])[k];
             twists[k] * b + touch.turns[k] - lead / bases[k]
         });
-        Some(Separation::beside(&here, step, turns, start))
+        Some(Separation::near(&here, step, turns, start))
     }
 
     /// The gears, locked and free.
@@ -403,7 +404,7 @@ impl<'a> FaceSideCell<'a> {
 
     /// Bound on what turning leans bend the tightness of a pair on the line over the cell, rad.
     fn lean_bend(&self, found: &[Separation; 2]) -> f64 {
-        let (bases, turns, off) = (self.bases(), self.turns(), self.over.side.off);
+        let (bases, turns, off) = (self.bases(), self.turns(), self.plane.side.off);
         let (gears, reach) = (self.gears(), self.reaches(found));
         let lean = self.assembly.most_lean();
         // The contact moves along the line as the locked gear's base circle.
@@ -428,7 +429,7 @@ impl<'a> FaceSideCell<'a> {
         let [from, to] = self.assembly.face();
         let [one, other] = teeth.steepest([from - most, to + most]);
         let by_leads = HIGHER_ORDERS * (one + other) * height / self.bases()[1];
-        if found.iter().all(|one| one.is_on_line(self.over.plays())) {
+        if found.iter().all(|one| one.is_on_line(self.plane.plays())) {
             return by_leads + self.lean_bend(found);
         }
         let by_twist = 2.0 * (self.wound() + lean) * height;
@@ -439,8 +440,8 @@ impl<'a> FaceSideCell<'a> {
     /// `found`, with teeth turned by up to `turned`, rad.
     fn other_contact(&self, found: &[Separation; 2], turned: f64) -> f64 {
         let apart = [0, 1].map(|k| {
-            let end = &self.over.ends[k];
-            let nearest = Separation::endless_beside(&end.flanks, 0, [0.0; 2], &self.starts[k]);
+            let end = &self.plane.ends[k];
+            let nearest = Separation::endless_near(&end.flanks, 0, [0.0; 2], &self.starts[k]);
             (found[k].gap - nearest.gap).abs() + turned
         });
         let [from, to] = self.assembly.face();
@@ -451,11 +452,11 @@ impl<'a> FaceSideCell<'a> {
 
     /// The touch of the endless involutes of a step in the section at `b` of leaning axes at an end of the cell, without leads.
     fn on_line(&self, frame: &LeaningFrame, end: usize, step: i64, b: f64) -> Option<LeaningPair> {
-        let posed = &self.over.ends[end];
+        let posed = &self.plane.ends[end];
         let (here, bases, twists) = (frame.at(&posed.flanks, b), self.bases(), self.twists());
         let turns = twists.map(|twist| twist * b);
         let start = &self.starts[end];
-        let found = Separation::endless_beside(&here, step, turns, start);
+        let found = Separation::endless_near(&here, step, turns, start);
         if !found.touches {
             return None;
         }
@@ -554,8 +555,8 @@ impl<'a> PairOverFace<'a> {
         step: i64,
         found: &[Separation; 2],
     ) -> Option<PairOverFace<'a>> {
-        let problem = cell.over.side.problem;
-        let teeth = cell.over.ends[0].flanks.facing_teeth(cell.assembly, step);
+        let problem = cell.plane.side.problem;
+        let teeth = cell.plane.ends[0].flanks.facing_teeth(cell.assembly, step);
         let face = cell.assembly.face();
         let shapes = [&problem.locked.shape, &problem.free.shape];
         let twists = cell.twists();
@@ -566,15 +567,15 @@ impl<'a> PairOverFace<'a> {
             own.map_or(0.0, |curve| curve.range())
         });
         let turned = (ranges[0] + ranges[1]) / shapes[0].base.min(shapes[1].base);
-        let plays = cell.over.plays();
+        let plays = cell.plane.plays();
         // The line turns by less than a fifth of the gears, as [`SideStretch::plays`] allows.
-        let off = if cell.over.side.off == [0.0; 2] {
+        let off = if cell.plane.side.off == [0.0; 2] {
             0.0
         } else {
             plays[0] - plays[0] / 1.2
         };
         // A free gear that leads turn moves the line by its eccentricity.
-        let play = off + cell.over.side.off[1] * turned / cell.line_length(found);
+        let play = off + cell.plane.side.off[1] * turned / cell.line_length(found);
         // Leads of the locked tooth move the contact along the line.
         let by_lead = [1.0 / shapes[0].base, -1.0 / shapes[1].base];
         let tips = [0, 1].map(|k| {
@@ -593,7 +594,7 @@ impl<'a> PairOverFace<'a> {
             }
         });
         let arms = found.each_ref().map(|one| -shapes[1].base / one.by_turn[1]);
-        let arm = cell.over.side.off[1] * (plays[1] + turned);
+        let arm = cell.plane.side.off[1] * (plays[1] + turned);
         let pair = PairOverFace {
             knots: Vec::new(),
             teeth,
@@ -633,7 +634,7 @@ impl<'a> PairOverFace<'a> {
         step: i64,
         found: &[Separation; 2],
     ) -> Option<PairOverFace<'a>> {
-        cell.over.effort.spend(LEANING_STEP);
+        cell.plane.effort.spend(LEANING_STEP);
         let (assembly, bases) = (cell.assembly, cell.bases());
         let [from, to] = self.face;
         let (middle, half) = (0.5 * (from + to), (0.5 * (to - from)).max(LEAST_HALF_FACE));

@@ -3,7 +3,7 @@
 use super::mesh_cycle::{FaceEnd, MeshCycle, PARTS, PosedSide};
 use super::room::{PairRoom, greatest, least};
 use super::side_stretch::SideStretch;
-use super::table::{PartBounds, Table};
+use super::table::{CycleTable, PartBounds};
 
 /// A stretch of one mating with the bounds of its lost motion, rad.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub(super) struct MatingCell {
     /// The places between `from` and `to` where the least and the greatest lost motion are expected.
     pub lowest: f64,
     pub highest: f64,
-    /// A pose in it, or at its end, that was examined.
+    /// An examined pose in it or at its end, as a fraction of the pitch.
     pub seen: Option<f64>,
 }
 
@@ -69,10 +69,10 @@ impl MatingCell {
     }
 
     /// This cell with the bounds of its table, taken from the line of action at both ends.
-    pub fn bounded_by_line(self, course: &MeshCycle, table: &Table) -> MatingCell {
-        let posed = course.posed(self.mating);
+    pub fn bounded_by_line(self, cycle: &MeshCycle, table: &CycleTable) -> MatingCell {
+        let posed = cycle.posed(self.mating);
         let rooms = [0, 1].map(|k| {
-            let over = self.over(course, &posed, k, Vec::new());
+            let over = self.over(cycle, &posed, k, Vec::new());
             let beside = table.beside_line(k, self.mating, self.part)?;
             over.of_all(beside).map(|room| vec![room])
         });
@@ -82,13 +82,13 @@ impl MatingCell {
         }
     }
 
-    /// The cell with its bounds.
-    pub fn bounded(self, course: &MeshCycle, table: &Table) -> MatingCell {
-        let posed = course.posed(self.mating);
-        let ends = course.posed_at_ends(self.mating);
+    /// This cell with the bounds of its pairs of half teeth.
+    pub fn bounded(self, cycle: &MeshCycle, table: &CycleTable) -> MatingCell {
+        let posed = cycle.posed(self.mating);
+        let ends = cycle.posed_at_ends(self.mating);
         let rooms = [0, 1].map(|k| {
             let faces = ends.iter().map(|end| end[k]).collect();
-            let over = self.over(course, &posed, k, faces);
+            let over = self.over(cycle, &posed, k, faces);
             over.rooms(table.steps(k, self.mating, self.part))
         });
         self.within(&rooms)
@@ -96,21 +96,21 @@ impl MatingCell {
 
     fn over<'a>(
         &self,
-        course: &'a MeshCycle,
+        cycle: &'a MeshCycle,
         posed: &[PosedSide<'a>; 2],
         side: usize,
         faces: Vec<FaceEnd<'a>>,
     ) -> SideStretch<'a> {
         SideStretch {
             stretch: [self.from, self.to],
-            side: &course.sides[side],
-            ends: [self.from, self.to].map(|at| posed[side].on(at)),
+            side: &cycle.sides[side],
+            ends: [self.from, self.to].map(|at| posed[side].after(at)),
             faces,
-            effort: course.effort,
+            effort: cycle.effort,
         }
     }
 
-    /// The same cell with the bounds that `rooms` give.
+    /// This cell with the bounds from `rooms`, the pairs of either side.
     fn within(self, rooms: &[Vec<PairRoom>; 2]) -> MatingCell {
         let (lowest, low) = least(rooms);
         let (highest, high) = greatest(rooms);
@@ -174,23 +174,23 @@ mod tests {
             };
             let kernel = ExactKernel::new(&pair);
             let effort = Effort::endless();
-            let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 24), &effort);
-            if !kernel.stays_on_involutes_and_fillets(&course) {
+            let cycle = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 24), &effort);
+            if !kernel.stays_on_involutes_and_fillets(&cycle) {
                 continue;
             }
-            let table = Table::new(&course);
+            let table = CycleTable::new(&cycle);
             table.each(0..24, &mut |bounds| {
                 let cell = MatingCell::of_part(bounds.mating, bounds.part);
-                let line = cell.bounded_by_line(&course, &table);
+                let line = cell.bounded_by_line(&cycle, &table);
                 by_line += u32::from(line.low.is_finite());
                 let kinds = [
                     ("table", MatingCell::of_bounds(&bounds)),
                     ("line", line),
-                    ("cell", cell.bounded(&course, &table)),
+                    ("cell", cell.bounded(&cycle, &table)),
                 ];
                 for at in 0..5 {
                     let at = cell.from + (cell.to - cell.from) * f64::from(at) / 4.0;
-                    let mating = course.mating(cell.mating, at);
+                    let mating = cycle.mating(cell.mating, at);
                     let found = kernel.lost_motion_at(&pair, mating).unwrap().unwrap();
                     let Some(angle) = found.angle() else {
                         continue;

@@ -11,13 +11,13 @@ pub(super) const HALVINGS: u32 = 5;
 
 /// Two distances of the outlines' centres, and the line of action at each.
 #[derive(Debug)]
-pub(super) struct Lines([(f64, Line); 2]);
+pub(super) struct LinesAtDistances([(f64, Line); 2]);
 
-impl Lines {
+impl LinesAtDistances {
     /// The lines at the least and the greatest distance; `None` if base circles with the sum `sum` of radii overlap at one.
-    pub fn new((low, high): (f64, f64), sum: f64) -> Option<Lines> {
+    pub fn new((low, high): (f64, f64), sum: f64) -> Option<LinesAtDistances> {
         let line = |distance: f64| Some((distance, Line::new(C::from(distance), sum)?));
-        Some(Lines([line(low)?, line(high)?]))
+        Some(LinesAtDistances([line(low)?, line(high)?]))
     }
 }
 
@@ -26,18 +26,18 @@ impl TipAtFillet {
     /// negative if the corner may be first. It holds beside the room of the involutes and their ends.
     ///
     /// The locked half tooth is within `play` of the angle `at`. The two values are for the two distances of the outlines' centres in
-    /// `lines` ([`Lines::new`]); between them the straight line holds. The stretch is
+    /// `lines` ([`LinesAtDistances::new`]); between them the straight line holds. The stretch is
     /// halved up to `halvings` times if they do not reach `enough`.
     pub fn clearance(
         &self,
         (at, play): (f64, f64),
-        lines: &Lines,
+        lines: &LinesAtDistances,
         enough: f64,
         halvings: u32,
     ) -> [f64; 2] {
         let [(low, _), (high, _)] = lines.0;
         let cut = RefinedStretch {
-            dip: self,
+            tip: self,
             lines,
             bend: if high == low {
                 0.0
@@ -55,7 +55,7 @@ impl TipAtFillet {
         &self,
         mate: &HalfToothShape,
         (at, play): (f64, f64),
-        Lines(lines): &Lines,
+        LinesAtDistances(lines): &LinesAtDistances,
         room: f64,
     ) -> bool {
         let [(low, _), (high, _)] = *lines;
@@ -70,7 +70,7 @@ impl TipAtFillet {
             let path = |at: f64| {
                 let l = -turn(at);
                 let f = turn(self.gap(at, line) - (room + bend));
-                match self.tip {
+                match self.owner {
                     Role::Free => {
                         let centre = C::from(*distance);
                         CornerPath::of_free(f * free.corner, centre, l, *distance, rate)
@@ -97,9 +97,9 @@ impl TipAtFillet {
 
 /// A stretch of the locked gear's turn that is cut where its bound is too weak.
 struct RefinedStretch<'a> {
-    dip: &'a TipAtFillet,
+    tip: &'a TipAtFillet,
     /// The lines at the least and the greatest distance.
-    lines: &'a Lines,
+    lines: &'a LinesAtDistances,
     /// Curvature of the bound between the distances.
     bend: f64,
 }
@@ -131,9 +131,9 @@ impl RefinedStretch<'_> {
     }
 
     fn over(&self, at: f64, play: f64) -> [f64; 2] {
-        let Lines([near, far]) = self.lines;
+        let LinesAtDistances([near, far]) = self.lines;
         let end = |line| {
-            let (clearance, is_above) = self.dip.at_distance(at, play, line);
+            let (clearance, is_above) = self.tip.at_distance(at, play, line);
             (clearance - self.bend, is_above)
         };
         let (first, leaves) = end(near);

@@ -1,8 +1,8 @@
 //! Bounds of gears whose profiles or leads deviate, from enclosing gears without such deviations.
 //!
 //! Every half tooth lies within that of an outer gear and contains that of an inner one. These have the greatest and the least deviation of
-//! its flank everywhere, over its profile and over the common face. Additional metal never adds play, so at any pose the lost motion is between those of the outer and of the inner
-//! gears.
+//! its flank everywhere, over its profile and over the common face. Additional metal never adds play, so at any pose the lost motion is
+//! between those of the outer and of the inner gears.
 
 use super::extreme::{CycleBound, Doubt, End, Extreme, UNKNOWN};
 use super::mesh_cycle::MeshCycle;
@@ -11,8 +11,8 @@ use crate::error::Error;
 use crate::pair::Member;
 
 /// Lower bound of the least and upper bound of the greatest.
-pub(super) fn bounds(course: &MeshCycle, width: f64, of: &[End]) -> Result<[CycleBound; 2], Error> {
-    let assembly = course.assembly;
+pub(super) fn bounds(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<[CycleBound; 2], Error> {
+    let assembly = cycle.assembly;
     let enclosing = |member: Member| assembly.gear(member).enclosing(assembly.face()).ok();
     let Some((wheels, pinions)) = enclosing(Member::Wheel).zip(enclosing(Member::Pinion)) else {
         return Ok([UNKNOWN; 2]);
@@ -20,10 +20,10 @@ pub(super) fn bounds(course: &MeshCycle, width: f64, of: &[End]) -> Result<[Cycl
     let extremes = |which: usize| {
         let (wheel, pinion) = (wheels.0[which].clone(), pinions.0[which].clone());
         let pair = assembly.with_gears(wheel, pinion, assembly.center_distance())?;
-        let over = (course.first, course.matings);
-        ExactKernel::new(&pair).extremes_of(&pair, over, width, course.effort, &End::BOTH)
+        let over = (cycle.first, cycle.matings);
+        ExactKernel::new(&pair).extremes_of(&pair, over, width, cycle.effort, &End::BOTH)
     };
-    let per_radian = course.per_radian();
+    let per_radian = cycle.per_radian();
     let least = if of.contains(&End::Least) {
         proof(extremes(0)?.least, |least| least.low / per_radian)
     } else {

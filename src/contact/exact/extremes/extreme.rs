@@ -83,9 +83,9 @@ pub enum Doubt {
     Profile,
     /// A contact was lost at a pose: nothing bounds the extreme.
     ContactLost,
-    /// The drawings leave more open than is wanted.
+    /// The uncertainty of the drawings is wider than the requested bracket.
     Drawing,
-    /// Sections of leaning axes leave more out than is wanted.
+    /// The error by sections of leaning axes is wider than the requested bracket.
     Sections,
     /// Axes without a stated place are bounded all together.
     Axes,
@@ -97,7 +97,7 @@ pub(super) type CycleBound = (f64, Option<Doubt>);
 /// No bound.
 pub(super) const UNKNOWN: CycleBound = (f64::NAN, Some(Doubt::OffInvolute));
 
-/// Poses examined so far.
+/// The best poses examined so far.
 #[derive(Debug, Default)]
 pub(super) struct ExaminedPoses {
     pub least: Option<PoseValue>,
@@ -119,13 +119,13 @@ pub(super) struct PoseValue {
 
 impl ExaminedPoses {
     /// Examines a pose; `None` if the contact is lost.
-    pub fn look(
+    pub fn examine(
         &mut self,
-        course: &MeshCycle,
+        cycle: &MeshCycle,
         mating: Mating,
     ) -> Result<Option<LostMotion>, Error> {
-        let (found, effort) = course.kernel.lost_motion_counted(course.assembly, mating);
-        course.effort.spend(effort);
+        let (found, effort) = cycle.kernel.lost_motion_counted(cycle.assembly, mating);
+        cycle.effort.spend(effort);
         let Some(found) = found? else {
             self.lost = true;
             return Ok(None);
@@ -136,7 +136,7 @@ impl ExaminedPoses {
             _ => (),
         }
         if let Some((angle, error)) = found.angle().zip(found.error()) {
-            self.take(PoseValue {
+            self.add(PoseValue {
                 angle,
                 error,
                 mating,
@@ -145,7 +145,7 @@ impl ExaminedPoses {
         Ok(Some(found))
     }
 
-    fn take(&mut self, seen: PoseValue) {
+    fn add(&mut self, seen: PoseValue) {
         if self.least.is_none_or(|least| seen.angle < least.angle) {
             self.least = Some(seen);
         }
@@ -165,8 +165,8 @@ impl ExaminedPoses {
     }
 
     /// The result, with the proofs of the least and the greatest.
-    pub fn extremes(&self, course: &MeshCycle, [least, greatest]: [CycleBound; 2]) -> Extremes {
-        let per_radian = course.per_radian();
+    pub fn extremes(&self, cycle: &MeshCycle, [least, greatest]: [CycleBound; 2]) -> Extremes {
+        let per_radian = cycle.per_radian();
         // The attained value bounds one end, the proof the other.
         let extreme = |seen: PoseValue, is_least: bool, (bound, doubt): CycleBound| {
             // The better bound of the search and of the poses.
@@ -206,7 +206,7 @@ impl ExaminedPoses {
             (None, None) => Status::Clear,
         };
         Extremes {
-            matings: course.matings,
+            matings: cycle.matings,
             status,
             least: low_end.filter(|_| self.jammed.is_none()),
             greatest: high_end.filter(|_| self.unmeshed.is_none()),
@@ -244,7 +244,7 @@ impl End {
     }
 
     /// The guaranteed value of a stretch with these bounds.
-    pub fn sure(self, low: f64, high: f64) -> f64 {
+    pub fn guaranteed(self, low: f64, high: f64) -> f64 {
         match self {
             End::Least => -high,
             End::Greatest => low,

@@ -48,7 +48,7 @@ pub(super) struct BorderTouch {
 pub(super) struct OnFillet<'a> {
     posed: PosedFlanks<'a>,
     step: i64,
-    tip: Role,
+    owner: Role,
 }
 
 /// The results of two poses: bounds of the gap at both, its slopes, and the curvature between them.
@@ -63,12 +63,12 @@ pub(super) struct FilletBounds {
 }
 
 impl<'a> OnFillet<'a> {
-    pub fn new(posed: PosedFlanks<'a>, step: i64, tip: Role) -> OnFillet<'a> {
-        OnFillet { posed, step, tip }
+    pub fn new(posed: PosedFlanks<'a>, step: i64, owner: Role) -> OnFillet<'a> {
+        OnFillet { posed, step, owner }
     }
 
     fn mate(&self) -> &'a HalfToothShape {
-        match self.tip {
+        match self.owner {
             Role::Locked => &self.posed.problem.free.shape,
             Role::Free => &self.posed.problem.locked.shape,
         }
@@ -84,7 +84,7 @@ impl<'a> OnFillet<'a> {
         let f = turned * turn(pair.free_base + free.half_base);
         let (centre, free_centre) = (self.posed.centre, turned * self.posed.free_centre);
         let distance = problem.distance;
-        match self.tip {
+        match self.owner {
             Role::Free => {
                 let corner = free_centre + f * free.tip_corner();
                 CornerPath::of_free(corner, centre, l, distance, rate)
@@ -110,7 +110,7 @@ impl<'a> OnFillet<'a> {
         for _ in 0..STEPS {
             let turned = turn(gap);
             // The corner from the free axis, in the mate's frame, and its derivatives by gap and by the locked rotation.
-            let (point, seen, by_gap, by_turn) = match self.tip {
+            let (point, seen, by_gap, by_turn) = match self.owner {
                 Role::Free => {
                     let point = turned * (free_centre + f * free.corners()[0].1);
                     let seen = (point - centre) * l.conj();
@@ -136,7 +136,7 @@ impl<'a> OnFillet<'a> {
             if step.abs() < 1e-9 {
                 let slope = -along(by_turn) / turning;
                 let off = moving.norm();
-                let lengths = match self.tip {
+                let lengths = match self.owner {
                     Role::Free => [3.0 * off + seen.norm(), point.norm(), point.norm()],
                     Role::Locked => {
                         let own = off + locked.tip_radius;
@@ -172,7 +172,7 @@ pub(super) fn bounds(
     // In front of the line of a chord that extends to the form circle there is no fillet, from `low` on.
     let to_the_form_circle = |(low, _): (f64, f64)| {
         let found = reach(ends, chord(mate, (low, mate.fillet_end)), near)?;
-        bent(found, None, angle)
+        with_curvature(found, None, angle)
     };
     // The radii of the corner: the whole fillet's chord first, then the radii found with it.
     let mut band = range;
@@ -199,11 +199,11 @@ pub(super) fn bounds(
     let inside = (band.1 < mate.fillet_end)
         .then(|| reach(ends, tangent(mate, 0.5 * (band.0 + band.1)), near))
         .flatten();
-    bent(clear, inside, angle)
+    with_curvature(clear, inside, angle)
 }
 
 /// These bounds with their curvature over `angle`.
-fn bent(
+fn with_curvature(
     clear: [BorderTouch; 2],
     inside: Option<[BorderTouch; 2]>,
     angle: f64,

@@ -1,4 +1,4 @@
-//! A mesh cycle with its kernel: both sides of every mating, and the turn between them.
+//! A mesh cycle of a pair: its matings, and the half teeth of both sides at the start of each.
 
 use super::super::ExactKernel;
 use super::super::flank_problem::{FlankProblem, PosedFlanks};
@@ -36,15 +36,15 @@ pub(super) struct CycleSide<'a> {
     /// Eccentricities of the locked and the free gear, where leaning axes shift the locked one of a section further.
     pub off: [f64; 2],
     pub on_line: Option<LineBends>,
-    pub dips: Vec<TipAtFillet>,
+    pub tips_at_fillets: Vec<TipAtFillet>,
     /// Angle of the locked teeth in a section of the common face relative to the measuring plane, rad: least and greatest.
     pub turns: [f64; 2],
 }
 
 impl CycleSide<'_> {
     /// The half tooth whose fillet a tip approaches.
-    pub fn mate(&self, tip: Role) -> &HalfToothShape {
-        match tip {
+    pub fn mate(&self, owner: Role) -> &HalfToothShape {
+        match owner {
             Role::Locked => &self.problem.free.shape,
             Role::Free => &self.problem.locked.shape,
         }
@@ -56,34 +56,34 @@ impl CycleSide<'_> {
         (self.problem.distance - off, self.problem.distance + off)
     }
 
-    /// The part of a range of distances that is possible: [`TipAtFillet::deepest`] holds for no other.
+    /// A range of centre distances, cut to those that the cycle has: [`TipAtFillet::deepest`] holds for no other.
     pub fn possible(&self, (low, high): (f64, f64)) -> (f64, f64) {
         let (least, most) = self.distances();
         (low.max(least), high.min(most))
     }
 
-    /// Part by which a difference of rooms may differ from that of a pair with its centres at rest.
+    /// Greatest relative error of a difference of two rooms that is taken with the centres at rest.
     ///
     /// Both rooms have their own rotation of the free gear, whose eccentricity `e` displaces its centre between them. That changes the room of
     /// involutes at a rate of up to `e/r_bF`, so the difference changes by a factor between `1/(1 + e/r_bF)` and `1/(1 − e/r_bF)`.
-    pub fn unsure(&self) -> f64 {
+    pub fn room_error(&self) -> f64 {
         let part = self.off[1] * self.problem.per_free_base;
         part / (1.0 - part)
     }
 
-    /// Lower bound of a clearance beside the involutes, from that of a pair with its centres at rest.
-    pub fn sure(&self, clearance: f64) -> f64 {
+    /// Lower bound of a clearance, from the clearance with the centres at rest.
+    pub fn certain_clearance(&self, clearance: f64) -> f64 {
         if clearance > 0.0 {
-            clearance * (1.0 - self.unsure())
+            clearance * (1.0 - self.room_error())
         } else {
-            clearance * (1.0 + self.unsure())
+            clearance * (1.0 + self.room_error())
         }
     }
 
-    /// A clearance whose lower bound [`CycleSide::sure`] is at least `enough`.
-    pub fn for_sure(&self, enough: f64) -> f64 {
+    /// A clearance whose lower bound [`CycleSide::certain_clearance`] is at least `enough`.
+    pub fn clearance_for(&self, enough: f64) -> f64 {
         if enough > 0.0 {
-            enough * (1.0 + 2.0 * self.unsure())
+            enough * (1.0 + 2.0 * self.room_error())
         } else {
             enough
         }
@@ -118,15 +118,15 @@ impl<'a> MeshCycle<'a> {
                     (Role::Free, proof.locked_fillet),
                 ]
             });
-            let dips = reached.into_iter().flatten();
+            let tips_at_fillets = reached.into_iter().flatten();
             CycleSide {
                 problem,
                 mirror,
                 sense: mirror * onward,
                 off,
                 on_line: LineBends::new(problem, off),
-                dips: dips
-                    .filter_map(|(tip, deepest)| TipAtFillet::new(tip, shapes, deepest?, least))
+                tips_at_fillets: tips_at_fillets
+                    .filter_map(|(owner, deepest)| TipAtFillet::new(owner, shapes, deepest?, least))
                     .collect(),
                 turns: {
                     let [one, other] = turns.map(|turn| mirror * turn);
@@ -148,7 +148,7 @@ impl<'a> MeshCycle<'a> {
     }
 
     /// Whether all matings are equal: all teeth are equal, and there is no runout.
-    pub fn repeats(&self) -> bool {
+    pub fn has_equal_matings(&self) -> bool {
         self.has_equal_teeth(0) && self.has_equal_teeth(1)
     }
 
@@ -160,7 +160,7 @@ impl<'a> MeshCycle<'a> {
         let is_round = gear.eccentricity() == 0.0 && gear.wobble() == 0.0;
         let is_equal = |side: &CycleSide| {
             let teeth = [&side.problem.locked, &side.problem.free][k];
-            teeth.extremes.0 == teeth.extremes.1
+            teeth.offset_range.0 == teeth.offset_range.1
         };
         is_round && self.assembly.has_one_lead() && self.sides.iter().all(is_equal)
     }
@@ -178,7 +178,7 @@ impl<'a> MeshCycle<'a> {
 
     /// The first of all matings equal to mating number `index`, by least wheel tooth, then least pinion tooth. If all teeth of one gear are
     /// equal, each tooth of the other has several.
-    pub fn first_alike(&self, index: u64) -> u64 {
+    pub fn first_equal(&self, index: u64) -> u64 {
         let counts = [self.assembly.locked(), self.assembly.free()]
             .map(|member| u64::from(self.assembly.teeth(member)));
         let others = match [0, 1].map(|k| self.has_equal_teeth(k)) {
@@ -231,7 +231,7 @@ impl<'a> MeshCycle<'a> {
         posed_sides(&self.sides, section, pose)
     }
 
-    /// Arc on the free gear's operating pitch circle of one radian, mm.
+    /// Operating pitch radius of the free gear, mm: the arc of one radian.
     pub fn per_radian(&self) -> f64 {
         self.assembly.operating_pitch_radius(self.assembly.free())
     }
@@ -239,13 +239,13 @@ impl<'a> MeshCycle<'a> {
 
 /// Both sides of a section at a pose of it.
 pub(super) fn posed_sides<'a>(
-    courses: &[CycleSide; 2],
+    cycle_sides: &[CycleSide; 2],
     section: &'a Section,
     pose: &Pose,
 ) -> [PosedSide<'a>; 2] {
     let sides = [&section.right, &section.left];
     [0, 1].map(|k| {
-        let side = &courses[k];
+        let side = &cycle_sides[k];
         let flanks = section.posed(sides[k], pose);
         let nominal = side.mirror * pose.free_rotation();
         PosedSide {
@@ -277,7 +277,7 @@ pub(super) struct PosedSide<'a> {
 
 impl<'a> PosedSide<'a> {
     /// This side `fraction` of a pitch later.
-    pub fn on(&self, fraction: f64) -> PosedSide<'a> {
+    pub fn after(&self, fraction: f64) -> PosedSide<'a> {
         let problem = self.flanks.problem;
         PosedSide {
             flanks: self

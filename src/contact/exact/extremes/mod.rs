@@ -2,9 +2,9 @@
 //!
 //! Each side has room until its tightest pair of half teeth touches; the lost motion is the sum of both. Two bounds hold over a stretch of
 //! a mating. The lower bound treats each pair as nothing but involutes and their ends, and adds what fillets leave below the form circle
-//! ([`separation`](super::separation), [`dip`]). The upper bound is the room of any one pair. Tables ([`table`]) rule out nearly every mating of a long cycle.
-//! The rest is cut where its bound is worst, until no stretch can beat the best known pose by more than the requested width. So the bracket
-//! covers every rotation of every mating, and one of its ends is a pose of the exact method.
+//! ([`separation`](super::separation), [`tip_at_fillet`]). The upper bound is the room of any one pair. Tables ([`table`]) rule out nearly
+//! every mating of a long cycle. The rest is cut where its bound is worst, until no stretch can beat the best known pose by more than the
+//! requested width. So the bracket covers every rotation of every mating, and one of its ends is a pose of the exact method.
 //!
 //! The lower bound has the same conditions under which the exact method needs no search ([`super::super::search_free_proof`]). If they
 //! fail, poses are sampled, and the result reports it.
@@ -42,7 +42,7 @@ use extreme::{ExaminedPoses, UNKNOWN};
 use mesh_cycle::MeshCycle;
 use sample::StopAt;
 use search::Search;
-use table::Table;
+use table::CycleTable;
 
 /// Parts of the remaining effort: a search of one cycle may use one part in the first number. A search for a single end, at each of about
 /// ten other centre distances, may use one part in the second (tuned).
@@ -69,7 +69,7 @@ impl ExactKernel {
     pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
         if assembly.is_modified()
             || assembly.deviates_along_face()
-            || self.section.blocked
+            || self.section.never_assembles
             || self.section.bodies.is_some()
             || !self.is_direct()
         {
@@ -77,12 +77,12 @@ impl ExactKernel {
         }
         let first = Mating::FIRST;
         let effort = Effort::endless();
-        let course = MeshCycle::new(self, assembly, (first, 1), &effort);
-        if !self.stays_on_involutes(&course) {
+        let cycle = MeshCycle::new(self, assembly, (first, 1), &effort);
+        if !self.stays_on_involutes(&cycle) {
             return false;
         }
-        let table = Table::new(&course);
-        self.stops_before_far_flanks(&course, &table, f64::INFINITY) && !table.has_dips()
+        let table = CycleTable::new(&cycle);
+        self.stops_before_far_flanks(&cycle, &table, f64::INFINITY) && !table.has_tips_at_fillets()
     }
 
     /// The extremes `of` a cycle, within a part ([`PARTS_OF_EFFORT`]) of the budget `effort`; other ends are `None`. A search for the least
@@ -103,7 +103,7 @@ impl ExactKernel {
             _ => PARTS_OF_EFFORT[0],
         };
         let own = effort.part(parts);
-        let found = self.sought(&MeshCycle::new(self, assembly, over, &own), width, of);
+        let found = self.search_extremes(&MeshCycle::new(self, assembly, over, &own), width, of);
         effort.spend(own.used());
         let found = found?;
         Ok(Extremes {
@@ -113,57 +113,62 @@ impl ExactKernel {
         })
     }
 
-    fn sought(&self, course: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes, Error> {
+    fn search_extremes(
+        &self,
+        cycle: &MeshCycle,
+        width: f64,
+        of: &[End],
+    ) -> Result<Extremes, Error> {
         let until = match of {
             [End::Least] => StopAt::Jammed,
             [End::Greatest] => StopAt::Unmeshed,
             _ => StopAt::End,
         };
         let mut found = ExaminedPoses::default();
-        if let Some(cells) = AlongFaceCells::new(course) {
-            return Ok(self.of_cells(course, &cells, width, of));
+        if let Some(cells) = AlongFaceCells::new(cycle) {
+            return Ok(self.of_cells(cycle, &cells, width, of));
         }
-        if course.assembly.is_modified() || course.assembly.deviates_along_face() {
-            sample::sample(course, &mut found, until)?;
-            let bounds = if course.assembly.leans() {
+        if cycle.assembly.is_modified() || cycle.assembly.deviates_along_face() {
+            sample::sample(cycle, &mut found, until)?;
+            let bounds = if cycle.assembly.leans() {
                 [UNKNOWN; 2]
             } else {
-                enclosed::bounds(course, width, of)?
+                enclosed::bounds(cycle, width, of)?
             };
-            return Ok(found.extremes(course, bounds));
+            return Ok(found.extremes(cycle, bounds));
         }
         // Without a solver flanks are no involutes, or base circles may overlap.
         let helical = self.helical.as_ref();
-        if self.section.blocked
+        if self.section.never_assembles
             || self.section.bodies.is_some()
             || self.section.solver.is_none()
             || helical.is_some_and(|helical| !helical.has_line_contact())
         {
-            sample::sample(course, &mut found, until)?;
-            return Ok(found.extremes(course, [UNKNOWN; 2]));
+            sample::sample(cycle, &mut found, until)?;
+            return Ok(found.extremes(cycle, [UNKNOWN; 2]));
         }
-        let table = Table::new(course);
-        let width = width / course.per_radian();
+        let table = CycleTable::new(cycle);
+        let width = width / cycle.per_radian();
         let search = |which| Search {
-            course,
+            cycle,
             table: &table,
             width: search::PROOF_SHARE * width,
             equal: search::EQUAL_SHARE * width,
             which,
             // A third each for both searches and for the poses that are sampled if the searches do not close. A search for the least alone
             // samples none.
-            spare: match which {
-                End::Greatest => course.effort.left() / 3 * 2,
+            reserved: match which {
+                End::Greatest => cycle.effort.left() / 3 * 2,
                 End::Least if until == StopAt::Jammed => 0,
-                End::Least => course.effort.left() / 3,
+                End::Least => cycle.effort.left() / 3,
             },
             until,
         };
-        let mut stays = self.stays_on_involutes(course);
+        let mut stays = self.stays_on_involutes(cycle);
         // Where far flanks are in reach, the greatest may show that the free gear stops before them.
         let asks_greatest = stays
             && of.contains(&End::Least)
-            && !self.stops_before_far_flanks(course, &table, f64::INFINITY);
+            && !self.stops_before_far_flanks(cycle, &table, f64::INFINITY);
         let wanted = [End::Greatest, End::Least];
         let wanted = wanted.into_iter().filter(|which| match which {
             End::Greatest => asks_greatest || of.contains(which),
@@ -175,7 +180,7 @@ impl ExactKernel {
         for (search, ranked) in searches.iter().zip(&mut ranked) {
             if asks_greatest && search.which == End::Least {
                 let most = found.most(greatest) + width;
-                stays = self.stops_before_far_flanks(course, &table, most);
+                stays = self.stops_before_far_flanks(cycle, &table, most);
                 if !stays {
                     continue;
                 }
@@ -187,55 +192,59 @@ impl ExactKernel {
             }
         }
         if !stays && of.contains(&End::Least) {
-            sample::sample(course, &mut found, until)?;
+            sample::sample(cycle, &mut found, until)?;
         }
         for (search, ranked) in searches.iter().zip(ranked) {
-            search.name_first(ranked.near, &mut found)?;
+            search.report_first_equal(ranked.near, &mut found)?;
         }
-        Ok(found.extremes(course, [least, greatest]))
+        Ok(found.extremes(cycle, [least, greatest]))
     }
 
     /// The extremes `of` a pair with lead deviations, by bounds over cells.
     fn of_cells(
         &self,
-        course: &MeshCycle,
+        cycle: &MeshCycle,
         cells: &AlongFaceCells,
         width: f64,
         of: &[End],
     ) -> Extremes {
         let search = CycleSearch {
             cells,
-            distinct: if course.repeats() { 1 } else { course.matings },
-            matings: course.matings,
-            width: width / course.per_radian(),
-            radius: course.per_radian(),
-            tick: course.effort.tick,
+            distinct: if cycle.has_equal_matings() {
+                1
+            } else {
+                cycle.matings
+            },
+            matings: cycle.matings,
+            width: width / cycle.per_radian(),
+            radius: cycle.per_radian(),
+            tick: cycle.effort.tick,
         };
         let (found, used) = search.extremes(of);
-        course.effort.spend(used);
+        cycle.effort.spend(used);
         found
     }
 
     /// Whether only involutes, their ends and tip lands can touch, and corners on fillets, and pairs of helical teeth have line contact.
-    fn stays_on_involutes_and_fillets(&self, course: &MeshCycle) -> bool {
+    fn stays_on_involutes_and_fillets(&self, cycle: &MeshCycle) -> bool {
         let helical = self.helical.as_ref();
-        !self.section.blocked
+        !self.section.never_assembles
             && self.section.bodies.is_none()
             && self.section.solver.is_some()
             && helical.is_none_or(|helical| helical.has_line_contact())
-            && self.stays_on_involutes(course)
+            && self.stays_on_involutes(cycle)
             && (self.section.far_flanks == FarFlanks::Clear
-                || Table::new(course).stops_before_far_flanks(course, f64::INFINITY))
+                || CycleTable::new(cycle).stops_before_far_flanks(cycle, f64::INFINITY))
     }
 
     /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth, rad.
-    fn stops_before_far_flanks(&self, course: &MeshCycle, table: &Table, most: f64) -> bool {
-        self.section.far_flanks == FarFlanks::Clear || table.stops_before_far_flanks(course, most)
+    fn stops_before_far_flanks(&self, cycle: &MeshCycle, table: &CycleTable, most: f64) -> bool {
+        self.section.far_flanks == FarFlanks::Clear || table.stops_before_far_flanks(cycle, most)
     }
 
-    /// Whether of near half teeth only involutes, their ends and tip lands can touch, and corners on fillets, which [`dip`] bounds.
-    fn stays_on_involutes(&self, course: &MeshCycle) -> bool {
-        let side = &course.sides[0];
+    /// Whether of near half teeth only involutes, their ends and tip lands can touch, and corners on fillets, which [`tip_at_fillet`] bounds.
+    fn stays_on_involutes(&self, cycle: &MeshCycle) -> bool {
+        let side = &cycle.sides[0];
         let problem = side.problem;
         let forms = problem.locked.shape.form_radius() + problem.free.shape.form_radius();
         self.is_direct() && forms + side.off[0] + side.off[1] < problem.distance

@@ -2,39 +2,39 @@
 
 use super::super::line::Line;
 use super::super::separation::{land_roll, lowest_roll};
-use super::clearance::{HALVINGS, Lines};
+use super::clearance::{HALVINGS, LinesAtDistances};
 use super::mesh_cycle::{CycleSide, PARTS};
 
 /// Part of a turn that is examined together over a face of helical gears (tuned: no tip of 44 standard teeth seems to reach a fillet).
 pub(super) const PIECE: f64 = 0.25;
 
-/// Excess of a clearance over the spread of the flanks from which it does not matter, rad.
+/// A clearance that exceeds the spread of the flanks by this, rad, does not matter.
 const BEYOND: f64 = 1e-12;
 
-/// Limit of halvings before the path of the corner is followed, which takes as long as some 60 bounds (tuned).
+/// Halvings of a stretch before the path of the corner is followed instead. That takes as long as some 60 bounds (tuned).
 const HALVINGS_BEFORE_PATH: u32 = 1;
 
-/// The properties of a step in a part of a pitch.
+/// Least room of a step in a part of a pitch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepRoom {
     /// Least room of the involutes and their ends beside the line of action, rad.
     pub beside: f64,
     /// Room of a tip corner and a fillet, at the least and at the greatest distance of the outlines' centres; `None`: none is near.
-    pub dip: Option<[f64; 2]>,
+    pub at_fillet: Option<[f64; 2]>,
 }
 
 /// Rolls on the line of action at any pose of the cycle.
-pub(super) struct Rolls<'a> {
+pub(super) struct RollsOnLine<'a> {
     side: &'a CycleSide<'a>,
     line: &'a Line,
     /// The lines at the least and the greatest distance of the outlines' centres.
-    lines: Option<Lines>,
+    lines: Option<LinesAtDistances>,
     ahead: f64,
     /// Greatest change of `arg B + α` and of `T`, and of the flanks' places.
     turning: f64,
     stretching: f64,
     places: f64,
-    /// Greatest difference of the flanks: a larger clearance does not matter.
+    /// Greatest difference between the flanks, rad: a larger clearance does not matter.
     spread: f64,
 }
 
@@ -44,9 +44,9 @@ impl StepRoom {
         self.between([0.0, 1.0])
     }
 
-    /// Least room if the distance stays between two parts of the range from the least to the greatest.
+    /// Least room, rad, if the centre distance stays between two shares of its range.
     pub fn between(&self, [low, high]: [f64; 2]) -> f64 {
-        match self.dip {
+        match self.at_fillet {
             None => self.beside,
             Some([a, b]) if a.is_finite() && b.is_finite() => {
                 let at = |share: f64| a + share * (b - a);
@@ -57,23 +57,28 @@ impl StepRoom {
     }
 
     /// Least room of a tip corner and a fillet, rad; ∞ if none is near.
-    pub fn dipping(&self) -> f64 {
-        self.dip.map_or(f64::INFINITY, |[a, b]| a.min(b))
+    pub fn at_fillets(&self) -> f64 {
+        self.at_fillet.map_or(f64::INFINITY, |[a, b]| a.min(b))
     }
 }
 
-impl<'a> Rolls<'a> {
-    pub fn new(side: &'a CycleSide<'a>, line: &'a Line, ahead: f64, spread: f64) -> Rolls<'a> {
+impl<'a> RollsOnLine<'a> {
+    pub fn new(
+        side: &'a CycleSide<'a>,
+        line: &'a Line,
+        ahead: f64,
+        spread: f64,
+    ) -> RollsOnLine<'a> {
         let problem = side.problem;
         let off = side.off[0] + side.off[1];
         let (nearest, farthest) = side.distances();
         let sum = problem.sum();
         let length = ((nearest - sum) * (nearest + sum)).sqrt();
-        let (low, high) = problem.locked.extremes;
-        Rolls {
+        let (low, high) = problem.locked.offset_range;
+        RollsOnLine {
             side,
             line,
-            lines: Lines::new((nearest, farthest), sum),
+            lines: LinesAtDistances::new((nearest, farthest), sum),
             ahead,
             turning: off * (1.0 + sum / length) / nearest,
             stretching: off * farthest / length,
@@ -108,7 +113,7 @@ impl<'a> Rolls<'a> {
             .map(|piece| self.around(first + (2 * piece + 1) as f64 * half, half, enough));
         let all = each.reduce(|one, other| StepRoom {
             beside: one.beside.min(other.beside),
-            dip: match (one.dip, other.dip) {
+            at_fillet: match (one.at_fillet, other.at_fillet) {
                 (Some(a), Some(b)) => Some([a[0].min(b[0]), a[1].min(b[1])]),
                 (a, b) => a.or(b),
             },
@@ -119,7 +124,7 @@ impl<'a> Rolls<'a> {
     /// Whether a step is on the line of action all through a part of a pitch, in some section of the face.
     ///
     /// In a section turned by `σ` the locked roll is less by `σ` and the free one more by `σ r_bL/r_bF`.
-    pub fn covers(&self, step: i64, part: usize) -> bool {
+    pub fn is_on_line_throughout(&self, step: i64, part: usize) -> bool {
         let (at, half) = self.place(step, part);
         let play = half + self.places + self.turning;
         let problem = self.side.problem;
@@ -145,7 +150,7 @@ impl<'a> Rolls<'a> {
         if !problem.window().is_some_and(is_in_reach) {
             return StepRoom {
                 beside: f64::INFINITY,
-                dip: None,
+                at_fillet: None,
             };
         }
         let play = half + self.places + self.turning;
@@ -159,29 +164,29 @@ impl<'a> Rolls<'a> {
         );
         let rolls = [(low, high), (free_low, free_high)];
         let beside = self.beside(rolls, enough);
-        let dips = self.side.dips.iter();
-        let dips = dips.filter(|dip| dip.may_dip(at, play));
-        let dips = dips.map(|dip| match &self.lines {
+        let tips_at_fillets = self.side.tips_at_fillets.iter();
+        let tips_at_fillets = tips_at_fillets.filter(|tip| tip.may_be_below_form(at, play));
+        let tips_at_fillets = tips_at_fillets.map(|tip| match &self.lines {
             Some(lines) => {
-                let mate = self.side.mate(dip.tip);
-                let beyond = self.side.for_sure(self.spread + BEYOND);
-                let clearance = |halvings| dip.clearance((at, play), lines, beyond, halvings);
+                let mate = self.side.mate(tip.owner);
+                let beyond = self.side.clearance_for(self.spread + BEYOND);
+                let clearance = |halvings| tip.clearance((at, play), lines, beyond, halvings);
                 let is_beyond = |found: [f64; 2]| found[0].min(found[1]) >= beyond;
                 let found = clearance(HALVINGS_BEFORE_PATH);
                 let found = if is_beyond(found) {
                     found
-                } else if dip.stays_clear(mate, (at, play), lines, beyond) {
+                } else if tip.stays_clear(mate, (at, play), lines, beyond) {
                     [beyond; 2]
                 } else {
                     clearance(HALVINGS)
                 };
-                found.map(|found| self.side.sure(found))
+                found.map(|found| self.side.certain_clearance(found))
             }
             None => [f64::NEG_INFINITY; 2],
         });
         StepRoom {
             beside,
-            dip: dips.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]),
+            at_fillet: tips_at_fillets.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]),
         }
     }
 

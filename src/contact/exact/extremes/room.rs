@@ -21,8 +21,8 @@ pub(super) struct RoomAbove {
     rate: f64,
     /// Bounds how much the room bends downwards.
     bend: f64,
-    /// Whether the room bends by `bend`, but for a third order.
-    is_sharp: bool,
+    /// Whether `bend` is the curvature of the room itself, up to the third order, and not only a bound of it.
+    has_known_bend: bool,
 }
 
 impl PairRoom {
@@ -37,7 +37,7 @@ impl PairRoom {
                 start: a,
                 rate: b - a,
                 bend,
-                is_sharp: false,
+                has_known_bend: false,
             }),
         }
     }
@@ -49,7 +49,7 @@ impl PairRoom {
         room.lower(rounding);
         room.chord = room.chord.map(|chord| RoomAbove {
             start: chord.start + rounding,
-            is_sharp: true,
+            has_known_bend: true,
             ..chord
         });
         room
@@ -65,13 +65,13 @@ impl PairRoom {
         }
     }
 
-    /// This room below the straight line from `ends[0]` to `ends[1]`, where there is one.
+    /// This room, bounded from above by the straight line between `ends` if there are any.
     pub fn within(self, ends: Option<[f64; 2]>) -> PairRoom {
         let chord = ends.map(|[a, b]| RoomAbove {
             start: a,
             rate: b - a,
             bend: 0.0,
-            is_sharp: false,
+            has_known_bend: false,
         });
         PairRoom { chord, ..self }
     }
@@ -109,7 +109,7 @@ impl PairRoom {
         a.max(b) - 0.5 * self.bend * (u - 0.5) * (u - 0.5)
     }
 
-    /// Where its tangents cross, if between the ends.
+    /// The place where its tangents cross, if it is between the ends.
     fn turns(&self) -> Option<f64> {
         let [a, b] = self.tangents;
         let u = (b.0 - a.0) / (a.1 - b.1);
@@ -203,11 +203,11 @@ pub(super) fn least(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
     least
 }
 
-/// Where the least of each side's rooms, summed up, is greatest at most, and that.
+/// The place at which the sum of the least rooms of both sides is greatest, and an upper bound of that sum.
 pub(super) fn greatest(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
     let every = rooms.each_ref().map(|side| Above::of_every(side));
     let sum = sum_of(&every);
-    let sharp = rooms.each_ref().map(|side| Above::of_sharp(side));
+    let sharp = rooms.each_ref().map(|side| Above::of_known_bends(side));
     if sharp.iter().all(Option::is_none) {
         return sum;
     }
@@ -234,9 +234,9 @@ impl Above {
     }
 
     /// The bound by the sharp chords, if there are any. It takes the greatest of their bends, which hardly differ.
-    fn of_sharp(side: &[PairRoom]) -> Option<Above> {
+    fn of_known_bends(side: &[PairRoom]) -> Option<Above> {
         let chords = side.iter().filter_map(|room| room.chord);
-        let chords: Vec<RoomAbove> = chords.filter(|chord| chord.is_sharp).collect();
+        let chords: Vec<RoomAbove> = chords.filter(|chord| chord.has_known_bend).collect();
         let bend = chords.iter().map(|chord| chord.bend).reduce(f64::max)?;
         Some(Above {
             lines: chords
@@ -254,7 +254,7 @@ impl Above {
     }
 }
 
-/// Where both sides together are greatest at most, and that.
+/// The place at which the sum of both sides is greatest, and that sum.
 fn sum_of(sides: &[Above; 2]) -> (f64, f64) {
     let mut breaks = vec![0.0, 1.0];
     for side in sides {

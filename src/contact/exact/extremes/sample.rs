@@ -31,14 +31,14 @@ const FEW: u64 = 2_000;
 /// Rounds that divide the neighbourhood of the best poses by four: down to 1/32 000 of a pitch.
 const ROUNDS: u32 = 5;
 
-/// Poses that measure the effort of one (tuned: a thousandth of all).
-const TRIED: u64 = 8;
+/// Poses from which the effort of one pose is measured (tuned: a thousandth of all).
+const POSES_TO_MEASURE: u64 = 8;
 
-/// Poses that are examined while any effort is left, at any cost: a helical one takes below 0.1 s.
+/// Least number of poses, as long as any effort is left: a helical one takes below 0.1 s.
 const FEWEST: u64 = 16;
 
 /// Length of a stretch, pitches, below which it has no bound if its ends have none.
-const HOPELESS: f64 = 1e-3;
+const NARROWEST: f64 = 1e-3;
 
 /// The condition that ends sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl StopAt {
     }
 
     /// The extremes to search.
-    fn sought(self) -> &'static [End] {
+    fn ends_to_search(self) -> &'static [End] {
         match self {
             StopAt::Jammed => &[End::Least],
             StopAt::Unmeshed => &[End::Greatest],
@@ -84,20 +84,24 @@ struct Stretch {
 
 /// A cycle with its bound between poses.
 struct SampledCycle<'a, 'b> {
-    course: &'a MeshCycle<'b>,
+    cycle: &'a MeshCycle<'b>,
     /// Nominal turn of the free gear per pitch, plus what an eccentric locked outline can take back, rad.
     per_pitch: f64,
 }
 
 impl SampledCycle<'_, '_> {
-    fn look(&self, found: &mut ExaminedPoses, place: f64) -> Result<Option<FreeRotations>, Error> {
-        let course = self.course;
-        let mating = course.mating(place.floor() as u64, place.fract());
-        let Some(seen) = found.look(course, mating)? else {
+    fn examine(
+        &self,
+        found: &mut ExaminedPoses,
+        place: f64,
+    ) -> Result<Option<FreeRotations>, Error> {
+        let cycle = self.cycle;
+        let mating = cycle.mating(place.floor() as u64, place.fract());
+        let Some(seen) = found.examine(cycle, mating)? else {
             return Ok(None);
         };
-        let nominal = Pose::new(course.assembly, mating).free_rotation();
-        Ok(turned(&seen, nominal))
+        let nominal = Pose::new(cycle.assembly, mating).free_rotation();
+        Ok(free_rotations(&seen, nominal))
     }
 
     /// Bounds of the lost motion over a stretch.
@@ -137,14 +141,14 @@ impl SampledCycle<'_, '_> {
             .collect();
         let mut number = heap.len();
         for _ in 0..most {
-            if self.course.effort.is_spent() || until.is_reached(found) {
+            if self.cycle.effort.is_spent() || until.is_reached(found) {
                 break;
             }
             let Some(RankedStretch { key, stretch, .. }) = heap.pop() else {
                 break;
             };
             let [from, to] = stretch.places;
-            if key == f64::INFINITY && to - from < HOPELESS {
+            if key == f64::INFINITY && to - from < NARROWEST {
                 heap.push(RankedStretch {
                     key,
                     number,
@@ -153,7 +157,7 @@ impl SampledCycle<'_, '_> {
                 break;
             }
             let middle = 0.5 * (from + to);
-            let between = self.look(found, middle)?;
+            let between = self.examine(found, middle)?;
             for (places, ends) in [
                 ([from, middle], [stretch.ends[0], between]),
                 ([middle, to], [between, stretch.ends[1]]),
@@ -205,8 +209,8 @@ impl Ord for RankedStretch {
     }
 }
 
-/// The bounds that a pose gives for its neighbours.
-fn turned(seen: &LostMotion, nominal: f64) -> Option<FreeRotations> {
+/// The free rotations at a pose, for the bounds of its neighbours.
+fn free_rotations(seen: &LostMotion, nominal: f64) -> Option<FreeRotations> {
     let (angle, error) = seen.angle().zip(seen.error())?;
     let (right, left) = (seen.right.as_ref()?, seen.left.as_ref()?);
     let on_lands =
@@ -227,7 +231,7 @@ fn turned(seen: &LostMotion, nominal: f64) -> Option<FreeRotations> {
 /// Samples the cycle, more densely where its bounds are worst and around the least and the greatest, with as many poses as the effort
 /// allows.
 pub(super) fn sample(
-    course: &MeshCycle,
+    cycle: &MeshCycle,
     found: &mut ExaminedPoses,
     until: StopAt,
 ) -> Result<(), Error> {
@@ -235,27 +239,27 @@ pub(super) fn sample(
         return Ok(());
     }
     found.sampled = Some([f64::NEG_INFINITY, f64::INFINITY]);
-    let most = MOST[usize::from(!course.kernel.is_direct())];
+    let most = MOST[usize::from(!cycle.kernel.is_direct())];
     let poses = most
-        .min((course.matings * PER_PITCH).max(FEW))
-        .min(affordable(course)?);
-    let problem = course.sides[0].problem;
-    let back = course.sides[0].off[0] * problem.locked.pitch * 2.0 * problem.per_free_base;
+        .min((cycle.matings * PER_PITCH).max(FEW))
+        .min(affordable_poses(cycle)?);
+    let problem = cycle.sides[0].problem;
+    let back = cycle.sides[0].off[0] * problem.locked.pitch * 2.0 * problem.per_free_base;
     let sampled = SampledCycle {
-        course,
+        cycle,
         // A lean turns with its gear, and with it what it turns flanks by: at most its own part of the rotation.
-        per_pitch: (problem.free.pitch + 2.0 * back) * (1.0 + 4.0 * course.assembly.most_lean()),
+        per_pitch: (problem.free.pitch + 2.0 * back) * (1.0 + 4.0 * cycle.assembly.most_lean()),
     };
     // A third of the poses throughout the cycle, a third for each extreme.
-    let cells = (poses / 3).clamp(1, course.matings * PER_PITCH);
-    let place = |cell: u64| cell as f64 / cells as f64 * course.matings as f64;
+    let cells = (poses / 3).clamp(1, cycle.matings * PER_PITCH);
+    let place = |cell: u64| cell as f64 / cells as f64 * cycle.matings as f64;
     let mut stretches = Vec::with_capacity(cells as usize);
-    let mut last = sampled.look(found, 0.0)?;
+    let mut last = sampled.examine(found, 0.0)?;
     for cell in 0..cells {
-        if until.is_reached(found) || course.effort.is_spent() {
+        if until.is_reached(found) || cycle.effort.is_spent() {
             return Ok(());
         }
-        let next = sampled.look(found, place(cell + 1))?;
+        let next = sampled.examine(found, place(cell + 1))?;
         stretches.push(Stretch {
             places: [place(cell), place(cell + 1)],
             ends: [last, next],
@@ -264,25 +268,25 @@ pub(super) fn sample(
     }
     let mut bounds = [f64::NEG_INFINITY, f64::INFINITY];
     // A touching body is no flank.
-    let section = &course.kernel.section;
-    let has_bounds = section.bodies.is_none() && !section.blocked;
-    for which in until.sought().iter().filter(|_| has_bounds) {
+    let section = &cycle.kernel.section;
+    let has_bounds = section.bodies.is_none() && !section.never_assembles;
+    for which in until.ends_to_search().iter().filter(|_| has_bounds) {
         let bound = sampled.refine(*which, &mut stretches, poses / 3, found, until)?;
         bounds[usize::from(*which == End::Greatest)] = bound;
     }
     found.sampled = Some(bounds);
-    let mut width = 0.5 * course.matings as f64 / cells as f64;
+    let mut width = 0.5 * cycle.matings as f64 / cells as f64;
     for _ in 0..ROUNDS {
         let best = [found.least, found.greatest];
         for seen in best.into_iter().flatten() {
             for part in -4..=4 {
-                if course.effort.is_spent() {
+                if cycle.effort.is_spent() {
                     return Ok(());
                 }
                 let mating = seen.mating;
                 let beyond = f64::from(part) * 0.25 * width;
-                let near: Mating = mating.onward(course.assembly, beyond);
-                found.look(course, near)?;
+                let near: Mating = mating.onward(cycle.assembly, beyond);
+                found.examine(cycle, near)?;
             }
         }
         width *= 0.25;
@@ -292,18 +296,18 @@ pub(super) fn sample(
 
 /// Number of poses that the remaining effort allows, measured by a few poses throughout the cycle. Half of the effort is for places near
 /// the best.
-fn affordable(course: &MeshCycle) -> Result<u64, Error> {
+fn affordable_poses(cycle: &MeshCycle) -> Result<u64, Error> {
     let mut tried = ExaminedPoses::default();
-    let before = course.effort.left();
-    for k in 0..TRIED {
-        if course.effort.is_spent() {
+    let before = cycle.effort.left();
+    for k in 0..POSES_TO_MEASURE {
+        if cycle.effort.is_spent() {
             break;
         }
-        let place = (k as f64 + 0.5) / TRIED as f64 * course.matings as f64;
-        tried.look(course, course.mating(place as u64, place.fract()))?;
+        let place = (k as f64 + 0.5) / POSES_TO_MEASURE as f64 * cycle.matings as f64;
+        tried.examine(cycle, cycle.mating(place as u64, place.fract()))?;
     }
-    let left = course.effort.left();
-    let each = ((before - left) / TRIED).max(1);
+    let left = cycle.effort.left();
+    let each = ((before - left) / POSES_TO_MEASURE).max(1);
     Ok((left / 2 / each).max(FEWEST))
 }
 
@@ -321,9 +325,9 @@ mod tests {
         let kernel = ExactKernel::new(&pair);
         let first = Mating::FIRST;
         let effort = Effort::endless();
-        let course = MeshCycle::new(&kernel, &pair, (first, 20), &effort);
+        let cycle = MeshCycle::new(&kernel, &pair, (first, 20), &effort);
         let mut found = ExaminedPoses::default();
-        sample(&course, &mut found, StopAt::End).unwrap();
+        sample(&cycle, &mut found, StopAt::End).unwrap();
         let poses = (0..320).map(|k| {
             let mating = first.onward(&pair, f64::from(k) / 16.0);
             let lost = kernel.lost_motion(&Pose::new(&pair, mating)).unwrap();

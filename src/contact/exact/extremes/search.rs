@@ -4,7 +4,7 @@ use super::cell::MatingCell;
 use super::extreme::{CycleBound, Doubt, End, ExaminedPoses, PoseValue};
 use super::mesh_cycle::{MeshCycle, PARTS};
 use super::sample::{self, StopAt};
-use super::table::{PartBounds, Table};
+use super::table::{CycleTable, PartBounds};
 use crate::error::Error;
 use crate::numeric;
 use std::collections::BinaryHeap;
@@ -24,10 +24,10 @@ const MOST_PLACES: usize = 4_096;
 /// Part of the requested width that the proof may leave open. Rounding and equal places take the rest.
 pub(super) const PROOF_SHARE: f64 = 0.95;
 
-/// Part of the requested width within which places are equal: far above rounding, and small enough that the first of them is a valid bound.
+/// Part of the requested width within which two poses count as equal: far above rounding, and small enough for the first of them to be valid.
 pub(super) const EQUAL_SHARE: f64 = 1e-3;
 
-/// Matings whose stretches are collected before outdated ones are dropped (tuned: 160 kB of stretches).
+/// Matings whose stretches are collected before those are discarded that cannot beat the best (tuned: 160 kB).
 const STRIDE: u64 = 512;
 
 /// Stretches that can contain an extreme: they can reach the best guaranteed value so far.
@@ -37,13 +37,13 @@ struct Candidates<'a> {
     /// Stretches that cannot beat the best pose, but may equal it.
     near: Vec<PartBounds>,
     /// The most promising stretch.
-    top: Option<PartBounds>,
+    most_promising: Option<PartBounds>,
     /// Its key.
     key: f64,
     /// The best guaranteed value.
-    sure: f64,
+    guaranteed: f64,
     /// Number of stretches to keep before a pose is examined to drop some.
-    room: usize,
+    capacity: usize,
     /// The best key of the dropped ones.
     dropped: f64,
 }
@@ -54,10 +54,10 @@ impl Candidates<'_> {
             search,
             kept: Vec::new(),
             near: Vec::new(),
-            top: None,
+            most_promising: None,
             key: f64::NEG_INFINITY,
-            sure: f64::NEG_INFINITY,
-            room: STRIDE as usize * PARTS,
+            guaranteed: f64::NEG_INFINITY,
+            capacity: STRIDE as usize * PARTS,
             dropped: f64::NEG_INFINITY,
         }
     }
@@ -65,49 +65,55 @@ impl Candidates<'_> {
     fn take(&mut self, bounds: PartBounds) {
         let which = self.search.which;
         let key = which.key(bounds.low, bounds.high);
-        self.sure = self.sure.max(which.sure(bounds.low, bounds.high));
-        if key < self.sure - self.search.equal {
+        self.guaranteed = self
+            .guaranteed
+            .max(which.guaranteed(bounds.low, bounds.high));
+        if key < self.guaranteed - self.search.equal {
             return;
         }
         self.kept.push(bounds);
-        if self.top.is_none() || key > self.key {
-            (self.top, self.key) = (Some(bounds), key);
+        if self.most_promising.is_none() || key > self.key {
+            (self.most_promising, self.key) = (Some(bounds), key);
         }
     }
 
     /// Examines the most promising stretch in its middle.
-    fn look(&self, found: &mut ExaminedPoses) -> Result<(), Error> {
-        let Some(top) = self.top else {
+    fn examine(&self, found: &mut ExaminedPoses) -> Result<(), Error> {
+        let Some(most_promising) = self.most_promising else {
             return Ok(());
         };
-        let cell = MatingCell::of_part(top.mating, top.part);
-        let course = self.search.course;
-        let middle = course.mating(top.mating, 0.5 * (cell.from + cell.to));
-        found.look(course, middle)?;
+        let cell = MatingCell::of_part(most_promising.mating, most_promising.part);
+        let cycle = self.search.cycle;
+        let middle = cycle.mating(most_promising.mating, 0.5 * (cell.from + cell.to));
+        found.examine(cycle, middle)?;
         Ok(())
     }
 
     /// Examines the most promising stretch at its expected extreme, and drops the stretches that cannot beat that. In gears with equal
     /// teeth every mating is equally promising.
-    fn thin(&mut self, found: &mut ExaminedPoses) -> Result<(), Error> {
-        let Some(top) = self.top else {
+    fn prune(&mut self, found: &mut ExaminedPoses) -> Result<(), Error> {
+        let Some(most_promising) = self.most_promising else {
             return Ok(());
         };
-        let Search { course, table, .. } = self.search;
-        let cell = MatingCell::of_part(top.mating, top.part).bounded(course, table);
+        let Search { cycle, table, .. } = self.search;
+        let cell =
+            MatingCell::of_part(most_promising.mating, most_promising.part).bounded(cycle, table);
         let at = self.search.expected(&cell);
-        found.look(course, course.mating(top.mating, at))?;
-        self.drop(found);
+        found.examine(cycle, cycle.mating(most_promising.mating, at))?;
+        self.discard(found);
         let key = |bounds: &PartBounds| self.search.key(bounds.low, bounds.high);
-        let top = self.kept.iter().max_by(|a, b| key(a).total_cmp(&key(b)));
-        (self.top, self.key) = (top.copied(), top.map_or(f64::NEG_INFINITY, key));
+        let most_promising = self.kept.iter().max_by(|a, b| key(a).total_cmp(&key(b)));
+        (self.most_promising, self.key) = (
+            most_promising.copied(),
+            most_promising.map_or(f64::NEG_INFINITY, key),
+        );
         // At least doubled, so that this costs no more than keeping.
-        self.room = self.room.max(2 * self.kept.len());
+        self.capacity = self.capacity.max(2 * self.kept.len());
         Ok(())
     }
 
-    /// Drops the stretches that cannot beat the best pose by more than the width.
-    fn drop(&mut self, found: &ExaminedPoses) {
+    /// Discards the stretches that cannot beat the best pose by more than the width.
+    fn discard(&mut self, found: &ExaminedPoses) {
         let search = self.search;
         let (which, dropped, near) = (search.which, &mut self.dropped, &mut self.near);
         let enough = search.best(found) + search.width;
@@ -124,7 +130,7 @@ impl Candidates<'_> {
 
     /// The stretches to examine.
     fn ranked(mut self, found: &ExaminedPoses) -> RankedCells {
-        self.drop(found);
+        self.discard(found);
         let open = self.kept.iter().map(|bounds| RankedCell {
             key: self.search.which.key(bounds.low, bounds.high),
             cell: MatingCell::of_bounds(bounds),
@@ -140,15 +146,15 @@ impl Candidates<'_> {
 
 /// A search for one extreme, best bound first.
 pub(super) struct Search<'a> {
-    pub course: &'a MeshCycle<'a>,
-    pub table: &'a Table,
+    pub cycle: &'a MeshCycle<'a>,
+    pub table: &'a CycleTable,
     /// The part of the bracket that the proof may leave open, rad.
     pub width: f64,
     /// Distance from the best within which places are equal, rad.
     pub equal: f64,
     pub which: End,
-    /// Effort reserved for the steps after this search.
-    pub spare: u64,
+    /// Effort reserved for what follows this search.
+    pub reserved: u64,
     /// The condition that ends sampling after the effort of the search was too great.
     pub until: StopAt,
 }
@@ -212,13 +218,13 @@ pub(super) fn rank(
             }
         });
         for candidates in &mut candidates {
-            if candidates.kept.len() > candidates.room {
-                candidates.thin(found)?;
+            if candidates.kept.len() > candidates.capacity {
+                candidates.prune(found)?;
             }
         }
     }
     for candidates in &candidates {
-        candidates.look(found)?;
+        candidates.examine(found)?;
     }
     let ranked = candidates.into_iter();
     Ok(ranked.map(|candidates| candidates.ranked(found)).collect())
@@ -269,7 +275,7 @@ impl Search<'_> {
         // The best key of the cells that are too narrow to cut.
         let mut narrow = f64::NEG_INFINITY;
         for _ in 0..MOST_CELLS {
-            if self.course.effort.left() <= self.spare {
+            if self.cycle.effort.left() <= self.reserved {
                 break;
             }
             let Some(next) = open.pop() else {
@@ -291,15 +297,15 @@ impl Search<'_> {
                 self.key(cell.low, cell.high) > self.best(found) + self.width
             };
             if cell.seen.is_none() {
-                cell = cell.bounded_by_line(self.course, self.table);
+                cell = cell.bounded_by_line(self.cycle, self.table);
             }
             if beats(&cell, found) {
-                cell = cell.bounded(self.course, self.table);
+                cell = cell.bounded(self.cycle, self.table);
             }
             let at = self.expected(&cell);
             if beats(&cell, found) {
                 if cell.seen != Some(at) {
-                    found.look(self.course, self.course.mating(cell.mating, at))?;
+                    found.examine(self.cycle, self.cycle.mating(cell.mating, at))?;
                 }
                 let without = match self.which {
                     End::Least => found.jammed,
@@ -320,21 +326,21 @@ impl Search<'_> {
                 open.push(RankedCell { key, cell: half });
             }
         }
-        let left = open.peek().map_or(narrow, |top| narrow.max(top.key));
+        let left = open.peek().map_or(narrow, |first| narrow.max(first.key));
         if left <= self.best(found) + self.width {
             return Ok((self.value(bound), None));
         }
         // The key of the most promising stretch is the valid bound.
         if self.until != StopAt::Jammed {
-            sample::sample(self.course, found, self.until)?;
+            sample::sample(self.cycle, found, self.until)?;
         }
-        let top = open.peek().map_or(bound, |top| bound.max(top.key));
-        let top = top.max(narrow);
-        let doubt = match top.is_finite() {
+        let key = open.peek().map_or(bound, |first| bound.max(first.key));
+        let key = key.max(narrow);
+        let doubt = match key.is_finite() {
             true => Doubt::Effort,
             false => Doubt::Unbounded,
         };
-        Ok((self.value(top), Some(doubt)))
+        Ok((self.value(key), Some(doubt)))
     }
 
     /// Keeps the stretches of `near` that may equal the best pose; if these are too many, the first in the order of teeth.
@@ -356,12 +362,12 @@ impl Search<'_> {
 
     /// Wheel and pinion tooth of a mating.
     fn teeth(&self, mating: u64) -> (u32, u32) {
-        self.course.teeth(self.course.first_alike(mating))
+        self.cycle.teeth(self.cycle.first_equal(mating))
     }
 
     /// Reports the first of the places equal to the best: least wheel tooth, then least pinion tooth, then least fraction. Otherwise the
     /// last bit of a sine would decide.
-    pub fn name_first(
+    pub fn report_first_equal(
         &self,
         mut near: Vec<MatingCell>,
         found: &mut ExaminedPoses,
@@ -381,12 +387,12 @@ impl Search<'_> {
         for cell in near {
             let own = self.teeth(cell.mating);
             let is_later = own > teeth || own == teeth && cell.from >= named.fraction;
-            if is_later || self.course.effort.left() <= self.spare {
+            if is_later || self.cycle.effort.left() <= self.reserved {
                 break;
             }
             let holds_named = own == teeth && named.fraction <= cell.to;
             let first = if holds_named {
-                let index = self.course.first_alike(cell.mating);
+                let index = self.cycle.first_equal(cell.mating);
                 self.equal_at(index, cell.from, least)?
             } else {
                 self.first_within(cell, least)?
@@ -402,7 +408,7 @@ impl Search<'_> {
     /// The pose of a mating, if it reaches `least`.
     fn equal_at(&self, index: u64, at: f64, least: f64) -> Result<Option<PoseValue>, Error> {
         let mut seen = ExaminedPoses::default();
-        seen.look(self.course, self.course.mating(index, at))?;
+        seen.examine(self.cycle, self.cycle.mating(index, at))?;
         let one = match self.which {
             End::Least => seen.least,
             End::Greatest => seen.greatest,
@@ -412,13 +418,13 @@ impl Search<'_> {
 
     /// A pose of a cell that reaches `least`, in the first of its cells that has one.
     fn first_within(&self, cell: MatingCell, least: f64) -> Result<Option<PoseValue>, Error> {
-        let index = self.course.first_alike(cell.mating);
+        let index = self.cycle.first_equal(cell.mating);
         let mut open = vec![cell];
         for _ in 0..CELLS_OF_A_PLACE {
             let Some(cell) = open.pop() else {
                 break;
             };
-            let cell = cell.bounded(self.course, self.table);
+            let cell = cell.bounded(self.cycle, self.table);
             if self.key(cell.low, cell.high) < least {
                 continue;
             }

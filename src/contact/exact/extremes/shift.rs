@@ -9,11 +9,11 @@ type Ends<T = f64> = [T; PARTS + 1];
 
 /// The shift of the centres along a direction: the contributions of the locked and of the free gear's turn.
 #[derive(Debug)]
-pub(super) struct Shift([Vec<Ends>; 2]);
+pub(super) struct CentreShift([Vec<Ends>; 2]);
 
-impl Shift {
+impl CentreShift {
     /// The shift along `toward`, times its length, of a side that is `posed` at the start of the cycle, with the free gear at `gap`.
-    pub fn new(side: &CycleSide, posed: &PosedSide, gap: f64, toward: C) -> Shift {
+    pub fn new(side: &CycleSide, posed: &PosedSide, gap: f64, toward: C) -> CentreShift {
         let problem = side.problem;
         let locked = posed.flanks.centre - C::from(problem.distance);
         let free = -posed.flanks.free_centre * turn(gap);
@@ -31,14 +31,14 @@ impl Shift {
             };
             (0..count).map(ends).collect()
         };
-        Shift([
+        CentreShift([
             of(locked, side.sense, problem.locked.count()),
             of(free, -side.sense, problem.free.count()),
         ])
     }
 
     /// The sum of both.
-    pub fn plus(mut self, other: &Shift) -> Shift {
+    pub fn plus(mut self, other: &CentreShift) -> CentreShift {
         for (own, other) in self.0.iter_mut().zip(&other.0) {
             for (own, other) in own.iter_mut().flatten().zip(other.iter().flatten()) {
                 *own += other;

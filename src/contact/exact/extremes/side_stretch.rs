@@ -2,7 +2,7 @@
 
 use super::super::path::InvolutePair;
 use super::super::separation::{Separation, lowest_roll};
-use super::clearance::{HALVINGS, Lines};
+use super::clearance::{HALVINGS, LinesAtDistances};
 use super::corner_path;
 use super::fillet::{self, BorderTouch, OnFillet};
 use super::mesh_cycle::{CycleSide, FaceEnd, PARTS, PosedSide};
@@ -12,17 +12,16 @@ use super::table::{BesideLine, OpenStep};
 use super::tip_at_fillet::{FARTHEST, TipAtFillet};
 use crate::contact::Effort;
 
-/// Effort of the room of a step, in nodes (tuned: 4000 cells of an ordinary pair take about 20 ms), and of that of a tip corner and a
-/// fillet.
+/// Effort of the room of a step, nodes (tuned: 4000 cells of an ordinary pair take about 20 ms).
 const STEP: u64 = 12;
 
-/// Effort of a tip corner and a fillet (tuned).
-const DIP: u64 = 8;
+/// Effort of the room between a tip corner and a fillet, nodes (tuned).
+const TIP_AT_FILLET: u64 = 8;
 
-/// Effort of one evaluation of the path of a tip corner past a fillet.
+/// Effort of one evaluation of the path of a tip corner past a fillet, nodes.
 const LOOK: u64 = 2;
 
-/// Effort of the place of a tip corner on a fillet at both ends of a stretch.
+/// Effort of finding a tip corner on a fillet at both ends of a stretch, nodes.
 const ON_FILLET: u64 = 30;
 
 /// Angles of a locked half tooth and distances of the outlines' centres over a cell.
@@ -46,7 +45,7 @@ pub(super) struct SideStretch<'a> {
 }
 
 impl<'a> SideStretch<'a> {
-    /// Width as a part of a pitch.
+    /// Width of the stretch, pitches.
     pub fn width(&self) -> f64 {
         self.stretch[1] - self.stretch[0]
     }
@@ -62,7 +61,7 @@ impl<'a> SideStretch<'a> {
         2.0 * problem.rounding(problem.free.shape.base, 1.0)
     }
 
-    /// Angle of the locked gear over it, rad.
+    /// Turn of the locked gear over the stretch, rad.
     fn angle(&self) -> f64 {
         self.side.problem.locked.pitch * self.width()
     }
@@ -74,13 +73,9 @@ impl<'a> SideStretch<'a> {
         Some(a?.max(b?) * self.angle() * self.angle())
     }
 
-    /// The room of a pair that has `found` at both ends of the cell, which stands there as `ends`, and is on the line of action between;
-    /// `None` where it may leave the line.
-    fn on_line_of_action(
-        &self,
-        ends: &[PosedSide; 2],
-        found: &[Separation; 2],
-    ) -> Option<PairRoom> {
+    /// The room of a pair that stays on the line of action over the cell; `None` if it may leave the line. At the ends of the cell, `found` has
+    /// its separations and `ends` the sides.
+    fn room_on_line(&self, ends: &[PosedSide; 2], found: &[Separation; 2]) -> Option<PairRoom> {
         let bends = self.side.on_line?;
         let angle = self.angle();
         let turned = bends.turn * angle;
@@ -110,54 +105,58 @@ impl<'a> SideStretch<'a> {
     /// Bounds of the room of each of `steps`: that of its involutes, and that of a corner and a fillet.
     pub fn rooms(&self, steps: impl Iterator<Item = OpenStep>) -> Vec<PairRoom> {
         let mut rooms = Vec::with_capacity(8);
-        let mut dipping = Vec::new();
+        let mut at_fillets = Vec::new();
         for step in steps {
             if !self.faces.is_empty() {
                 self.effort.spend(2 * STEP);
                 let found = self.add_over_face(step, &mut rooms);
-                if step.dips {
-                    self.add_dips(step, &mut rooms, |dip, rooms| {
-                        self.add_dip_over_face(step, dip, &found, rooms)
+                if step.has_tips_at_fillets {
+                    self.add_tips(step, &mut rooms, |tip, rooms| {
+                        self.add_tip_over_face(step, tip, &found, rooms)
                     });
                 }
                 continue;
             }
             self.effort.spend(STEP);
             let found = self.add_involutes(step, &mut rooms);
-            if step.dips {
-                dipping.push((step, found.map(|found| found.gap)));
+            if step.has_tips_at_fillets {
+                at_fillets.push((step, found.map(|found| found.gap)));
             }
         }
-        if !dipping.is_empty() {
-            self.add_spur_dips(&dipping, &mut rooms);
+        if !at_fillets.is_empty() {
+            self.add_tips_of_spur_gears(&at_fillets, &mut rooms);
         }
         rooms
     }
 
     /// Adds the room of tip corners that can touch fillets before the involutes touch, for spur gears.
-    fn add_spur_dips(&self, dipping: &[(OpenStep, [f64; 2])], rooms: &mut Vec<PairRoom>) {
+    fn add_tips_of_spur_gears(
+        &self,
+        at_fillets: &[(OpenStep, [f64; 2])],
+        rooms: &mut Vec<PairRoom>,
+    ) {
         let above = room::lines_above(rooms);
-        for (step, near) in dipping {
-            self.add_dips(*step, rooms, |dip, rooms| {
-                if !above.is_empty() && self.is_clear(step.step, dip, &above) {
+        for (step, near) in at_fillets {
+            self.add_tips(*step, rooms, |tip, rooms| {
+                if !above.is_empty() && self.is_clear(step.step, tip, &above) {
                     return true;
                 }
-                let room = self.on_fillet(&self.ends, step.step, dip, *near);
+                let room = self.on_fillet(&self.ends, step.step, tip, *near);
                 rooms.extend(room);
                 room.is_some()
             });
         }
     }
 
-    /// Whether the corner of `dip` at `step` is clear of the fillet while the side has the room of a broken line.
-    fn is_clear(&self, step: i64, dip: &TipAtFillet, line: &[LinePiece]) -> bool {
+    /// Whether the corner of `tip` at `step` is clear of the fillet while the side has the room of a broken line.
+    fn is_clear(&self, step: i64, tip: &TipAtFillet, line: &[LinePiece]) -> bool {
         let problem = self.side.problem;
         let angle = self.ends[0].angle_to(&self.ends[1]);
         let need = self.rounding() * problem.free.shape.base;
         // The line is that far above the room of the pair's own involutes, which is among `line`.
         let found = self.endless_separations(step);
         let opening = self.bend(&found).unwrap_or(f64::INFINITY) / 4.0 + 2.0 * self.rounding();
-        let mate = self.side.mate(dip.tip);
+        let mate = self.side.mate(tip.owner);
         line.iter().all(|piece| {
             let [first, last] = [0, 1].map(|k| self.ends[k].gap(piece.room[k] + self.rounding()));
             let rate = (last - first) / angle;
@@ -165,11 +164,11 @@ impl<'a> SideStretch<'a> {
                 self.effort.spend(LOOK);
                 let flanks = self.ends[0].flanks.turned_on(at * angle);
                 let gap = first + at * (last - first);
-                OnFillet::new(flanks, step, dip.tip).path(gap, rate)
+                OnFillet::new(flanks, step, tip.owner).path(gap, rate)
             };
             let [from, to] = piece.over;
             let over = (0.5 * (from + to), 0.5 * (to - from));
-            corner_path::is_clear_over(over, angle, mate, dip.deepest, (need, opening), &path)
+            corner_path::is_clear_over(over, angle, mate, tip.deepest, (need, opening), &path)
         })
     }
 
@@ -180,7 +179,7 @@ impl<'a> SideStretch<'a> {
         rooms: &mut Vec<PairRoom>,
     ) -> [Separation; 2] {
         let found = separations(&self.ends, step);
-        if let Some(room) = self.on_line_of_action(&self.ends, &found) {
+        if let Some(room) = self.room_on_line(&self.ends, &found) {
             rooms.push(room);
             return found;
         }
@@ -188,27 +187,29 @@ impl<'a> SideStretch<'a> {
         let problem = self.side.problem;
         let endless = self.endless_separations(step);
         let forms = [&problem.locked, &problem.free].map(|teeth| lowest_roll(&teeth.shape));
-        let short = endless[0].short(&endless[1], self.plays(), forms);
-        let prolonged = self.endless(&endless, beside.max(-short)).within(None);
-        rooms.push(match self.off_line_of_action(&self.ends, &found) {
+        let greatest_deficit = endless[0].greatest_deficit(&endless[1], self.plays(), forms);
+        let prolonged = self
+            .endless(&endless, beside.max(-greatest_deficit))
+            .within(None);
+        rooms.push(match self.room_beside_line(&self.ends, &found) {
             Some(room) => room.above(prolonged),
             None => prolonged,
         });
         found
     }
 
-    /// Bounds of the room of all steps by that of `line.step` on the line of action; `None` where nothing says how it bends.
+    /// Bounds of the room of all steps, from that of `line.step` on the line of action; `None` without a bound of its curvature.
     pub fn of_all(&self, line: BesideLine) -> Option<PairRoom> {
         self.effort.spend(STEP / 2);
         let found = self.endless_separations(line.step);
-        let room = self.on_line_of_action(&self.ends, &found)?;
+        let room = self.room_on_line(&self.ends, &found)?;
         Some(room.between(line.least, line.most))
     }
 
     /// A bound `more` above the room of endless involutes, which have `found` at both ends of the cell.
     fn endless(&self, found: &[Separation; 2], more: f64) -> PairRoom {
-        let smooth = self.on_line_of_action(&self.ends, found);
-        let room = smooth.or_else(|| self.off_line_of_action(&self.ends, found));
+        let smooth = self.room_on_line(&self.ends, found);
+        let room = smooth.or_else(|| self.room_beside_line(&self.ends, found));
         room.map_or(PairRoom::straight([f64::NEG_INFINITY; 2]), |mut room| {
             room.lower(-more);
             room
@@ -222,11 +223,7 @@ impl<'a> SideStretch<'a> {
     }
 
     /// The room of involutes that may leave the line of action between the ends; `None` without a bound of its curvature.
-    fn off_line_of_action(
-        &self,
-        ends: &[PosedSide; 2],
-        found: &[Separation; 2],
-    ) -> Option<PairRoom> {
+    fn room_beside_line(&self, ends: &[PosedSide; 2], found: &[Separation; 2]) -> Option<PairRoom> {
         let touches = found.iter().all(|one| one.touches);
         Some(self.convex(ends, found, self.bend(found)?, touches))
     }
@@ -263,10 +260,10 @@ impl<'a> SideStretch<'a> {
             .iter()
             .min_by(|one, other| far(one).total_cmp(&far(other)));
         let at_end = nearest.and_then(|face| {
-            let ends = self.stretch.map(|at| face.posed.on(at));
+            let ends = self.stretch.map(|at| face.posed.after(at));
             let found = separations(&ends, step + face.steps);
-            let on_line = self.on_line_of_action(&ends, &found);
-            on_line.or_else(|| self.off_line_of_action(&ends, &found))
+            let on_line = self.room_on_line(&ends, &found);
+            on_line.or_else(|| self.room_beside_line(&ends, &found))
         });
         if !off || at_end.is_none() {
             rooms.push(endless);
@@ -288,8 +285,8 @@ impl<'a> SideStretch<'a> {
         ]
     }
 
-    /// Adds the room of tip corners and fillets that can come near, each by `near` if that has a result.
-    fn add_dips(
+    /// Adds the room of each tip corner that can come near a fillet: by `near` if that has a result, otherwise by a bound over all poses.
+    fn add_tips(
         &self,
         OpenStep { step, enough, .. }: OpenStep,
         rooms: &mut Vec<PairRoom>,
@@ -302,29 +299,29 @@ impl<'a> SideStretch<'a> {
             let slack = self.bend(&found).unwrap_or(f64::INFINITY) / 8.0 + rounding;
             [0, 1].map(|k| ends[k].room(found[k].gap) - (slack - clearance))
         };
-        for dip in &self.side.dips {
-            let clearance = self.clearance(&places, dip, enough, self.side.turns);
+        for tip in &self.side.tips_at_fillets {
+            let clearance = self.clearance(&places, tip, enough, self.side.turns);
             if clearance >= enough {
                 continue;
             }
-            if !near(dip, rooms) {
+            if !near(tip, rooms) {
                 rooms.push(PairRoom::straight(less(clearance)));
             }
         }
     }
 
-    /// Additional room of `dip` against endless involutes, rad, over sections with the least and the greatest of `turns` of the locked teeth,
+    /// Additional room of `tip` against endless involutes, rad, over sections with the least and the greatest of `turns` of the locked teeth,
     /// rad; exact where less than `enough`.
     fn clearance(
         &self,
         places: &PlacesOverCell,
-        dip: &TipAtFillet,
+        tip: &TipAtFillet,
         enough: f64,
         [from, to]: [f64; 2],
     ) -> f64 {
         let problem = self.side.problem;
-        let lines = Lines::new(places.distances, problem.sum());
-        let enough = self.side.for_sure(enough);
+        let lines = LinesAtDistances::new(places.distances, problem.sum());
+        let enough = self.side.clearance_for(enough);
         // Over a face: the piece of turn with the least room.
         let pieces = (to - from) / problem.locked.pitch * PARTS as f64 / PIECE;
         let pieces = pieces.ceil().max(1.0);
@@ -332,11 +329,11 @@ impl<'a> SideStretch<'a> {
         let play = places.play + half;
         let turned = (0..pieces as u64).map(|piece| from + (2 * piece + 1) as f64 * half);
         let there = turned.map(|turned| places.at + turned);
-        let there = there.filter(|at| dip.may_dip(*at, play));
+        let there = there.filter(|at| tip.may_be_below_form(*at, play));
         let clearance = there.map(|at| match &lines {
             Some(lines) => {
-                self.effort.spend(DIP);
-                let [a, b] = dip.clearance((at, play), lines, enough, HALVINGS);
+                self.effort.spend(TIP_AT_FILLET);
+                let [a, b] = tip.clearance((at, play), lines, enough, HALVINGS);
                 a.min(b)
             }
             None => f64::NEG_INFINITY,
@@ -346,7 +343,7 @@ impl<'a> SideStretch<'a> {
         if found < -FARTHEST {
             f64::NEG_INFINITY
         } else {
-            self.side.sure(found)
+            self.side.certain_clearance(found)
         }
     }
 
@@ -367,8 +364,8 @@ impl<'a> SideStretch<'a> {
             distances: self.side.possible((least - shift, most + shift)),
             ..places
         };
-        let clearances = self.side.dips.iter();
-        let clearances = clearances.map(|dip| self.clearance(&places, dip, enough, turns));
+        let clearances = self.side.tips_at_fillets.iter();
+        let clearances = clearances.map(|tip| self.clearance(&places, tip, enough, turns));
         clearances.fold(f64::INFINITY, f64::min)
     }
 
@@ -382,13 +379,13 @@ impl<'a> SideStretch<'a> {
         &self,
         ends: &[PosedSide; 2],
         step: i64,
-        dip: &TipAtFillet,
+        tip: &TipAtFillet,
         near: [f64; 2],
     ) -> Option<PairRoom> {
         let (rounding, angle) = (self.rounding(), self.angle());
         self.effort.spend(ON_FILLET);
-        let corners = ends.map(|end| OnFillet::new(end.flanks, step, dip.tip));
-        let bounds = fillet::bounds(corners, near, angle, dip.deepest)?;
+        let corners = ends.map(|end| OnFillet::new(end.flanks, step, tip.owner));
+        let bounds = fillet::bounds(corners, near, angle, tip.deepest)?;
         let bend = bounds.bend * angle * angle;
         let room = |found: [BorderTouch; 2]| [0, 1].map(|k| ends[k].room(found[k].gap));
         let rates = [0, 1].map(|k| ends[k].rate(bounds.clear[k].slope) * self.width());

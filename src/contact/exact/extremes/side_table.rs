@@ -5,15 +5,15 @@ use super::super::path::InvolutePair;
 use super::super::shape::C;
 use super::super::teeth::Teeth;
 use super::mesh_cycle::{CycleSide, PARTS, PosedSide};
-use super::rolls::{Rolls, StepRoom};
+use super::rolls::{RollsOnLine, StepRoom};
 use crate::gear::involute;
 use crate::pair::lens_half;
 use std::ops::Range;
 
-/// One side's tables.
+/// Tables of one side of a cycle.
 #[derive(Debug)]
 pub(super) struct SideTable {
-    /// `r δ_L` and `δ_F` by place, with some places more at both ends.
+    /// `r δ_L` and `δ_F` by place, continued by `pad` places at both ends.
     locked: Vec<f64>,
     free: Vec<f64>,
     pad: i64,
@@ -27,19 +27,19 @@ pub(super) struct SideTable {
     pub open: [Vec<(i64, f64, f64)>; PARTS],
     /// The steps decided by involutes and their ends, and those whose tip corners can reach fillets.
     pub plain: [Vec<(i64, f64)>; PARTS],
-    pub dipping: [Vec<(i64, StepRoom)>; PARTS],
+    pub at_fillets: [Vec<(i64, StepRoom)>; PARTS],
     /// Whether a tip corner on a fillet can have no more room than a pair on the line of action. It need not have less than
     /// [`SideTable::plain`] gives its involutes.
-    pub may_dip: bool,
-    /// Steps that are on the line of action throughout.
-    pub covering: [Vec<i64>; PARTS],
+    pub may_be_below_form: bool,
+    /// Steps that stay on the line of action, for each part of a pitch.
+    pub on_line_throughout: [Vec<i64>; PARTS],
     /// `ρ`.
     pub nominal: f64,
     /// `κ`: 0 where base pitches are equal.
     pub per_step: f64,
-    /// Part by which the difference of the rooms of two steps on the line of action may differ from that of their `r δ_L + δ_F + κ s`
-    /// ([`CycleSide::unsure`]).
-    pub unsure: f64,
+    /// Greatest relative error, for two steps on the line of action, of their difference in `r δ_L + δ_F + κ s` as their difference in room
+    /// ([`CycleSide::room_error`]).
+    pub room_error: f64,
     /// Greatest difference of the rooms of two steps on the line of action, over all flanks and the steps that can be the tightest.
     pub spread: f64,
     /// Greatest distance of `r δ_L + δ_F + κ (s + sense f)` from the middle of `r δ_L + δ_F`, over those steps throughout a pitch. If the
@@ -71,12 +71,12 @@ impl SideTable {
             steps: steps.clone(),
             open: std::array::from_fn(|_| Vec::new()),
             plain: std::array::from_fn(|_| Vec::new()),
-            dipping: std::array::from_fn(|_| Vec::new()),
-            may_dip: false,
-            covering: std::array::from_fn(|_| Vec::new()),
+            at_fillets: std::array::from_fn(|_| Vec::new()),
+            may_be_below_form: false,
+            on_line_throughout: std::array::from_fn(|_| Vec::new()),
             nominal: 0.0,
             per_step: problem.per_step,
-            unsure: side.unsure(),
+            room_error: side.room_error(),
             spread: 0.0,
             level: 0.0,
         };
@@ -84,7 +84,7 @@ impl SideTable {
         // One more step, for the change within a pitch.
         let reach = (steps.end - steps.start + 1) as f64;
         let spread = high - low + table.per_step.abs() * reach;
-        table.spread = spread * (1.0 + table.unsure);
+        table.spread = spread * (1.0 + table.room_error);
         let farthest = steps.start.abs().max((steps.end - 1).abs()) + 1;
         table.level = 0.5 * (high - low) + table.per_step.abs() * farthest as f64;
         let Some(line) = Line::new(C::from(problem.distance), problem.sum()) else {
@@ -98,12 +98,14 @@ impl SideTable {
             - pair.free_base;
         table.nominal = posed.room(gap) - table.off(table.places(0), 0);
         let spread = table.spread;
-        let rolls = Rolls::new(side, &line, posed.flanks.ahead, spread);
+        let rolls = RollsOnLine::new(side, &line, posed.flanks.ahead, spread);
         for part in 0..PARTS {
-            let covering = steps.clone().filter(|step| rolls.covers(*step, part));
-            table.covering[part] = covering.collect();
+            let on_line_throughout = steps
+                .clone()
+                .filter(|step| rolls.is_on_line_throughout(*step, part));
+            table.on_line_throughout[part] = on_line_throughout.collect();
             // A step with more room than any pair on the line of action can have is never the tightest.
-            let limit = if table.covering[part].is_empty() {
+            let limit = if table.on_line_throughout[part].is_empty() {
                 f64::INFINITY
             } else {
                 spread
@@ -111,14 +113,14 @@ impl SideTable {
             let found = steps.clone();
             let found = found.map(|step| (step, rolls.of(step, part, limit)));
             let found: Vec<(i64, StepRoom)> = found.collect();
-            table.may_dip |= found.iter().any(|(_, part)| part.dipping() <= limit);
+            table.may_be_below_form |= found.iter().any(|(_, part)| part.at_fillets() <= limit);
             let open = || found.iter().filter(|(_, part)| part.least() <= limit);
             table.open[part] = open()
-                .map(|(step, part)| (*step, part.beside, part.dipping()))
+                .map(|(step, part)| (*step, part.beside, part.at_fillets()))
                 .collect();
             for (step, found) in open() {
                 match found.least() < found.beside {
-                    true => table.dipping[part].push((*step, *found)),
+                    true => table.at_fillets[part].push((*step, *found)),
                     false => table.plain[part].push((*step, found.beside)),
                 }
             }
@@ -143,16 +145,16 @@ impl SideTable {
             + self.per_step * step as f64
     }
 
-    /// Writes the offset of every step to `offs`, for [`SideTable::among`].
-    pub fn all_offs(&self, places: [i64; 2], offs: &mut Vec<f64>) {
-        offs.clear();
-        offs.extend(self.steps.clone().map(|step| self.off(places, step)));
+    /// Writes the offset of every step to `offsets`, for [`SideTable::offset_among`].
+    pub fn all_offsets(&self, places: [i64; 2], offsets: &mut Vec<f64>) {
+        offsets.clear();
+        offsets.extend(self.steps.clone().map(|step| self.off(places, step)));
     }
 
-    /// The offset of a step among `offs`, those of all steps.
+    /// The offset of a step among `offsets`, those of all steps.
     #[inline]
-    pub fn among(&self, offs: &[f64], step: i64) -> f64 {
-        offs[(step - self.steps.start) as usize]
+    pub fn offset_among(&self, offsets: &[f64], step: i64) -> f64 {
+        offsets[(step - self.steps.start) as usize]
     }
 
     /// `κ sense f` at both ends of a part.
@@ -164,19 +166,19 @@ impl SideTable {
     /// Greatest difference between the contact of a tip corner with a fillet and that of its involute, rad; `None` if none comes near.
     pub fn deepest(&self) -> Option<f64> {
         let each = self
-            .dipping
+            .at_fillets
             .iter()
             .flatten()
-            .filter_map(|(_, part)| part.dip);
-        let each = each.flatten().filter(|dip| dip.is_finite()).map(f64::abs);
+            .filter_map(|(_, part)| part.at_fillet);
+        let each = each.flatten().filter(|tip| tip.is_finite()).map(f64::abs);
         each.reduce(f64::max)
     }
 
-    /// Whether every mating is as any other: all flanks are where they belong, and no dip depends on the distance of the centres.
+    /// Whether all matings are equal: no flank deviates, and no clearance of a tip depends on the centre distance.
     pub fn is_uniform(&self) -> bool {
         let alike = |offsets: &[f64]| offsets.iter().all(|off| *off == offsets[0]);
-        let dips = self.dipping.iter().any(|steps| !steps.is_empty());
-        !dips && alike(&self.locked) && alike(&self.free)
+        let has_tips_at_fillets = self.at_fillets.iter().any(|steps| !steps.is_empty());
+        !has_tips_at_fillets && alike(&self.locked) && alike(&self.free)
     }
 
     /// Lower bound of `r δ_L + δ_F + κ (s + sense f)` of any step.
@@ -185,19 +187,21 @@ impl SideTable {
     }
 
     /// Least room of any step beside the line of action, rad, if that is negative: of a tip corner in a fillet; 0 otherwise.
-    pub fn deepest_dip(&self) -> f64 {
+    pub fn deepest_tip(&self) -> f64 {
         let open = self.open.iter().flatten();
-        let each = open.map(|(_, beside, dipping)| beside.min(*dipping));
+        let each = open.map(|(_, beside, at_fillets)| beside.min(*at_fillets));
         each.fold(0.0, f64::min)
     }
 
-    /// Whether some step is on the line of action at every pose.
-    pub fn always_covers(&self) -> bool {
-        self.covering.iter().all(|steps| !steps.is_empty())
+    /// Whether at every pose some step is on the line of action.
+    pub fn is_always_on_line(&self) -> bool {
+        self.on_line_throughout
+            .iter()
+            .all(|steps| !steps.is_empty())
     }
 
-    /// How much later the far flank of a locked tooth ([`FarFlanks`]) stops a free half tooth than endless involutes of the same step do: a lower
-    /// bound, rad. `None` where the axes are too near for a bound.
+    /// Lower bound of the free gear's turn, rad, from the contact of endless involutes to that with the far flank of the same locked tooth
+    /// ([`FarFlanks`]). `None` if the axes are too near for a bound.
     ///
     /// The normal at a far contact passes the free axis on its far side. `ξ` is the point's roll and `λ` the angle of the locked tooth. `d` is
     /// the distance of the outlines' centres, and `ψ` the half angle of the far flank at its base. Then `λ + ψ − ξ ≤ −acos(r_bL/d)`. At the

@@ -1,4 +1,4 @@
-//! Bounds of every mating of a cycle from tables: a few sums each.
+//! Quick bounds of every mating of a cycle: a few sums of tabulated values each.
 //!
 //! Where two involutes touch on the line of action, a side has the room `ρ + r δ_L + δ_F − ε`. `ρ` is that of perfect gears, `r δ_L + δ_F`
 //! the offset of both flanks (`r = r_bL/r_bF`), and `ε` the effect of the eccentricities. The shift `b` of the centres along the line of
@@ -9,18 +9,18 @@
 
 use super::super::shape::C;
 use super::mesh_cycle::{CycleSide, MeshCycle, PARTS};
-use super::shift::Shift;
+use super::shift::CentreShift;
 use super::side_table::SideTable;
 use std::ops::Range;
 
 /// The tables of both sides.
 #[derive(Debug)]
-pub(super) struct Table {
+pub(super) struct CycleTable {
     sides: [SideTable; 2],
     /// `−ε` of both sides together.
-    shifts: Shift,
-    /// How much less and how much more room there may be than the sums say: the second order of `ε`, which adds room, its third order, and its
-    /// bend between the ends of a part.
+    shifts: CentreShift,
+    /// Greatest error of the sums, rad: room that they give too much, and too little. It contains the second order of `ε`, which adds room, its
+    /// third order, and its curvature between the ends of a part.
     slack: [f64; 2],
     /// The distances of the outlines' centres, for each side; `None` if no corner comes near a fillet.
     distances: Option<Distances>,
@@ -34,18 +34,18 @@ pub(super) struct OpenStep {
     pub step: i64,
     /// Upper bound of the room of the side in excess of this step's place on the line of action.
     pub enough: f64,
-    /// Whether a corner on a fillet can have less than that.
-    pub dips: bool,
+    /// Whether a tip corner can touch a fillet with less room than that.
+    pub has_tips_at_fillets: bool,
     /// Least excess of its involutes and their ends over that place, anywhere in the part and on the face.
     pub beside: f64,
 }
 
-/// How much more room a side has in a part of a mating than one of its steps has on the line of action.
+/// Room of a side in a part of a mating, in excess of the room of one step on the line of action, rad.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BesideLine {
     pub step: i64,
     pub least: f64,
-    /// Without end where no step is on the line all through.
+    /// ∞ if no step stays on the line.
     pub most: f64,
 }
 
@@ -53,7 +53,7 @@ pub(super) struct BesideLine {
 #[derive(Debug)]
 struct Distances {
     /// Excess over the distance of the axes, for each side.
-    sides: [Shift; 2],
+    sides: [CentreShift; 2],
     /// Upper bound of the excess, in both directions.
     off: f64,
     /// Error bound of the excess: its gap, its second order, and its curvature over a part.
@@ -75,11 +75,11 @@ fn lesser(one: f64, other: f64) -> f64 {
     if other < one { other } else { one }
 }
 
-impl Table {
-    pub fn new(course: &MeshCycle) -> Table {
-        let posed = course.posed(0);
-        let sides = [0, 1].map(|index| SideTable::new(&course.sides[index], &posed[index]));
-        let side = &course.sides[0];
+impl CycleTable {
+    pub fn new(cycle: &MeshCycle) -> CycleTable {
+        let posed = cycle.posed(0);
+        let sides = [0, 1].map(|index| SideTable::new(&cycle.sides[index], &posed[index]));
+        let side = &cycle.sides[0];
         let problem = side.problem;
         let per_base = problem.per_free_base;
         let off = side.off[0] + side.off[1];
@@ -105,7 +105,7 @@ impl Table {
             let (table, posed) = (&sides[index], &posed[index]);
             // The middle of the gaps on the line of action.
             let gap = posed.nominal_gap() - table.nominal - table.middle();
-            Shift::new(&course.sides[index], posed, gap, toward)
+            CentreShift::new(&cycle.sides[index], posed, gap, toward)
         };
         let cos = sum / problem.distance;
         let toward = C::new((1.0 - cos * cos).sqrt(), -cos) * per_base;
@@ -115,14 +115,14 @@ impl Table {
             off,
             slack: side.off[1] * (level + deepest) + 0.5 * off * off / nearest + bent,
         });
-        Table {
+        CycleTable {
             shifts: along(0, toward).plus(&along(1, toward)),
             distances,
             sides,
             slack,
-            matings: match course.repeats() {
-                true => course.matings.min(1),
-                false => course.matings,
+            matings: match cycle.has_equal_matings() {
+                true => cycle.matings.min(1),
+                false => cycle.matings,
             },
         }
     }
@@ -132,7 +132,7 @@ impl Table {
         let parts = |side: &SideTable| std::array::from_fn(|part| side.drifts(part));
         let drifts: [[[f64; 2]; PARTS]; 2] = self.sides.each_ref().map(parts);
         let nominal = self.sides[0].nominal + self.sides[1].nominal;
-        let mut offs = [Vec::new(), Vec::new()];
+        let mut offsets = [Vec::new(), Vec::new()];
         let is_uniform = self.sides.each_ref().map(SideTable::is_uniform);
         let mut rooms = [[[0.0; 2]; PARTS]; 2];
         for mating in range.clone() {
@@ -141,12 +141,12 @@ impl Table {
                 if is_uniform[index] && mating > range.start {
                     continue;
                 }
-                let offs = &mut offs[index];
-                side.all_offs(side.places(mating), offs);
+                let offsets = &mut offsets[index];
+                side.all_offsets(side.places(mating), offsets);
                 let distances = self.distances.as_ref();
                 let distances = distances.map(|distances| distances.sides[index].at(mating));
                 rooms[index] = std::array::from_fn(|part| {
-                    let off = |step: i64, _| side.among(offs, step);
+                    let off = |step: i64, _| side.offset_among(offsets, step);
                     self.rooms(side, part, distances.as_ref(), off)
                 });
             }
@@ -180,40 +180,40 @@ impl Table {
         let plain = side.plain[part].iter();
         let plain = plain.map(|(step, more)| off(*step, -1.0) + more);
         let mut least = plain.fold(f64::INFINITY, lesser);
-        if !side.dipping[part].is_empty() {
+        if !side.at_fillets[part].is_empty() {
             let shares = match (&self.distances, distances) {
                 (Some(all), Some(ends)) => all.shares([ends[part], ends[part + 1]]),
                 _ => [0.0, 1.0],
             };
-            let dipping = side.dipping[part].iter();
-            least = dipping
+            let at_fillets = side.at_fillets[part].iter();
+            least = at_fillets
                 .map(|(step, more)| off(*step, -1.0) + more.between(shares))
                 .fold(least, lesser);
         }
-        let covering = side.covering[part].iter();
-        let most = covering.map(|step| off(*step, 1.0));
+        let on_line_throughout = side.on_line_throughout[part].iter();
+        let most = on_line_throughout.map(|step| off(*step, 1.0));
         [least, most.fold(f64::INFINITY, lesser)]
     }
 
-    /// How much more than a step on the line of action a side has in a part of a mating; `None` where no step is open.
+    /// The room of a side in a part of a mating, against that of a step on the line of action; `None` if no step is open.
     ///
-    /// The step is the one with the least room among those on the line all through the part. Bounds of other rooms lose a part of their
-    /// difference from it ([`SideTable::unsure`]).
+    /// It is the step with the least room among those that stay on the line. The difference of any other room from that is uncertain
+    /// ([`SideTable::room_error`]).
     pub fn beside_line(&self, side: usize, mating: u64, part: usize) -> Option<BesideLine> {
         let table = &self.sides[side];
         let places = table.places(mating);
         let distances = self.distances.as_ref();
         let distances = distances.map(|distances| distances.sides[side].at(mating));
-        let covering = table.covering[part].iter().copied();
+        let on_line_throughout = table.on_line_throughout[part].iter().copied();
         let by_off = |a: &i64, b: &i64| table.off(places, *a).total_cmp(&table.off(places, *b));
-        let step = covering
+        let step = on_line_throughout
             .min_by(by_off)
             .or_else(|| table.open[part].first().map(|(step, ..)| *step))?;
         let own = table.off(places, step);
         // The offset of another step beyond its own is certain up to a part of it.
         let beyond = |step: i64, sign: f64| {
             let off = table.off(places, step) - own;
-            off + sign * table.unsure * off.abs()
+            off + sign * table.room_error * off.abs()
         };
         let [least, most] = self.rooms(table, part, distances.as_ref(), beyond);
         Some(BesideLine { step, least, most })
@@ -222,10 +222,10 @@ impl Table {
     /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth over the cycle,
     /// rad; ∞ if unknown.
     ///
-    /// A pair on the line of action stops the gear first where far flanks leave more room than the flanks are spread. At other poses the room
+    /// A pair on the line of action stops the gear first if far flanks leave more room than the flanks differ. At other poses the room
     /// of a side is at most `most`, less the room of the other side.
-    pub fn stops_before_far_flanks(&self, course: &MeshCycle, most: f64) -> bool {
-        let mut sides = self.sides.iter().zip(&course.sides);
+    pub fn stops_before_far_flanks(&self, cycle: &MeshCycle, most: f64) -> bool {
+        let mut sides = self.sides.iter().zip(&cycle.sides);
         let later = |(table, side): (&SideTable, &CycleSide)| table.before_far_flanks(side);
         let Some(later) = sides.try_fold(f64::INFINITY, |least: f64, side| {
             Some(least.min(later(side)?))
@@ -235,7 +235,7 @@ impl Table {
         // The far half of one more step than the table has can reach the mate.
         let one_more = |table: &SideTable| table.per_step.abs();
         let is_first =
-            |table: &SideTable| table.always_covers() && later > table.spread + one_more(table);
+            |table: &SideTable| table.is_always_on_line() && later > table.spread + one_more(table);
         if self.sides.iter().all(is_first) {
             return true;
         }
@@ -248,13 +248,13 @@ impl Table {
             .sides
             .each_ref()
             .map(|side| side.nominal + side.lowest() - one_more(side));
-        let dip = self.sides.each_ref().map(SideTable::deepest_dip);
-        most < on_line[0] + on_line[1] + shift + dip[0].min(dip[1]) + later
+        let tip = self.sides.each_ref().map(SideTable::deepest_tip);
+        most < on_line[0] + on_line[1] + shift + tip[0].min(tip[1]) + later
     }
 
     /// Whether a tip corner on a fillet can be the tightest somewhere.
-    pub fn has_dips(&self) -> bool {
-        self.sides.iter().any(|side| side.may_dip)
+    pub fn has_tips_at_fillets(&self) -> bool {
+        self.sides.iter().any(|side| side.may_be_below_form)
     }
 
     pub fn matings(&self) -> u64 {
@@ -270,17 +270,17 @@ impl Table {
     ) -> impl Iterator<Item = OpenStep> + '_ {
         let table = &self.sides[side];
         let places = table.places(mating);
-        let covering = table.covering[part].iter();
-        let limit = covering.map(|step| table.off(places, *step));
+        let on_line_throughout = table.on_line_throughout[part].iter();
+        let limit = on_line_throughout.map(|step| table.off(places, *step));
         let limit = limit.fold(f64::INFINITY, f64::min) + self.slack[1];
         let open = table.open[part].iter();
-        open.filter_map(move |(step, beside, dipping)| {
-            let more = beside.min(*dipping);
+        open.filter_map(move |(step, beside, at_fillets)| {
+            let more = beside.min(*at_fillets);
             let enough = limit - table.off(places, *step);
             (more <= enough).then_some(OpenStep {
                 step: *step,
                 enough,
-                dips: !(*dipping >= enough),
+                has_tips_at_fillets: !(*at_fillets >= enough),
                 beside: *beside,
             })
         })
@@ -288,7 +288,7 @@ impl Table {
 }
 
 impl Distances {
-    /// The range of the centres' distance, in parts of the way from the least to the greatest, for the shifts at both ends of a part.
+    /// The centre distance in a part, as two shares of its range, for the shifts at both ends of the part.
     fn shares(&self, ends: [f64; 2]) -> [f64; 2] {
         if self.off == 0.0 {
             return [0.0, 1.0];
@@ -318,7 +318,8 @@ mod tests {
         f64::from((k * step + 7 * (k % 97) * k) % 101) / 101.0
     }
 
-    /// The random pair `k`, with at most this profile shift, range of the pitch deviations, eccentricity, and room beyond the pair without backlash.
+    /// The random pair `k`, with at most this profile shift, range of the pitch deviations, eccentricity, and room beyond the pair without
+    /// backlash.
     fn random(k: u32, teeth: [u32; 2], most: [f64; 4]) -> Option<GearPair> {
         let built = |kind: usize, face, step: u32| {
             let design = GearDesign::plain(teeth[kind], 2.0).shifted(most[0] * part(k, step));
@@ -349,13 +350,13 @@ mod tests {
         let pair = GearPair::new(wheel, gear(1.00001, 6.0, Face::Back), 400.05).unwrap();
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
-        let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
-        let table = Table::new(&course);
-        let posed = course.posed(0);
+        let cycle = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+        let table = CycleTable::new(&cycle);
+        let posed = cycle.posed(0);
         let mut lopsided = 0;
         for (index, side) in table.sides.iter().enumerate() {
             assert!(side.per_step != 0.0);
-            let steps = steps(&course.sides[index], posed[index].flanks.ahead);
+            let steps = steps(&cycle.sides[index], posed[index].flanks.ahead);
             lopsided += u32::from(steps.start + steps.end - 1 != 0);
             for step in steps {
                 for drift in side.drifts(0).into_iter().chain(side.drifts(PARTS - 1)) {
@@ -394,8 +395,8 @@ mod tests {
         assert!(kept > 20 && touched > 10, "{kept} {touched}");
     }
 
-    /// No far flank touches before the bound of [`SideTable::before_far_flanks`]. Source: the search for contacts with far flanks, at ten poses of
-    /// pairs of few teeth.
+    /// No far flank touches before the bound of [`SideTable::before_far_flanks`]. Source: the search for contacts with far flanks, at ten
+    /// poses of pairs of few teeth.
     #[test]
     fn far_flanks_are_as_late_as_their_bound() {
         let (mut examined, mut near) = (0, 0);
@@ -410,16 +411,16 @@ mod tests {
                 continue;
             }
             let effort = Effort::endless();
-            let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
-            let start = course.posed(0);
+            let cycle = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+            let start = cycle.posed(0);
             let later = [0, 1].map(|side| {
-                let table = SideTable::new(&course.sides[side], &start[side]);
-                table.before_far_flanks(&course.sides[side])
+                let table = SideTable::new(&cycle.sides[side], &start[side]);
+                table.before_far_flanks(&cycle.sides[side])
             });
             for at in 0..10 {
                 let mating = Mating::FIRST.onward(&pair, 0.237 * f64::from(at));
                 let pose = Pose::new(&pair, mating);
-                let posed = posed_sides(&course.sides, &kernel.section, &pose);
+                let posed = posed_sides(&cycle.sides, &kernel.section, &pose);
                 for (side, later) in posed.iter().zip(later) {
                     let flanks = &side.flanks;
                     for step in flanks.steps_of_whole_teeth() {

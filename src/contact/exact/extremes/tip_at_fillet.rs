@@ -31,10 +31,10 @@ struct FilletChord {
     normal: C,
 }
 
-/// One gear's tip corner with the mate's fillet.
+/// The tip corner of one gear and the fillet of its mate.
 #[derive(Debug, Clone)]
 pub(super) struct TipAtFillet {
-    pub tip: Role,
+    pub owner: Role,
     /// Least `γ` of the fillet in reach.
     pub deepest: f64,
     pub(super) locked: TipData,
@@ -46,7 +46,7 @@ pub(super) struct TipAtFillet {
     middle: f64,
 }
 
-/// The data of one gear.
+/// The data of a gear that the path of its tip corner needs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TipData {
     pub base: f64,
@@ -69,20 +69,20 @@ impl TipData {
 }
 
 impl TipAtFillet {
-    /// The corner of the gear `tip`, down to `deepest`, the least `γ` of the mate's fillet that it reaches. `least` is the least distance
+    /// The corner of the gear `owner`, down to `deepest`, the least `γ` of the mate's fillet that it reaches. `least` is the least distance
     /// of the outlines' centres. `None` if the corner stays above the form circle.
     pub fn new(
-        tip: Role,
+        owner: Role,
         [locked, free]: [&HalfToothShape; 2],
         deepest: f64,
         least: f64,
     ) -> Option<TipAtFillet> {
-        let (mate, corner) = match tip {
+        let (mate, corner) = match owner {
             Role::Locked => (free, locked.corners()[0].1),
             Role::Free => (locked, free.corners()[0].1),
         };
         // Locked corner: |d − e^{iλ} p| below the form radius. Free corner: the locked joint inside the free tip circle.
-        let (turning, own, other) = match tip {
+        let (turning, own, other) = match owner {
             Role::Locked => (corner, locked.tip_radius, free.form_radius()),
             Role::Free => (locked.joint, locked.form_radius(), free.tip_radius),
         };
@@ -109,7 +109,7 @@ impl TipAtFillet {
             }
         });
         Some(TipAtFillet {
-            tip,
+            owner,
             deepest,
             locked: TipData::new(locked),
             free: TipData::new(free),
@@ -120,7 +120,7 @@ impl TipAtFillet {
     }
 
     /// Whether the corner can be below the form circle while the locked half tooth is within `play` of the angle `at`.
-    pub fn may_dip(&self, at: f64, play: f64) -> bool {
+    pub fn may_be_below_form(&self, at: f64, play: f64) -> bool {
         let off = at - self.middle;
         let off = off - 2.0 * PI * (off / (2.0 * PI)).round();
         off.abs() <= self.half + play
@@ -136,12 +136,12 @@ impl TipAtFillet {
             + free.half_base
     }
 
-    /// The corner at one distance and its line, with the locked half tooth within `play` of the angle `at`.
+    /// The corner at a centre distance with its line of action, while the locked half tooth is within `play` of the angle `at`.
     fn corner(&self, at: f64, play: f64, (distance, line): &(f64, Line)) -> MovingCorner {
         let (distance, ratio) = (*distance, self.locked.base / self.free.base);
         let (locked, free) = (&self.locked, &self.free);
         let (l, f) = (-turn(at), turn(self.gap(at, line)));
-        let (point, velocity, radius, by_gap) = match self.tip {
+        let (point, velocity, radius, by_gap) = match self.owner {
             Role::Locked => {
                 let corner = C::from(distance) + l * locked.corner;
                 let moving = C::i() * l * locked.corner;
@@ -164,7 +164,7 @@ impl TipAtFillet {
         };
         let speed = length(velocity);
         let square = (1.0 + ratio).powi(2);
-        let acceleration = match self.tip {
+        let acceleration = match self.owner {
             Role::Locked => {
                 let corner = C::from(distance) + l * locked.corner;
                 let corner = (1.0 + 2.0 * ratio) * distance - corner * square;
@@ -193,13 +193,13 @@ impl TipAtFillet {
         (clearance, self.may_be_above(&corner, clearance))
     }
 
-    /// Whether the corner may be above the form circle at a contact with this clearance or more, as far as clearances are distinguished.
+    /// Whether the corner may be above the form circle at a contact with this clearance or a greater one.
     fn may_be_above(&self, corner: &MovingCorner, clearance: f64) -> bool {
         let Some(chord) = self.chords.first() else {
             return true;
         };
         let off = length(corner.point);
-        let way = match self.tip {
+        let way = match self.owner {
             Role::Locked => 0.0,
             Role::Free => {
                 // A point at `p` with the velocity `p'` and an acceleration of at most `ρ` is within
@@ -257,7 +257,7 @@ impl TipAtFillet {
             let reached = reached.take_while(|chord| chord.radii.1 >= low);
             reached.map(least).fold(f64::INFINITY, f64::min)
         };
-        if self.tip == Role::Locked {
+        if self.owner == Role::Locked {
             return over(0.0);
         }
         let way = |clearance: f64| clearance.min(FARTHEST).abs();
@@ -281,11 +281,11 @@ struct MovingCorner {
     radius: f64,
     /// Its velocity by the turn of the free gear.
     by_gap: C,
-    /// Second-order part of its way, mm.
+    /// Second-order part of its path, mm.
     jolt: f64,
-    /// Bound of its way by the turn of the locked gear, mm.
+    /// Bound of its path over the turn of the locked gear, mm.
     moved: f64,
-    /// Bound of the change of `by_gap` on this way, and of its component along a normal that turns with the mate.
+    /// Bound of the change of `by_gap` on this path, and of its component along a normal that turns with the mate.
     turned: f64,
 }
 
@@ -309,24 +309,28 @@ mod tests {
         let pair = GearPair::new(built(20, Face::Front), built(60, Face::Back), 40.05).unwrap();
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
-        let course = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
-        let dips: Vec<&TipAtFillet> = course.sides.iter().flat_map(|side| &side.dips).collect();
-        assert!(!dips.is_empty());
-        for dip in dips {
-            let line = Line::new(C::from(40.05), dip.locked.base + dip.free.base).unwrap();
+        let cycle = MeshCycle::new(&kernel, &pair, (Mating::FIRST, 1), &effort);
+        let tips_at_fillets: Vec<&TipAtFillet> = cycle
+            .sides
+            .iter()
+            .flat_map(|side| &side.tips_at_fillets)
+            .collect();
+        assert!(!tips_at_fillets.is_empty());
+        for tip in tips_at_fillets {
+            let line = Line::new(C::from(40.05), tip.locked.base + tip.free.base).unwrap();
             let line = (40.05, line);
             let play = 0.03;
             let mut most = 0.0f64;
             for off in [-0.8, -0.3, 0.0, 0.4, 0.9] {
-                let at = dip.middle + off * dip.half;
-                let corner = dip.corner(at, play, &line);
+                let at = tip.middle + off * tip.half;
+                let corner = tip.corner(at, play, &line);
                 for part in [-1.0, -0.5, 0.5, 1.0] {
-                    let there = dip.corner(at + part * play, 0.0, &line);
+                    let there = tip.corner(at + part * play, 0.0, &line);
                     let left = there.point - corner.point - corner.velocity * (part * play);
                     most = most.max(length(left) / corner.jolt);
                 }
             }
-            assert!((0.1..=1.0).contains(&most), "{:?}: {most}", dip.tip);
+            assert!((0.1..=1.0).contains(&most), "{:?}: {most}", tip.owner);
         }
     }
 }

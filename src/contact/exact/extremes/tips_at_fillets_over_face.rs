@@ -41,28 +41,28 @@ struct InnerTouch {
 }
 
 impl SideStretch<'_> {
-    /// Adds the rooms of `dip` at `step`, whose endless involutes have `found` at both ends of the stretch; `false` if they are unknown.
-    pub fn add_dip_over_face(
+    /// Adds the rooms of `tip` at `step`, whose endless involutes have `found` at both ends of the stretch; `false` if they are unknown.
+    pub fn add_tip_over_face(
         &self,
         step: OpenStep,
-        dip: &TipAtFillet,
+        tip: &TipAtFillet,
         found: &[Separation; 2],
         rooms: &mut Vec<PairRoom>,
     ) -> bool {
         let mut own = Vec::new();
         for face in &self.faces {
-            let ends = self.stretch.map(|at| face.posed.on(at));
+            let ends = self.stretch.map(|at| face.posed.after(at));
             let there = step.step + face.steps;
             let places = self.places(&ends, there);
-            if dip.may_dip(places.at, places.play) {
+            if tip.may_be_below_form(places.at, places.play) {
                 let near = self.gaps(&ends, there);
-                let Some(room) = self.on_fillet(&ends, there, dip, near) else {
+                let Some(room) = self.on_fillet(&ends, there, tip, near) else {
                     return false;
                 };
                 own.push(room);
             }
         }
-        let ends = [0, 1].map(|k| between(&self.ends[k], step.step, dip, found[k].gap));
+        let ends = [0, 1].map(|k| between(&self.ends[k], step.step, tip, found[k].gap));
         match ends {
             [Some(None), Some(None)] => {}
             [Some(Some(a)), Some(Some(b))] => {
@@ -102,18 +102,18 @@ impl SideStretch<'_> {
     }
 }
 
-/// The touch of `dip` at `step` for the centres of a pose, searched near the involutes' gap `near`, if there is one; `None` if that is
+/// The touch of `tip` at `step` for the centres of a pose, searched near the involutes' gap `near`, if there is one; `None` if that is
 /// unknown, or there are several.
 fn between(
     posed: &PosedSide,
     step: i64,
-    dip: &TipAtFillet,
+    tip: &TipAtFillet,
     near: f64,
 ) -> Option<Option<InnerTouch>> {
     let flanks = &posed.flanks;
     let problem = flanks.problem;
     let (locked, free) = (&problem.locked.shape, &problem.free.shape);
-    let (fillet, tip) = match dip.tip {
+    let (fillet, owner) = match tip.owner {
         Role::Free => (locked, free),
         Role::Locked => (free, locked),
     };
@@ -131,7 +131,8 @@ fn between(
         let on_line = (problem.sum() * line.angle - line.length - locked.base * pair.locked_base)
             * problem.per_free_base
             - pair.free_base;
-        let Some((at, farther, lean)) = touch((locked, free), (fillet, tip), dip.tip, distance)?
+        let Some((at, farther, lean)) =
+            touch((locked, free), (fillet, owner), tip.owner, distance)?
         else {
             return Some(None);
         };
@@ -149,7 +150,7 @@ fn between(
             slope: slope.abs(),
             // The fillet's radius of curvature is at least half of the tool's tip radius at any helix angle; this takes four times that
             // curvature.
-            bend: 8.0 / (fillet.round * arm.abs()) + dip.bend(distance),
+            bend: 8.0 / (fillet.round * arm.abs()) + tip.bend(distance),
         });
         if settled {
             break;
@@ -162,12 +163,12 @@ fn between(
 /// normal. `None` if there are several.
 fn touch(
     (locked, free): (&HalfToothShape, &HalfToothShape),
-    (fillet, tip): (&HalfToothShape, &HalfToothShape),
+    (fillet, owner): (&HalfToothShape, &HalfToothShape),
     whose: Role,
     distance: f64,
 ) -> Option<Option<(f64, f64, f64)>> {
-    let corner = tip.corners()[0].1;
-    let mut found = deepest(fillet, distance, tip.base, corner.norm());
+    let corner = owner.corners()[0].1;
+    let mut found = deepest(fillet, distance, owner.base, corner.norm());
     let Some(touch) = found.next() else {
         return Some(None);
     };

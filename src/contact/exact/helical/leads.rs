@@ -1,14 +1,14 @@
 //! Places along the face where teeth with lead deviations touch tightest.
 //!
 //! In the section at `b` a tooth is that of the measuring plane, turned by its twist and by `−δ(b)/r_b`. The gap of a pair on the
-//! line of action is a constant plus `Σ δ(b)/r_bF`. A tip corner touches beyond that stretch, and without leads the gap falls concavely there. So
-//! between two knots of the leads, where `Σ δ` is straight or crowned, the gap is concave along the face. It is greatest at a knot, at an
-//! end of the face, or where its rate `∂μ/∂λ λ' + ∂μ/∂φ φ'` vanishes. [`Separation`] has the gap and both derivatives, for involutes and their
-//! ends. It is asked from the stretch on the line outwards, because far beyond it two teeth do not face each other. A pair whose endless
-//! involutes cannot reach the known gap is left out.
+//! line of action is a constant plus `Σ δ(b)/r_bF`. A tip corner touches beyond that stretch, and without leads the gap falls concavely
+//! there. So between two knots of the leads, where `Σ δ` is straight or crowned, the gap is concave along the face. It is greatest at a knot,
+//! at an end of the face, or where its rate `∂μ/∂λ λ' + ∂μ/∂φ φ'` vanishes. [`Separation`] has the gap and both derivatives, for involutes
+//! and their ends. It is asked from the stretch on the line outwards, because far beyond it two teeth do not face each other. A pair whose
+//! endless involutes cannot reach the known gap is left out.
 //!
-//! A tip that passes the form circle of its mate touches the fillet there, and leads move the place at which it is tightest ([`deepest`]). The gap
-//! of a fillet is searched in each section ([`TurnedTeeth`]), from the end of the stretch on the line and from that place outwards.
+//! A tip that passes the form circle of its mate touches the fillet there, and leads move the place at which it is tightest ([`deepest`]).
+//! The gap of a fillet is searched in each section ([`TurnedTeeth`]), from the end of the stretch on the line and from that place outwards.
 //!
 //! [`deepest`]: super::super::deepest
 //!
@@ -28,7 +28,7 @@ use crate::numeric::rank;
 use crate::pair::{FacingTeeth, GearPair};
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
-const LOOK: u64 = 1;
+const EVALUATION: u64 = 1;
 
 /// Distance from a knot at which the rate beside it is taken, as a part of the stretch between knots.
 const BESIDE: f64 = 1e-7;
@@ -48,8 +48,8 @@ const HOLLOW_PARTS: usize = 8;
 /// First step outwards from the stretch on the line, as a part of the rest of a stretch between knots (tuned).
 const FIRST_STEP: f64 = 1.0 / 64.0;
 
-/// Greatest effect of a flank's move on the gap of a fillet, against an involute's. Where an edge touches a fillet tightest, the normal passes the
-/// pitch point and the effect is that on an involute. The arms differ beside that place (tuned: twice is more than occurs).
+/// Greatest effect of a flank's move on the gap of a fillet, against an involute's. Where an edge touches a fillet tightest, the normal
+/// passes the pitch point and the effect is that on an involute. The arms differ beside that place (tuned: twice is more than occurs).
 pub(super) const MOST_BY_ARMS: f64 = 2.0;
 
 /// Roll, rad, beyond the end of an involute that is still on the line of action: some roundings.
@@ -64,7 +64,8 @@ const ROUNDED: f64 = 4e-15;
 /// Gap, rad, by which a step to a maximum may still change it: rounding.
 const SETTLED: f64 = 1e-15;
 
-/// [`SETTLED`] for leaning axes, whose rates are those between neighbouring sections. It is a millionth of what their sections leave out, or less.
+/// [`SETTLED`] for leaning axes, whose rates are those between neighbouring sections. It is a millionth of what their sections leave out, or
+/// less.
 const SETTLED_LEANING: f64 = 1e-14;
 
 /// The teeth of one side of a pose over the common face.
@@ -88,14 +89,14 @@ pub(super) struct AlongFace<'a> {
     effort: &'a Effort<'a>,
 }
 
-/// Bounds for all teeth of a pair of gears over the face.
+/// Bounds over the face that hold for all teeth of both gears.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceBounds {
-    /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
+    /// Greatest move of both flanks of a pair by leads, leans and profile deviations, mm along the base tangent.
     pub most_moved: f64,
     /// Greatest sum of the leads of any right flanks, and of any left ones, over the face, less that in the measuring plane, mm.
     pub most_lead: [f64; 2],
-    /// Bound of what heights of leaning axes change both leads of a pair, mm.
+    /// Greatest change of both leads of a pair by the heights of contacts between leaning axes, mm.
     pub by_heights: f64,
     /// Whether tips can touch fillets.
     pub in_fillets: bool,
@@ -145,7 +146,7 @@ enum Fillets {
     All,
 }
 
-/// The gap of a pair in a section, and its rate along the face, rad/mm.
+/// The gap of a pair in the section at `b`, and its rate along the face, rad/mm.
 #[derive(Debug, Clone, Copy)]
 struct GapInSection {
     b: f64,
@@ -187,7 +188,7 @@ impl<'a> AlongFace<'a> {
         let gears = members.map(|member| assembly.gear(member));
         let wound = gears[0].gear().basic_data().base_helix_angle().tan();
         let reach = gears[0].reach() + gears[1].reach();
-        effort.spend(LOOK);
+        effort.spend(EVALUATION);
         let first = Separation::endless(posed, 0, nominal);
         let near = if first.touches { first.gap } else { nominal };
         AlongFace {
@@ -206,8 +207,8 @@ impl<'a> AlongFace<'a> {
         }
     }
 
-    /// The pair of a step with endless involutes; that of step 0 tells it to first order. The second order is that of the free gear's eccentricity
-    /// times the square of pitch deviations, below a tie.
+    /// The pair of a step with endless involutes; that of step 0 tells it to first order. The second order is that of the free gear's
+    /// eccentricity times the square of pitch deviations, below a tie.
     fn endless(&self, step: i64) -> EndlessPair {
         let (first, bases) = (&self.first, self.bases());
         let (own, other) = (&self.first_pair, InvolutePair::new(self.posed, step));
@@ -229,8 +230,9 @@ impl<'a> AlongFace<'a> {
         }
     }
 
-    /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest` has
-    /// the steps and places at which edges touch fillets tightest without leads and leans. The second result is the tightest gap, or `floor`.
+    /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest`
+    /// has the steps and places at which edges touch fillets tightest without leads and leans. The second result is the tightest gap, or
+    /// `floor`.
     pub fn places(
         &self,
         floor: f64,
@@ -406,8 +408,8 @@ impl<'a> AlongFace<'a> {
         }
         // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
         let turns = self.twists.map(|twist| twist * window[0]);
-        self.effort.spend(LOOK);
-        let nearest = Separation::beside(self.posed, step, turns, &self.start);
+        self.effort.spend(EVALUATION);
+        let nearest = Separation::near(self.posed, step, turns, &self.start);
         let most = if nearest.touches {
             nearest.gap + self.beside(&teeth, &nearest)
         } else {
@@ -422,8 +424,8 @@ impl<'a> AlongFace<'a> {
             most + self.most_in_fillets(&teeth) > floor
                 && self.assembly.face().iter().any(|b| {
                     let turns = self.twists.map(|twist| twist * b);
-                    self.effort.spend(LOOK);
-                    let found = Separation::beside(self.posed, step, turns, &self.start);
+                    self.effort.spend(EVALUATION);
+                    let found = Separation::near(self.posed, step, turns, &self.start);
                     is_below_form(&found)
                 })
         };
@@ -455,7 +457,7 @@ impl<'a> AlongFace<'a> {
         })
     }
 
-    /// Bound of what leads and leans change the gap of a touch in a fillet.
+    /// Greatest change of the gap of a touch in a fillet by leads and leans, rad.
     fn most_in_fillets(&self, teeth: &FacingTeeth) -> f64 {
         MOST_BY_ARMS * self.most_moved(teeth) / self.bases()[1]
     }
@@ -477,7 +479,7 @@ impl<'a> AlongFace<'a> {
         [problem.locked.shape.base, problem.free.shape.base]
     }
 
-    /// Bound of what leads, leans and profile deviations move both flanks of a pair, mm along the base tangent.
+    /// Greatest move of both flanks of these teeth by leads, leans and profile deviations, mm along the base tangent.
     fn most_moved(&self, teeth: &FacingTeeth) -> f64 {
         if !self.assembly.is_modified() {
             return self.bounds.most_moved;
@@ -495,7 +497,7 @@ impl<'a> AlongFace<'a> {
         leads[0] + leads[1] + self.most_leaning + profiles[0] + profiles[1]
     }
 
-    /// Bound of what leads and leans take from the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
+    /// Greatest loss, by leads and leans, of the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
     fn beside(&self, teeth: &FacingTeeth, nearest: &Separation) -> f64 {
         let bases = self.bases();
         let turned = self.most_moved(teeth) * self.per_moved();
@@ -508,8 +510,8 @@ impl<'a> AlongFace<'a> {
         2.0 * (passed[0] + passed[1]) / bases[1]
     }
 
-    /// The stretch of the face, mm, on which a pair with these rolls in the measuring plane is on the line of action, up to the slight turns by leads.
-    /// Without one, the place nearest to it.
+    /// The stretch of the face, mm, on which a pair with these rolls in the measuring plane is on the line of action, up to the slight turns
+    /// by leads. Without one, the place nearest to it.
     fn on_line(&self, rolls: [f64; 2]) -> [f64; 2] {
         let face = self.assembly.face();
         let shapes = [
@@ -592,8 +594,8 @@ impl<'a> AlongFace<'a> {
 
     /// Bound of the gap of a pair of leaning axes on the face, less what leads add.
     ///
-    /// Without leads it is linear along the stretch on the line of action, with a slight concave bend. Beyond the stretch it falls, against a rate
-    /// of up to the lean. The touch of spur gears is concave over the face.
+    /// Without leads it is linear along the stretch on the line of action, with a slight concave bend. Beyond the stretch it falls, against a
+    /// rate of up to the lean. The touch of spur gears is concave over the face.
     fn most_of_leaning(&self, pair: &PairOfTeeth) -> f64 {
         if self.leaning.is_none() {
             return f64::INFINITY;
@@ -616,7 +618,7 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
-    fn look(&self, pair: &PairOfTeeth, b: f64) -> Option<GapInSection> {
+    fn gap_in_section(&self, pair: &PairOfTeeth, b: f64) -> Option<GapInSection> {
         let bases = self.bases();
         let jets = pair.teeth.jets(b);
         let turns = [0, 1].map(|k| -jets[k][0] / bases[k]);
@@ -649,7 +651,7 @@ impl<'a> AlongFace<'a> {
     /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other. `turns` has their turns by leads without
     /// heights, rad.
     fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2]) -> Option<Touch> {
-        self.effort.spend(LOOK);
+        self.effort.spend(EVALUATION);
         let (step, bases) = (pair.step, self.bases());
         let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
         let (here, start, turns, heights, turned) = match &self.leaning {
@@ -668,7 +670,7 @@ impl<'a> AlongFace<'a> {
                 (here, start, turns, there.heights, there.turns)
             }
         };
-        let found = Separation::beside(&here, step, turns, &start);
+        let found = Separation::near(&here, step, turns, &start);
         let is_searched = match pair.fillets {
             Fillets::None => false,
             Fillets::BelowForm => {
@@ -751,7 +753,7 @@ impl<'a> AlongFace<'a> {
         let Some(leaning) = &self.leaning else {
             return Some([0.0; 2]);
         };
-        self.effort.spend(LOOK);
+        self.effort.spend(EVALUATION);
         let turns = self.turns(pair, b);
         let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
         let found = leaning.undisturbed(self.posed, (pair.step, b), turns, &self.start);
@@ -781,7 +783,7 @@ impl<'a> AlongFace<'a> {
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = pair.window.map(inside);
         if let Some(b) = self.where_leads_are_greatest(pair, [start, end]) {
-            return self.look(pair, b);
+            return self.gap_in_section(pair, b);
         }
         // An end of the window outside of the stretch is no end of the line.
         let play = self.play_of_ends();
@@ -789,42 +791,44 @@ impl<'a> AlongFace<'a> {
         let plays = [play_at(pair.window[0], start), play_at(pair.window[1], end)];
         let middle = 0.5 * (start + end);
         let inner = [(start + plays[0]).min(middle), (end - plays[1]).max(middle)];
-        let low = self.look(pair, inner[0])?;
+        let low = self.gap_in_section(pair, inner[0])?;
         let high = if inner[1] == inner[0] {
             low
         } else {
-            self.look(pair, inner[1])?
+            self.gap_in_section(pair, inner[1])?
         };
         let middle = if self.leaning.is_some() && inner[0] < inner[1] {
-            self.look(pair, middle)?
+            self.gap_in_section(pair, middle)?
         } else if low.rate > 0.0 {
             high
         } else {
             low
         };
         let left = if low.rate <= 0.0 {
-            Some(self.outwards(pair, low, from, beside))
+            Some(self.greatest_outwards(pair, low, from, beside))
         } else {
-            (middle.rate < 0.0).then(|| self.between(low, middle, |b| self.look(pair, b)))
+            (middle.rate < 0.0)
+                .then(|| self.greatest_between(low, middle, |b| self.gap_in_section(pair, b)))
         };
         let right = if high.rate >= 0.0 {
-            Some(self.outwards(pair, high, to, beside))
+            Some(self.greatest_outwards(pair, high, to, beside))
         } else {
-            (middle.rate >= 0.0).then(|| self.between(middle, high, |b| self.look(pair, b)))
+            (middle.rate >= 0.0)
+                .then(|| self.greatest_between(middle, high, |b| self.gap_in_section(pair, b)))
         };
         let ends = [(start, -plays[0], from), (end, plays[1], to)];
         let beyond = ends.map(|(end, play, border)| {
-            let outer = (play != 0.0).then(|| self.look(pair, inside(end + play)));
+            let outer = (play != 0.0).then(|| self.gap_in_section(pair, inside(end + play)));
             let outer = outer.flatten().filter(|outer| outer.rate * play > 0.0);
-            outer.map(|outer| self.outwards(pair, outer, border, beside))
+            outer.map(|outer| self.greatest_outwards(pair, outer, border, beside))
         });
         let found = left.into_iter().chain(right);
         let found = found.chain(beyond.into_iter().flatten());
         found.reduce(|one, other| if other.gap > one.gap { other } else { one })
     }
 
-    /// The place between two others at which the sum of both leads is greatest, if that is inside of them and the teeth are on the line of action
-    /// there. The gap of a pair on the line is a function of that sum alone.
+    /// The place inside a stretch at which the sum of both leads is greatest, if the teeth are on the line of action there. The gap of a pair
+    /// on the line is a function of that sum alone.
     fn where_leads_are_greatest(&self, pair: &PairOfTeeth, [start, end]: [f64; 2]) -> Option<f64> {
         if !self.is_plain() || self.leaning.is_some() {
             return None;
@@ -839,7 +843,7 @@ impl<'a> AlongFace<'a> {
         if !(low.rate > 0.0 && high.rate < 0.0) {
             return None;
         }
-        let b = self.between(low, high, |b| Some(leads(b))).b;
+        let b = self.greatest_between(low, high, |b| Some(leads(b))).b;
         let rolls = self.rolls_at(self.endless(pair.step).rolls, b);
         let is_on = self.are_on_arcs(rolls, self.most_turned());
         is_on.then_some(b)
@@ -859,22 +863,22 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The greatest gap of a step outwards from `last`, from which it rises to a maximum or up to the `border`.
-    fn outwards(
+    fn greatest_outwards(
         &self,
         pair: &PairOfTeeth,
         mut last: GapInSection,
         border: f64,
         beside: f64,
     ) -> GapInSection {
-        let outwards = (border - last.b).signum();
+        let greatest_outwards = (border - last.b).signum();
         let mut way = FIRST_STEP * (border - last.b).abs();
         loop {
             let left = (border - last.b).abs();
             if left <= 2.0 * beside {
-                return self.look(pair, border).unwrap_or(last);
+                return self.gap_in_section(pair, border).unwrap_or(last);
             }
-            let b = last.b + outwards * way.min(left - beside);
-            let Some(next) = self.look(pair, b) else {
+            let b = last.b + greatest_outwards * way.min(left - beside);
+            let Some(next) = self.gap_in_section(pair, b) else {
                 // Too far out.
                 way *= 0.5;
                 if way < beside {
@@ -882,13 +886,13 @@ impl<'a> AlongFace<'a> {
                 }
                 continue;
             };
-            if next.rate * outwards <= 0.0 {
-                let (low, high) = if outwards > 0.0 {
+            if next.rate * greatest_outwards <= 0.0 {
+                let (low, high) = if greatest_outwards > 0.0 {
                     (last, next)
                 } else {
                     (next, last)
                 };
-                return self.between(low, high, |b| self.look(pair, b));
+                return self.greatest_between(low, high, |b| self.gap_in_section(pair, b));
             }
             last = next;
             way *= 2.0;
@@ -896,7 +900,7 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The greatest gap between two places, from which it rises inwards.
-    fn between(
+    fn greatest_between(
         &self,
         mut low: GapInSection,
         mut high: GapInSection,

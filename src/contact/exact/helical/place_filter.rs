@@ -8,10 +8,10 @@ use super::turning::Place;
 use crate::contact::Effort;
 use crate::contact::exact::branch::search;
 use crate::contact::exact::candidate::CandidateContact;
-use crate::contact::exact::curves::{Curves, SearchExhausted};
+use crate::contact::exact::curves::{CurvePairs, SearchExhausted};
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::lands::{land_on_land, without_lands};
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::turn;
 use crate::contact::gap::{MOST_NODES, Origin};
 use crate::gear::ProfilePart;
@@ -19,7 +19,7 @@ use crate::pair::GearPair;
 
 /// The limits that a pair of teeth has to exceed at a pose.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Floors {
+pub(super) struct GapLimits {
     /// The gap, rad, above which the pair touches first.
     pub tighter: f64,
     /// The gap, rad, above which the pair can jam in its section if a root land touches.
@@ -28,13 +28,13 @@ pub(super) struct Floors {
     pub solid: f64,
 }
 
-/// The teeth of a pose, twisted along the face.
+/// Tells which places of the face need to be examined at a pose.
 pub(super) struct PlaceFilter<'a> {
     posed: &'a PosedFlanks<'a>,
     /// Twist of the locked and the free gear in the frame of `posed`, rad/mm.
     twists: [f64; 2],
     /// The pairs of curves to examine, except roots.
-    curves: Curves,
+    curves: CurvePairs,
 }
 
 impl<'a> PlaceFilter<'a> {
@@ -42,27 +42,27 @@ impl<'a> PlaceFilter<'a> {
     /// sections or absent (`short`); otherwise they are tightest in sections that are examined anyway.
     pub fn new(assembly: &GearPair, posed: &'a PosedFlanks<'a>, short: bool) -> PlaceFilter<'a> {
         let all = if short {
-            Curves::ALL
+            CurvePairs::ALL
         } else {
-            Curves::ALL.without(ProfilePart::Involute, ProfilePart::Involute)
+            CurvePairs::ALL.without(ProfilePart::Involute, ProfilePart::Involute)
         };
         PlaceFilter {
             posed,
             twists: [assembly.locked(), assembly.free()]
                 .map(|member| posed.twist(assembly, member)),
-            curves: all.except(Curves::of(ProfilePart::Root)),
+            curves: all.except(CurvePairs::of(ProfilePart::Root)),
         }
     }
 
     /// Whether the pair of teeth at this place can be tighter than the known contact, or jam.
-    pub fn may_be_tighter_or_jam(&self, at: &Place, floors: Floors, effort: &Effort) -> bool {
+    pub fn may_be_tighter_or_jam(&self, at: &Place, floors: GapLimits, effort: &Effort) -> bool {
         let turns = self.twists.map(|twist| twist * at.b);
         let teeth = TurnedTeeth::new(self.posed, at.step, turns);
         effort.spend(1);
         if teeth.locked.least_land_radius() < floors.solid {
             return true;
         }
-        let roots = Curves::of(ProfilePart::Root);
+        let roots = CurvePairs::of(ProfilePart::Root);
         let curves = self.curves.intersection(at.curves);
         [(roots, floors.jams), (curves, floors.tighter)]
             .into_iter()
@@ -72,22 +72,22 @@ impl<'a> PlaceFilter<'a> {
 
 /// A locked and a free half tooth, turned about the centres of their outlines.
 pub(super) struct TurnedTeeth<'a> {
-    locked: Placed<'a>,
-    free: Placed<'a>,
+    locked: PlacedHalf<'a>,
+    free: PlacedHalf<'a>,
     origin: Origin,
 }
 
 impl<'a> TurnedTeeth<'a> {
     /// The teeth of a step of `posed`, turned by `turns`, rad.
     pub fn new(posed: &PosedFlanks<'a>, step: i64, turns: [f64; 2]) -> TurnedTeeth<'a> {
-        let turned = |placed: Placed<'a>, by: f64| Placed {
+        let turned = |placed: PlacedHalf<'a>, by: f64| PlacedHalf {
             direction: placed.direction * turn(by),
             ..placed
         };
         let origin = posed.origin_of(step);
         TurnedTeeth {
             locked: turned(posed.locked(step), turns[0]),
-            free: Placed {
+            free: PlacedHalf {
                 centre: posed.free_centre * posed.origin,
                 ..turned(posed.free(step), turns[1])
             },
@@ -100,7 +100,7 @@ impl<'a> TurnedTeeth<'a> {
     }
 
     /// Whether a gap of `curves` may exceed `floor`, rad.
-    fn may_be_tighter(&self, curves: Curves, floor: f64, effort: &Effort) -> bool {
+    fn may_be_tighter(&self, curves: CurvePairs, floor: f64, effort: &Effort) -> bool {
         let on_lands = land_on_land(&self.locked, &self.free, self.origin, curves);
         if on_lands.is_some_and(|candidate| candidate.gap > floor) {
             return true;
@@ -112,14 +112,14 @@ impl<'a> TurnedTeeth<'a> {
 
     /// The tightest contact in which a fillet takes part, if its gap exceeds `floor`, rad. An undecided one is left out.
     pub fn in_fillets(&self, floor: f64, effort: &Effort) -> Option<CandidateContact> {
-        let roots = Curves::of(ProfilePart::Root);
-        let curves = Curves::of(ProfilePart::Fillet).except(roots);
+        let roots = CurvePairs::of(ProfilePart::Root);
+        let curves = CurvePairs::of(ProfilePart::Fillet).except(roots);
         self.search(curves, floor, effort).ok().flatten()
     }
 
     fn search(
         &self,
-        curves: Curves,
+        curves: CurvePairs,
         floor: f64,
         effort: &Effort,
     ) -> Result<Option<CandidateContact>, SearchExhausted> {

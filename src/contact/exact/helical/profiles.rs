@@ -29,15 +29,15 @@ use crate::contact::exact::flank_heights::deviation;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::line::Line;
 use crate::contact::exact::path::InvolutePair;
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::{DeviationCurve, ProfilePart};
 use crate::pair::{FacingTeeth, GearPair};
 
-/// Height, mm, up to which places are not told from the highest: as the tie of two pairs.
+/// Difference of heights, mm, below which two places count as equally high: the tie of two pairs.
 pub(super) const LEVEL: f64 = 1e-9;
 
-/// Part of the highest place so far by which another may be higher: the next round, at its gap, finds the rest.
+/// Relative excess over the highest place so far that is ignored: the next round, at its gap, finds it.
 const ROUGH: f64 = 1e-3;
 
 /// Effort of the place at the middle of a box and of its bounds, nodes (tuned: 1 µs).
@@ -172,7 +172,7 @@ struct FlankPiece<'a> {
 }
 
 impl<'a> Flank<'a> {
-    fn new(half: &Placed<'a>) -> Flank<'a> {
+    fn new(half: &PlacedHalf<'a>) -> Flank<'a> {
         let part = half.shape.part(ProfilePart::Involute);
         let (low, high) = part.range();
         Flank {
@@ -188,7 +188,7 @@ impl<'a> Flank<'a> {
         self.whole().bounds(self.range)[0][1]
     }
 
-    /// All of it. Its edges only fall.
+    /// The whole flank as one piece; no edge of it stands out.
     fn whole(&self) -> FlankPiece<'a> {
         FlankPiece {
             deviation: self.deviation,
@@ -676,7 +676,7 @@ impl<'a> FlankPair<'a> {
 }
 
 impl HighestPlace {
-    /// Takes a point that is on both flanks, if it is higher.
+    /// Replaces the place by that of a point that is on both flanks and higher.
     fn offer(&mut self, at: &Point, pieces: [&FlankPiece; 2]) {
         let is_on = |k: usize| {
             let [low, high] = pieces[k].range;

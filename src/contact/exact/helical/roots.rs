@@ -6,7 +6,7 @@
 
 use super::turning::{Edge, FreeGear, Place, TwistedTeeth, crossing_places};
 use crate::contact::Effort;
-use crate::contact::exact::curves::Curves;
+use crate::contact::exact::curves::CurvePairs;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::gear::ProfilePart;
 use crate::pair::GearPair;
@@ -28,9 +28,9 @@ pub(super) fn tips_on_roots(
     ];
     // Contacts on the mate's flank are tightest elsewhere. While nothing stops the free gear, any curve may touch here.
     let curves = if stands.is_held {
-        Curves::of(ProfilePart::Tip).intersection(Curves::of(ProfilePart::Fillet))
+        CurvePairs::of(ProfilePart::Tip).intersection(CurvePairs::of(ProfilePart::Fillet))
     } else {
-        Curves::ALL
+        CurvePairs::ALL
     };
     let deep = |place: Place| Place { curves, ..place };
     let tips_at = |which: usize, teeth: &TwistedTeeth, direction: f64, places: &mut Vec<Place>| {

@@ -1,7 +1,7 @@
-//! Pairs that bind anywhere on the face and need no search: each side by itself, from few sections.
+//! Contacts of pairs that bind anywhere on the face and need no search: each side by itself, from few sections.
 //!
-//! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]). So [`super::leads`] knows the places of
-//! all that can be tightest. Where the gears interfere, one section alone can jam. [`Helical::over`] finds these poses.
+//! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]). So [`super::leads`] knows the
+//! places of all that can be tightest. Where the gears interfere, one section alone can jam. [`Helical::over`] finds these poses.
 
 use super::{Edges, Helical, reduced};
 use crate::contact::Effort;
@@ -39,7 +39,7 @@ impl SearchFreeSections {
         let is_plain = assembly.binds_anywhere()
             && !assembly.is_modified()
             && plane.bodies.is_none()
-            && !plane.blocked
+            && !plane.never_assembles
             && plane.far_flanks == FarFlanks::Clear
             && edges.is_none_or(|edges| !edges.jams && !edges.short);
         let solver = plane.solver.as_ref().filter(|_| is_plain)?;
@@ -69,10 +69,10 @@ impl Helical {
             .iter()
             .all(|member| assembly.gear(*member).has_one_lead());
         let is_asked = has_one_lead && !assembly.is_helical() && !assembly.leans();
-        let Some(directly) = self.directly.as_ref().filter(|_| is_asked) else {
+        let Some(search_free) = self.search_free.as_ref().filter(|_| is_asked) else {
             return self;
         };
-        let found = directly.sides.each_ref().map(|problem| {
+        let found = search_free.sides.each_ref().map(|problem| {
             let effort = Effort::of_pose();
             let mut poses = (0..POSES).map(|k| {
                 let pitches = f64::from(k) / f64::from(POSES);
@@ -90,8 +90,8 @@ impl Helical {
             let plane = self.plane.side(problem.side);
             Some((b, plane.turned(&assembly.section(b))))
         });
-        if let Some(directly) = &mut self.directly {
-            directly.one_place = found;
+        if let Some(search_free) = &mut self.search_free {
+            search_free.one_place = found;
         }
         self
     }
@@ -108,21 +108,25 @@ impl Helical {
     }
 
     /// Both contacts of `pose`; `None` where [`Helical::over`] has to find them.
-    pub fn directly(&self, pose: &Pose, effort: &Effort) -> Option<FoundOverFace> {
-        let directly = self.directly.as_ref()?;
+    pub fn lost_motion_without_search(
+        &self,
+        pose: &Pose,
+        effort: &Effort,
+    ) -> Option<FoundOverFace> {
+        let search_free = self.search_free.as_ref()?;
         let mut over = OverFace::default();
-        for problem in &directly.sides {
-            self.side_directly(directly, problem, pose, effort, &mut over)?;
+        for problem in &search_free.sides {
+            self.add_side_without_search(search_free, problem, pose, effort, &mut over)?;
         }
         let found = over.found(pose.free_rotation(), self.plane.free_pitch());
         let (angle, bound) = found.lost_motion.angle().zip(found.lost_motion.error())?;
         (angle > bound).then_some(found)
     }
 
-    /// The section at `b`, mm, at the pose `here`, with the teeth in reach alone; `pose` is that of the measuring plane. `None` where sections are
+    /// The section at `b`, mm, at its pose `here`, with only the teeth in reach; `pose` is that of the measuring plane. `None` if sections are
     /// searched.
     pub(super) fn section_in_reach(&self, pose: &Pose, here: &Pose, b: f64) -> Option<Section> {
-        let directly = self.directly.as_ref()?;
+        let search_free = self.search_free.as_ref()?;
         let place = SectionPlace {
             assembly: &self.assembly,
             whole: pose,
@@ -130,15 +134,15 @@ impl Helical {
             b,
         };
         let side = |problem| SectionSide::new(&self.plane, problem, place, None);
-        let [right, left] = directly.sides.each_ref().map(side);
+        let [right, left] = search_free.sides.each_ref().map(side);
         let sides = [right?.into_problem(), left?.into_problem()];
         Some(self.plane.with_sides(sides))
     }
 
     /// Adds the contact of one side.
-    fn side_directly(
+    fn add_side_without_search(
         &self,
-        directly: &SearchFreeSections,
+        search_free: &SearchFreeSections,
         problem: &FlankProblem,
         pose: &Pose,
         effort: &Effort,
@@ -148,7 +152,7 @@ impl Helical {
         let mut take = |b: f64, here: &Pose, contact: Contact| {
             let on = |own: Side| {
                 (own == side).then_some(Contact {
-                    error: contact.error + self.left_out,
+                    error: contact.error + self.omitted_error,
                     ..contact
                 })
             };
@@ -157,18 +161,18 @@ impl Helical {
                 left: on(Side::Left),
                 solid: false,
             };
-            over.take(b, here, found);
+            over.add(b, here, found);
             over.beyond(side)
         };
         let (posed, nominal) = self.posed(problem, pose);
         let along = self.along_face(&posed, nominal, effort);
         let gap_at = |beyond: f64| nominal - side.sense() * beyond;
-        if let Some((b, there)) = &directly.one_place[side.index()]
+        if let Some((b, there)) = &search_free.one_place[side.index()]
             && let Some(tightest) = along.tightest_on_line()
         {
             let here = pose.in_section(assembly, *b);
             let at = self.plane.posed(there, &here);
-            let contact = self.plane.contact(&at, &directly.solver, effort)?;
+            let contact = self.plane.contact(&at, &search_free.solver, effort)?;
             let gap = gap_at(take(*b, &here, contact)?);
             return (gap <= tightest + problem.tie).then_some(());
         }
@@ -182,9 +186,15 @@ impl Helical {
                 here: &here,
                 b,
             };
-            let at =
-                SectionSide::new(&self.plane, problem, place, Some((&directly.solver, moved)))?;
-            let contact = self.plane.contact(&at.posed(), &directly.solver, effort)?;
+            let at = SectionSide::new(
+                &self.plane,
+                problem,
+                place,
+                Some((&search_free.solver, moved)),
+            )?;
+            let contact = self
+                .plane
+                .contact(&at.posed(), &search_free.solver, effort)?;
             take(b, &here, contact)
         };
         // Fillets are searched only for what exceeds a known contact.
@@ -200,6 +210,6 @@ impl Helical {
         }
         // Without a place that is tight, or with a contact tighter than those of `places`, sections are searched.
         let gap = gap_at(over.beyond(side)?);
-        (gap <= tightest + problem.tie + self.left_out).then_some(())
+        (gap <= tightest + problem.tie + self.omitted_error).then_some(())
     }
 }

@@ -1,16 +1,16 @@
 //! Places along the face where edges of the teeth have a given direction, and where two edges cross.
 
 use crate::contact::Effort;
-use crate::contact::exact::curves::Curves;
+use crate::contact::exact::curves::CurvePairs;
 use crate::contact::exact::flank_problem::PosedFlanks;
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::{C, HalfToothShape};
 use crate::contact::exact::teeth::reduced;
 use crate::pair::{GearPair, Member};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Distance from a crossing of edges, as an angle of the locked tooth, rad: about a hundred times its rounding.
+/// Angle of the locked tooth from a crossing of edges to the places just beside it, rad: about a hundred roundings.
 const BESIDE: f64 = 1e-13;
 
 /// Rounding of a centre or a radius, in ulps of their sum.
@@ -86,7 +86,7 @@ impl<'a> TwistedTeeth<'a> {
             step,
             b,
             doubt,
-            curves: Curves::ALL,
+            curves: CurvePairs::ALL,
         };
         (self.face[0]..=self.face[1]).contains(&b).then_some(place)
     }
@@ -142,7 +142,7 @@ impl<'a> Edge<'a> {
     }
 
     /// The far end of the tip land of each half tooth.
-    pub fn far(shape: &HalfToothShape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
+    pub fn far(shape: &HalfToothShape, half: impl Fn(i64) -> PlacedHalf<'a> + 'a) -> Edge<'a> {
         Edge {
             radius: shape.tip_radius,
             beyond: Box::new(move |step| half(step).far.arg()),
@@ -151,7 +151,7 @@ impl<'a> Edge<'a> {
     }
 
     /// The end of the root land, where the half tooth begins that faces other teeth.
-    pub fn root_end(shape: &HalfToothShape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
+    pub fn root_end(shape: &HalfToothShape, half: impl Fn(i64) -> PlacedHalf<'a> + 'a) -> Edge<'a> {
         Edge {
             radius: shape.root_radius,
             beyond: Box::new(move |step| -half(step).root_end),
@@ -170,7 +170,7 @@ pub(super) struct Place {
     /// Uncertainty, rad, of how far a contact at this place lets the free gear turn, beyond the usual rounding.
     pub doubt: f64,
     /// The pairs of curves that can touch tightest there. Roots are always examined too.
-    pub curves: Curves,
+    pub curves: CurvePairs,
 }
 
 /// The rotation of the free gear in the frame of a pose.
@@ -247,11 +247,12 @@ pub(super) fn crossing_places(
             if !stands.can_reach(next) || !b.is_finite() {
                 continue;
             }
-            let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;
+            let uncertainty =
+                meets(turned).map_or(0.0, |crossing| crossing.uncertainty) / edges[0].radius;
             // Twice the rounding of the crossing.
-            let off = 2.0 * unsure;
+            let off = 2.0 * uncertainty;
             let beside = [-BESIDE, BESIDE, -off, off];
-            for beside in &beside[..if unsure > BESIDE { 4 } else { 2 }] {
+            for beside in &beside[..if uncertainty > BESIDE { 4 } else { 2 }] {
                 let doubt = if beside.abs() > BESIDE {
                     per_turn * beside.abs()
                 } else {
@@ -268,7 +269,7 @@ struct Crossing {
     /// Direction of each from both centres, rad.
     directions: [[f64; 2]; 2],
     /// Uncertainty of their position along the circles, mm. It grows as the overlap shrinks.
-    unsure: f64,
+    uncertainty: f64,
 }
 
 impl Crossing {
@@ -293,7 +294,7 @@ impl Crossing {
                 let point = centres[0] + unit * C::new(along, aside);
                 centres.map(|centre| (point - centre).arg())
             }),
-            unsure: (0.5 * twice / aside).min(twice.sqrt()),
+            uncertainty: (0.5 * twice / aside).min(twice.sqrt()),
         })
     }
 }

@@ -7,7 +7,7 @@
 use super::OuterPair;
 use crate::contact::exact::candidate::{CandidateContact, slope};
 use crate::contact::exact::flank_problem::PosedFlanks;
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::CurvePoint;
 use crate::gear::{Osculating, ProfilePart};
 
@@ -53,10 +53,10 @@ pub(super) fn flank_contact(posed: &PosedFlanks, pair: &OuterPair) -> Option<Can
     }
     let [over, free_over] = [x > high, y > free_high];
     // The gap is stationary along the flanks but not across them, so both points are put at one radius.
-    let on = |half: &Placed, rho: f64, range: [f64; 2], start: f64| {
+    let on = |half: &PlacedHalf, rho: f64, range: [f64; 2], start: f64| {
         half.curve(ProfilePart::Involute).invert(rho, range, start)
     };
-    let radius = |half: &Placed, t: f64| half.at(ProfilePart::Involute, t).point.norm();
+    let radius = |half: &PlacedHalf, t: f64| half.at(ProfilePart::Involute, t).point.norm();
     let inward = [high, low];
     match (over, free_over) {
         (true, true) => return None,
@@ -88,8 +88,8 @@ pub(super) fn flank_contact(posed: &PosedFlanks, pair: &OuterPair) -> Option<Can
 
 /// Whether the gap of two flanks still rises at these rolls, towards greater radii (`towards` 1) or lesser ones (−1).
 /// Over ln ρ its slope is that of the locked flank less that of the free one.
-pub(super) fn rises(locked: &Placed, x: f64, free: &Placed, y: f64, towards: f64) -> bool {
-    let slope_at = |half: &Placed, t: f64| slope(&half.at(ProfilePart::Involute, t));
+pub(super) fn rises(locked: &PlacedHalf, x: f64, free: &PlacedHalf, y: f64, towards: f64) -> bool {
+    let slope_at = |half: &PlacedHalf, t: f64| slope(&half.at(ProfilePart::Involute, t));
     towards * (slope_at(locked, x) - slope_at(free, y)) > 0.0
 }
 

@@ -5,7 +5,7 @@ use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_pieces::FlankPieces;
 use crate::contact::exact::flank_problem::PosedFlanks;
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::gap::{CurveArc, Path, PathSearch, PlacedRun, Rectangle, Tree};
 use crate::gear::ProfilePart;
 
@@ -14,12 +14,12 @@ const BY_HEIGHTS: u64 = 32;
 
 /// A flank at its position in a pose.
 struct FlankPath<'a> {
-    half: Placed<'a>,
+    half: PlacedHalf<'a>,
     pieces: &'a FlankPieces,
 }
 
 impl<'a> FlankPath<'a> {
-    fn new(half: Placed<'a>) -> FlankPath<'a> {
+    fn new(half: PlacedHalf<'a>) -> FlankPath<'a> {
         let pieces = half.shape.flank_pieces();
         FlankPath { half, pieces }
     }
@@ -32,7 +32,7 @@ impl<'a> Path<'a> for FlankPath<'a> {
     }
 
     #[inline]
-    fn put(&self, run: usize) -> PlacedRun {
+    fn place(&self, run: usize) -> PlacedRun {
         let rectangle = self.pieces.boxes.shape(run);
         let placed = rectangle.placed(self.half.centre, self.half.direction);
         PlacedRun::new(run, placed)
@@ -71,7 +71,7 @@ fn greatest_gap_of_pieces(
     let (locked, free) = (posed.locked(step), posed.free(step));
     let size = 2.0 * posed.problem.distance;
     let origin = posed.origin_of(step);
-    let mut search = PathSearch::new(origin, size, floor, guess).within(effort.left());
+    let mut search = PathSearch::new(origin, size, floor, guess).with_nodes(effort.left());
     let most = search.nodes_left();
     let found = search.greatest(&FlankPath::new(locked), &FlankPath::new(free));
     effort.spend(most - search.nodes_left());

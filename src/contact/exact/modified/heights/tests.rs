@@ -50,7 +50,7 @@ fn at_gaps(count: u32, mut ask: impl FnMut(&Heights)) {
         let found = greatest_gap_by_heights(&posed, 0, f64::NEG_INFINITY, 0.0);
         let gap = found.unwrap().unwrap().gap;
         for off in [-1e-4, 0.0, 1e-4] {
-            ask(&settle::heights(&posed, &halves, flanks, gap + off));
+            ask(&search::heights(&posed, &halves, flanks, gap + off));
         }
     }
 }
@@ -67,19 +67,19 @@ fn heights_have_the_stated_derivatives() {
     at_gaps(60, |heights| {
         for x in rolls(heights, 40) {
             let step = 1e-6;
-            let all = [x - step, x, x + step].map(|x| heights.look(x));
-            let [Some(before), Some(look), Some(behind)] = all else {
+            let all = [x - step, x, x + step].map(|x| heights.place(x));
+            let [Some(before), Some(place), Some(behind)] = all else {
                 continue;
             };
             let rate = |of: fn(&FlankPlace) -> f64| (of(&behind) - of(&before)) / (2.0 * step);
-            let off = (rate(|look| look.height) - look.slope).abs();
-            assert!(off < 1e-6 * (1.0 + look.slope.abs()));
-            assert!((rate(|look| look.y) - look.follows).abs() < 1e-6);
+            let off = (rate(|place| place.height) - place.slope).abs();
+            assert!(off < 1e-6 * (1.0 + place.slope.abs()));
+            assert!((rate(|place| place.y) - place.follows).abs() < 1e-6);
             // A knot in between has another second derivative on either side.
-            let bend = heights.bend(&look);
+            let bend = heights.bend(&place);
             let is_near = |found: f64| (found - bend).abs() < 1e-2 * (1.0 + bend.abs());
             if is_near(heights.bend(&before)) && is_near(heights.bend(&behind)) {
-                assert!(is_near(rate(|look| look.slope)));
+                assert!(is_near(rate(|place| place.slope)));
                 seen += 1;
             }
         }
@@ -93,10 +93,10 @@ fn no_place_is_higher_than_its_bounds() {
     let (mut seen, mut near) = (0, 0);
     at_gaps(200, |heights| {
         let (low, high) = heights.locked.range;
-        let reached = |x| heights.look(x).filter(|look| heights.reaches(look));
+        let reached = |x| heights.place(x).filter(|place| heights.reaches(place));
         for x in rolls(heights, 30) {
             // `a` rises to both sides of opposite normals.
-            let Some(look) = reached(x).filter(|look| look.cos > 0.1) else {
+            let Some(place) = reached(x).filter(|place| place.cos > 0.1) else {
                 continue;
             };
             for on in [-1.0, 1.0] {
@@ -104,18 +104,18 @@ fn no_place_is_higher_than_its_bounds() {
                 for width in [1e-4, 1e-3, 0.01, 0.1, 1.0] {
                     let width = f64::min(width, rest);
                     let bounds = [
-                        heights.most(&look, on, width),
-                        heights.most_near(&look, on, width),
+                        heights.most(&place, on, width),
+                        heights.most_near(&place, on, width),
                     ];
                     let places = (0..=200).map(|k| x + on * width * f64::from(k) / 200.0);
-                    let found = places.filter_map(|x| reached(x).map(|look| look.height));
+                    let found = places.filter_map(|x| reached(x).map(|place| place.height));
                     let greatest = found.fold(f64::NEG_INFINITY, f64::max);
                     assert!(
                         bounds.iter().all(|bound| greatest <= bound + 1e-13),
-                        "{bounds:?} below {greatest}: {look:?} {on} {width}"
+                        "{bounds:?} below {greatest}: {place:?} {on} {width}"
                     );
                     let level = bounds[0].min(greatest) - 1e-9;
-                    assert!(width < rest || !heights.is_past(&look, on, width, level));
+                    assert!(width < rest || !heights.is_past(&place, on, width, level));
                     seen += 1;
                     near += u32::from(width <= 1e-4 && bounds[1] - greatest < 1e-6);
                 }

@@ -1,7 +1,7 @@
 //! Whether a pair of half teeth is clear at one opening. Chords are cut finer only where they are near each other.
 
 use super::chord::Chord;
-use super::flank_problem::FlankProblem;
+use super::facing_pair::FacingPair;
 use super::graphs;
 use crate::contact::parry::closest;
 use nalgebra::{Isometry2, Point2};
@@ -26,7 +26,7 @@ pub(super) enum Finding {
 /// If at the greater opening nothing is within both chordal errors plus the movement of a point to the smaller, both
 /// are clear. If a touch is `known` already, the smaller opening is not examined.
 pub(super) fn examine(
-    problem: &FlankProblem,
+    problem: &FacingPair,
     [open, closed]: [f64; 2],
     finest: f64,
     known: bool,
@@ -69,7 +69,7 @@ pub(super) fn examine(
 
 /// The examination of one pair of half teeth at one opening.
 struct Examination<'a> {
-    problem: &'a FlankProblem<'a>,
+    problem: &'a FacingPair<'a>,
     finest: f64,
     /// A clearance up to this much counts as close.
     slack: f64,

@@ -1,10 +1,9 @@
 //! The greatest gap of two flanks: samples give the highest place, then bounds prove that none is higher, repeatedly.
 
-use super::climb::SAME_ROLL;
-use super::{Flank, FlankPlace, Heights};
+use super::{Flank, FlankPlace, Heights, SAME_ROLL};
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
-use crate::contact::exact::placed::Placed;
+use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::turn;
 use crate::gear::ProfilePart;
 
@@ -23,86 +22,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Greatest difference of the radii of one point of contact on both flanks, mm.
 const SETTLED: f64 = 1e-9;
 
-impl Heights<'_> {
-    /// Examines the flank from `from` to the roll `end`, over ever shorter stretches, for heights above the task's
-    /// level. `false` if one is found; `None` after too many places.
-    fn along(&self, from: FlankPlace, end: f64, task: &mut HeightSearch) -> Option<bool> {
-        let on = if end >= from.x { 1.0 } else { -1.0 };
-        let (mut look, mut width) = (from, task.near);
-        let mut open: Vec<(FlankPlace, f64)> = Vec::with_capacity(16);
-        loop {
-            let rest = (end - look.x) * on;
-            let is_over = !(rest > 0.0) || self.leaves(&look, on);
-            if is_over || self.is_past(&look, on, rest, task.level) {
-                return Some(true);
-            }
-            open.push((look, width.min(rest)));
-            while let Some((look, width)) = open.pop() {
-                if self.leaves(&look, on) || self.most(&look, on, width) <= task.level {
-                    continue;
-                }
-                let is_near = width <= task.near;
-                if is_near && (task.is_search || self.most_near(&look, on, width) <= task.level) {
-                    continue;
-                }
-                let middle = if is_near {
-                    self.division(&look, on, width)
-                } else {
-                    look.x + 0.5 * on * width
-                };
-                let half = (middle - look.x) * on;
-                if !(half > 0.0 && half < width) {
-                    return None;
-                }
-                // Inside the free base circle the free flank has ended.
-                if let Some(there) = self.look(middle) {
-                    if !task.offer(self, &there)? {
-                        return Some(false);
-                    }
-                    open.push((there, width - half));
-                }
-                open.push((look, half));
-            }
-            if !(width < rest) {
-                return Some(true);
-            }
-            let Some(there) = self.look(look.x + on * width) else {
-                return (on > 0.0).then_some(true);
-            };
-            if !task.offer(self, &there)? {
-                return Some(false);
-            }
-            look = there;
-            width *= 2.0;
-        }
-    }
-
-    /// Examines the whole flank, from `middle` and from the highest place if it is `known`, as [`Heights::along`].
-    fn over(
-        &self,
-        middle: &FlankPlace,
-        known: Option<&FlankPlace>,
-        task: &mut HeightSearch,
-    ) -> Option<bool> {
-        let (low, high) = self.locked.range;
-        let is_clear = match known {
-            None => self.along(*middle, low, task)? && self.along(*middle, high, task)?,
-            Some(known) => {
-                let [away, back] = if known.x >= middle.x {
-                    [high, low]
-                } else {
-                    [low, high]
-                };
-                self.along(*known, away, task)?
-                    && self.along(*known, middle.x, task)?
-                    && self.along(*middle, back, task)?
-            }
-        };
-        Some(is_clear)
-    }
-}
-
-/// The purpose and limits of an examination.
+/// An examination of the flanks at a gap.
 struct HeightSearch {
     /// Whether to find the highest place; otherwise whether any place is above the level.
     is_search: bool,
@@ -111,19 +31,100 @@ struct HeightSearch {
     best: Option<FlankPlace>,
     /// Width, rad, at which a search ends, and below which bounds of second derivatives apply.
     near: f64,
-    looks_left: u32,
+    places_left: u32,
 }
 
 impl HeightSearch {
+    /// Examines the flank from `from` to the roll `end`, over ever shorter stretches, for heights above the
+    /// level. `false` if one is found; `None` after too many places.
+    fn examine_towards(&mut self, heights: &Heights, from: FlankPlace, end: f64) -> Option<bool> {
+        let on = if end >= from.x { 1.0 } else { -1.0 };
+        let (mut place, mut width) = (from, self.near);
+        let mut open: Vec<(FlankPlace, f64)> = Vec::with_capacity(16);
+        loop {
+            let rest = (end - place.x) * on;
+            let is_over = !(rest > 0.0) || heights.leaves(&place, on);
+            if is_over || heights.is_past(&place, on, rest, self.level) {
+                return Some(true);
+            }
+            open.push((place, width.min(rest)));
+            while let Some((place, width)) = open.pop() {
+                if heights.leaves(&place, on) || heights.most(&place, on, width) <= self.level {
+                    continue;
+                }
+                let is_near = width <= self.near;
+                if is_near && (self.is_search || heights.most_near(&place, on, width) <= self.level)
+                {
+                    continue;
+                }
+                let middle = if is_near {
+                    heights.division(&place, on, width)
+                } else {
+                    place.x + 0.5 * on * width
+                };
+                let half = (middle - place.x) * on;
+                if !(half > 0.0 && half < width) {
+                    return None;
+                }
+                // Inside the free base circle the free flank has ended.
+                if let Some(there) = heights.place(middle) {
+                    if !self.offer(heights, &there)? {
+                        return Some(false);
+                    }
+                    open.push((there, width - half));
+                }
+                open.push((place, half));
+            }
+            if !(width < rest) {
+                return Some(true);
+            }
+            let Some(there) = heights.place(place.x + on * width) else {
+                return (on > 0.0).then_some(true);
+            };
+            if !self.offer(heights, &there)? {
+                return Some(false);
+            }
+            place = there;
+            width *= 2.0;
+        }
+    }
+
+    /// Examines the whole flank, from `middle` and from the highest place if it is `known`, as [`HeightSearch::examine_towards`].
+    fn examine_flank(
+        &mut self,
+        heights: &Heights,
+        middle: &FlankPlace,
+        known: Option<&FlankPlace>,
+    ) -> Option<bool> {
+        let (low, high) = heights.locked.range;
+        let is_clear = match known {
+            None => {
+                self.examine_towards(heights, *middle, low)?
+                    && self.examine_towards(heights, *middle, high)?
+            }
+            Some(known) => {
+                let [away, back] = if known.x >= middle.x {
+                    [high, low]
+                } else {
+                    [low, high]
+                };
+                self.examine_towards(heights, *known, away)?
+                    && self.examine_towards(heights, *known, middle.x)?
+                    && self.examine_towards(heights, *middle, back)?
+            }
+        };
+        Some(is_clear)
+    }
+
     /// Counts an examined place. Returns whether to continue; `None` after too many.
-    fn offer(&mut self, heights: &Heights, look: &FlankPlace) -> Option<bool> {
-        self.looks_left = self.looks_left.checked_sub(1)?;
-        if !(look.height > self.level && heights.reaches(look)) {
+    fn offer(&mut self, heights: &Heights, place: &FlankPlace) -> Option<bool> {
+        self.places_left = self.places_left.checked_sub(1)?;
+        if !(place.height > self.level && heights.reaches(place)) {
             return Some(true);
         }
-        self.best = Some(*look);
+        self.best = Some(*place);
         if self.is_search {
-            self.level = look.height;
+            self.level = place.height;
         }
         Some(self.is_search)
     }
@@ -144,34 +145,36 @@ pub(in super::super) fn greatest_gap_by_heights(
     let near = flanks[0].heights.fine();
     let size = posed.problem.distance + flanks[0].base + flanks[1].base;
     let rounding = ROUNDING * size;
-    let mut task = HeightSearch {
+    let mut search = HeightSearch {
         is_search: !floor.is_finite(),
         level: f64::NEG_INFINITY,
         best: None,
         near,
-        looks_left: MOST_PLACES,
+        places_left: MOST_PLACES,
     };
     let mut found: Option<CandidateContact> = None;
-    let mut gap = if task.is_search { guess } else { floor };
+    let mut gap = if search.is_search { guess } else { floor };
     for _ in 0..MOST_ROUNDS {
         let heights = at(gap);
         let middle = heights.middle(start)?;
         start = middle.x;
-        if !task.is_search {
-            task.level = rounding;
+        if !search.is_search {
+            search.level = rounding;
             let known = match &found {
-                Some(found) => Some(heights.look(found.locked.1)?),
+                Some(found) => Some(heights.place(found.locked.1)?),
                 None => None,
             };
-            if task.offer(&heights, &middle)? && heights.over(&middle, known.as_ref(), &mut task)? {
+            if search.offer(&heights, &middle)?
+                && search.examine_flank(&heights, &middle, known.as_ref())?
+            {
                 return Some(found);
             }
         }
         // The highest place changes little with the gap.
-        task.is_search = true;
-        task.offer(&heights, &middle)?;
-        heights.over(&middle, None, &mut task)?;
-        let higher = heights.summit(task.best.take()?, near)?;
+        search.is_search = true;
+        search.offer(&heights, &middle)?;
+        search.examine_flank(&heights, &middle, None)?;
+        let higher = heights.summit(search.best.take()?, near)?;
         let mut best = touch(posed, step, &halves, &higher)?;
         let mut moved = best.gap - gap;
         // At its own gap the highest place differs; the gap is less by the square of that.
@@ -180,8 +183,8 @@ pub(in super::super) fn greatest_gap_by_heights(
                 break;
             }
             let heights = at(best.gap);
-            let look = heights.look(best.locked.1)?;
-            let again = touch(posed, step, &halves, &heights.summit(look, near)?)?;
+            let place = heights.place(best.locked.1)?;
+            let again = touch(posed, step, &halves, &heights.summit(place, near)?)?;
             moved = again.gap - best.gap;
             best = again;
         }
@@ -189,7 +192,7 @@ pub(in super::super) fn greatest_gap_by_heights(
             return None;
         }
         (gap, found) = (best.gap, Some(best));
-        task.is_search = false;
+        search.is_search = false;
     }
     None
 }
@@ -197,7 +200,7 @@ pub(in super::super) fn greatest_gap_by_heights(
 /// Both flanks with the free gear held at a gap.
 pub(super) fn heights<'a>(
     posed: &PosedFlanks,
-    (locked, free): &(Placed<'a>, Placed<'a>),
+    (locked, free): &(PlacedHalf<'a>, PlacedHalf<'a>),
     flanks: [Flank<'a>; 2],
     gap: f64,
 ) -> Heights<'a> {
@@ -215,21 +218,21 @@ pub(super) fn heights<'a>(
 fn touch(
     posed: &PosedFlanks,
     step: i64,
-    (locked, free): &(Placed, Placed),
-    look: &FlankPlace,
+    (locked, free): &(PlacedHalf, PlacedHalf),
+    place: &FlankPlace,
 ) -> Option<CandidateContact> {
     let part = ProfilePart::Involute;
-    let radius = |half: &Placed, t: f64| half.at(part, t).point.norm();
+    let radius = |half: &PlacedHalf, t: f64| half.at(part, t).point.norm();
     let (low, high) = free.range(part);
-    let (x, y) = if look.y >= high - SAME_ROLL || look.y <= low + SAME_ROLL {
-        let y = look.y.clamp(low, high);
+    let (x, y) = if place.y >= high - SAME_ROLL || place.y <= low + SAME_ROLL {
+        let y = place.y.clamp(low, high);
         let (inner, outer) = locked.range(part);
         let x = locked.curve(part);
-        (x.invert(radius(free, y), [outer, inner], look.x), y)
+        (x.invert(radius(free, y), [outer, inner], place.x), y)
     } else {
         let y = free.curve(part);
-        let rho = radius(locked, look.x);
-        (look.x, y.invert(rho, [low, high], look.y))
+        let rho = radius(locked, place.x);
+        (place.x, y.invert(rho, [low, high], place.y))
     };
     let meets = (radius(locked, x) - radius(free, y)).abs() <= SETTLED;
     let slack = 2.0 * ROUNDING * (posed.problem.distance + locked.shape.base + free.shape.base);

@@ -54,7 +54,7 @@ impl<'a> CutTeeth<'a> {
 
 /// A pair of half teeth that can touch on one side.
 #[derive(Clone, Copy)]
-pub(super) struct FlankProblem<'a> {
+pub(super) struct FacingPair<'a> {
     pub assembly: &'a GearPair,
     pub pose: &'a Pose,
     pub side: Side,
@@ -74,10 +74,10 @@ pub(super) struct FlankProblem<'a> {
     nominal: f64,
 }
 
-impl<'a> FlankProblem<'a> {
+impl<'a> FacingPair<'a> {
     /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces it on `side`.
-    pub fn new(teeth: &CutTeeth<'a>, pose: &'a Pose, side: Side, steps: i64) -> FlankProblem<'a> {
-        FlankProblem::on(teeth, pose, [side; 2], steps)
+    pub fn new(teeth: &CutTeeth<'a>, pose: &'a Pose, side: Side, steps: i64) -> FacingPair<'a> {
+        FacingPair::on(teeth, pose, [side; 2], steps)
     }
 
     /// The facing pairs of half teeth of `steps`. If none of them touches, nothing does.
@@ -86,8 +86,8 @@ impl<'a> FlankProblem<'a> {
         pose: &'a Pose,
         side: Side,
         steps: Range<i64>,
-    ) -> impl Iterator<Item = FlankProblem<'a>> {
-        steps.map(move |steps| FlankProblem::new(teeth, pose, side, steps))
+    ) -> impl Iterator<Item = FacingPair<'a>> {
+        steps.map(move |steps| FacingPair::new(teeth, pose, side, steps))
     }
 
     /// All pairs of half teeth of `steps` that can touch. They include far flanks of locked teeth where those can be met.
@@ -96,12 +96,12 @@ impl<'a> FlankProblem<'a> {
         pose: &'a Pose,
         side: Side,
         steps: Range<i64>,
-    ) -> impl Iterator<Item = FlankProblem<'a>> {
+    ) -> impl Iterator<Item = FacingPair<'a>> {
         let is_clear = FarFlanks::of(teeth.assembly) == FarFlanks::Clear;
         let far = (!is_clear).then_some(side.other());
         let sides = [side].into_iter().chain(far);
         steps.flat_map(move |steps| {
-            let on = move |locked| FlankProblem::on(teeth, pose, [locked, side], steps);
+            let on = move |locked| FacingPair::on(teeth, pose, [locked, side], steps);
             sides.clone().map(on)
         })
     }
@@ -112,7 +112,7 @@ impl<'a> FlankProblem<'a> {
         pose: &'a Pose,
         [locked_side, side]: [Side; 2],
         steps: i64,
-    ) -> FlankProblem<'a> {
+    ) -> FacingPair<'a> {
         let assembly = teeth.assembly;
         let (locked, free) = (assembly.locked(), assembly.free());
         let mating = pose.mating().tooth(locked);
@@ -129,7 +129,7 @@ impl<'a> FlankProblem<'a> {
         let pitch = |member| assembly.gear(member).gear().basic_data().angular_pitch();
         let here = pose.locked_rotation() + assembly.gear(locked).tooth_angle(f64::from(mating));
         let pitches = here / pitch(locked) + steps as f64;
-        FlankProblem {
+        FacingPair {
             assembly,
             pose,
             side,
@@ -212,9 +212,9 @@ impl<'a> FlankProblem<'a> {
     /// How far the free gear can be turned before `free_chord` moves by `room` along `n`, whose direction is off by up to `doubt`, rad.
     ///
     /// Turned by `φ` about the axis, a point at `r` from it moves along `n` by
-    /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`. `l` and `m` are the greatest such parts (not below 0) at the two ends, and so for all points between
-    /// them. A curve lies within its error of its chord, and so do its parts. The lesser root of `φ l + φ² m/2 = room`
-    /// is a safe turn.
+    /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`. `l` and `m` are the greatest such parts (not below 0) at the two ends, and so for
+    /// all points between them. A curve lies within its error of its chord, and so do its parts. The lesser root of `φ l + φ² m/2 = room` is
+    /// a safe turn.
     fn turn_across(&self, n: Vector2<f64>, free_chord: &Chord, room: f64, doubt: f64) -> f64 {
         let (mut lever, mut bulge) = (0.0f64, 0.0f64);
         for end in free_chord.ends {
@@ -363,7 +363,7 @@ mod tests {
         let pose = Pose::new(&pair, Mating::FIRST);
         let mut pulled = [0; 4];
         for side in Side::BOTH {
-            let problem = FlankProblem::new(&teeth, &pose, side, 1);
+            let problem = FacingPair::new(&teeth, &pose, side, 1);
             for chord in problem.free.outline() {
                 let chord = chord.seen_in(&problem.at(0.01));
                 for k in 0..12 {

@@ -100,8 +100,10 @@ pub enum Finding {
     ThicknessBesidePitch(ThicknessBesidePitch),
     /// Spans contradict the thickness in the pitch of both flanks.
     SpansRefusePitch {
-        /// The share of it that the spans show: 1 if they agree, -1 with exchanged flanks.
+        /// The share of it that the spans show: 1 if they agree, -1 with exchanged flanks, 0 if it does not vary.
         shown: f64,
+        /// Variation of the spans beside it, µm r.m.s.
+        left_um: f64,
         /// Whether the spans determine each tooth's thickness.
         spans_count: bool,
     },

@@ -49,7 +49,7 @@ fn what_is_no_field_is_refused() {
         let field = text.parse::<ThicknessField>();
         assert_eq!(field, Err(GearError::ThicknessField), "{text}");
     }
-    let distances = "|30|js7|30 js4|30 js11|30 k7|30 H11|30 ±|±0.02|30 ±-0.02|30 jS7|\
+    let distances = "|30|js7|30 js4|30 js11|30 k7|30 H11|30 ±|±0.02|30 ±-0.02|30 jS7|30 0.03/0|30/0|30 +0.03/|30 +x/0|\
                      -30 js7|1e2 js7|30 js+7|30 js7 x|3.0.0 js7|inf js7|30 j s7";
     for text in distances.split('|') {
         let distance = text.parse::<DesignatedDistance>();
@@ -84,6 +84,7 @@ fn js_is_half_the_grade_of_the_tolerance_factor() {
 }
 
 /// Source: ISO 286-1 as widely printed: IT7 of 30 mm is 21 µm, IT6 13 µm; a hole `H` lies above, a shaft `h` below the nominal size.
+/// `F` and `f` lie 20 µm off it.
 #[test]
 fn distances_are_read_as_drawings_write_them() {
     for (text, shown, deviations) in [
@@ -93,6 +94,11 @@ fn distances_are_read_as_drawings_write_them() {
         ("30 h6", "30 h6", [-13.0, 0.0]),
         ("30±0.02", "30 ±0.02", [-20.0, 20.0]),
         ("30,5 ± 0,02", "30.5 ±0.02", [-20.0, 20.0]),
+        ("30 F7", "30 F7", [20.0, 41.0]),
+        ("30f6", "30 f6", [-33.0, -20.0]),
+        ("30 +0.03/0", "30 +0.03/0", [0.0, 30.0]),
+        ("30,0 0 / −0,02", "30 0/-0.02", [-20.0, 0.0]),
+        ("30-0.25/+0.5", "30 +0.5/-0.25", [-250.0, 500.0]),
     ] {
         let distance: DesignatedDistance = text.parse().unwrap();
         assert_eq!(distance.to_string(), shown);

@@ -11,8 +11,8 @@ use crate::output::{OutputFolder, own_folder};
 use crate::progress::run_under_bar;
 use gearlash::analysis::Plan;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
-use gearlash_files::PairFile;
 use gearlash_files::outlines::Drawings;
+use gearlash_files::{InputError, PairFile, Problem, distance_refused, named};
 use gearlash_results::judged::Judged;
 use gearlash_results::{RemedyRecords, checked};
 use std::path::{Path, PathBuf};
@@ -34,7 +34,7 @@ pub(super) struct Args {
     /// Pair files, - for standard input; or drawings (.dxf, .svg, .csv, .txt) of wheel and pinion
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
-    /// Centre distance of drawings, mm [default: without play]
+    /// Centre distance in place of all of the file, mm [default of drawings: without play]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
     #[command(flatten)]
@@ -73,7 +73,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
             let path = PathBuf::from(&pair.stem);
             vec![(path, Ok(pair))]
         }
-        None => judged::read(&args.pairs, gearlash_files::read)?,
+        None => judged::read(&args.pairs, |path| moved(path, args.center_distance))?,
     };
     let mut map = None;
     let judge = |path: &Path, file: &PairFile| pair(args, path, file, &mut map);
@@ -147,12 +147,36 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
         paths if paths.iter().any(|path| is_drawing(path)) => Err(Error::usage(
             "give two drawings, of the wheel and of the pinion, or pair files alone (--map writes into the folder of -o)",
         )),
-        _ if args.center_distance.is_some() || args.drawn.given() => Err(Error::Usage(format!(
-            "--center-distance, {} belong to two drawings: pair files state them",
+        _ if args.drawn.given() => Err(Error::Usage(format!(
+            "{} belong to two drawings: pair files state them",
             DrawnArgs::NAMES
         ))),
         _ => Ok(None),
     }
+}
+
+/// The pair file at `path`, at the centre distance of the command line if there is one.
+fn moved(path: &Path, mm: Option<f64>) -> Result<PairFile, InputError> {
+    const OPTION: &str = "--center-distance";
+    let pair = gearlash_files::read(path)?;
+    let Some(mm) = mm else { return Ok(pair) };
+    let moved = pair.at(vec![mm]).map_err(|reason| InputError {
+        file: named(path).to_path_buf(),
+        problems: vec![Problem {
+            key: OPTION.to_owned(),
+            value: Some(mm.to_string()),
+            reason: distance_refused(&reason),
+            help: "or leave it out".to_owned(),
+        }],
+        text: String::new(),
+    });
+    let words = format!(
+        "assembly.center_distance_mm: {mm} mm of {OPTION} replaces every distance of the file"
+    );
+    moved.map(|mut pair| {
+        pair.warnings.push(words);
+        pair
+    })
 }
 
 /// The least centre distance, mm, at which the gears of two drawings assemble, and a warning that names it. `drawings`

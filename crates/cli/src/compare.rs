@@ -195,8 +195,8 @@ fn drawings(args: &Args) -> Result<u8, Error> {
         options: args.drawn.options()?,
     })?;
     check_streams_not_input(&compared.sources)?;
-    for (path, remarks) in args.pairs.iter().zip(&compared.remarks) {
-        warn(path, &[], remarks);
+    for (k, path) in args.pairs.iter().enumerate() {
+        warn(path, &compared.warnings[k], &compared.remarks[k]);
     }
     let picture = Target::prepare_given(args.svg.as_ref(), &compared.sources);
     let picture = picture.map_err(|error| of_option(error, "--svg"))?;

@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::options::ScreenArgs;
 use crate::output::Target;
 use clap::ValueEnum;
+use gearlash_files::Problem;
 use gearlash_files::drawing::Unit;
 use gearlash_files::import::{self, Content, Imported, Kind, Options};
 use gearlash_files::outlines::{listed_outlines, lists_outlines};
@@ -168,7 +169,15 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
         keys: &keys,
         gear: args.gear.name(),
     };
-    Ok(import::tables(&args.file, bytes, &options)?)
+    let found = import::tables(&args.file, bytes, &options);
+    Ok(found.map_err(|mut error| {
+        let unnamed = |problem: &&mut Problem| problem.help == import::NAME_COLUMNS;
+        for problem in error.problems.iter_mut().filter(unnamed) {
+            problem.help +=
+                ", or import --only pitch --header-row 1 --tooth-column A --left B --right C";
+        }
+        error
+    })?)
 }
 
 fn show(args: &Args, found: &Imported) -> Result<u8, Error> {

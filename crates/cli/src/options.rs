@@ -259,9 +259,9 @@ impl ScreenArgs {
 /// Options for reading drawings.
 #[derive(clap::Args)]
 pub(super) struct DrawnArgs {
-    /// Unit of drawings that state none
-    #[arg(long, value_name = "UNIT", value_parser = Unit::NAMED.map(|(name, _)| name))]
-    units: Option<String>,
+    /// Unit of drawings that state none; of two drawings A,B
+    #[arg(long, value_name = "UNIT", value_delimiter = ',', value_parser = Unit::NAMED.map(|(name, _)| name))]
+    units: Vec<String>,
     /// Axes of drawings: of the circle through the tips, or of the one circle inside [default: 0,0]
     #[arg(long, value_name = "HOW", value_parser = ["fit", "bore"])]
     center: Option<String>,
@@ -289,7 +289,7 @@ impl DrawnArgs {
 
     /// Whether any of them is given.
     pub(super) fn given(&self) -> bool {
-        self.units.is_some()
+        !self.units.is_empty()
             || self.center.is_some()
             || !self.layer.is_empty()
             || !self.id.is_empty()
@@ -301,6 +301,7 @@ impl DrawnArgs {
     /// The options of `N` drawings. One value applies to all of them.
     pub(super) fn options<const N: usize>(&self) -> Result<[OutlineOptions<'_>; N], Error> {
         let counts = [
+            ("--units", self.units.len()),
             ("--layer", self.layer.len()),
             ("--id", self.id.len()),
             ("--number", self.number.len()),
@@ -314,7 +315,7 @@ impl DrawnArgs {
             )));
         }
         let options = std::array::from_fn(|k| OutlineOptions {
-            units: self.units.as_deref(),
+            units: value_of(&self.units, k).map(String::as_str),
             center: self.center.as_deref(),
             layer: value_of(&self.layer, k).map(String::as_str),
             id: value_of(&self.id, k).map(String::as_str),

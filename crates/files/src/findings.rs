@@ -152,11 +152,16 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         Finding::ThicknessBesidePitch(beside) => {
             (PER_TOOTH, beside_pitch(beside, of.other_sense()))
         }
-        Finding::SpansRefusePitch { shown, spans_count } => (
+        Finding::SpansRefusePitch {
+            shown,
+            left_um,
+            spans_count,
+        } => (
             "pitch",
             format!(
-                "the spans contradict the thickness by its flanks, right minus left (they show {} % of it): check right and left, sign and tooth numbers; {}",
+                "the spans contradict the thickness by its flanks, right minus left (they show {} % of it, and vary by {} µm r.m.s. beside it): check right and left, sign and tooth numbers; {}",
                 ascii(100.0 * shown, 0),
+                ascii(*left_um, 1),
                 precedence(*spans_count)
             ),
         ),

@@ -20,6 +20,9 @@ use std::rc::Rc;
 
 pub use table::{ImportedColumn, ImportedTable, Kind, Value};
 
+/// The remedy for a table that no heading explains.
+pub const NAME_COLUMNS: &str = "say what it holds and where, by letter or heading: header_row, tooth_column, left and right in [wheel.pitch]";
+
 /// A kind of file, by its content.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Content {

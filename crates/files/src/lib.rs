@@ -92,6 +92,7 @@ pub use outline_file::{OutlineFile, OutlineFormat};
 pub use pair_file::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
+pub use source::{MAX_BYTES, too_large};
 pub use sources::{Files, Sources};
 pub use spec::{explained, gear_schema, pair_schema, schemas};
 
@@ -160,25 +161,42 @@ pub fn read_files(files: Rc<Files>, main: &str) -> Result<PairFile, InputError> 
 /// Reads a pair from two drawings.
 ///
 /// # Errors
-/// As [`read`]; keys are those that a pair file would have.
+/// As [`read`]; options of the command line stand in place of keys.
 pub fn read_drawings(drawings: &outlines::Drawings) -> Result<PairFile, InputError> {
+    let mut warnings = Vec::new();
+    let drawings = drawings.with_units_needed(None, &mut warnings);
     let stem = |path: &Path| path.file_stem().unwrap_or_default().to_os_string();
     let mut name = stem(drawings.wheel);
     name.push("_");
     name.push(stem(drawings.pinion));
-    without_text(of_text(Path::new(&name), &drawings.pair_file(), pair))
+    let read = of_text(Path::new(&name), &drawings.pair_file(), pair);
+    let mut file = read.map_err(outlines::by_flags)?;
+    file.warnings.splice(..0, warnings);
+    Ok(file)
 }
 
 /// Reads two drawings of one gear and compares them.
 ///
 /// # Errors
-/// As [`read`]; keys are those that a pair file would have, `a` and `b` in place of wheel and pinion.
+/// As [`read_drawings`].
 pub fn compare_drawings(
     drawings: &outlines::TwoDrawings,
 ) -> Result<outlines::ComparedOutlines, InputError> {
-    without_text(of_text(drawings.paths[1], &drawings.tables(), |file| {
+    let mut warnings = [Vec::new(), Vec::new()];
+    let mut drawings = *drawings;
+    for (k, path) in drawings.paths.into_iter().enumerate() {
+        let given = drawings.options[k];
+        let needed = given.with_unit_needed(path, None, &mut warnings[k]);
+        drawings.options[k] = needed;
+    }
+    let read = of_text(drawings.paths[1], &drawings.tables(), |file| {
         drawings.compared(file)
-    }))
+    });
+    let compared = read.map_err(outlines::by_flags)?;
+    Ok(outlines::ComparedOutlines {
+        warnings,
+        ..compared
+    })
 }
 
 /// Reads the gears of the file at `path`: a gear file (`title` and one `[gear]` with the keys of `[wheel]`), or a pair file.
@@ -208,21 +226,17 @@ pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError>
 /// Reads the gear of the drawing at `path`.
 ///
 /// # Errors
-/// As [`read`]; keys are those that a gear file would have.
+/// As [`read_drawings`].
 pub fn read_drawing(
     path: &Path,
     options: &outlines::OutlineOptions,
 ) -> Result<GearsFile, InputError> {
-    let text = outlines::of_drawing(path, options);
-    without_text(of_text(path, &text, gears))
-}
-
-/// A result whose error has no text. The text was generated: a place in it would point to nothing.
-fn without_text<T>(result: Result<T, InputError>) -> Result<T, InputError> {
-    result.map_err(|error| InputError {
-        text: String::new(),
-        ..error
-    })
+    let mut warnings = Vec::new();
+    let options = options.with_unit_needed(path, None, &mut warnings);
+    let text = outlines::of_drawing(path, &options);
+    let mut file = of_text(path, &text, gears).map_err(outlines::by_flags)?;
+    file.warnings.splice(..0, warnings);
+    Ok(file)
 }
 
 fn pair(file: &Tree) -> Option<PairFile> {

@@ -13,7 +13,7 @@ use std::sync::mpsc::sync_channel;
 use std::time::Duration;
 
 /// Largest input of any kind, bytes.
-const MAX_BYTES: u64 = 64 << 20;
+pub const MAX_BYTES: u64 = 64 << 20;
 /// Largest text of a pair file, gear file or gearbox model: pitch and thickness of two gears of 10 000 teeth need 1 MiB.
 const MAX_TEXT: usize = 16 << 20;
 /// Longest wait for data of a pipe.
@@ -126,7 +126,8 @@ fn unreadable(error: std::io::Error) -> Problem {
     }
 }
 
-fn too_large(size: u64, most: u64) -> Problem {
+/// The fault of a file of `size` bytes where `most` are allowed.
+pub fn too_large(size: u64, most: u64) -> Problem {
     let mebibyte = f64::from(1 << 20);
     Problem::of_file(
         format!(

@@ -24,15 +24,17 @@ pub fn complete(
 ) -> Option<ThicknessSpec> {
     let table = gear.below("thickness");
     let statement = complete_statement(&table, &mut spec.statement, teeth);
+    if let Some(span) = &mut spec.statement.span
+        && span.first_tooth.is_some()
+    {
+        span.per_tooth.get_or_insert(!gear.has("pitch"));
+    }
     let per_tooth = per_tooth(&table, spec.per_tooth_um.take(), teeth);
     let mut second = Some(());
     if let Some(check) = &mut spec.cross_check {
         let table = gear.below(CROSS_CHECK);
         second = complete_statement(&table, &mut check.statement, teeth);
         check.tolerance_um.get_or_insert(CROSS_CHECK_UM);
-        if let Some(span) = &mut check.statement.span {
-            span.per_tooth = None;
-        }
         if table.has("span.per_tooth") {
             table.add(
                 "span.per_tooth",
@@ -67,9 +69,6 @@ fn complete_statement(table: &Table, spec: &mut StatementSpec, teeth: Option<u32
         let table = table.below("span");
         let stated = (&mut span.length, &mut span.first_tooth, &mut span.table);
         complete_readings(&table, (Quantity::Span, "first_tooth"), stated, teeth)?;
-        if span.first_tooth.is_some() {
-            span.per_tooth.get_or_insert(true);
-        }
     }
     if let Some(pins) = &mut spec.over_pins {
         let table = table.below("over_pins");
@@ -234,7 +233,7 @@ impl StatementSpec {
                 Some(readings) => ThicknessStatement::SpanReadings {
                     teeth,
                     readings,
-                    per_tooth: span.per_tooth.unwrap_or(true),
+                    per_tooth: span.per_tooth.unwrap_or_default(),
                 },
                 None => ThicknessStatement::Span {
                     teeth,

@@ -87,7 +87,7 @@ row_type!(row: (usize, ListedOutline) {
     "" Name [people(shown("at").left().spare(1))] => row.1.place.clone();
 });
 
-/// The outlines of the drawing called `name`, and the table of the gear `gear` that names one of them.
+/// The outlines of the drawing called `name`, and the table of the gear `gear` that names one of them; of the wheel and one more, both gears.
 pub fn listed_outlines(
     name: &str,
     drawing: &ListedOutlines,
@@ -110,9 +110,21 @@ pub fn listed_outlines(
     for remark in &drawing.remarks {
         text += &format!("\n{}\n", plain(remark));
     }
-    text += &format!("\n[{gear}.outline]\nfile = {name:?}\n");
-    if rows.len() > 1 {
-        text += &format!("number = 1  # of {}\n", rows.len());
+    let gears = match (gear, rows.len()) {
+        ("wheel", 2) => vec![gear, "pinion"],
+        _ => vec![gear],
+    };
+    for (number, gear) in (1..).zip(gears) {
+        text += &format!("\n[{gear}.outline]\nfile = {name:?}\n");
+        if let Some(units) = &drawing.units {
+            text += &format!("units = {units:?}\n");
+        }
+        if rows.len() > 1 {
+            text += &format!(
+                "number = {number}  # of {}\ncenter_mm = \"fit\"\n",
+                rows.len()
+            );
+        }
     }
     text
 }

@@ -75,9 +75,6 @@
   let inLink = null;
   const isJson = (text) => text.trimStart().startsWith("{");
   const decoded = (bytes) => new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  const MOST_BYTES = 64 * 2 ** 20;
-  // The editor of a longer text would not follow the keys.
-  const MOST_TEXT = 2 ** 20;
 
   // The text as it was opened or saved.
   let saved = "";
@@ -137,8 +134,8 @@
   async function take(given) {
     const added = new Map();
     for (const file of given) {
-      const [most, large] = isText(file.name) ? [MOST_TEXT, "large text"] : [MOST_BYTES, "large"];
-      if (file.size > most) return say(large, file.name);
+      const large = await answer("live", "too_large", file.name, file.size);
+      if (large) return showProblems(large.problems, large.title);
       let bytes;
       try {
         bytes = new Uint8Array(await file.arrayBuffer());
@@ -730,7 +727,7 @@
     const reader = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")).getReader();
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
       size += part.value.length;
-      if (size > MOST_TEXT) throw new Error(`more than ${MOST_TEXT / 2 ** 20} MiB`);
+      if (await answer("live", "too_large", main, size)) throw new Error("too large");
       parts.push(part.value);
     }
     const content = decoded(await new Blob(parts).arrayBuffer());

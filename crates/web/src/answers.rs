@@ -16,7 +16,8 @@ use gearlash::outline::AssembledPair;
 use gearlash::pair::{BacklashUnit, Mating, Member, SweepPlan};
 use gearlash_files::numbers::{trimmed, um, unit_of};
 use gearlash_files::outlines::{Drawings, OutlineOptions};
-use gearlash_files::{Files, InputError, PairFile, import, named, read_files, with_distance};
+use gearlash_files::{Files, InputError, MAX_BYTES, PairFile};
+use gearlash_files::{import, named, read_files, too_large, with_distance};
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::viewer::LivePose;
 use gearlash_render::{Report, dark_style, pose_picture};
@@ -38,6 +39,9 @@ const METHOD: Method = Method::Exact { certify: true };
 
 /// Most poses that a page holds: 500 MB of memory.
 pub const MOST_POSES: u64 = 500_000;
+
+/// Largest pair file, bytes: the editor of a longer text would not follow the keys.
+const MOST_TEXT: u64 = 1 << 20;
 
 /// Divisor of a verdict's effort for a live answer (tuned: every example that a verdict proves is proven, and one without a proof takes
 /// 10 ms).
@@ -267,14 +271,6 @@ impl Page {
     /// A problem with files that the program does not see. `what` is the case, `names` the files.
     pub fn said(&self, what: &str, names: &str) -> Value {
         let (reason, help) = match what {
-            "large text" => (
-                "has more than 1 MiB",
-                "check that this is the file you mean",
-            ),
-            "large" => (
-                "has more than 64 MiB",
-                "check that this is the file you mean",
-            ),
             "not UTF-8" => ("is not UTF-8", "save it as UTF-8"),
             "unreadable" => ("cannot be read", "drop files, not folders"),
             "one drawing" => (
@@ -299,50 +295,42 @@ impl Page {
         json!({ "title": counted(1, "problem", ""), "problems": [problem] })
     }
 
+    /// The problem of a file called `name` of so many `bytes`; null where it is not too large.
+    pub fn too_large(&self, name: &str, bytes: u64) -> Value {
+        let name = Path::new(name);
+        let ending = name.extension().map(|ending| ending.to_ascii_lowercase());
+        let is_text = ending.is_some_and(|ending| ending == "toml" || ending == "json");
+        let most = if is_text { MOST_TEXT } else { MAX_BYTES };
+        if bytes <= most {
+            return Value::Null;
+        }
+        problems(&InputError {
+            file: name.to_path_buf(),
+            problems: vec![too_large(bytes, most)],
+            text: String::new(),
+        })
+    }
+
     /// A pair file for two of the drawings, at the centre distance without play: `{text}`, or all problems of the drawings.
     /// `unit` is that of drawings without one, or empty.
     pub fn of_drawings(&self, drawings: [&str; 2], unit: &str, report: &OnStep) -> Value {
         const NAME: &str = "pair.toml";
         let [wheel, pinion] = drawings.map(Path::new);
-        let text = |units: [bool; 2], center_distance_mm: f64| {
-            let options = units.map(|has_unit| OutlineOptions {
-                units: Some(unit).filter(|unit| has_unit && !unit.is_empty()),
-                ..OutlineOptions::default()
-            });
-            let drawings = Drawings {
-                wheel,
-                pinion,
-                center_distance_mm,
-                options,
-            };
-            drawings.pair_file()
+        let options = OutlineOptions {
+            units: Some(unit).filter(|unit| !unit.is_empty()),
+            ..OutlineOptions::default()
         };
-        let read = |units: [bool; 2]| {
-            let mut files = self.files.clone();
-            files.add(NAME, text(units, APART_MM).into_bytes());
-            read_files(Rc::new(files), NAME).map(|apart| (units, apart))
+        let drawings = Drawings {
+            wheel,
+            pinion,
+            center_distance_mm: APART_MM,
+            options: [options; 2],
         };
+        let drawings = drawings.with_units_needed(Some(&self.files), &mut Vec::new());
         let found = || -> Result<Value, Value> {
-            // The unit is that of the drawings that state none.
-            let each = [[false, false], [true, false], [false, true], [true, true]];
-            let tried = if unit.is_empty() { 1 } else { each.len() };
-            let mut refused: Option<InputError> = None;
-            let read = each
-                .into_iter()
-                .take(tried)
-                .find_map(|units| match read(units) {
-                    Ok(found) => Some(found),
-                    Err(error) => {
-                        let known = refused.take();
-                        let fewest =
-                            |known: &InputError| known.problems.len() <= error.problems.len();
-                        refused = known.filter(fewest).or(Some(error));
-                        None
-                    }
-                });
-            let Some((units, apart)) = read else {
-                return Err(refused.map_or_else(nothing_open, |error| problems(&error)));
-            };
+            let mut files = self.files.clone();
+            files.add(NAME, drawings.pair_file().into_bytes());
+            let apart = read_files(Rc::new(files), NAME).map_err(|error| problems(&error))?;
             let nearest = tips_on_roots(&apart.study).map_err(failed)?;
             let nearest = nearest.ok_or_else(|| failed("these files are no drawings"))?;
             let tight = apart.at(vec![nearest]).map_err(failed)?;
@@ -350,7 +338,11 @@ impl Page {
             let analysis = analysed(&plan, report).map_err(failed)?;
             let found = WithoutPlay::of(&analysis.verdict(), nearest);
             let distance = found.map_or(nearest, |found| found.distance);
-            Ok(json!({ "text": text(units, distance) }))
+            let drawings = Drawings {
+                center_distance_mm: distance,
+                ..drawings
+            };
+            Ok(json!({ "text": drawings.pair_file() }))
         };
         found().unwrap_or_else(|failed| failed)
     }

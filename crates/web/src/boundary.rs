@@ -74,6 +74,11 @@ impl Gearlash {
         self.page.said(what, names).to_string()
     }
 
+    /// The problem of a file called `name` of so many `bytes`: `{title, problems}`; null where it is not too large.
+    pub fn too_large(&self, name: &str, bytes: f64) -> String {
+        self.page.too_large(name, bytes as u64).to_string()
+    }
+
     /// Reads the pair file `main`: `{title, stem, notes, teeth, distances_mm, materials}`, or `{title, problems}`.
     pub fn open(&mut self, main: &str) -> String {
         self.page.open(main).to_string()

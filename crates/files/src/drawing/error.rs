@@ -19,6 +19,8 @@ pub struct DrawingError {
     pub reason: String,
     /// The remedy.
     pub help: String,
+    /// Whether the drawing needs a unit, as it states none.
+    pub lacks_unit: bool,
 }
 
 impl DrawingError {
@@ -27,6 +29,7 @@ impl DrawingError {
         DrawingError {
             reason: reason.to_string(),
             help: help.to_string(),
+            lacks_unit: false,
         }
     }
 

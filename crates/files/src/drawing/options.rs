@@ -57,13 +57,15 @@ impl Options {
             (Some((_, mm)), None) => Ok(self.scale * mm),
             (None, None) => {
                 let names = Unit::NAMED.map(|(name, _)| format!("\"{name}\""));
-                Err(DrawingError::new(
-                    format!("the unit is not stated: {why_not}"),
-                    format!(
-                        "state the length of a unit of the drawing: units = {}",
-                        names.join(" | ")
-                    ),
-                ))
+                let reason = format!("the unit is not stated: {why_not}");
+                let help = format!(
+                    "state the length of a unit of the drawing: units = {}",
+                    names.join(" | ")
+                );
+                Err(DrawingError {
+                    lacks_unit: true,
+                    ..DrawingError::new(reason, help)
+                })
             }
         }
     }

@@ -96,7 +96,7 @@ pub(super) fn tables(
     if tables.is_empty() && reading.is_good() && not_read.is_empty() {
         file.add(
             "no line names a column of teeth and one of pitch, runout, thickness, span or dimension over pins, nor of a profile or lead",
-            "say what it holds and where, by letter or heading: import --only pitch --header-row 1 --tooth-column A --left B --right C, or header_row, tooth_column, left and right in [wheel.pitch]",
+            super::NAME_COLUMNS,
         );
     }
     let all = tables.clone();

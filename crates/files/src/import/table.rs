@@ -100,13 +100,12 @@ impl ImportedTable {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
-    /// The number in the heading of its values, such as the teeth in "Wk 3 [mm]".
+    /// The one number in the heading of its values, such as the teeth in "Wk 3 [mm]" or "Zahnweite über 3 Zähne".
     pub(super) fn spanned(&self) -> Option<u32> {
         let (heading, _) = self.columns.get(1)?.heading.as_ref()?;
-        let (name, _) = heading.split_once(['[', '(']).unwrap_or((heading, ""));
-        name.trim_matches(|c: char| !c.is_ascii_digit())
-            .parse()
-            .ok()
+        let numbers = heading.split(|c: char| !c.is_ascii_digit());
+        let mut numbers = numbers.filter_map(|digits| digits.parse().ok());
+        numbers.next().filter(|_| numbers.next().is_none())
     }
 
     /// The table of `sheet`, its value columns called `names`.

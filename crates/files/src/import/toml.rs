@@ -16,6 +16,8 @@ const READING_PLACE: OpenKey = (
 );
 const SPANNED: OpenKey = ("how many teeth are spanned", "teeth = …");
 const PIN: OpenKey = ("the diameter of the pins, mm", "pin_mm = …");
+/// Comment lines of a table that another one states, too.
+const STATED: &str = "# Pitch of both flanks holds the thickness of each tooth. Where it was measured on its own, remove the #:\n";
 
 /// The lines of a pair file that name the tables, and the keys that they need. A table that lacks a key is in comments, so that the
 /// lines can be pasted as they are.
@@ -62,6 +64,10 @@ pub(super) fn lines(
                  # or add eccentricity = \"pitch\" or \"runout\" to [{gear}.pitch].\n"
             );
         }
+        let is_stated = table.kind == Kind::Thickness && written.contains(&Kind::Pitch);
+        if is_stated {
+            lines += STATED;
+        }
         if let Some((what, _)) = open {
             lines += &format!(
                 "# The file does not say {what}. Complete these lines and remove their #:\n"
@@ -96,7 +102,7 @@ pub(super) fn lines(
             }
         }
         for line in block.lines() {
-            lines += &if open.is_some() {
+            lines += &if open.is_some() || is_stated {
                 format!("# {line}\n")
             } else {
                 format!("{line}\n")

@@ -36,6 +36,8 @@ pub struct ComparedOutlines {
     pub centres: [Point2<f64>; 2],
     /// The deviations of B from A.
     pub difference: OutlineDifference,
+    /// Units that are not used, of each, for standard error.
+    pub warnings: [Vec<String>; 2],
     /// Remarks on each, for standard error.
     pub remarks: [Vec<String>; 2],
     /// The files it was read from.
@@ -65,6 +67,7 @@ impl TwoDrawings<'_> {
             files: self.paths.map(|path| path.display().to_string()),
             centres: [a.read.centre, b.read.centre],
             gears,
+            warnings: Default::default(),
             remarks: [a.remarks, b.remarks],
             sources: tree.reading.sources(),
         })

@@ -1,6 +1,6 @@
 //! `[wheel.outline]` and `[pinion.outline]`: from the keys and the drawing to the gear.
 
-use super::paths::{Choice, Path, chosen, coordinates, whole_circle};
+use super::paths::{Choice, Path, centres_inside, chosen, coordinates};
 use crate::check::Checked;
 use crate::data_file::DataFile;
 use crate::drawing::{self, Format, Options, Repeat};
@@ -155,7 +155,7 @@ pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
                 count(|part| matches!(part, PathSegment::Cubic(_))),
             ],
             bound_mm: path.outline.bound_mm,
-            inside: path.inside.len(),
+            inside: path.inside,
         },
         spec: OutlineGearSpec {
             outline: spec,
@@ -215,7 +215,18 @@ fn drawn(gear: &Table, spec: OutlineSpec, scale: f64) -> Option<(OutlineSpec, Pa
             "choose one with `at_mm`, `number`, `layer` or `id`, or remove the others from the drawing",
         )
     });
-    Some((spec, data.reading().keep(path)?, data))
+    let mut path = data.reading().keep(path)?;
+    let is_bore = matches!(spec.center_mm, CentreSpec::Found(CentreName::Bore));
+    if is_bore && options.select.is_some() && path.centres.is_empty() {
+        // The bore is on another layer, or in another element.
+        let all = Options {
+            select: None,
+            ..options
+        };
+        let all = drawing::read(data.path(), &bytes, &all).ok();
+        path.centres = all.map_or(Vec::new(), |all| centres_inside(&path.outline, &all.loops));
+    }
+    Some((spec, path, data))
 }
 
 /// The centre in the drawing, mm.
@@ -228,21 +239,18 @@ fn centre(
 ) -> Option<Point2<f64>> {
     match spec.center_mm {
         CentreSpec::At([x, y]) => Some(Point2::new(x, y) * scale),
-        CentreSpec::Found(CentreName::Bore) => {
-            let circles: Vec<Point2<f64>> = path.inside.iter().filter_map(whole_circle).collect();
-            match &circles[..] {
-                [bore] => Some(*bore),
-                others => gear.refuse(
-                    "outline.center_mm",
-                    format!(
-                        "needs one circle inside the outline, {} are drawn{}",
-                        others.len(),
-                        centres(others)
-                    ),
-                    "state the centre as [x, y] in mm, or \"fit\"",
+        CentreSpec::Found(CentreName::Bore) => match &path.centres[..] {
+            [bore] => Some(*bore),
+            others => gear.refuse(
+                "outline.center_mm",
+                format!(
+                    "needs circles about one centre inside the outline, {} are drawn{}",
+                    others.len(),
+                    centres(others)
                 ),
-            }
-        }
+                "state the centre as [x, y] in mm, or \"fit\"",
+            ),
+        },
         CentreSpec::Found(CentreName::Fit) => {
             let fitted = fit_centre(&path.outline.segments);
             let help = "state the centre as [x, y] in mm";
@@ -260,8 +268,7 @@ fn centre(
 
 /// The eccentricity of a `gear` with a fitted `centre` about the one circle inside, or the drawing's origin; `None` where neither is near.
 fn taken_out(path: &Path, centre: Point2<f64>, gear: &OutlineGear) -> Option<String> {
-    let circles: Vec<Point2<f64>> = path.inside.iter().filter_map(whole_circle).collect();
-    let (axis, name) = match &circles[..] {
+    let (axis, name) = match &path.centres[..] {
         [bore] => (*bore, "circle inside"),
         _ => (Point2::origin(), "drawing's origin"),
     };

@@ -1,5 +1,6 @@
 //! A list of the outlines of a drawing, for a user to choose from.
 
+use super::pair::{OutlineOptions, by_flags};
 use super::paths::{outlines, start};
 use crate::drawing::{self, Format, Options, Unit};
 use crate::error::{InputError, Problem};
@@ -12,6 +13,8 @@ use std::path::Path;
 pub struct ListedOutlines {
     /// Length of one of its units, mm.
     pub unit_mm: f64,
+    /// Its unit as in a pair file, where it states none.
+    pub units: Option<String>,
     /// In the order of the file.
     pub outlines: Vec<ListedOutline>,
     /// Ignored and repaired elements.
@@ -40,20 +43,27 @@ pub fn lists_outlines(path: &Path) -> bool {
     matches!(Format::of(path), Some(Format::Dxf | Format::Svg))
 }
 
-/// The outlines of the drawing at `path`; `units` is its unit as in a pair file, needed where it states none.
+/// The outlines of the drawing at `path`; `units` is its unit as in a pair file, used where it states none.
 ///
 /// # Errors
-/// [`InputError`] where the file is no drawing or has a fault.
+/// [`InputError`] where the file is no drawing or has a fault; options of the command line stand in place of keys.
 pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutlines, InputError> {
     let unit = |name: &str| Unit::NAMED.iter().find(|(known, _)| *known == name);
+    let fault = |problem: Problem| by_flags(InputError::of(path, vec![problem]));
+    let bytes = source::bytes(path).map_err(fault)?;
+    let given = OutlineOptions {
+        units,
+        ..OutlineOptions::default()
+    };
+    let mut unused = Vec::new();
+    let needed = given.with_unit_needed(path, None, &mut unused);
     let options = Options {
-        unit: units.and_then(unit).map(|(_, unit)| *unit),
+        unit: needed.units.and_then(unit).map(|(_, unit)| *unit),
         ..Options::default()
     };
-    let fault = |problem: Problem| InputError::of(path, vec![problem]);
-    let bytes = source::bytes(path).map_err(fault)?;
     let read = drawing::read(path, &bytes, &options);
     let mut read = read.map_err(|error| fault(Problem::of_file(error.to_string(), error.help)))?;
+    read.remarks.extend(unused);
     let help = "remove what is no outline, or name the layer or id to read in a pair file";
     let outlines = outlines(&read.loops, &mut read.remarks)
         .map_err(|error| fault(Problem::of_file(error, help)))?;
@@ -71,6 +81,7 @@ pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutline
     });
     Ok(ListedOutlines {
         unit_mm: read.unit_mm,
+        units: needed.units.map(str::to_owned),
         outlines: each.collect(),
         remarks: read.remarks,
     })

@@ -12,6 +12,6 @@ pub(crate) use gear::gear;
 pub use listed::{ListedOutline, ListedOutlines, listed_outlines, lists_outlines};
 pub use pair::{Drawings, OutlineOptions};
 pub(crate) use pair::{
-    check_distances, has_outline, of_drawing, refuse, refuse_axes, refuse_limits, refuse_tables,
-    refuse_uncertainties,
+    by_flags, check_distances, has_outline, of_drawing, refuse, refuse_axes, refuse_limits,
+    refuse_tables, refuse_uncertainties,
 };

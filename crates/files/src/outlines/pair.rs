@@ -3,7 +3,12 @@
 use super::gear::help;
 use crate::Tree;
 use crate::check::Checked;
+use crate::drawing::{self, Options, Unit};
+use crate::error::InputError;
 use crate::gear::GearPart;
+use crate::numbers::{rounded, shortest};
+use crate::source;
+use crate::sources::Files;
 use crate::spec::{AssemblySpec, CenterDistanceSpec, GEAR, PAIR, UncertaintySpec};
 use crate::table::Table;
 use gearlash::outline::{OutlineGear, OutlinePair};
@@ -166,7 +171,7 @@ pub struct Drawings<'a> {
 /// How a drawing is read, as the keys of an outline's table state it.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct OutlineOptions<'a> {
-    /// Its unit, as a pair file names it, where it states none.
+    /// Its unit, as a pair file names it; used where the drawing states none.
     pub units: Option<&'a str>,
     /// `fit` or `bore`; `None`: at (0, 0).
     pub center: Option<&'a str>,
@@ -182,7 +187,57 @@ pub struct OutlineOptions<'a> {
     pub reference_face: Option<&'a str>,
 }
 
-impl Drawings<'_> {
+impl<'a> OutlineOptions<'a> {
+    /// These options for the drawing at `path`, among `files` if there are any: a unit that it states counts. `warnings` name one that is
+    /// not used.
+    pub(crate) fn with_unit_needed(
+        self,
+        path: &Path,
+        files: Option<&Files>,
+        warnings: &mut Vec<String>,
+    ) -> OutlineOptions<'a> {
+        let named = |given| Unit::NAMED.iter().find(|(name, _)| *name == given);
+        let bytes = || files.map_or_else(|| source::bytes(path), |files| files.bytes(path));
+        let given = self.units.and_then(named);
+        let Some(((name, unit), bytes)) = given.and_then(|given| Some((given, bytes().ok()?)))
+        else {
+            return self;
+        };
+        let select = self.layer.or(self.id).map(str::to_owned);
+        let options = Options {
+            select,
+            ..Options::default()
+        };
+        match drawing::read(path, &bytes, &options) {
+            Err(error) if error.lacks_unit => return self,
+            Ok(drawing) if (drawing.unit_mm / unit.mm() - 1.0).abs() > 1e-6 => {
+                let (file, stated) = (path.display(), shortest(rounded(drawing.unit_mm, 9)));
+                warnings.push(format!(
+                    "{file}: states that its unit is {stated} mm, which counts; {name} is not used"
+                ));
+            }
+            _ => {}
+        }
+        OutlineOptions {
+            units: None,
+            ..self
+        }
+    }
+}
+
+impl<'a> Drawings<'a> {
+    /// These drawings, among `files` if there are any: a given unit counts where a drawing states none. `warnings` name units that are not used.
+    pub fn with_units_needed(
+        mut self,
+        files: Option<&Files>,
+        warnings: &mut Vec<String>,
+    ) -> Drawings<'a> {
+        for (options, path) in self.options.iter_mut().zip([self.wheel, self.pinion]) {
+            *options = options.with_unit_needed(path, files, warnings);
+        }
+        self
+    }
+
     /// The text of the pair file for both drawings.
     pub fn pair_file(&self) -> String {
         let name = |path: &Path| {
@@ -229,6 +284,64 @@ pub(super) fn outline_table(name: &str, path: &Path, options: &OutlineOptions) -
         table += &format!("at_mm = {point:?}\n");
     }
     table + "\n"
+}
+
+/// Words of pair files about a drawing, and those of the command line.
+const FLAGS: [(&str, &str); 12] = [
+    (
+        "center_mm = [x, y], \"bore\" or \"fit\"",
+        "--center bore or fit",
+    ),
+    (
+        "as [x, y] in mm, or \"fit\"",
+        "by --center fit, or as center_mm in a pair file",
+    ),
+    ("as [x, y] in mm", "as center_mm in a pair file"),
+    ("one point: join_mm", "one point, in a pair file: join_mm"),
+    ("smaller join_mm", "smaller join_mm in a pair file"),
+    ("with join_mm", "with join_mm in a pair file"),
+    ("units = ", "--units "),
+    ("`at_mm`", "--at-mm"),
+    ("with at_mm", "with --at-mm"),
+    ("`number`", "--number"),
+    ("`layer`", "--layer"),
+    ("`id`", "--id"),
+];
+
+/// The key of an outline's table, or of its pair, as an option of the command line; `None` where there is none.
+fn flag(key: &str) -> Option<&'static str> {
+    Some(match key.rsplit('.').next()? {
+        "layer" => "--layer",
+        "id" => "--id",
+        "number" => "--number",
+        "at_mm" => "--at-mm",
+        "center_mm" => "--center",
+        "units" => "--units",
+        "reference_face" => "--reference-face",
+        "center_distance_mm" => "--center-distance",
+        _ => return None,
+    })
+}
+
+/// The error of drawings on a command line: with its options in place of keys, without the generated text.
+pub(crate) fn by_flags(mut error: InputError) -> InputError {
+    let own = format!("{}: ", error.file.display());
+    for problem in &mut error.problems {
+        if let Some(flag) = flag(&problem.key) {
+            flag.clone_into(&mut problem.key);
+        } else if problem.key.ends_with("outline.file") {
+            // The reason names the file.
+            (problem.key, problem.value) = (String::new(), None);
+        }
+        let reason = problem.reason.strip_prefix(&own);
+        problem.reason = reason.unwrap_or(&problem.reason).to_owned();
+        for (key, flag) in FLAGS {
+            problem.help = problem.help.replace(key, flag);
+            problem.reason = problem.reason.replace(key, flag);
+        }
+    }
+    error.text.clear();
+    error
 }
 
 /// The text of the gear file for a drawing alone.

@@ -1,7 +1,7 @@
 //! Selects the gear among the closed paths of a drawing.
 
 use crate::characters::first_of;
-use crate::drawing::{Drawing, DrawnPath};
+use crate::drawing::{Drawing, DrawnPath, JOIN_MM};
 use crate::numbers::ascii;
 use gearlash::outline::{PathSegment, polygon};
 use nalgebra::{Point2, Vector2};
@@ -10,7 +10,10 @@ use std::f64::consts::TAU;
 /// The outline of a drawing among its loops.
 pub(super) struct Path {
     pub outline: DrawnPath,
-    pub inside: Vec<DrawnPath>,
+    /// Number of closed paths inside it.
+    pub inside: usize,
+    /// Centres of circles inside it.
+    pub centres: Vec<Point2<f64>>,
     /// Length of a unit of the drawing, mm.
     pub unit_mm: f64,
     pub remarks: Vec<String>,
@@ -175,9 +178,11 @@ pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
             inside.len()
         ));
     }
+    let circles = inside.iter().map(|&one| &loops[one]);
     Ok(Path {
+        centres: centres_inside(&outline, circles),
+        inside: inside.len(),
         outline,
-        inside: inside.iter().map(|&one| loops[one].clone()).collect(),
         unit_mm,
         remarks,
     })
@@ -200,7 +205,7 @@ pub(super) fn start(path: &DrawnPath) -> String {
 }
 
 /// The centre of a path that is one circle.
-pub(super) fn whole_circle(path: &DrawnPath) -> Option<Point2<f64>> {
+fn whole_circle(path: &DrawnPath) -> Option<Point2<f64>> {
     let mut centres = path.segments.iter().map(|segment| match segment {
         PathSegment::Arc { centre, radius, .. } => Some((*centre, *radius)),
         _ => None,
@@ -213,6 +218,25 @@ pub(super) fn whole_circle(path: &DrawnPath) -> Option<Point2<f64>> {
         })
     };
     centres.all(same).then_some(first)
+}
+
+/// The centres of the circles among `loops` whose centre is inside `outline`; those nearer than [`JOIN_MM`] are one.
+pub(super) fn centres_inside<'a>(
+    outline: &DrawnPath,
+    loops: impl IntoIterator<Item = &'a DrawnPath>,
+) -> Vec<Point2<f64>> {
+    let mut centres: Vec<Point2<f64>> = Vec::new();
+    for centre in loops.into_iter().filter_map(whole_circle) {
+        let is_new = |other: &Point2<f64>| (other - centre).norm() > JOIN_MM;
+        if centres.iter().all(is_new) {
+            centres.push(centre);
+        }
+    }
+    if !centres.is_empty() {
+        let corners = corners(outline, 8);
+        centres.retain(|centre| polygon::winding(&corners, *centre) != 0);
+    }
+    centres
 }
 
 /// A place of a drawing, mm.

@@ -173,9 +173,15 @@ fn of_words(name: &str) -> Option<Column> {
     if let Some(quantity) = of_word(&rest.concat()) {
         return meaning_of(side, quantity);
     }
-    let mut found = None;
+    let (mut found, mut number) = (None, None);
     for word in rest {
         if VOCABULARY.words.fillers.contains(&plain(word)) {
+            continue;
+        }
+        if let Ok(stated) = word.parse::<u32>() {
+            if number.replace(stated).is_some() {
+                return None;
+            }
             continue;
         }
         let quantity = of_word(word)?;
@@ -187,12 +193,19 @@ fn of_words(name: &str) -> Option<Column> {
             Some(_) => return None,
         });
     }
-    meaning_of(side, found?)
+    let quantity = match (found?, number) {
+        (Quantity::OverPins, Some(3)) => Quantity::OverThreePins,
+        (found @ Quantity::Span, _) | (found @ Quantity::OverPins, Some(2)) | (found, None) => {
+            found
+        }
+        _ => return None,
+    };
+    meaning_of(side, quantity)
 }
 
 /// The words of `name`: `Zahn-Nr.` is one, `Fp-links` is two.
 fn parts(name: &str) -> impl Iterator<Item = &str> {
-    let separators = |c: char| c.is_whitespace() || "_/,:()[]|".contains(c);
+    let separators = |c: char| c.is_whitespace() || "_/,:=()[]|".contains(c);
     let words = name.split(separators).flat_map(|word| {
         let is_one = word.contains('-') && of_word(word).is_some();
         word.split(move |c| c == '-' && !is_one)

@@ -15,9 +15,8 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 use serde_with::skip_serializing_none;
 
-/// "30 js7", "30,0 H7", "30 ±0.02".
-pub(crate) const DISTANCE_FIELD: &str =
-    r"^ *[0-9.,]+ *((js|JS|H|h) *([5-9]|10)|(±|\+-) *[0-9.,]+) *$";
+/// "30 js7", "30,0 H7", "30 ±0.02", "30 +0.03/0".
+pub(crate) const DISTANCE_FIELD: &str = r"^ *[0-9.,]+ *((js|JS|[HhFf]) *([5-9]|10)|(±|\+-) *[0-9.,]+|([-+−] *[0-9.,]+| [0.,]+) */ *([-+−] *[0-9.,]+|[0.,]+)) *$";
 /// Centre distances of one file: each is a run that holds both gears.
 pub(crate) const MAX_DISTANCES: usize = 10_000;
 /// Poses a pitch where none are stated.
@@ -268,7 +267,7 @@ impl CenterDistanceSpec {
     }
 }
 
-/// A nominal distance, mm, and its tolerance as a drawing writes it: js, H or h of ISO 286, grades 5 to 10, or ± mm.
+/// A nominal distance, mm, and its tolerance as a drawing writes it: js, H, h, F or f of ISO 286, grades 5 to 10, ± mm, or +0.03/0.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(transparent)]
 #[schemars(inline)]

@@ -21,7 +21,7 @@ pub struct RunoutSpec {
     #[serde(default = "no_runout")]
     #[schemars(transform = at_least(0.0))]
     pub total_um: Option<f64>,
-    /// Tooth that stands farthest out; fractions allowed. Without it the verdict covers every direction.
+    /// Tooth that stands farthest out; fractions allowed. Without it the verdict covers every direction; a drawn gear needs it.
     #[schemars(transform = at_least(1.0))]
     pub high_tooth: Option<f64>,
     /// Radial runout in two planes along the axis, in place of total_um: eccentricity and wobble.

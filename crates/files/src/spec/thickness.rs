@@ -119,8 +119,7 @@ pub struct SpanSpec {
     /// First tooth of each reading; default: 1, 2, ….
     #[schemars(inner(range(min = 1)))]
     pub first_tooth: Option<Vec<u32>>,
-    /// Take thickness by tooth from spans all round where they determine it.
-    #[schemars(extend("default" = true))]
+    /// Take thickness by tooth from spans all round where they determine it; default: true without `[pitch]`, whose flanks state it.
     pub per_tooth: Option<bool>,
     /// Readings all round from a table.
     #[serde(flatten)]

@@ -326,3 +326,15 @@ fn units_and_limits_are_those_of_what_states_them() {
     let shown = band["limits"][0]["um"].as_f64().unwrap();
     assert!((shown - limit).abs() < 1e-9, "{band}: {limit}");
 }
+
+/// A pair file may have 1 MiB, any other file 64 MiB; the problem names the limit.
+#[test]
+fn files_that_are_too_large_are_named_with_the_limit() {
+    let page = Page::default();
+    for (name, most, limit) in [("a.toml", 1 << 20, "1 MiB"), ("a.dxf", 64 << 20, "64 MiB")] {
+        assert!(page.too_large(name, most).is_null());
+        let words = page.too_large(name, most + 1)["problems"].to_string();
+        let is_named = words.contains(name) && words.contains(&format!("up to {limit}"));
+        assert!(is_named, "{words}");
+    }
+}

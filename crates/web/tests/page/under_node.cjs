@@ -54,7 +54,7 @@ for (const files of cases) {
     const at = JSON.parse(result).start ?? { wheel: 1, pinion: 1, left: false, fraction: 0 };
     const a = opened.distances_mm[0];
     one.with_distance(main, "", a);
-    one.said("large", main);
+    one.too_large(main, 2 ** 20 + 1);
     const place = [a, 0, at.wheel, at.pinion, at.left, at.fraction];
     answers.push(result, one.mark_of_jam(), timed(() => one.live_band(a, false)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
     // As the slider moves it, after the first.

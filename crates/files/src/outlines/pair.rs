@@ -125,9 +125,8 @@ pub(crate) fn slips(
     assembly: &AssemblySpec,
 ) -> Vec<String> {
     let check = "the distance, and the units and scale of the drawings";
-    let of = |a: Option<f64>| {
-        let pair = OutlinePair::new(wheel.clone(), pinion.clone(), a?, assembly.locked);
-        let pair = pair.ok()?;
+    let of = |a: Option<f64>, [wheel, pinion]: [OutlineGear; 2]| {
+        let pair = OutlinePair::new(wheel, pinion, a?, assembly.locked).ok()?;
         let poses = (0..POSES).map(|k| Mating {
             fraction: f64::from(k) / f64::from(POSES),
             ..Mating::at(1, 1, Side::Right)
@@ -137,8 +136,16 @@ pub(crate) fn slips(
         let found = found.collect::<Result<Vec<_>, _>>().ok()?;
         Some((a?, pair, found))
     };
-    let nearest = of(distances.iter().copied().reduce(f64::min));
-    let farthest = of(distances.iter().copied().reduce(f64::max));
+    // Teeth that are stated thinner are no reason to doubt the distance.
+    let thick = |gear: &OutlineGear| match gear.flank_offset() {
+        Some(offset) if offset < 0.0 => gear.with_flank_offset(0.0).ok(),
+        _ => Some(gear.clone()),
+    };
+    let thick = thick(wheel).zip(thick(pinion));
+    let nearest = distances.iter().copied().reduce(f64::min);
+    let nearest = thick.and_then(|(wheel, pinion)| of(nearest, [wheel, pinion]));
+    let farthest = distances.iter().copied().reduce(f64::max);
+    let farthest = of(farthest, [wheel.clone(), pinion.clone()]);
     let backlash = nearest.and_then(|(a, pair, found)| {
         let angles = found.iter().filter_map(|found| found.angle());
         let backlash = angles.reduce(f64::min)? * pair.operating_pitch_radius(pair.free());

@@ -32,7 +32,7 @@ use self::diagnosis::{CheckName, Diagnosis, PoseEvidence, failed_checks};
 use self::extremes::CycleExtremes;
 use self::face_width::AtWidth;
 use self::measured::{MeasuredMating, measured_matings};
-use self::remedies::Remedies;
+use self::remedies::{Remedies, StatedGear};
 use self::simulate::simulate;
 use self::study::Study;
 use self::verdict::Verdict;
@@ -50,7 +50,7 @@ pub struct Plan<'a> {
     extremes: bool,
     curves: bool,
     checks: bool,
-    remedies: Option<[f64; 2]>,
+    remedies: Option<[StatedGear; 2]>,
 }
 
 impl<'a> Plan<'a> {
@@ -100,9 +100,9 @@ impl<'a> Plan<'a> {
         self
     }
 
-    /// Adds the single changes that make a failing pair fit, with the extremes; `scales` as of [`remedies::remedies`].
-    pub fn with_remedies(mut self, scales: [f64; 2]) -> Plan<'a> {
-        self.remedies = Some(scales);
+    /// Adds the single changes that make a failing pair fit, with the extremes; `stated` as of [`remedies::remedies`].
+    pub fn with_remedies(mut self, stated: [StatedGear; 2]) -> Plan<'a> {
+        self.remedies = Some(stated);
         self.with_extremes()
     }
 
@@ -138,9 +138,6 @@ impl<'a> Plan<'a> {
         Ok(steps)
     }
 }
-
-/// The stage in which each step is a search of a whole mesh cycle. These steps differ in duration.
-pub const MESH_CYCLE: &str = "(mesh cycle)";
 
 /// Receives the progress of an analysis.
 pub struct Progress<'a> {
@@ -215,7 +212,7 @@ impl<'a> Analysis<'a> {
             remedies: Remedies::default(),
         };
         if plan.extremes {
-            (progress.stage)(MESH_CYCLE);
+            (progress.stage)("(mesh cycle)");
             analysis.extremes = extremes::extremes(study, method, tick)?;
         }
         if plan.revolution {
@@ -256,9 +253,9 @@ impl<'a> Analysis<'a> {
                 analysis.runs.iter().filter_map(PoseEvidence::of).collect();
             analysis.failed_checks = failed_checks(study, &evidence, &analysis.extremes, tick)?;
         }
-        if let Some(scales) = plan.remedies {
+        if let Some(stated) = plan.remedies {
             (progress.stage)("(remedies)");
-            analysis.remedies = remedies::remedies(study, &analysis.verdict(), scales, tick)?;
+            analysis.remedies = remedies::remedies(study, &analysis.verdict(), stated, tick)?;
         }
         Ok(analysis)
     }

@@ -91,9 +91,27 @@ pub struct Remedy {
     pub bracket: [f64; 2],
 }
 
+/// How a file states a gear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedGear {
+    /// The factor of all its lengths.
+    pub scale: f64,
+    /// Whether a flank offset states its thickness.
+    pub by_flank_offset: bool,
+}
+
 /// The reason why a change, or every change, is not among the remedies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NoRemedy {
+    /// Least and greatest value, `found`, of a quantity are farther apart than its limits.
+    Spread {
+        /// The limited quantity.
+        quantity: Quantity,
+        /// Its least and greatest value, in its unit.
+        found: [f64; 2],
+        /// Its limits.
+        limits: [f64; 2],
+    },
     /// Backlash is too little in one run and too great in another.
     TooLittleAndTooGreat,
     /// The gears are out of mesh.
@@ -130,7 +148,7 @@ impl Remedies {
 }
 
 /// The remedies of `study`, if `verdict` says that it does not assemble or misses a requirement; otherwise none. Thicknesses are of
-/// wheel and pinion before their `scales`, the factors of all their lengths.
+/// wheel and pinion as `stated`: before their factors, and as flank offsets where these state them.
 ///
 /// A change is no remedy if another requirement is missed after it, or if as much effort as one verdict may take does not suffice.
 ///
@@ -139,7 +157,7 @@ impl Remedies {
 pub fn remedies(
     study: &Study,
     verdict: &Verdict,
-    scales: [f64; 2],
+    stated: [StatedGear; 2],
     tick: &Tick,
 ) -> Result<Remedies, Error> {
     let jams = |run: &RunExtremes| run.assembles() == Some(false);
@@ -155,7 +173,8 @@ pub fn remedies(
         return Ok(none(NoRemedy::OutOfMesh));
     }
     if too_tight && too_loose {
-        return Ok(none(NoRemedy::TooLittleAndTooGreat));
+        let spread = spread(study, verdict.runs);
+        return Ok(none(spread.unwrap_or(NoRemedy::TooLittleAndTooGreat)));
     }
     let worst = worst(verdict.runs, too_tight).filter(|_| too_tight || too_loose);
     let Some(worst) = worst else {
@@ -173,7 +192,7 @@ pub fn remedies(
         plans: &plans,
         worst,
         pair,
-        scales,
+        stated,
         sign: if too_tight { 1.0 } else { -1.0 },
     };
     let mut found = Remedies::default();
@@ -198,11 +217,41 @@ pub fn remedies(
         let is_found =
             |reason: &NoRemedy| !matches!(reason, NoRemedy::NoDistance | NoRemedy::NoThickness(_));
         found.missing.retain(is_found);
-        found.missing.push(NoRemedy::NotEnough);
+        let spread = spread(study, verdict.runs);
+        found.missing.push(spread.unwrap_or(NoRemedy::NotEnough));
     }
     // A search that was stopped has less effort.
     Error::if_stopped(tick(0))?;
     Ok(found)
+}
+
+/// The limits that the spread of `runs` exceeds: of all runs of a band, which move together, else of those at one distance.
+fn spread(study: &Study, runs: &[RunExtremes]) -> Option<NoRemedy> {
+    let value = |quantity: Quantity, run: &RunExtremes, end: End| {
+        let (assembly, extreme) = run.with_play(end);
+        let found = quantity.bracket(assembly, [extreme?.found(); 2], end == End::Greatest)?;
+        Some(found[0])
+    };
+    let is_together = |one: &RunExtremes, other: &RunExtremes| {
+        let distance = |run: &RunExtremes| run.assembly.center_distance();
+        study.band.is_some() || distance(one) == distance(other)
+    };
+    let of = |(quantity, limits): &(Quantity, Limits), first: &RunExtremes| {
+        let limits = [limits.min?, limits.max?];
+        let together = || runs.iter().filter(|run| is_together(first, run));
+        let all = |end| together().map(move |run| value(*quantity, run, end));
+        let least = all(End::Least).collect::<Option<Vec<f64>>>()?;
+        let greatest = all(End::Greatest).collect::<Option<Vec<f64>>>()?;
+        let least = least.into_iter().reduce(f64::min)?;
+        let greatest = greatest.into_iter().reduce(f64::max)?;
+        (greatest - least > limits[1] - limits[0]).then_some(NoRemedy::Spread {
+            quantity: *quantity,
+            found: [least, greatest],
+            limits,
+        })
+    };
+    let mut each = study.requirements.iter();
+    each.find_map(|limits| runs.iter().find_map(|first| of(limits, first)))
 }
 
 /// The run with the least backlash; the one with the greatest if the pair is too loose.
@@ -226,8 +275,8 @@ struct Search<'a> {
     /// The index of the worst run, and its pair.
     worst: usize,
     pair: &'a AssembledPair,
-    /// The factors of all lengths of wheel and pinion; a reduction is of the gear before its factor.
-    scales: [f64; 2],
+    /// Wheel and pinion as stated; a reduction is of the gear before its factor.
+    stated: [StatedGear; 2],
     /// 1 if the pair is too tight, −1 if it is too loose.
     sign: f64,
 }
@@ -291,7 +340,7 @@ impl<'a> Search<'a> {
         }))
     }
 
-    /// The remedies by the allowance of `gears` of `pair`; for both gears also by the flank offset.
+    /// The remedies of `gears` of `pair` by the flank offset where it states them, else by the allowance; for both gears by either.
     fn thickness(
         &self,
         pair: &GearPair,
@@ -319,21 +368,25 @@ impl<'a> Search<'a> {
         let per_allowance = thickness::per_normal_thickness(basic_data);
         // Two offsets along the normals increase the base tooth thickness like an allowance.
         let per_offset = thickness::base_from_span(basic_data, 1, 2.0) / per_allowance;
-        let both = [
+        let units = [
             (Change::FlankOffset, per_offset),
             (Change::ThicknessAllowance, 1.0),
         ];
+        let by_offset = |member: Member| self.stated[member as usize].by_flank_offset;
+        let units = if gears.members().all(by_offset) {
+            &units[..1]
+        } else if gears == Gears::Both {
+            &units
+        } else {
+            &units[1..]
+        };
         let thinning = Thinning {
             gears,
             own,
             moved: &moved,
             most: MOST_THICKNESS * wheel.base_thickness() / per_allowance,
             slope: per_allowance / pair.operating_pressure_angle().cos(),
-            units: if gears == Gears::Both {
-                &both
-            } else {
-                &both[1..]
-            },
+            units,
         };
         self.thinned(&thinning, effort)
     }
@@ -444,7 +497,7 @@ impl<'a> Search<'a> {
     }
 
     fn scale(&self, member: Member) -> f64 {
-        self.scales[member as usize]
+        self.stated[member as usize].scale
     }
 
     /// The gear with most material.

@@ -102,7 +102,7 @@ fn pair(
     let prepare = |path: PathBuf| OutputFolder::prepare(&path, &file.sources, maps::is_own);
     let folder = folder.map(prepare).transpose()?;
     let plan = Plan::new(study, method)
-        .with_remedies(file.spec.scales())
+        .with_remedies(file.spec.stated_gears())
         .with_checks();
     let analysis = run_under_bar(&plan)?;
     if let Some(folder) = folder {

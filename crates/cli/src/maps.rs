@@ -61,8 +61,8 @@ fn of_contacts(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Er
             Ok(None) => {}
             Err(reason) => {
                 print_error_line(&format!(
-                    "note: no map of material {}: the pose with the least backlash is unproven ({reason})",
-                    material.name()
+                    "note: no map of {}: the pose with the least backlash is unproven ({reason})",
+                    material.words()
                 ));
             }
         }

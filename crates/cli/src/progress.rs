@@ -64,7 +64,7 @@ impl Progress {
         self.bar.set_message(doing.to_owned());
     }
 
-    /// Does `work` whose steps take very different times, as searches of a mesh cycle do. No remaining time is shown meanwhile.
+    /// Does `work` whose steps take very different times, as searches of a mesh cycle do. The time since the start is shown meanwhile.
     pub fn searching<T>(&self, work: impl FnOnce() -> T) -> T {
         self.show_estimate(false);
         let found = work();
@@ -72,12 +72,13 @@ impl Progress {
         found
     }
 
-    /// Sets whether the remaining time is shown.
+    /// Shows the remaining time, or that since the start.
     fn show_estimate(&self, estimates: bool) {
         let template = if estimates {
             with_estimate("steps")
         } else {
-            "{bar:40} {pos}/{len} steps {wide_msg}".to_owned()
+            self.bar.enable_steady_tick(Duration::from_secs(1));
+            "{bar:40} {pos}/{len} steps, {elapsed} {wide_msg}".to_owned()
         };
         if let Ok(style) = ProgressStyle::with_template(&template) {
             self.bar.set_style(style);
@@ -106,7 +107,7 @@ fn with_estimate(named: &str) -> String {
 pub(super) fn run_under_bar<'a>(plan: &Plan<'a>) -> Result<Analysis<'a>, Error> {
     let bar = Progress::of(plan.steps()?, "steps");
     let mut stage = |doing: &str| {
-        bar.show_estimate(doing != analysis::MESH_CYCLE);
+        bar.show_estimate(false);
         bar.now(doing);
     };
     let tick = |steps| bar.tick(steps);

@@ -209,6 +209,7 @@ impl<'a> PairTables<'a> {
             .check_count(table, Some(&center_distances), is_band)?;
         let thickest = [wheel.most(), pinion.most()];
         outlines::check_distances(table, thickest, &center_distances, assembly)?;
+        warnings.extend(outlines::slips(thickest, &center_distances, assembly));
         Temperature::read(table, assembly, gears)?;
         remarks.extend(table.reading().take_remarks());
         remarks.extend(meaning(&stated));

@@ -89,7 +89,7 @@ fn has_tooth_data(gear: &GearSpec) -> bool {
 fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
     let a = distances.iter().copied().reduce(f64::min)?;
     let gears = [("wheel", wheel), ("pinion", pinion)]
-        .map(|(name, part)| part.as_built.as_ref().map(|gear| (name, gear.most())));
+        .map(|(name, part)| Some(((name, part.scale), part.as_built.as_ref()?.most())));
     let [Some(wheel), Some(pinion)] = gears else {
         return None;
     };
@@ -98,15 +98,19 @@ fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<Str
         .into_iter()
         .reduce(f64::min)?;
     // Without clearance, the check of radial clearance reports the fault.
-    let large = |gear: &(&str, &gearlash::gear::AsBuilt)| {
+    let large = |gear: &(_, &gearlash::gear::AsBuilt)| {
         clearance > 0.0 && 2.0 * gear.1.eccentricity() > MAX_OF_CLEARANCE * clearance
     };
-    let (name, gear) = [wheel, pinion].into_iter().find(large)?;
+    let ((name, scale), gear) = [wheel, pinion].into_iter().find(large)?;
     let um = 2000.0 * gear.eccentricity();
+    let scaled = match scale {
+        1.0 => String::new(),
+        scale => format!(", {} µm with scale = {scale},", ascii(um, 1)),
+    };
     Some(format!(
-        "{name}.runout: {} µm is more than half of the radial clearance, {} µm at a = {a} mm: check the unit (µm), and that it is the runout \
-         F_r = 2e of the teeth",
-        ascii(um, 1),
+        "{name}.runout: {} µm{scaled} is more than half of the radial clearance, {} µm at a = {a} mm: check the unit (µm), and that it is the \
+         runout F_r = 2e of the teeth",
+        ascii(um / scale, 1),
         um_ascii(clearance, 1)
     ))
 }
@@ -129,12 +133,27 @@ fn excessive_backlash(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) ->
     let inv_0 = (thickness(wheel) + thickness(pinion) - data.base_pitch()) / (2.0 * base);
     let at = inv_of_roll(roll_at(least, base));
     let backlash = 2.0 * base * (at - inv_0) / data.transverse_pressure_angle().cos();
-    let modules = backlash / data.module();
+    let teeth = if is_thick(wheel) || is_thick(pinion) {
+        "the stated"
+    } else {
+        "nominal"
+    };
+    excessive(
+        least,
+        teeth,
+        backlash,
+        data.module(),
+        "the distance, the teeth and the module",
+    )
+}
+
+/// A warning of `backlash`, mm, at the centre distance `a`, mm, that is more than usual for `module`, mm; it says what to `check`.
+pub fn excessive(a: f64, teeth: &str, backlash: f64, module: f64, check: &str) -> Option<String> {
+    let modules = backlash / module;
     (modules > MAX_BACKLASH).then(|| {
         format!(
-            "assembly.center_distance_mm: {} mm leaves {} teeth {} µm of backlash, {} of the module: check the distance, the teeth and the module",
-            ascii(least, 4),
-            if is_thick(wheel) || is_thick(pinion) { "the stated" } else { "nominal" },
+            "assembly.center_distance_mm: {} mm leaves {teeth} teeth {} µm of backlash, {} of the module: check {check}",
+            ascii(a, 4),
             um_ascii(backlash, 0),
             ascii(modules, 2)
         )

@@ -29,7 +29,7 @@ pub fn extremes(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> error::O
 #[pyo3(signature = (pair, threads=None))]
 pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> error::Outcome<String> {
     let plan = Plan::new(pair.study(), METHOD)
-        .with_remedies(pair.file.spec.scales())
+        .with_remedies(pair.file.spec.stated_gears())
         .with_checks();
     let analysis = analysed(py, threads, &plan)?;
     let (name, screen) = (&pair.file.stem, Screen::default());

@@ -80,6 +80,9 @@ row_type!(row: CheckRow {
     "unproven" Plain => Value::optional(row.check.unproven.clone());
 });
 
+/// What the margin of a check is.
+pub const MARGIN: &str = "Margin: to the limit, from the worse of formula and outlines; of centre distances, from the outlines. A negative one misses it.";
+
 /// The unit of a check, as shown to people.
 fn unit(unit: &'static str) -> &'static str {
     match unit {
@@ -214,7 +217,7 @@ pub fn text(
     screen: &Screen,
 ) -> String {
     let lines = lines(verdict);
-    let remedies = remedies.text(!file.study.requirements.is_empty());
+    let remedies = remedies.text(verdict);
     let mut text = heading(&file.study.title, &lines, screen);
     if diagnosis.groups.is_empty() {
         for sentence in &lines.left_out {
@@ -223,8 +226,9 @@ pub fn text(
         return screen.fold(&(text + &drawn_notes(file) + &remedies));
     }
     text += &CheckRow::columns().text(&rows(diagnosis), screen);
+    let _ = writeln!(text, "\n{MARGIN}");
     if diagnosis.groups.len() > 1 {
-        text += "\nEach check is shown at its worst centre distance and material; --format json has all.\n";
+        text += "Each check is shown at its worst centre distance and material; --format json has all.\n";
     }
     for reason in doubts(diagnosis) {
         let word = screen.toned(Tone::Doubtful, "UNPROVEN");
@@ -293,10 +297,10 @@ fn contact(diagnosis: &Diagnosis, requirement: Requirement) -> String {
         let mating = worst.pose.mating();
         let _ = writeln!(
             text,
-            "Backlash j_wt by formula minus that on the outlines: least {}, mean {}, greatest {} µm.",
+            "Backlash j_wt by formula less that on the outlines: {} to {} µm, {} µm on average.",
             um_ascii(loss.least, 3),
-            um_ascii(loss.mean, 3),
             um_ascii(worst.loss, 3),
+            um_ascii(loss.mean, 3),
         );
         // A loss that prints as 0.000 µm does not count.
         if worst.loss >= 5e-7 {
@@ -308,7 +312,7 @@ fn contact(diagnosis: &Diagnosis, requirement: Requirement) -> String {
                 mating.flank.name(),
                 ascii(mating.fraction, 4),
                 stated_distance(worst.assembly.center_distance()),
-                worst.material.name(),
+                worst.material.words(),
                 um_ascii(worst.backlash + worst.loss, 3),
                 um_ascii(worst.backlash, 3),
                 worst.contact.wheel.tooth,

@@ -356,7 +356,7 @@ fn run_name(run: &RunTally) -> String {
     format!(
         "a = {} mm, {}",
         stated_distance(run.assembly.center_distance()),
-        run.material.name()
+        run.material.words()
     )
 }
 

@@ -43,7 +43,7 @@ pub mod text {
 
     /// The checks of a pair as text.
     pub mod check {
-        pub use crate::checks::{doubts, shown, text, titles};
+        pub use crate::checks::{MARGIN, doubts, shown, text, titles};
     }
 }
 

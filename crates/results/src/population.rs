@@ -97,6 +97,10 @@ row_type!(row: ContributionRow {
     "" Plain [people(shown("by itself").spare(1))] => Value::optional(row.greatest.map(|of| percent(of[1])));
 });
 
+/// What a share of the variance is, below the table.
+pub const SHARES: &str = "A share counts joint effects at each quantity that takes part, so shares can add to more than 100 %; \
+     by itself leaves joint effects out. ± is the standard error: a small share can come out negative within it.";
+
 fn percent(index: Estimate) -> String {
     within(100.0 * index.value, 100.0 * index.error)
 }
@@ -368,7 +372,7 @@ pub fn remarks(result: &ToleranceResult) -> Vec<String> {
     remarks.extend(phases_of_limits(about).map(str::to_owned));
     if about.limit_cases.is_some() && !about.without_end.is_empty() {
         remarks.push(format!(
-            "Worst case: all at their limits; without these at 3 standard deviations, or as stated: {}.",
+            "Worst case: every quantity at its limit. Distributions without an end are cut at stated limits, else at 3 standard deviations: {}.",
             about.without_end.join(", ")
         ));
     }
@@ -396,6 +400,7 @@ pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
     if !contributions.is_empty() {
         text.push('\n');
         text += &ContributionRow::columns().text(&contributions, screen);
+        text += &screen.fold(&format!("{SHARES}\n"));
     }
     text.push('\n');
     text + &WorstRow::columns().text(&worst_rows(result), screen)

@@ -1,9 +1,10 @@
 //! Remedies, the single changes that make a pair fit: as JSON and in words.
 
 use gearlash::analysis::remedies::{Change, Gears, NoRemedy, Remedies, Remedy};
+use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::pair::Member;
 use gearlash_files::PairFile;
-use gearlash_files::numbers::{ascii, rounded};
+use gearlash_files::numbers::{ascii, fixed, rounded, unit_of};
 use serde::Serialize;
 
 /// A remedy in the keys and units of a pair file.
@@ -80,7 +81,7 @@ pub struct RemedyRecords {
     /// Each single change that makes the pair fit.
     pub changes: Vec<RemedyRecord>,
     /// The reasons for missing changes, one sentence each.
-    pub missing: Vec<&'static str>,
+    pub missing: Vec<String>,
 }
 
 impl RemedyRecords {
@@ -93,7 +94,7 @@ impl RemedyRecords {
             return RemedyRecords {
                 changes: Vec::new(),
                 missing: vec![
-                    "No single change is given at another temperature than 20 °C, at which a file states its lengths.",
+                    "No single change is given at another temperature than 20 °C, at which a file states its lengths.".to_owned(),
                 ],
             };
         }
@@ -106,12 +107,12 @@ impl RemedyRecords {
         }
     }
 
-    /// The remedies below a table of checks; empty for a pair that fits. `requires`: the file states a requirement.
-    pub fn text(&self, requires: bool) -> String {
-        let what = if requires {
-            "assemble and meet [require]"
-        } else {
-            "assemble"
+    /// The remedies below a table of checks; empty for a pair that fits.
+    pub fn text(&self, verdict: &Verdict) -> String {
+        let what = match (verdict.assembles(), verdict.requirement) {
+            (Some(true), _) => "meet [require]",
+            (_, Requirement::None) => "assemble",
+            (_, _) => "assemble and meet [require]",
         };
         let mut text = String::new();
         if !self.changes.is_empty() {
@@ -130,8 +131,23 @@ impl RemedyRecords {
 }
 
 /// The reason why a change is missing, as a sentence.
-fn sentence(reason: NoRemedy) -> &'static str {
-    match reason {
+fn sentence(reason: NoRemedy) -> String {
+    let words = match reason {
+        NoRemedy::Spread {
+            quantity,
+            found,
+            limits,
+        } => {
+            let (name, unit, per, decimals) = unit_of(quantity);
+            let [found, limits] = [found, limits].map(|[least, greatest]| {
+                let shown =
+                    [greatest - least, least, greatest].map(|value| fixed(value * per, decimals));
+                format!("{} {unit} ({} … {})", shown[0], shown[1], shown[2])
+            });
+            return format!(
+                "No single change is enough: {name} spreads over {found}, its limits over {limits}."
+            );
+        }
         NoRemedy::TooLittleAndTooGreat => {
             "No single change is enough: the backlash is too little in one place and too great in another."
         }
@@ -153,5 +169,6 @@ fn sentence(reason: NoRemedy) -> &'static str {
             "No thickness of the pinion alone was found that is enough."
         }
         NoRemedy::NotEnough => "No single change is enough.",
-    }
+    };
+    words.to_owned()
 }

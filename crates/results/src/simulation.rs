@@ -150,7 +150,7 @@ fn unproven_note(runs: &[RunTally], screen: &Screen) -> String {
         text += &format!(
             "  a = {} mm, {}, {}: {}\n",
             stated_distance(run.assembly.center_distance()),
-            run.material.name(),
+            run.material.words(),
             pose_label(pose),
             doubts(pose)
         );
@@ -207,9 +207,9 @@ fn phase_table(group: &PhaseGroup, unit: BacklashUnit, screen: &Screen) -> Strin
     });
     let (a, rows) = (first.assembly.center_distance(), rows.collect::<Vec<_>>());
     let mut text = format!(
-        "centre distance {} mm, material {}\n\n{}",
+        "centre distance {} mm, {}\n\n{}",
         stated_distance(a),
-        first.material.name(),
+        first.material.words(),
         PhaseRow::columns().table(&rows, |_| a, unit, screen)
     );
     let variation = |run: &RunTally| {

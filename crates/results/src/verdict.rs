@@ -49,7 +49,7 @@ pub struct VerdictLines {
 pub struct ExtremeRow {
     /// `least`, `greatest` or `constant`.
     pub name: &'static str,
-    /// The backlash, such as `12.25 µm` or `12.3 ± 1.2 µm`.
+    /// The backlash, such as `12.25 µm` or `12.3 ± 1.2 µm`; `jammed` or `out of mesh` where there is none.
     pub value: String,
     /// Its lost motion in minutes of arc at a gear, where that is limited or requested.
     pub arcmin: Option<(String, Member)>,
@@ -57,7 +57,7 @@ pub struct ExtremeRow {
     pub teeth: Option<String>,
     /// The curves in contact; drawn gears only.
     pub curves: Option<String>,
-    /// The direction of runouts that are undirected in the file.
+    /// The points in mesh, `high` or `low`, of runouts that are undirected in the file.
     pub direction: Option<&'static str>,
     /// The centre distance, mm, where there are several.
     pub distance: Option<String>,
@@ -78,12 +78,16 @@ impl ExtremeRow {
         };
         let mut rest = Vec::new();
         rest.extend(self.curves.clone().filter(|_| tier == 0));
-        rest.extend(self.direction.filter(|_| tier < 2).map(str::to_owned));
+        rest.extend(
+            self.direction
+                .filter(|_| tier < 2)
+                .map(|points| match tier {
+                    0 => format!("{points} points in mesh"),
+                    _ => format!("{points} points"),
+                }),
+        );
         rest.extend(self.distance.as_ref().map(|a| format!("a {a} mm")));
-        rest.extend(self.material.map(|material| match tier {
-            0 => material.words().to_owned(),
-            _ => material.name().to_owned(),
-        }));
+        rest.extend(self.material.map(|material| material.words().to_owned()));
         let phase = self.phase.filter(|_| tier < 3);
         rest.extend(phase.map(|(wheel, pinion)| format!("phase {wheel}·{pinion}")));
         vec![teeth, rest.join(", ")]
@@ -101,8 +105,7 @@ impl ExtremeRow {
             0 => format!("{arcmin} arcmin at the {}", member.name()),
             _ => format!("{arcmin}′ {}", member.name()),
         });
-        let mut cells = vec![self.value.clone()];
-        cells.extend(lost_motion);
+        let mut cells = vec![self.value.clone(), lost_motion.unwrap_or_default()];
         cells.extend(self.place(tier));
         cells
     }
@@ -219,6 +222,9 @@ fn aligned_rows(rows: &[ExtremeRow], most: usize) -> Vec<String> {
             let mut line = format!("  {:<8}{gap}{:>width$}", row.name, cells[0]);
             for (column, cell) in cells.iter().enumerate().skip(1) {
                 let width = widths(column);
+                if width == 0 {
+                    continue;
+                }
                 line += &format!("{gap}{cell:<width$}");
             }
             line.trim_end().to_owned()
@@ -546,36 +552,61 @@ fn rows(verdict: &Verdict) -> Vec<ExtremeRow> {
     if let [only] = verdict.runs
         && let (Some((run, extreme)), true) = (least, is_constant(only))
     {
-        return vec![row(verdict, run, extreme, CONSTANT)];
+        return vec![row(verdict, run, Ok(extreme), CONSTANT)];
     }
-    let least = least.map(|(run, extreme)| row(verdict, run, extreme, "least"));
+    // A run without backlash is worse than each with one.
+    let worst = |status, words, found: Option<(_, _)>, name| {
+        let without = verdict.runs.iter().find(|run| run.status == status);
+        let found = found.map(|(run, extreme)| (run, Ok(extreme)));
+        without
+            .map(|run| (run, Err(words)))
+            .or(found)
+            .map(|(run, value)| row(verdict, run, value, name))
+    };
     let greatest = verdict.greatest();
-    let greatest = greatest.map(|(run, extreme)| row(verdict, run, extreme, "greatest"));
-    least.into_iter().chain(greatest).collect()
+    let is_any = greatest.is_some();
+    let least = worst(Status::Jammed, "jammed", least, "least");
+    let greatest = worst(Status::NoContact, "out of mesh", greatest, "greatest");
+    match (least, greatest) {
+        (Some(least), Some(greatest)) => vec![least, greatest],
+        (least, greatest) => least
+            .into_iter()
+            .chain(greatest)
+            .filter(|_| is_any)
+            .collect(),
+    }
 }
 
+/// The row of an extreme of `run`, or of the words that say why it has none.
 fn row(
     verdict: &Verdict,
     run: &RunExtremes,
-    extreme: &RunExtreme,
+    extreme: Result<&RunExtreme, &str>,
     name: &'static str,
 ) -> ExtremeRow {
-    let found = extreme.found();
     let several = |differs: &dyn Fn(&RunExtremes) -> bool| verdict.runs.iter().any(differs);
     let distance = run.assembly.center_distance();
     let is_alike = is_constant(run) || run.has_like_teeth();
-    let teeth = teeth(&extreme.pose).filter(|_| !is_alike);
+    let teeth = match extreme {
+        Ok(extreme) => teeth(&extreme.pose),
+        Err(_) => jam(run),
+    };
+    let teeth = teeth.filter(|_| !is_alike);
+    let found = extreme.ok();
     ExtremeRow {
         name,
-        value: value(found, verdict.expanded(extreme).or(drawing_bound(extreme))),
-        arcmin: verdict.lost_motion_of.map(|member| {
-            let angle = run.assembly.angle(member, found);
+        value: extreme.map_or_else(str::to_owned, |extreme| {
+            let off = verdict.expanded(extreme).or(drawing_bound(extreme));
+            value(extreme.found(), off)
+        }),
+        arcmin: found.zip(verdict.lost_motion_of).map(|(extreme, member)| {
+            let angle = run.assembly.angle(member, extreme.found());
             (lost_motion(angle), member)
         }),
-        curves: touched(extreme),
-        direction: run.any_direction().then_some(match name {
-            "greatest" => "low points in mesh",
-            _ => "high points in mesh",
+        curves: found.and_then(touched),
+        direction: (found.is_some() && run.any_direction()).then_some(match name {
+            "greatest" => "low",
+            _ => "high",
         }),
         distance: several(&|other| other.assembly.center_distance() != distance)
             .then(|| stated_distance(distance)),
@@ -639,10 +670,9 @@ pub(crate) fn message(verdict: &Verdict, lines: &VerdictLines) -> String {
 fn sentences(verdict: &Verdict, most: usize) -> Vec<String> {
     let mut sentences: Vec<String> = Vec::new();
     sentences.extend(distances(verdict).into_iter().map(|(text, _)| text));
-    sentences.extend(jam(verdict));
     sentences.extend(verdict.unmet.iter().map(|unmet| limit(unmet, most)));
     sentences.extend(checks(verdict, most));
-    sentences.extend(doubts(verdict));
+    sentences.extend(doubts(verdict, most));
     sentences.extend(bearings(verdict));
     let runs = verdict.runs.iter();
     let mut extremes = runs.flat_map(|run| run.least.iter().chain(&run.greatest));
@@ -659,15 +689,11 @@ fn sentences(verdict: &Verdict, most: usize) -> Vec<String> {
     sentences
 }
 
-/// The places where the pair jams, unless it jams everywhere.
-fn jam(verdict: &Verdict) -> Option<String> {
-    let jammed = |run: &&RunExtremes| run.status == Status::Jammed && run.greatest.is_some();
-    let run = verdict.runs.iter().find(jammed)?;
+/// The teeth that jam, such as `7·8`; `None` where all do.
+fn jam(run: &RunExtremes) -> Option<String> {
+    run.greatest.as_ref()?;
     let mating = run.lost.as_ref()?.pose.simulated.pose.mating();
-    Some(format!(
-        "Jammed at teeth {}·{}",
-        mating.wheel_tooth, mating.pinion_tooth
-    ))
+    Some(format!("{}·{}", mating.wheel_tooth, mating.pinion_tooth))
 }
 
 /// A violated limit, and the value that violates it.
@@ -746,8 +772,8 @@ pub fn short_title(title: &str) -> &str {
 }
 
 /// The reasons why extremes are not proven, and their brackets; equal reasons share a sentence.
-fn doubts(verdict: &Verdict) -> Vec<String> {
-    let mut about: Vec<(String, String)> = Vec::new();
+fn doubts(verdict: &Verdict, most: usize) -> Vec<String> {
+    let mut about: Vec<(Vec<[String; 2]>, String)> = Vec::new();
     for (name, is_least) in [("least", true), ("greatest", false)] {
         let ends = verdict.runs.iter().map(|run| [&run.greatest, &run.least]);
         let extremes: Vec<&RunExtreme> = ends
@@ -757,21 +783,34 @@ fn doubts(verdict: &Verdict) -> Vec<String> {
         if reasons.is_empty() {
             continue;
         }
-        let name = bracket(name, is_least, &extremes).unwrap_or(name.to_owned());
+        let words = bracket(is_least, &extremes);
+        let in_full = words.as_ref().map(|words| format!("{name} ({words})"));
+        let short = words.map(|words| format!("{name} {words}"));
+        let names = [in_full, short].map(|words| words.unwrap_or(name.to_owned()));
         match about.iter_mut().find(|(_, known)| *known == reasons) {
-            Some((names, _)) => *names += &format!(", {name}"),
-            None => about.push((name, reasons)),
+            Some((known, _)) => known.push(names),
+            None => about.push((vec![names], reasons)),
         }
     }
-    let sentence = |(names, reasons): &(String, String)| {
-        let (first, rest) = names.split_at(1);
-        format!("{}{rest}: {reasons}", first.to_uppercase())
+    let sentence = |(names, reasons): &(Vec<[String; 2]>, String)| {
+        let [in_full, short] =
+            [(0, " and ", " not proven"), (1, ", ", "")].map(|(form, and, end)| {
+                let names: Vec<&str> = names.iter().map(|names| names[form].as_str()).collect();
+                let names = names.join(and);
+                let (first, rest) = names.split_at(1);
+                format!("{}{rest}{end}: {reasons}", first.to_uppercase())
+            });
+        if columns(&in_full) <= most - 2 {
+            in_full
+        } else {
+            short
+        }
     };
     about.iter().map(sentence).collect()
 }
 
 /// The bracket of an extreme, where it is wide.
-fn bracket(name: &str, is_least: bool, extremes: &[&RunExtreme]) -> Option<String> {
+fn bracket(is_least: bool, extremes: &[&RunExtreme]) -> Option<String> {
     let of_all = |end: fn(&RunExtreme) -> f64| {
         let ends = extremes.iter().map(|extreme| end(extreme));
         ends.reduce(if is_least { f64::min } else { f64::max })
@@ -779,7 +818,7 @@ fn bracket(name: &str, is_least: bool, extremes: &[&RunExtreme]) -> Option<Strin
     let [low, high] = [of_all(|of| of.low)?, of_all(|of| of.high)?];
     let holds = extremes.iter().all(|extreme| extreme.holds());
     let words = bracket_words([low, high].map(|end| um(end, DECIMALS)));
-    (holds && high - low > WIDTH).then(|| format!("{name} {words} µm"))
+    (holds && high - low > WIDTH).then(|| format!("{words} µm"))
 }
 
 /// The reason why an extreme is not proven; `None` where it is.
@@ -813,18 +852,24 @@ fn bearings(verdict: &Verdict) -> Vec<String> {
         return Vec::new();
     };
     let clearance = stated_distance(first.clearance);
+    let unit = verdict.lost_motion_of.map_or("µm".to_owned(), |member| {
+        format!("arcmin at the {}", member.name())
+    });
+    let shown = |found: Option<(_, &RunExtreme)>| match (found, verdict.lost_motion_of) {
+        (Some((_, extreme)), Some(member)) => {
+            lost_motion(extreme.assembly.angle(member, extreme.found()))
+        }
+        (found, _) => um(found.map(|(_, extreme)| extreme.found()), DECIMALS),
+    };
     let jammed = |play: &BearingPlay| play.pressed.status == Status::Jammed;
     let least = match verdict.least_pressed() {
         _ if played().any(jammed) => "jammed".to_owned(),
-        least => um(least.map(|(_, extreme)| extreme.found()), DECIMALS),
+        least => shown(least),
     };
     let apart = |play: &BearingPlay| play.apart.status == Status::NoContact;
     let greatest = match verdict.greatest_apart() {
         _ if played().any(apart) => "out of mesh".to_owned(),
-        greatest => format!(
-            "{} µm",
-            um(greatest.map(|(_, extreme)| extreme.found()), DECIMALS)
-        ),
+        greatest => format!("{} {unit}", shown(greatest)),
     };
     let ends = played().flat_map(|play| [&play.pressed.extreme, &play.apart.extreme]);
     let reasons = distinct(ends.filter_map(|end| doubt(end.as_ref()?))).join(", ");
@@ -844,13 +889,14 @@ fn bearings(verdict: &Verdict) -> Vec<String> {
 
 /// Least and greatest of the cycle in one line, for a picture of fewer poses; empty without them.
 pub fn extremes_in_short(verdict: &Verdict) -> String {
-    let (Some((_, least)), Some((_, greatest))) = (verdict.least(), verdict.greatest()) else {
+    let rows = rows(verdict);
+    if rows.is_empty() {
         return String::new();
-    };
+    }
+    let each = rows.iter().map(|row| format!("{} {}", row.name, row.value));
     format!(
-        "whole mesh cycle ({} matings): least {} µm, greatest {} µm",
+        "whole mesh cycle ({} matings): {}",
         verdict.matings(),
-        um(least.found(), DECIMALS),
-        um(greatest.found(), DECIMALS)
+        each.collect::<Vec<String>>().join(", ")
     )
 }

@@ -49,7 +49,7 @@ fn a_search_that_stopped_is_no_proof_and_says_between_what_the_extremes_lie() {
     doubt(&mut runs[0].least, [0.0797, 0.2032], Doubt::Effort);
     let least = [
         "Assembles at a = 75.200 mm. Least not proven.\n",
-        "\n  Least 79.70 … 203.20 µm: search budget used up\n",
+        "\n  Least (79.70 … 203.20 µm) not proven: search budget used up\n",
     ];
     check(&runs, &least);
     // Both ends have one reason, which is printed once.
@@ -68,7 +68,7 @@ fn a_search_that_stopped_is_no_proof_and_says_between_what_the_extremes_lie() {
     );
     let greatest = [
         ". Greatest not proven.\n",
-        "\n  Greatest: bounded by poses alone, as fillets or roots may touch\n",
+        "\n  Greatest not proven: bounded by poses alone, as fillets or roots may touch\n",
     ];
     let text = check(&runs, &greatest);
     let of_bearings = text.contains("(bearing clearance): ");

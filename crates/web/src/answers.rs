@@ -119,7 +119,7 @@ impl Page {
         };
         let plan = Plan::new(&pair.study, METHOD)
             .with_revolution()
-            .with_remedies(pair.spec.scales())
+            .with_remedies(pair.spec.stated_gears())
             .with_checks();
         let analysis = match analysed(&plan, report) {
             Ok(analysis) => analysis,
@@ -146,7 +146,7 @@ impl Page {
         json!({
             "verdict": verdict_json(&verdict),
             "checks": checks,
-            "remedies": remedies.text(!pair.study.requirements.is_empty()),
+            "remedies": remedies.text(&verdict),
             "curve": curve(&analysis, &verdict),
             "start": start,
             "unproven": analysis.unproven(),

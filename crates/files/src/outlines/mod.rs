@@ -13,5 +13,5 @@ pub use listed::{ListedOutline, ListedOutlines, listed_outlines, lists_outlines}
 pub use pair::{Drawings, OutlineOptions};
 pub(crate) use pair::{
     by_flags, check_distances, has_outline, of_drawing, refuse, refuse_axes, refuse_limits,
-    refuse_tables, refuse_uncertainties,
+    refuse_tables, refuse_uncertainties, slips,
 };

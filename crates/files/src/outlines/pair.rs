@@ -6,12 +6,16 @@ use crate::check::Checked;
 use crate::drawing::{self, Options, Unit};
 use crate::error::InputError;
 use crate::gear::GearPart;
-use crate::numbers::{rounded, shortest};
+use crate::numbers::{ascii, rounded, shortest};
+use crate::pair_slips::excessive;
 use crate::source;
 use crate::sources::Files;
 use crate::spec::{AssemblySpec, CenterDistanceSpec, GEAR, PAIR, UncertaintySpec};
 use crate::table::Table;
+use gearlash::contact::{Contact, LostMotion, OutlineKernel, Status, ToothPlace};
+use gearlash::gear::Side;
 use gearlash::outline::{OutlineGear, OutlinePair};
+use gearlash::pair::Mating;
 use std::path::Path;
 
 /// Tables that do not apply to an outline, and why.
@@ -111,6 +115,62 @@ pub(crate) fn refuse_axes(file: &Table, assembly: &AssemblySpec) {
     for (key, _, reason, help) in refused.iter().filter(|(_, stated, ..)| *stated) {
         file.add(&format!("assembly.{key}"), *reason, *help);
     }
+}
+
+/// Poses of a pitch that are looked at for slips.
+const POSES: u32 = 16;
+/// Of these, poses with a tip in contact that teeth with deviations have, too.
+const TIPS_PASS: usize = 8;
+
+/// Warnings of centre distances that leave much backlash, or teeth out of contact, between the first teeth of gears by these outlines.
+pub(crate) fn slips(
+    [wheel, pinion]: [&OutlineGear; 2],
+    distances: &[f64],
+    assembly: &AssemblySpec,
+) -> Vec<String> {
+    let check = "the distance, and the units and scale of the drawings";
+    let of = |a: Option<f64>, [wheel, pinion]: [OutlineGear; 2]| {
+        let pair = OutlinePair::new(wheel, pinion, a?, assembly.locked).ok()?;
+        let poses = (0..POSES).map(|k| Mating {
+            fraction: f64::from(k) / f64::from(POSES),
+            ..Mating::at(1, 1, Side::Right)
+        });
+        let kernel = OutlineKernel::new(&pair);
+        let found = poses.map(|mating| kernel.lost_motion(&mating));
+        let found = found.collect::<Result<Vec<_>, _>>().ok()?;
+        Some((a?, pair, found))
+    };
+    // Teeth that are stated thinner are no reason to doubt the distance.
+    let thick = |gear: &OutlineGear| match gear.flank_offset() {
+        Some(offset) if offset < 0.0 => gear.with_flank_offset(0.0).ok(),
+        _ => Some(gear.clone()),
+    };
+    let thick = thick(wheel).zip(thick(pinion));
+    let nearest = distances.iter().copied().reduce(f64::min);
+    let nearest = thick.and_then(|(wheel, pinion)| of(nearest, [wheel, pinion]));
+    let farthest = distances.iter().copied().reduce(f64::max);
+    let farthest = of(farthest, [wheel.clone(), pinion.clone()]);
+    let backlash = nearest.and_then(|(a, pair, found)| {
+        let angles = found.iter().filter_map(|found| found.angle());
+        let backlash = angles.reduce(f64::min)? * pair.operating_pitch_radius(pair.free());
+        let module = 2.0 * a / f64::from(wheel.teeth() + pinion.teeth());
+        excessive(a, "drawn", backlash, module, check)
+    });
+    let lost = farthest.and_then(|(a, _, found)| {
+        // Teeth that overlap, or have no backlash, touch where they must.
+        let is_free = |found: &&LostMotion| matches!(found.status(), Status::Clear | Status::NoContact);
+        let is_tip = |of: &Contact| [of.wheel, of.pinion].iter().any(|touch| touch.curve == ToothPlace::Tip);
+        let is_off = |found: &&LostMotion| [found.right, found.left].iter().any(|of| of.as_ref().is_none_or(is_tip));
+        let off = found.iter().filter(is_free).filter(is_off).count();
+        let is_any = found.iter().any(|found| found.angle().is_some());
+        (is_any && off > TIPS_PASS).then(|| {
+            format!(
+                "assembly.center_distance_mm: at {} mm tips touch at {off} of {POSES} poses of a pitch, so flanks may lose contact between two pitches: check {check}",
+                ascii(a, 4)
+            )
+        })
+    });
+    backlash.into_iter().chain(lost).collect()
 }
 
 /// Checks that gears by these outlines make a pair at each of `distances`, mm.

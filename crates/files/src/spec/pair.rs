@@ -5,6 +5,7 @@ use super::{
     AccuracySpec, AssemblySpec, CompareSpec, GearSpec, MeasuredSpec, OutlineGearSpec, RequireSpec,
     RunoutSpec, SweepSpec, ToleranceSpec, UncertaintySpec,
 };
+use gearlash::analysis::remedies::StatedGear;
 use gearlash::gear::Face;
 use gearlash::pair::Member;
 use schemars::JsonSchema;
@@ -45,9 +46,15 @@ pub struct PairSpec {
 }
 
 impl PairSpec {
-    /// The factors of all lengths of wheel and pinion; 1 where none is stated.
-    pub fn scales(&self) -> [f64; 2] {
-        [&self.wheel, &self.pinion].map(|gear| gear.scale().unwrap_or(1.0))
+    /// How wheel and pinion are stated.
+    pub fn stated_gears(&self) -> [StatedGear; 2] {
+        [&self.wheel, &self.pinion].map(|gear| StatedGear {
+            scale: gear.scale().unwrap_or(1.0),
+            by_flank_offset: match gear {
+                EitherGearSpec::Data(gear) => gear.thickness.statement.flank_offset_mm.is_some(),
+                EitherGearSpec::Outline(_) => true,
+            },
+        })
     }
 }
 

@@ -94,7 +94,7 @@ pub fn phases_of_limits(about: &About) -> Option<&'static str> {
     let phase = Factor::Phase.name();
     let scatters = about.quantities.contains(&phase);
     (scatters && about.limit_cases.is_some()).then_some(
-        "At the mean, worst case and root sum of squares: each in the assembly phase where it is the worst.",
+        "At the mean, worst case and root sum of squares: each number is of its worst assembly phase.",
     )
 }
 

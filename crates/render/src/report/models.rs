@@ -10,7 +10,7 @@ use gearlash::analysis::measured::{MeasuredMating, sides};
 use gearlash::analysis::outcome::{MODELS, deviation};
 use gearlash::pair::GearPair;
 use gearlash_files::numbers::difference_um;
-use gearlash_results::text::check::{doubts, shown};
+use gearlash_results::text::check::{MARGIN, doubts, shown};
 use gearlash_results::text::measured_shown;
 use maud::{Markup, html};
 
@@ -39,6 +39,7 @@ pub(super) fn checks(page: &Page) -> Markup {
                 @if several { " Each check is shown at its worst centre distance and material." }
             }
             (Table::of_shown("Checks", html! {}, &shown(diagnosis)))
+            p { (MARGIN) }
             @for reason in doubts(diagnosis) { p { strong { "Unproven: " } (plain(reason)) "." } }
             (study())
             p.note {

@@ -237,7 +237,7 @@ fn contributions(report: &ToleranceReport) -> Markup {
                 Some(chart) => (figure(chart)),
                 None => p { "None were found: too few rows of the samples, or nothing varies." },
             }
-            @if !shown.is_empty() { (Table::of_shown("Contributions", caption, &shown)) }
+            @if !shown.is_empty() { (Table::of_shown("Contributions", caption, &shown)) p { (population::SHARES) } }
         }
     }
 }

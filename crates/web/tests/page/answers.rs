@@ -52,8 +52,9 @@ fn a_verdict_is_that_of_the_files_on_disk() {
         let (page, found) = opened(names);
         assert!(found["stem"].is_string(), "{names:?}: {found}");
         let result = page.result(&silent);
-        let study = study(names[0]);
-        let plan = certified(&study).with_remedies([1.0; 2]).with_checks();
+        let file = read(&path(names[0])).unwrap();
+        let stated = file.spec.stated_gears();
+        let plan = certified(&file.study).with_remedies(stated).with_checks();
         let analysis = Analysis::silently(&plan).unwrap();
         let text = lines(&analysis.verdict()).to_string();
         assert_eq!(result["verdict"]["text"], text, "{names:?}");

@@ -40,7 +40,11 @@ impl CheckContext<'_> {
         } else {
             least_over(self.assembly, member, pitches, tick)?
         };
-        let least = found.map_or(formula, |found| found.distance.min(formula)) - off[0] - off[1];
+        let outlines = match found {
+            Some(found) => Some(found.distance),
+            None => (off[0] + off[1] > 0.0).then_some(formula - off[0] - off[1]),
+        };
+        let least = outlines.map_or(formula, |outlines| outlines.min(formula));
         let limit = limits::LEAST_CLEARANCE * module;
         let verdict = if !met(least - limit) {
             Verdict::Fail
@@ -53,7 +57,7 @@ impl CheckContext<'_> {
         Ok(Check {
             gear: Some(member),
             formula: Some(formula),
-            outlines: found.map(|found| found.distance),
+            outlines,
             limit: Some(limit),
             margin: Some(least - limit),
             verdict,

@@ -151,7 +151,7 @@ impl CheckContext<'_> {
                 .collect(),
             note: nominal.map_or(String::new(), |nominal| {
                 let overlap = if overlap > 0.0 {
-                    format!("; and overlap ratio {overlap:.4}")
+                    format!("; margin with overlap ratio {overlap:.4}")
                 } else {
                     String::new()
                 };

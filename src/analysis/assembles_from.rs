@@ -5,9 +5,9 @@
 //! tangent if one end has no value. At each distance the matings that were tightest before are tested first. The whole
 //! cycle is searched only if none of them interferes.
 
-use crate::analytic::InvolutePair;
 use crate::contact::{
-    Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, Status,
+    Doubt, Effort, End, ExactKernel, Extreme, Extremes, LostMotion, OutlineCycle, OutlineKernel,
+    Status,
 };
 use crate::error::Error;
 use crate::numeric::try_bisect;
@@ -286,26 +286,29 @@ const MESH_WIDTH: f64 = 1e-5;
 /// Limit of steps: bisection of a range of 10 m alone.
 const MESH_STEPS: usize = 40;
 
-/// The distance up to which `assembly` is in mesh, which is out of mesh at a pose according to `found`. `search` finds the greatest over the whole cycle at
-/// another distance, within the budget `effort`. `None` if the pair is not in mesh at its distance without backlash either.
+/// The lost motion at a distance, mm, where the teeth of a mating meet.
+type PoseAt<'a> = &'a dyn Fn(f64, &Mating) -> Result<Option<LostMotion>, Error>;
+
+/// The greatest over the whole cycle at a distance, mm.
+type GreatestAt<'a> = &'a dyn Fn(f64) -> Result<Extremes, Error>;
+
+/// The distance up to which a pair is in mesh: above the distance `nearest`, mm, below its own one, where a pose is out of mesh according to
+/// `found`. `None` if it is in mesh at its own distance, or out of mesh at `nearest` too. Searches end with the budget `effort`.
 ///
 /// # Errors
-/// As `search`.
+/// As `pose` and `search`.
 pub(super) fn meshes_to(
-    assembly: &GearPair,
+    [nearest, own]: [f64; 2],
     found: &Extremes,
-    search: &dyn Fn(&GearPair, &ExactKernel) -> Result<Extremes, Error>,
+    (pose, search): (PoseAt, GreatestAt),
     effort: &Effort,
 ) -> Result<Option<Threshold>, Error> {
-    let (Some(nearest), Some(mut lost)) =
-        (InvolutePair::of(assembly).center_distance(0.0), found.lost)
-    else {
+    let Some(mut lost) = found.lost.filter(|_| found.status == Status::NoContact) else {
         return Ok(None);
     };
-    let (mut low, mut high, mut doubt) = (nearest, assembly.center_distance(), None);
+    let (mut low, mut high, mut doubt) = (nearest, own, None);
     let mut apart = vec![lost];
     let mut at = low;
-    let kernel = ExactKernel::new(assembly);
     for _ in 0..MESH_STEPS {
         if !(low < high) {
             return Ok(None);
@@ -314,12 +317,10 @@ pub(super) fn meshes_to(
             doubt = doubt.or(Some(Doubt::Effort));
             break;
         }
-        let pair = assembly.at(at)?;
-        let kernel = kernel.at(&pair);
-        if let Some(mating) = first_out_of_mesh(&pair, &kernel, &apart)? {
+        if let Some(mating) = first_out_of_mesh(at, &apart, pose)? {
             (high, lost) = (at, mating);
         } else {
-            let there = search(&pair, &kernel)?;
+            let there = search(at)?;
             match there.greatest {
                 None => {
                     high = at;
@@ -345,14 +346,10 @@ pub(super) fn meshes_to(
     }))
 }
 
-/// The first of `matings` at which the pair is out of mesh.
-fn first_out_of_mesh(
-    pair: &GearPair,
-    kernel: &ExactKernel,
-    matings: &[Mating],
-) -> Result<Option<Mating>, Error> {
+/// The first of `matings` that is out of mesh at the distance `at`, mm.
+fn first_out_of_mesh(at: f64, matings: &[Mating], pose: PoseAt) -> Result<Option<Mating>, Error> {
     for mating in matings {
-        let found = kernel.lost_motion_at(pair, *mating)?;
+        let found = pose(at, mating)?;
         if found.is_some_and(|found| found.status() == Status::NoContact) {
             return Ok(Some(*mating));
         }

@@ -150,13 +150,9 @@ fn shown(pair: &OutlinePair, assembles_from: Option<f64>) -> (Vec<f64>, Vec<Limi
         name: name.to_owned(),
         distance,
     };
-    let bottom = f64::max(
-        wheel.tip_radius() + pinion.root_radius(),
-        pinion.tip_radius() + wheel.root_radius(),
-    );
     let mut limits = vec![
         limit("a of the pair", pair.center_distance()),
-        limit("a tip on a root circle", bottom),
+        limit("a tip on a root circle", pair.tip_on_root()),
     ];
     limits.extend(assembles_from.map(|from| limit("assembles from here on", from)));
     limits.sort_by_cached_key(|limit| rank(limit.distance));

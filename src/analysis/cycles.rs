@@ -6,6 +6,7 @@ use super::directions::{self, AnyDirection, Directed, Poses, Search, is_open};
 use super::face_loss::FaceLoss;
 use super::phases::{phase, phase_count};
 use super::study::{Run, RunPlan, Study};
+use crate::analytic::InvolutePair;
 use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, PROVEN_WIDTH,
     PROVEN_WIDTH_DRAWN, Status,
@@ -18,6 +19,9 @@ use crate::pair::{FaceDeviation, GearPair, Mating, Member, SweepPlan, ToothNumbe
 /// Width of a proven bracket of `j_wt`, mm.
 pub const WIDTH: f64 = PROVEN_WIDTH;
 
+/// Width, mm, of a bracket of the greatest `j_wt` of outlines that proves them in mesh: any finite one does.
+const IN_MESH: f64 = 0.1;
+
 /// Width, mm, of a bracket of `j_wt` of `assembly` that counts as proven.
 pub fn proven_width(assembly: &AssembledPair) -> f64 {
     cycle_pair(assembly).width()
@@ -28,8 +32,13 @@ trait CyclePair {
     /// [`proven_width`].
     fn width(&self) -> f64;
 
-    /// The search of `cycle` with the axes where the pair states them, without the losses along the face.
+    /// The search of `cycle`, over all leans of the axes that are open.
     fn search(&self, cycle: &Planned) -> Result<Searched, Error>;
+
+    /// [`Planned::at_ends`] of bearings that let axes lean; `None` where they stay parallel.
+    fn in_bearings(&self, _: &Planned) -> Result<Option<[SearchedEnd; 2]>, Error> {
+        Ok(None)
+    }
 
     /// One end of `cycle` for this pair, in place of the pair of the cycle.
     fn end(&self, cycle: &Planned, end: End, effort: &Effort) -> Result<Extremes, Error>;
@@ -39,6 +48,9 @@ trait CyclePair {
 
     /// Whether wheel and pinion have unlike teeth.
     fn deviate(&self) -> [bool; 2];
+
+    /// [`Planned::effort_of_remedy`].
+    fn effort_of_remedy<'t>(&self, cycle: &Planned<'t>) -> Effort<'t>;
 }
 
 /// `assembly` as its kernel searches it.
@@ -58,15 +70,23 @@ impl CyclePair for OutlinePair {
         let kernel = OutlineKernel::new(self);
         let over = cycle_of_outlines(self, cycle.over(), cycle.tick);
         let found = kernel.extremes(self, &over, cycle.ends(), PROVEN_WIDTH_DRAWN);
-        let assembles_from = match cycle.alone {
-            Some(_) => None,
-            None => assembles_from_of_outlines(&kernel, self, &over, &found)?,
-        };
+        let (mut assembles_from, mut to) = (None, None);
+        if cycle.alone.is_none() {
+            assembles_from = assembles_from_of_outlines(&kernel, self, &over, &found)?;
+            let pose = |at, mating: &Mating| Ok(kernel.lost_motion_at(&self.at(at)?, mating).ok());
+            let search = |at| {
+                let (there, ends) = (self.at(at)?, &[End::Greatest]);
+                Ok(kernel.extremes(&there, &over, ends, IN_MESH))
+            };
+            let nearest = self.tip_on_root().max(self.least_distance() + WIDTH);
+            let between = [nearest, self.center_distance()];
+            to = meshes_to(between, &found, (&pose, &search), &Effort::endless())?;
+        }
         Ok(Searched {
             poses: cycle.poses_of(&found, assembles_from),
             found,
             assembles_from,
-            meshes_to: None,
+            meshes_to: to,
             effort: 0,
             face_loss: None,
         })
@@ -88,6 +108,11 @@ impl CyclePair for OutlinePair {
     fn deviate(&self) -> [bool; 2] {
         Member::BOTH.map(|member| !self.gear(member).tooth_classes().is_one())
     }
+
+    /// Each search has its own.
+    fn effort_of_remedy<'t>(&self, _: &Planned<'t>) -> Effort<'t> {
+        Effort::endless()
+    }
 }
 
 impl CyclePair for GearPair {
@@ -96,46 +121,22 @@ impl CyclePair for GearPair {
     }
 
     fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
-        let effort = &cycle.effort(self);
-        let all = if is_open(self) {
-            cycle.any_direction(self, effort)?
-        } else {
-            let found = ExactKernel::new(self).extremes_of(
-                self,
-                cycle.over(),
-                WIDTH,
-                effort,
-                cycle.ends(),
-            )?;
-            AnyDirection {
-                poses: Poses::default(),
-                ends: [Some((self.clone(), found)), Some((self.clone(), found))],
-                off: 0.0,
-                found,
-            }
-        };
-        let [near, far] = &all.ends;
-        let from = near.as_ref().map(|(near, nearest)| {
-            let from = cycle.assembles_from(near, nearest, effort)?;
-            Ok::<_, Error>(from.map(|from| from.farther(all.off)))
-        });
-        let to = far.as_ref().map(|(far, farthest)| {
-            let to = cycle.meshes_to(far, farthest, effort)?;
-            Ok::<_, Error>(to.map(|to| to.farther(-all.off)))
-        });
-        let assembles_from = from.transpose()?.flatten();
-        Ok(Searched {
-            poses: if is_open(self) {
-                all.poses
-            } else {
-                cycle.poses_of(&all.found, assembles_from)
-            },
-            assembles_from,
-            meshes_to: to.transpose()?.flatten(),
-            effort: effort.used(),
-            face_loss: None,
-            found: all.found,
-        })
+        if cycle.open_lean != [0.0; 2] {
+            return cycle.over_axes(&Axes::new(self, cycle.open_lean, None), self);
+        }
+        let mut searched = cycle.search_as_stated(self)?;
+        searched.face_loss = cycle.face_loss(self, &searched.found)?;
+        Ok(searched)
+    }
+
+    fn in_bearings(&self, cycle: &Planned) -> Result<Option<[SearchedEnd; 2]>, Error> {
+        if cycle.bearing_ends.is_none() {
+            return Ok(None);
+        }
+        let axes = Axes::new(self, cycle.open_lean, cycle.bearing_ends);
+        let searched = cycle.over_axes(&axes, self)?;
+        let ends = End::BOTH.map(|end| searched.end(&cycle.run.assembly, end));
+        Ok(Some(ends))
     }
 
     fn end(&self, cycle: &Planned, end: End, effort: &Effort) -> Result<Extremes, Error> {
@@ -175,6 +176,12 @@ impl CyclePair for GearPair {
     /// An eccentricity alone, in any direction, keeps all teeth equal.
     fn deviate(&self) -> [bool; 2] {
         Member::BOTH.map(|one| self.gear(one).centred().has_different_teeth())
+    }
+
+    fn effort_of_remedy<'t>(&self, cycle: &Planned<'t>) -> Effort<'t> {
+        let places = if cycle.open_lean == [0.0; 2] { 1 } else { AXES };
+        let one = Effort::of_extremes(self, cycle.tick).left();
+        Effort::new(places * one, cycle.tick)
     }
 }
 
@@ -272,18 +279,7 @@ impl<'t> Planned<'t> {
 
     /// The extremes, over all leans of the axes that are open.
     pub fn search(&self) -> Result<Searched, Error> {
-        let searched = match &self.run.assembly {
-            AssembledPair::Data(pair) if self.open_lean != [0.0; 2] => {
-                self.over_axes(&Axes::new(pair, self.open_lean, None), pair)?
-            }
-            assembly => {
-                let mut searched = self.search_as_stated()?;
-                if let AssembledPair::Data(pair) = assembly {
-                    searched.face_loss = self.face_loss(pair, &searched.found)?;
-                }
-                searched
-            }
-        };
+        let searched = cycle_pair(&self.run.assembly).search(self)?;
         // A search that was stopped has less effort.
         Error::if_stopped((self.tick)(0))?;
         Ok(searched)
@@ -291,7 +287,10 @@ impl<'t> Planned<'t> {
 
     /// The extremes of `pair` over all places of its axes. [`super::axes`] says why they are.
     fn over_axes(&self, axes: &Axes, pair: &GearPair) -> Result<Searched, Error> {
-        let here = |axis: &Axis| self.stated(axis.of(pair)?).search_as_stated();
+        let here = |axis: &Axis| {
+            let there = axis.of(pair)?;
+            self.stated(there.clone()).search_as_stated(&there)
+        };
         let all = |list: &[Axis]| {
             list.iter()
                 .map(here)
@@ -417,9 +416,48 @@ impl<'t> Planned<'t> {
         }
     }
 
-    /// [`CyclePair::search`] of its pair.
-    fn search_as_stated(&self) -> Result<Searched, Error> {
-        cycle_pair(&self.run.assembly).search(self)
+    /// The search with the axes where `pair` states them, without the losses along the face.
+    fn search_as_stated(&self, pair: &GearPair) -> Result<Searched, Error> {
+        let effort = &self.effort(pair);
+        let all = if is_open(pair) {
+            self.any_direction(pair, effort)?
+        } else {
+            let found = ExactKernel::new(pair).extremes_of(
+                pair,
+                self.over(),
+                WIDTH,
+                effort,
+                self.ends(),
+            )?;
+            AnyDirection {
+                poses: Poses::default(),
+                ends: [Some((pair.clone(), found)), Some((pair.clone(), found))],
+                off: 0.0,
+                found,
+            }
+        };
+        let [near, far] = &all.ends;
+        let from = near.as_ref().map(|(near, nearest)| {
+            let from = self.assembles_from(near, nearest, effort)?;
+            Ok::<_, Error>(from.map(|from| from.farther(all.off)))
+        });
+        let to = far.as_ref().map(|(far, farthest)| {
+            let to = self.meshes_to(far, farthest, effort)?;
+            Ok::<_, Error>(to.map(|to| to.farther(-all.off)))
+        });
+        let assembles_from = from.transpose()?.flatten();
+        Ok(Searched {
+            poses: if is_open(pair) {
+                all.poses
+            } else {
+                self.poses_of(&all.found, assembles_from)
+            },
+            assembles_from,
+            meshes_to: to.transpose()?.flatten(),
+            effort: effort.used(),
+            face_loss: None,
+            found: all.found,
+        })
     }
 
     /// The loss of the least `found` by deviations along the face; `None` for a pair without any.
@@ -454,12 +492,8 @@ impl<'t> Planned<'t> {
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them further apart by it. Backlash grows with the distance,
     /// so no pose in between has less or more.
     pub fn at_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
-        if let AssembledPair::Data(pair) = &self.run.assembly
-            && self.bearing_ends.is_some()
-        {
-            let axes = Axes::new(pair, self.open_lean, self.bearing_ends);
-            let searched = self.over_axes(&axes, pair)?;
-            return Ok(End::BOTH.map(|end| searched.end(&self.run.assembly, end)));
+        if let Some(ends) = cycle_pair(&self.run.assembly).in_bearings(self)? {
+            return Ok(ends);
         }
         Ok([
             self.at_end(-clearance, End::Least)?,
@@ -488,11 +522,9 @@ impl<'t> Planned<'t> {
         cycle_pair(pair).end(self, end, effort)
     }
 
-    /// Effort of a change of `assembly` that meets the requirements: as much as one verdict may take.
-    pub fn effort_of_remedy(&self, assembly: &GearPair) -> Effort<'t> {
-        let places = if self.open_lean == [0.0; 2] { 1 } else { AXES };
-        let one = Effort::of_extremes(assembly, self.tick).left();
-        Effort::new(places * one, self.tick)
+    /// Effort of a change that meets the requirements: as much as one verdict may take.
+    pub fn effort_of_remedy(&self) -> Effort<'t> {
+        cycle_pair(&self.run.assembly).effort_of_remedy(self)
     }
 
     /// Effort of the search of `assembly`.
@@ -546,13 +578,22 @@ impl<'t> Planned<'t> {
         found: &Extremes,
         effort: &Effort,
     ) -> Result<Option<Threshold>, Error> {
-        if self.alone.is_some() || found.status != Status::NoContact {
+        let nearest = InvolutePair::of(pair).center_distance(0.0);
+        let Some(nearest) = nearest.filter(|_| self.alone.is_none()) else {
             return Ok(None);
-        }
-        let greatest = |pair: &GearPair, kernel: &ExactKernel| {
-            kernel.extremes_of(pair, self.over(), WIDTH, effort, &[End::Greatest])
         };
-        meshes_to(pair, found, &greatest, effort)
+        let kernel = ExactKernel::new(pair);
+        let pose = |at, mating: &Mating| {
+            let there = pair.at(at)?;
+            kernel.at(&there).lost_motion_at(&there, *mating)
+        };
+        let search = |at| {
+            let there = pair.at(at)?;
+            let (kernel, ends) = (kernel.at(&there), &[End::Greatest]);
+            kernel.extremes_of(&there, self.over(), WIDTH, effort, ends)
+        };
+        let between = [nearest, pair.center_distance()];
+        meshes_to(between, found, (&pose, &search), effort)
     }
 }
 

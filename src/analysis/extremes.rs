@@ -11,7 +11,7 @@ use super::compare::{ComparedPose, ComparedRun};
 use super::cycles::{
     Alone, Planned, Searched, SearchedEnd, distinct, hunting_pitches, plans, worse,
 };
-use super::directions::{Directed, is_open};
+use super::directions::Directed;
 use super::face_loss::FaceLoss;
 use super::phases::phase_count;
 use super::simulate::simulate_plans;
@@ -20,6 +20,7 @@ use crate::contact::{Doubt, End, Extreme, Method, Status, is_proven};
 use crate::error::go_on;
 use crate::error::{Error, Tick};
 use crate::outline::AssembledPair;
+use crate::pair::Member;
 use crate::parallel;
 
 pub(crate) use super::cycles::phases_differ;
@@ -249,7 +250,10 @@ impl RunExtremes {
 
     /// Whether a runout has no direction, so that all directions are covered.
     pub fn any_direction(&self) -> bool {
-        self.assembly.data().is_some_and(is_open)
+        let is_open = |member| {
+            self.assembly.any_direction(member) && self.assembly.eccentricity(member) > 0.0
+        };
+        Member::BOTH.into_iter().any(is_open)
     }
 
     /// Whether every part of the result is proven.

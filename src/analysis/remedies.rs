@@ -14,8 +14,8 @@ use super::verdict::Verdict;
 use crate::contact::{Effort, End, Status};
 use crate::error::{Error, Tick};
 use crate::gear::{AsBuilt, Deviations, thickness};
-use crate::outline::{AssembledPair, OutlinePair};
-use crate::pair::{GearPair, Member};
+use crate::outline::AssembledPair;
+use crate::pair::Member;
 
 /// Increase of a drawn pair's backlash with the distance, from which its search starts: `2 tan α_wt` of 14°.
 const DRAWN_SLOPE: f64 = 0.5;
@@ -182,11 +182,7 @@ pub fn remedies(
     };
     let plans = plans(study, tick)?;
     let pair = &plans[worst].run.assembly;
-    let effort = || match pair.data() {
-        Some(pair) => plans[worst].effort_of_remedy(pair),
-        // Each search of a drawn pair has its own.
-        None => Effort::endless(),
-    };
+    let effort = || plans[worst].effort_of_remedy();
     let search = Search {
         study,
         plans: &plans,
@@ -204,14 +200,14 @@ pub fn remedies(
     } else {
         found.missing.push(NoRemedy::MeasuredRows);
     }
-    match pair {
-        AssembledPair::Drawn(pair) => search.of_drawn(pair, &effort, &mut found)?,
-        AssembledPair::Data(pair) => {
+    match search.thinned_teeth() {
+        Some(teeth) => {
             for gears in Gears::EACH {
-                let changes = search.thickness(pair, gears, &effort())?;
+                let changes = search.thickness(&teeth, gears, &effort())?;
                 found.add(gears, changes);
             }
         }
+        None => found.missing.push(NoRemedy::Drawn),
     }
     if found.changes.is_empty() {
         let is_found =
@@ -281,20 +277,16 @@ struct Search<'a> {
     sign: f64,
 }
 
-/// A change that thins the teeth of gears. Its variable is the reduction of thickness or of a flank offset from nominal, mm, so
-/// that backlash grows with it.
-struct Thinning<'a> {
-    gears: Gears,
+/// How teeth get thinner. The variable is the reduction of thickness or of a flank offset from nominal, mm, so that backlash grows with it.
+struct ThinnedTeeth {
     /// The present reduction of wheel and pinion with most material.
     own: [f64; 2],
-    /// A run's pair with the gears at a reduction.
-    moved: &'a dyn Fn(&Planned, f64) -> Option<AssembledPair>,
     /// The greatest further reduction.
     most: f64,
     /// `dj_wt` per reduction of one gear.
     slope: f64,
     /// The quantities that state the change, each with the reduction of 1 mm of it.
-    units: &'a [(Change, f64)],
+    units: Vec<(Change, f64)>,
 }
 
 impl<'a> Search<'a> {
@@ -315,9 +307,9 @@ impl<'a> Search<'a> {
         } else {
             0.0
         };
-        let slope = |pair: &AssembledPair| match pair.data() {
-            Some(pair) => 2.0 * pair.operating_pressure_angle().tan(),
-            None => DRAWN_SLOPE,
+        let slope = |pair: &AssembledPair| {
+            let angle = pair.operating_pressure_angle();
+            angle.map_or(DRAWN_SLOPE, |angle| 2.0 * angle.tan())
         };
         let Some([fails, fits]) = self.between([own, end], &moved, &slope, effort)? else {
             return Ok(None);
@@ -340,75 +332,89 @@ impl<'a> Search<'a> {
         }))
     }
 
-    /// The remedies of `gears` of `pair` by the flank offset where it states them, else by the allowance; for both gears by either.
-    fn thickness(
-        &self,
-        pair: &GearPair,
-        gears: Gears,
-        effort: &Effort,
-    ) -> Result<Vec<Remedy>, Error> {
-        let own = Member::BOTH.map(|member| -allowance(self.most(member)) / self.scale(member));
-        let moved = |planned: &Planned, at: f64| {
-            let assembly = planned.run.assembly.data()?;
-            let [wheel, pinion] = Member::BOTH.map(|member| {
-                let gear = assembly.gear(member);
-                if gears.has(member) {
-                    let change = self.scale(member) * (own[member as usize] - at);
-                    gear.varied(change, &Deviations::default())
-                } else {
-                    Ok(gear.clone())
-                }
+    /// How the teeth of its pair get thinner: by allowance and flank offset, or drawn ones by flank offset alone. `None` if a gear is given by
+    /// data beside a drawn one.
+    fn thinned_teeth(&self) -> Option<ThinnedTeeth> {
+        let reduction = |of: [f64; 2]| [0, 1].map(|k| -of[k] / self.stated[k].scale);
+        let Some((_, wheel, pinion)) = self.study.materials.first() else {
+            let (_, wheel, pinion) = self.study.drawn.first()?;
+            return Some(ThinnedTeeth {
+                own: reduction([wheel.flank_offset()?, pinion.flank_offset()?]),
+                // Flank offsets of both sides change a tooth's thickness.
+                most: 0.25 * MOST_THICKNESS * wheel.pitch() * wheel.root_radius(),
+                slope: 4.0 * DRAWN_SLOPE,
+                units: vec![(Change::FlankOffset, 1.0)],
             });
-            let distance = assembly.center_distance();
-            let pair = self.study.pair(&wheel.ok()?, &pinion.ok()?, distance);
-            Some(AssembledPair::from(pair.ok()?))
         };
-        let wheel = self.most(Member::Wheel).gear();
-        let basic_data = wheel.basic_data();
+        let basic_data = wheel.gear().basic_data();
         let per_allowance = thickness::per_normal_thickness(basic_data);
         // Two offsets along the normals increase the base tooth thickness like an allowance.
         let per_offset = thickness::base_from_span(basic_data, 1, 2.0) / per_allowance;
-        let units = [
-            (Change::FlankOffset, per_offset),
-            (Change::ThicknessAllowance, 1.0),
-        ];
-        let by_offset = |member: Member| self.stated[member as usize].by_flank_offset;
-        let units = if gears.members().all(by_offset) {
-            &units[..1]
-        } else if gears == Gears::Both {
-            &units
-        } else {
-            &units[1..]
-        };
-        let thinning = Thinning {
-            gears,
-            own,
-            moved: &moved,
-            most: MOST_THICKNESS * wheel.base_thickness() / per_allowance,
-            slope: per_allowance / pair.operating_pressure_angle().cos(),
-            units,
-        };
-        self.thinned(&thinning, effort)
+        Some(ThinnedTeeth {
+            own: reduction([allowance(wheel), allowance(pinion)]),
+            most: MOST_THICKNESS * wheel.gear().base_thickness() / per_allowance,
+            slope: per_allowance / self.pair.operating_pressure_angle()?.cos(),
+            units: vec![
+                (Change::FlankOffset, per_offset),
+                (Change::ThicknessAllowance, 1.0),
+            ],
+        })
     }
 
-    /// The remedies by `thinning`.
-    fn thinned(&self, thinning: &Thinning, effort: &Effort) -> Result<Vec<Remedy>, Error> {
-        let Thinning { gears, own, .. } = *thinning;
+    /// The remedies by the thickness of `gears`: by the flank offset where it states them, else by the allowance; for both gears by either.
+    fn thickness(
+        &self,
+        teeth: &ThinnedTeeth,
+        gears: Gears,
+        effort: &Effort,
+    ) -> Result<Vec<Remedy>, Error> {
+        let own = teeth.own;
+        let moved = |planned: &Planned, at: f64| {
+            let thicker = |member: Member| self.scale(member) * (own[member as usize] - at);
+            let assembly = &planned.run.assembly;
+            let moved = assembly.varied(
+                assembly.center_distance(),
+                |gear, member| {
+                    if gears.has(member) {
+                        gear.varied(thicker(member), &Deviations::default())
+                    } else {
+                        Ok(gear.clone())
+                    }
+                },
+                |gear, member| {
+                    if gears.has(member) {
+                        gear.thicker(2.0 * thicker(member))
+                    } else {
+                        Ok(gear.clone())
+                    }
+                },
+            );
+            moved.ok()
+        };
         let of_each = gears
             .members()
             .map(|member| own[member as usize] * self.sign);
         let start = self.sign * of_each.fold(f64::INFINITY, f64::min);
         let scales = || gears.members().map(|member| self.scale(member));
-        let most = thinning.most / scales().fold(0.0, f64::max);
+        let most = teeth.most / scales().fold(0.0, f64::max);
         let range = [start, start + self.sign * most];
-        let slope = scales().sum::<f64>() * thinning.slope;
-        let moved = thinning.moved;
-        let Some([fails, fits]) = self.between(range, moved, &|_| slope, effort)? else {
+        let slope = scales().sum::<f64>() * teeth.slope;
+        let Some([fails, fits]) = self.between(range, &moved, &|_| slope, effort)? else {
             return Ok(Vec::new());
         };
         let mut remedies = Vec::new();
-        for &(what, unit) in thinning.units {
-            let found = self.rounded(0.0, fits, STEP * unit, moved, effort)?;
+        // One flank offset of one gear is an allowance, unless the file states an offset.
+        let by_offset = |member: Member| self.stated[member as usize].by_flank_offset;
+        let by_offset = gears.members().all(by_offset);
+        let units = teeth.units.iter().filter(|(what, _)| {
+            if *what == Change::FlankOffset {
+                by_offset || gears == Gears::Both
+            } else {
+                !by_offset
+            }
+        });
+        for &(what, unit) in units {
+            let found = self.rounded(0.0, fits, STEP * unit, &moved, effort)?;
             let bracket = [-fails.max(fits), -fails.min(fits)];
             remedies.extend(found.map(|found| Remedy {
                 what,
@@ -421,92 +427,8 @@ impl<'a> Search<'a> {
         Ok(remedies)
     }
 
-    /// Adds the remedies by the flank offsets of a drawn pair, or why there are none.
-    #[cfg(feature = "offset")]
-    fn of_drawn(
-        &self,
-        pair: &OutlinePair,
-        effort: &dyn Fn() -> Effort<'a>,
-        found: &mut Remedies,
-    ) -> Result<(), Error> {
-        let Some(own) = self.flank_offsets() else {
-            found.missing.push(NoRemedy::Drawn);
-            return Ok(());
-        };
-        for gears in Gears::EACH {
-            let offset = self.flank_offset(pair, own, gears, &effort())?;
-            found.add(gears, offset);
-        }
-        Ok(())
-    }
-
-    /// Without the feature `offset` no outline is moved.
-    #[cfg(not(feature = "offset"))]
-    fn of_drawn(
-        &self,
-        _: &OutlinePair,
-        _: &dyn Fn() -> Effort<'a>,
-        found: &mut Remedies,
-    ) -> Result<(), Error> {
-        found.missing.push(NoRemedy::Drawn);
-        Ok(())
-    }
-
-    /// The flank offsets, mm, of the drawn gears with most material; `None` if a gear is given by data.
-    #[cfg(feature = "offset")]
-    fn flank_offsets(&self) -> Option<[f64; 2]> {
-        let (_, wheel, pinion) = self.study.drawn.first()?;
-        Some([wheel.flank_offset()?, pinion.flank_offset()?])
-    }
-
-    /// The remedy by the flank offset of `gears` of a drawn pair; `own` are the offsets with most material.
-    #[cfg(feature = "offset")]
-    fn flank_offset(
-        &self,
-        pair: &OutlinePair,
-        own: [f64; 2],
-        gears: Gears,
-        effort: &Effort,
-    ) -> Result<Vec<Remedy>, Error> {
-        let own = Member::BOTH.map(|member| own[member as usize] / self.scale(member));
-        let moved = |planned: &Planned, at: f64| {
-            let assembly = &planned.run.assembly;
-            let moved =
-                assembly.with_outlines(assembly.center_distance(), |gear, member| {
-                    match gear.flank_offset().filter(|_| gears.has(member)) {
-                        Some(offset) => {
-                            let change = self.scale(member) * (own[member as usize] + at);
-                            Ok(gear.with_flank_offset(offset - change)?)
-                        }
-                        None => Ok(gear.clone()),
-                    }
-                });
-            moved.ok()
-        };
-        let wheel = pair.gear(Member::Wheel);
-        let thinning = Thinning {
-            gears,
-            own: own.map(|own| -own),
-            moved: &moved,
-            // Flank offsets of both sides change a tooth's thickness.
-            most: 0.25 * MOST_THICKNESS * wheel.pitch() * wheel.root_radius(),
-            slope: 4.0 * DRAWN_SLOPE,
-            units: &[(Change::FlankOffset, 1.0)],
-        };
-        self.thinned(&thinning, effort)
-    }
-
     fn scale(&self, member: Member) -> f64 {
         self.stated[member as usize].scale
-    }
-
-    /// The gear with most material.
-    fn most(&self, member: Member) -> &AsBuilt {
-        let (_, wheel, pinion) = &self.study.materials[0];
-        match member {
-            Member::Wheel => wheel,
-            Member::Pinion => pinion,
-        }
     }
 
     /// A place at which the worst run does not fit and one at which it does, between its present place and the end of `range`.

@@ -45,7 +45,7 @@ impl Quantity {
 
     /// The bracket of the quantity over a run of `assembly` whose least (`is_max`: greatest) `j_wt`, mm, has the
     /// bracket `j_wt`. `None` for a drawn pair without this quantity.
-    pub(crate) fn bracket(
+    pub fn bracket(
         self,
         assembly: &AssembledPair,
         j_wt: [f64; 2],

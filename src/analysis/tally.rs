@@ -170,10 +170,8 @@ impl RunTally {
 
     /// Number of poses with a simulated backlash and none by model 3, although the gears have one: no involutes reach each other.
     pub fn simulated_alone(&self) -> usize {
-        match self.assembly.data() {
-            Some(_) => self.valued - self.compared,
-            None => 0,
-        }
+        let evidence = self.evidence.as_ref();
+        evidence.map_or(0, |_| self.valued - self.compared)
     }
 
     /// Whether the run passes: something was compared, and everything agrees, or is off the line if that is allowed. A

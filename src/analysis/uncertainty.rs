@@ -20,7 +20,7 @@
 
 use crate::contact::PoseResult;
 use crate::outline::AssembledPair;
-use crate::pair::{GearPair, Member};
+use crate::pair::Member;
 
 /// Standard uncertainties of the measurements.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -57,7 +57,7 @@ impl Uncertainty {
         let mean = 0.5 * (rates[0] + rates[1]);
         let apart = rates[0] * touching[0].normal + rates[1] * touching[1].normal;
         let square_sum = rates[0].powi(2) + rates[1].powi(2);
-        let [from, to] = assembly.data().map_or([0.0; 2], GearPair::face);
+        let [from, to] = assembly.face();
         let off = (from - self.distance_at)
             .abs()
             .max((to - self.distance_at).abs());

@@ -41,9 +41,8 @@ impl DrawnContact {
         let turn = turn - TAU * (turn / TAU).round();
         let free = assembly.axis(assembly.free());
         let along_normal = side.sense() * turn * contact.lever(free);
-        let base = assembly
-            .data()
-            .map(|pair| pair.gear(pair.free()).gear().base_radius());
+        let base = assembly.as_built(assembly.free());
+        let base = base.map(|gear| gear.gear().base_radius());
         DrawnContact {
             side,
             contact,

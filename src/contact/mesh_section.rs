@@ -76,10 +76,14 @@ impl MeshSection {
     ///
     /// # Errors
     /// None: the section is on the common face.
-    pub fn binding(assembly: &GearPair, pose: &PoseResult) -> Result<Option<MeshSection>, Error> {
-        if !assembly.varies_along_face() {
+    pub fn binding(
+        assembly: &AssembledPair,
+        pose: &PoseResult,
+    ) -> Result<Option<MeshSection>, Error> {
+        let pair = assembly.data().filter(|pair| pair.varies_along_face());
+        let Some(assembly) = pair else {
             return Ok(None);
-        }
+        };
         let found = pose.proven();
         let at = MeshSection::of_contact(assembly, &pose.pose, found);
         MeshSection::new(assembly, &pose.pose, found, at).map(Some)

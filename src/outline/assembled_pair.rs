@@ -2,9 +2,9 @@
 
 use super::gear::OutlineGear;
 use super::pair::OutlinePair;
-use crate::error::Error;
-use crate::gear::Face;
-use crate::pair::{GearPair, Mating, Member, Pose, ToothNumbers};
+use crate::error::{Error, GearError, OutlineError};
+use crate::gear::{AsBuilt, Face};
+use crate::pair::{Backlash, GearPair, Mating, Member, Pose, ToothNumbers};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 
@@ -165,21 +165,88 @@ impl AssembledPair {
         self.drawn().map_or(0.0, bound)
     }
 
-    /// This pair at another centre distance, mm, its drawn gears replaced by `change` of them.
+    /// A gear by its data; `None` in a pair with a drawn gear.
+    pub fn as_built(&self, member: Member) -> Option<&AsBuilt> {
+        Some(self.data()?.gear(member))
+    }
+
+    /// The distance by which a gear's drawn outline is moved out, mm; `None` of a gear by its data.
+    pub fn flank_offset(&self, member: Member) -> Option<f64> {
+        self.drawn()?.gear(member).flank_offset()
+    }
+
+    /// Whether the eccentricity of a gear has no direction.
+    pub fn any_direction(&self, member: Member) -> bool {
+        self.as_built(member).is_some_and(AsBuilt::any_direction)
+    }
+
+    /// Twist of a gear's teeth, rad per mm of the face.
+    pub fn twist(&self, member: Member) -> f64 {
+        let gear = self.as_built(member);
+        gear.map_or(0.0, |gear| gear.gear().basic_data().twist())
+    }
+
+    /// Whether flanks have profile deviations, which formulas leave out.
+    pub fn is_modified(&self) -> bool {
+        self.data().is_some_and(GearPair::is_modified)
+    }
+
+    /// The common face, mm; both ends are 0 where there is none ([`GearPair::with_face`]).
+    pub fn face(&self) -> [f64; 2] {
+        self.data().map_or([0.0; 2], GearPair::face)
+    }
+
+    /// Operating pressure angle, rad; `None` without involutes.
+    pub fn operating_pressure_angle(&self) -> Option<f64> {
+        self.data().map(GearPair::operating_pressure_angle)
+    }
+
+    /// Backlash in units that need a module or a base circle, of a backlash `j_wt`, mm; `None` without involutes.
+    pub fn backlash(&self, j_wt: f64) -> Option<Backlash> {
+        Some(self.data()?.backlash(j_wt))
+    }
+
+    /// This pair at another centre distance, mm, each gear replaced by the change of it that applies.
     ///
     /// # Errors
-    /// As [`AssembledPair::at`], and of `change`.
-    pub fn with_outlines(
+    /// As [`AssembledPair::at`], and of the changes.
+    pub fn varied(
         &self,
         center_distance: f64,
-        change: impl Fn(&OutlineGear, Member) -> Result<OutlineGear, Error>,
+        by_data: impl Fn(&AsBuilt, Member) -> Result<AsBuilt, GearError>,
+        drawn: impl Fn(&OutlineGear, Member) -> Result<OutlineGear, OutlineError>,
     ) -> Result<AssembledPair, Error> {
-        let Some(pair) = self.drawn() else {
-            return self.at(center_distance);
-        };
-        let gear = |member| change(pair.gear(member), member);
-        let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
-        Ok(OutlinePair::new(wheel, pinion, center_distance, pair.locked())?.into())
+        Ok(match self {
+            AssembledPair::Data(pair) => {
+                let gear = |member| by_data(pair.gear(member), member);
+                let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+                pair.with_gears(wheel, pinion, center_distance)?.into()
+            }
+            AssembledPair::Drawn(pair) => {
+                let gear = |member| drawn(pair.gear(member), member);
+                let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+                OutlinePair::new(wheel, pinion, center_distance, pair.locked())?.into()
+            }
+        })
+    }
+
+    /// Lean of the pinion's axis from the wheel's, mm per mm ([`GearPair::with_lean`]).
+    pub fn lean(&self) -> [f64; 2] {
+        self.data().map_or([0.0; 2], GearPair::lean)
+    }
+
+    /// This pair with its axes leaning further by `lean`, mm per mm. Axes of a pair without a face stay parallel.
+    ///
+    /// # Errors
+    /// As [`GearPair::with_lean`].
+    pub fn leaning_further(self, lean: [f64; 2]) -> Result<AssembledPair, GearError> {
+        Ok(match self {
+            AssembledPair::Data(pair) => {
+                let own = pair.lean();
+                pair.with_lean([own[0] + lean[0], own[1] + lean[1]])?.into()
+            }
+            drawn => drawn,
+        })
     }
 
     /// Module of the gears, mm; for a drawn pair that of its operating pitch circles.

@@ -181,6 +181,27 @@ impl OutlineGear {
         Some(self.drawing.as_ref()?.flank_offset)
     }
 
+    /// This gear with flanks moved out along their normals so that its teeth are thicker by `by`, mm.
+    ///
+    /// # Errors
+    /// As [`OutlineGear::with_flank_offset`].
+    pub fn thicker(&self, by: f64) -> Result<OutlineGear, OutlineError> {
+        self.with_flank_offset(self.flank_offset().unwrap_or(0.0) + 0.5 * by)
+    }
+
+    /// Without the feature `offset` no outline is moved.
+    ///
+    /// # Errors
+    /// [`OutlineError::Offset`], always.
+    #[cfg(not(feature = "offset"))]
+    pub fn with_flank_offset(&self, offset: f64) -> Result<OutlineGear, OutlineError> {
+        Err(OutlineError::Offset {
+            offset_mm: offset,
+            teeth: self.teeth(),
+            greatest_mm: 0.0,
+        })
+    }
+
     /// Direction of tooth 1 in the picture as drawn, about the geometric centre, rad counter-clockwise from +x.
     pub fn drawn_direction(&self) -> f64 {
         self.turned

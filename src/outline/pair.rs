@@ -68,6 +68,13 @@ impl OutlinePair {
         least(wheel, pinion).max(least(pinion, wheel))
     }
 
+    /// The greatest centre distance, mm, at which a tip circle touches the mate's root circle.
+    pub fn tip_on_root(&self) -> f64 {
+        let [wheel, pinion] = &self.gears;
+        let touch = |gear: &OutlineGear, mate: &OutlineGear| gear.tip_radius() + mate.root_radius();
+        touch(wheel, pinion).max(touch(pinion, wheel))
+    }
+
     /// Centre distance `a`, mm.
     pub fn center_distance(&self) -> f64 {
         self.center_distance

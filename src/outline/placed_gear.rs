@@ -104,6 +104,12 @@ impl<'a> PlacedGear<'a> {
         }
     }
 
+    /// Twist of its teeth, rad per mm of the face.
+    pub fn twist(&self) -> f64 {
+        let data = self.data();
+        data.map_or(0.0, |placed| placed.as_built().gear().basic_data().twist())
+    }
+
     /// Base radius, mm; `None` for a drawn pair.
     pub fn base_radius(&self) -> Option<f64> {
         Some(self.data()?.as_built().gear().base_radius())

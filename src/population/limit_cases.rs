@@ -8,8 +8,8 @@ use super::scatters::{GearScatter, LeadScatter, phase_count};
 use crate::analysis::extremes::phases_differ;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Deviations, Flank, Lead};
-use crate::outline::AssembledPair;
-use crate::pair::{GearPair, Member};
+use crate::outline::OutlineGear;
+use crate::pair::{Member, ToothNumbers};
 use crate::parallel;
 
 /// Standard deviations of a flank's cumulative pitch deviation in the worst case.
@@ -63,8 +63,8 @@ enum Towards {
     More,
 }
 
-/// The limit cases of `population`; `None` if whole gears are drawn, which have no limits, or if the runout of a gear given by a drawing
-/// scatters, whose worst direction is not searched.
+/// The limit cases of `population`; `None` if whole gears are drawn at random, which have no limits, or if the runout of a gear given by a
+/// drawing scatters, whose worst direction is not searched.
 ///
 /// An assembly phase has no limits. If it scatters, each case covers all gcd(z_1, z_2) phases. Its least and its
 /// greatest can come from different phases.
@@ -87,14 +87,14 @@ enum Towards {
 /// As [`Assembly::outcome`].
 pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error> {
     let scatters = population.scatters();
-    // The worst direction of runout is searched for gears by data alone.
-    let has_directions = population.pair().data().is_some();
-    let has_no_limits =
-        |gear: &GearScatter| gear.gears.is_some() || !has_directions && gear.runout.is_some();
-    if Member::BOTH
-        .iter()
-        .any(|&member| has_no_limits(scatters.of(member)))
-    {
+    let has_no_limits = |member| {
+        let gear = scatters.of(member);
+        // The worst direction of runout is searched for gears by data alone.
+        let is_unsearched =
+            || gear.runout.is_some() && population.pair().as_built(member).is_none();
+        gear.gears.is_some() || is_unsearched()
+    };
+    if Member::BOTH.into_iter().any(has_no_limits) {
         return Ok(None);
     }
     let both = |of: &dyn Fn(Factor) -> bool| {
@@ -199,9 +199,12 @@ fn assembly(
         Some(scatter) if at_limit(alone) => scatter.limits()[side],
         Some(scatter) => scatter.mean(),
     };
-    let gear = |pair: &GearPair, member: Member| {
-        let (own, scatter) = (pair.gear(member), scatters.of(member));
-        let thicker = of(&scatter.thickness, Factor::Thickness(member), less);
+    let thicker = |member| {
+        let scatter = &scatters.of(member).thickness;
+        of(scatter, Factor::Thickness(member), less)
+    };
+    let gear = |own: &AsBuilt, member: Member| {
+        let scatter = scatters.of(member);
         let each = of(&scatter.per_tooth, Factor::PerTooth(member), less);
         let pitch = if at_limit(Factor::Pitch(member)) {
             pitch_limit(scatter, own) * if towards == Towards::Less { 1.0 } else { -1.0 }
@@ -217,7 +220,7 @@ fn assembly(
             },
             ..Deviations::default()
         };
-        let mut gear = own.varied(thicker, &further)?;
+        let mut gear = own.varied(thicker(member), &further)?;
         if let Some(lead) = &scatter.lead {
             let limit = at_limit(Factor::Lead(member)).then_some((towards, ends));
             gear = gear.with_further_leads(&lead_limit(lead, &gear, limit))?;
@@ -225,7 +228,7 @@ fn assembly(
         let is_worst = towards == Towards::Less && at_limit(Factor::Wobble(member));
         let wobble = scatter.wobble.as_ref().map(|wobble| {
             let lean = if is_worst { wobble.limits()[1] } else { 0.0 };
-            [lean, leaning_tooth(pair, population.phase, member)]
+            [lean, leaning_tooth(population, own, member)]
         });
         displaced(gear, wobble, |gear| match &scatter.runout {
             Some(runout) if at_limit(Factor::Runout(member)) => {
@@ -251,18 +254,13 @@ fn assembly(
         Some(lean) => lean.mean(),
         None => 0.0,
     });
-    let pair: AssembledPair = match population.pair().data() {
-        Some(pair) => {
-            let (wheel, pinion) = (gear(pair, Member::Wheel)?, gear(pair, Member::Pinion)?);
-            let own = pair.lean();
-            let lean = [own[0] + leaning[0], own[1] + leaning[1]];
-            let pair = pair.with_gears(wheel, pinion, distance)?;
-            pair.with_lean(lean)?.into()
-        }
-        None => population.pair().at(distance)?,
+    let outline = |own: &OutlineGear, member: Member| match scatters.of(member).thickness {
+        Some(_) => own.thicker(thicker(member)),
+        None => Ok(own.clone()),
     };
+    let pair = population.pair().varied(distance, gear, outline)?;
     Ok(Assembly {
-        pair,
+        pair: pair.leaning_further(leaning)?,
         clearance: play,
         phase: population.phase,
     })
@@ -303,20 +301,19 @@ fn lead_limit(lead: &LeadScatter, gear: &AsBuilt, limit: Option<(Towards, [f64; 
     })
 }
 
-/// The tooth of a gear towards which it leans, against its mate where wheel tooth 1 meets the pinion.
-fn leaning_tooth(pair: &GearPair, phase: u32, member: Member) -> f64 {
+/// The tooth of a gear of `population` towards which it leans, against its mate where wheel tooth 1 meets the pinion.
+fn leaning_tooth(population: &Population, gear: &AsBuilt, member: Member) -> f64 {
     if member == Member::Wheel {
         return 1.0;
     }
-    let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
-    let data = pinion.gear().basic_data();
+    let data = gear.gear().basic_data();
     let half = 0.5 * f64::from(data.teeth());
-    let facing = if wheel.face() == pinion.face() {
+    let facing = if population.pair().shown_face(Member::Wheel) == gear.face() {
         0.0
     } else {
         half
     };
-    data.tooth_after(f64::from(phase - 1) + facing)
+    data.tooth_after(f64::from(population.phase - 1) + facing)
 }
 
 /// Additional thickness of a tooth, mm, with both flanks at the limit of their cumulative pitch deviation.

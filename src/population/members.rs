@@ -10,7 +10,7 @@ use super::stream::{Draw, Stream};
 use crate::error::{Error, GearError, OutlineError};
 use crate::gear::{AsBuilt, Deviations, Lead, Pitch};
 use crate::outline::{AssembledPair, OutlineGear};
-use crate::pair::{GearPair, Member};
+use crate::pair::Member;
 
 /// A pair and its scatters.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,15 +36,15 @@ impl Population {
         let pair = pair.into();
         for member in Member::BOTH {
             let gear = scatters.of(member);
-            gear.check(pair.data().map(|pair| pair.gear(member)))?;
+            gear.check(pair.as_built(member), pair.flank_offset(member))?;
         }
         let nonnegative = |what, scatter: &Option<Scatter>| match scatter {
             Some(scatter) => not_negative(what, scatter),
             None => Ok(()),
         };
         nonnegative("the play of the bearings", &scatters.bearing_play)?;
-        let has_face = |pair: &GearPair| pair.face()[0] != pair.face()[1];
-        if scatters.vary_along_face() && !pair.data().is_some_and(has_face) {
+        let [near, far] = pair.face();
+        if scatters.vary_along_face() && near == far {
             return Err(PopulationError::NoFace);
         }
         let correlation = scatters.thickness_correlation;
@@ -119,42 +119,29 @@ impl Population {
         } else {
             self.phase
         };
-        let pair = match self.pair.data() {
-            Some(pair) => self.by_data(pair, distance, &stream)?.into(),
-            None => self.pair.with_outlines(distance, |gear, member| {
+        let shares = self.thickness_shares(&stream);
+        let pair = self.pair.varied(
+            distance,
+            |own, member| {
+                let share = shares[member as usize];
+                self.scatters.of(member).draw(own, member, share, &stream)
+            },
+            |own, member| {
+                let share = shares[member as usize];
                 let scatter = self.scatters.of(member);
-                Ok(scatter.displace_outline(gear, member, &stream)?)
-            })?,
-        };
+                scatter.draw_outline(own, member, share, &stream)
+            },
+        )?;
+        let lean = self.scatters.lean.each_ref().map(Option::as_ref);
         Ok(Assembly {
-            pair,
+            pair: if lean == [None, None] {
+                pair
+            } else {
+                pair.leaning_further(each_at(lean, &mut stream(Factor::Misalignment)))?
+            },
             clearance: play.unwrap_or(self.clearance),
             phase,
         })
-    }
-
-    /// Two gears like those of `pair` at this distance.
-    fn by_data(
-        &self,
-        pair: &GearPair,
-        distance: f64,
-        stream: &dyn Fn(Factor) -> Stream,
-    ) -> Result<GearPair, GearError> {
-        let [wheel_share, pinion_share] = self.thickness_shares(stream);
-        let gear = |member, share| {
-            let scatter = self.scatters.of(member);
-            scatter.draw(pair.gear(member), member, share, stream)
-        };
-        let wheel = gear(Member::Wheel, wheel_share)?;
-        let pinion = gear(Member::Pinion, pinion_share)?;
-        let pair = pair.with_gears(wheel, pinion, distance)?;
-        if self.scatters.lean == [None, None] {
-            return Ok(pair);
-        }
-        let mut axes = stream(Factor::Misalignment);
-        let drawn = each_at(self.scatters.lean.each_ref().map(Option::as_ref), &mut axes);
-        let own = pair.lean();
-        pair.with_lean([own[0] + drawn[0], own[1] + drawn[1]])
     }
 
     /// Leads of right and left flanks on top of the pair's in the assembly of `draw`; `None` where none scatter.
@@ -257,19 +244,24 @@ impl GearScatter {
         [eccentricity, any_tooth(teeth, runout.uniform())]
     }
 
-    /// The gear `own` with its runout.
-    fn displace_outline(
+    /// One drawn gear like `own`, with its thickness at `share` of the distribution.
+    fn draw_outline(
         &self,
         own: &OutlineGear,
         member: Member,
+        share: f64,
         stream: &dyn Fn(Factor) -> Stream,
     ) -> Result<OutlineGear, OutlineError> {
+        let gear = match &self.thickness {
+            Some(scatter) => own.thicker(scatter.at(share))?,
+            None => own.clone(),
+        };
         if self.runout.is_none() {
-            return Ok(own.clone());
+            return Ok(gear);
         }
         let [eccentricity, high_tooth] =
             self.runout_of(own.eccentricity(), (member, own.teeth()), stream);
-        own.clone().with_runout(eccentricity, high_tooth)
+        gear.with_runout(eccentricity, high_tooth)
     }
 }
 

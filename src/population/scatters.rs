@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// Scatters of one gear; lengths in mm. `None`: as the pair has it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct GearScatter {
-    /// Additional thickness of all teeth at the reference circle.
+    /// Additional thickness of all teeth: at the reference circle, or of a drawn gear along the normals of its flanks.
     pub thickness: Option<Scatter>,
     /// Runout `F_r`, twice the eccentricity, in place of the pair's; its direction is uniform.
     pub runout: Option<Scatter>,
@@ -103,8 +103,10 @@ pub enum PopulationError {
         /// Value of the pair's gear.
         wanted: f64,
     },
-    /// A scatter besides that of the runout, of a gear of a pair with a drawn one.
-    #[error("of the gears of a pair with a drawing, the runout alone can scatter")]
+    /// A scatter that a gear of a pair with a drawn one has not.
+    #[error(
+        "beside a drawing the runout of each gear can scatter, and the thickness of a drawn one"
+    )]
     Drawn,
     /// Deviations along the face of a pair without one.
     #[error("lead, wobble or axes scatter, and the gears have no common face")]
@@ -159,7 +161,7 @@ impl Scatters {
                 let is_open = |gear: &AsBuilt| gear.any_direction() && gear.eccentricity() > 0.0;
                 let open = match &of.gears {
                     Some(gears) => gears.iter().any(is_open),
-                    None => pair.data().is_some_and(|pair| is_open(pair.gear(member))),
+                    None => pair.as_built(member).is_some_and(is_open),
                 };
                 of.runout.is_some() || open
             }
@@ -180,8 +182,12 @@ impl Scatters {
 }
 
 impl GearScatter {
-    /// Checks the scatters of the gear `own`, or of a gear of a pair with a drawn one.
-    pub(super) fn check(&self, own: Option<&AsBuilt>) -> Result<(), PopulationError> {
+    /// Checks the scatters of the gear `own`, or of a gear of a pair with a drawn one, whose flanks can be moved if it has a `flank_offset`.
+    pub(super) fn check(
+        &self,
+        own: Option<&AsBuilt>,
+        flank_offset: Option<f64>,
+    ) -> Result<(), PopulationError> {
         if let Some(runout) = &self.runout {
             not_negative("the runout", runout)?;
         }
@@ -194,12 +200,13 @@ impl GearScatter {
             return Err(PopulationError::Pitch(sigma));
         }
         let Some(own) = own else {
-            let runout_alone = GearScatter {
+            let possible = GearScatter {
                 runout: self.runout.clone(),
+                thickness: self.thickness.clone().filter(|_| flank_offset.is_some()),
                 ..GearScatter::default()
             };
-            let is_alone = *self == runout_alone;
-            return is_alone.then_some(()).ok_or(PopulationError::Drawn);
+            let is_possible = *self == possible;
+            return is_possible.then_some(()).ok_or(PopulationError::Drawn);
         };
         let Some(gears) = &self.gears else {
             return Ok(());

@@ -2,12 +2,13 @@
 
 use super::*;
 use gearlash::error::go_on;
-use gearlash::outline::OutlinePair;
+use gearlash::outline::{OutlinePair, OutlineReading, of_gear as of_gear_path};
 use gearlash::population::{
     Draw, Estimate, Factor, GearScatter, OutcomeKind, Population, PopulationError, Requirement,
     Run, Sample, Scatter, Scatters, Statistics, TENTHS_NM_PER_MM, Tally, contributions,
     limit_cases,
 };
+use nalgebra::Point2;
 
 pub(super) fn sample(population: &Population, requirement: Requirement, seed: u64) -> Sample<'_> {
     Sample {
@@ -271,6 +272,42 @@ fn outlines_scatter_as_their_data() {
     }
     let refused = Population::new(by_outline, of_thickness(normal(0.01), None)).unwrap_err();
     assert_eq!(refused, PopulationError::Drawn);
+}
+
+/// Teeth thicker by `t cos α` along the normals are thicker by `t` at the reference circle. Source: the same pair by data.
+#[test]
+fn drawn_teeth_scatter_in_thickness_as_those_of_data() {
+    let by_data = perfect([20, 20], 60.3);
+    let reading = OutlineReading {
+        centre: Point2::origin(),
+        face: Face::Front,
+        teeth: Some(20),
+        first_tooth: None,
+        bound: 1e-5,
+    };
+    let [wheel, pinion] = Member::BOTH.map(|member| {
+        let path = of_gear_path(by_data.gear(member), reading.bound);
+        OutlineGear::new(&path, &reading).unwrap()
+    });
+    let by_outline = OutlinePair::new(wheel, pinion, 60.3, Member::Wheel).unwrap();
+    let thicker = |share: f64| {
+        let each = || within(-0.03 * share, 0.01 * share);
+        of_thickness(each(), each())
+    };
+    let populations = [
+        Population::new(by_data, thicker(1.0)).unwrap(),
+        Population::new(by_outline, thicker(20f64.to_radians().cos())).unwrap(),
+    ];
+    let [data, drawn] = populations.each_ref().map(|population| {
+        let each = (1..4).map(|number| population.assembly(drawn(1, number)).unwrap());
+        let each = each.map(|assembly| assembly.outcome().unwrap());
+        let each = each.flat_map(|found| [found.least, found.greatest]);
+        let worst = limit_cases(population).unwrap().unwrap().worst;
+        each.chain(worst).map(Option::unwrap).collect::<Vec<f64>>()
+    });
+    for (drawn, data) in drawn.into_iter().zip(data) {
+        near("least or greatest", drawn, data, 1.5e-4);
+    }
 }
 
 /// Closed on the circle, flanks apart, the standard deviation of the single values within four standard errors.

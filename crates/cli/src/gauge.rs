@@ -10,11 +10,11 @@ use crate::progress::Progress;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::{Settings, gauge, gauge_outline, pin_sizes, pose_count};
 use gearlash::gear::AsBuilt;
+use gearlash::outline::OutlineGear;
+use gearlash_files::spec::GearSpec;
 use gearlash_files::{GearEntry, GearsFile};
 use gearlash_render::gauge::{charts, page, text};
-use gearlash_results::gauge::{
-    GaugedGear, GearSource, json, possible_files, stem, table_name, teeth_csv,
-};
+use gearlash_results::gauge::{GaugedGear, json, possible_files, stem, table_name, teeth_csv};
 use std::path::PathBuf;
 
 /// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, profile, roll test
@@ -78,18 +78,15 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = read(args)?;
     let materials = |gear| materials(gear);
     let chosen = options::choose(&args.file, args.gear, args.material, &file, materials)?;
-    let is_drawn = file.gears.iter().any(|gear| !gear.drawn.is_empty());
-    if is_drawn {
-        check_drawn(args)?;
-    }
     let mut own = Vec::new();
-    for (gear, material, source) in &chosen {
+    for (gear, material, on_gauge) in &chosen {
         own.extend(possible_files(&stem(gear.name, *material)));
-        if let GearSource::Data(as_built, _) = source {
+        if let Some((as_built, _)) = on_gauge.data {
             check_span(args, gear.name, as_built)?;
         }
     }
-    let folder = if is_drawn {
+    let folder = if file.gears.iter().any(|gear| !gear.drawn.is_empty()) {
+        check_drawn(args)?;
         None
     } else {
         let own = move |name: &str| own.iter().any(|own| own == name);
@@ -104,31 +101,32 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
         steps_per_pitch: args.steps_per_pitch,
         ..Settings::default()
     };
-    let poses = chosen.iter().map(|(_, _, source)| match source {
-        GearSource::Data(as_built, spec) => pose_count(as_built, &spec.gauge_settings(given)),
-        GearSource::Drawn(_) => 0,
-    });
+    let by_data = chosen.iter().filter_map(|(_, _, on_gauge)| on_gauge.data);
+    let poses = by_data.map(|(gear, spec)| pose_count(gear, &spec.gauge_settings(given)));
     let progress = Progress::of(poses.sum(), "poses");
     let mut gears = Vec::new();
-    for (gear, material, source) in chosen {
+    for (gear, material, OnGauge { data, outline }) in chosen {
         progress.now(&format!("({} {})", gear.name, material.name()));
         let more = |poses| progress.more(poses);
-        gears.push(GaugedGear {
+        let read = |(as_built, spec): (&AsBuilt, &GearSpec)| {
+            let settings = spec.gauge_settings(given);
+            // Readings of all materials of a gear compare only over the same span and pin.
+            let first = gear.materials.first().map_or(as_built, |(_, first)| first);
+            let settings = settings.with_usual(first);
+            gauge(as_built, &settings, &more, &|steps| progress.tick(steps))
+        };
+        let drawn = outline.map(|gear| gauge_outline(gear, args.span_teeth, args.pin_mm));
+        let teeth = outline.map(OutlineGear::teeth);
+        let gauged = data.map(read).transpose()?.or(drawn);
+        gears.extend(gauged.map(|gauged| GaugedGear {
             title: &file.title,
             name: gear.name,
             material,
-            gauged: match source {
-                GearSource::Data(as_built, spec) => {
-                    let settings = spec.gauge_settings(given);
-                    // Readings of all materials of a gear compare only over the same span and pin.
-                    let first = gear.materials.first().map_or(as_built, |(_, first)| first);
-                    let settings = settings.with_usual(first);
-                    gauge(as_built, &settings, &more, &|steps| progress.tick(steps))?
-                }
-                GearSource::Drawn(outline) => gauge_outline(outline, args.span_teeth, args.pin_mm),
-            },
-            gear: source,
-        });
+            teeth: data.map(|(_, spec)| spec.teeth).or(teeth).unwrap_or(0),
+            data,
+            outline_bound: outline.map(OutlineGear::bound),
+            gauged,
+        }));
     }
     drop(progress);
     finish(args, &file.title, &gears, folder)
@@ -152,14 +150,35 @@ fn read(args: &Args) -> Result<GearsFile, Error> {
     }
 }
 
+/// A gear on the gauge: by its data with its table, or by its outline.
+struct OnGauge<'a> {
+    data: Option<(&'a AsBuilt, &'a GearSpec)>,
+    outline: Option<&'a OutlineGear>,
+}
+
 /// A gear in each of its materials.
-fn materials(gear: &GearEntry) -> Vec<(Material, GearSource<'_>)> {
-    let data = gear.materials.iter().filter_map(|(material, as_built)| {
-        Some((*material, GearSource::Data(as_built, gear.spec.data()?)))
+fn materials(gear: &GearEntry) -> Vec<(Material, OnGauge<'_>)> {
+    let data = gear.materials.iter().map(|(material, as_built)| {
+        let data = Some(as_built).zip(gear.spec.data());
+        (
+            *material,
+            OnGauge {
+                data,
+                outline: None,
+            },
+        )
     });
-    let drawn = gear.drawn.iter();
-    data.chain(drawn.map(|(material, outline)| (*material, GearSource::Drawn(outline))))
-        .collect()
+    let drawn = gear.drawn.iter().map(|(material, outline)| {
+        let outline = Some(outline);
+        (
+            *material,
+            OnGauge {
+                data: None,
+                outline,
+            },
+        )
+    });
+    data.chain(drawn).collect()
 }
 
 /// Rejects options that do not apply to an outline.
@@ -242,7 +261,7 @@ fn check_pin(pin: Option<f64>, gears: &[GaugedGear]) -> Result<(), Error> {
         return Ok(());
     };
     let each = gears.iter().zip(reasons).map(|(gauged, reason)| {
-        let GearSource::Data(gear, _) = gauged.gear else {
+        let Some((gear, _)) = gauged.data else {
             return format!("{}: {reason}", gauged.words());
         };
         let fit = match pin_sizes(gear) {

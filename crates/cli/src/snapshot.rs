@@ -9,7 +9,7 @@ use crate::options::{MaterialName, all_proven, material, teeth};
 use crate::output::Target;
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
-use gearlash::contact::{CutPair, Exaggeration, MeshSection, Method, PoseResult, sweep_blocks};
+use gearlash::contact::{Exaggeration, MeshSection, Method, PoseResult, sweep_blocks};
 use gearlash::error::go_on;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
@@ -105,19 +105,16 @@ fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize),
     let pose = &subject.pose;
     let assembly = &subject.assembly;
     let pair = assembly.data();
-    let section = match pair {
-        Some(pair) => section(args, pair, pose)?,
-        None => None,
-    };
+    let helical = pair.filter(|pair| pair.is_helical());
+    let section = helical.map(|pair| section(args, pair, pose)).transpose()?;
     let view = Snapshot::of_result(title, assembly, subject.material, pose, section.as_ref());
     Ok(match (pair, args.exaggerate) {
         _ if args.animate => {
             let steps = pitch(assembly, &pose.pose)?;
             let unproven = steps.iter().filter(|step| step.is_unproven()).count();
-            let sections = match pair {
-                Some(pair) => sections(pair, &steps, section.as_ref())?,
-                None => Vec::new(),
-            };
+            let first = helical.zip(section.as_ref());
+            let sections = first.map(|(pair, first)| sections(pair, &steps, first));
+            let sections = sections.transpose()?.unwrap_or_default();
             let picture = gearlash_render::animation(&view, &steps, &sections);
             (picture, unproven)
         }
@@ -134,34 +131,24 @@ const SPUR_SECTION: &str =
     "--section is for helical gears: every section of these gears is the same; leave it out";
 
 /// The section of helical gears to draw.
-fn section(
-    args: &Args,
-    assembly: &GearPair,
-    pose: &PoseResult,
-) -> Result<Option<MeshSection>, Error> {
-    if !assembly.is_helical() {
-        return Ok(None);
-    }
+fn section(args: &Args, assembly: &GearPair, pose: &PoseResult) -> Result<MeshSection, Error> {
     let found = pose.proven();
     let at = args
         .section
         .unwrap_or_else(|| MeshSection::of_contact(assembly, &pose.pose, found));
     let section = MeshSection::new(assembly, &pose.pose, found, at);
-    section.map(Some).map_err(|reason| match args.section {
+    section.map_err(|reason| match args.section {
         Some(at) => Error::Usage(format!("--section {at}: {reason}")),
         None => reason.into(),
     })
 }
 
-/// Each of `steps` in the section of the first; none for spur gears.
+/// Each of `steps` in the section of the first.
 fn sections(
     assembly: &GearPair,
     steps: &[PoseResult],
-    first: Option<&MeshSection>,
+    first: &MeshSection,
 ) -> Result<Vec<MeshSection>, Error> {
-    let Some(first) = first else {
-        return Ok(Vec::new());
-    };
     let steps = steps.iter();
     let sections =
         steps.map(|step| MeshSection::new(assembly, &step.pose, step.proven(), first.at()));
@@ -288,11 +275,6 @@ const ROUNDING: f64 = 1e-9;
 /// The results at every step through a pitch from `pose` on, both ends included, and at the least and greatest backlash between
 /// them.
 fn pitch(assembly: &AssembledPair, pose: &Pose) -> Result<Vec<PoseResult>, Error> {
-    let cut = |pair: &GearPair| {
-        let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
-        CutPair::for_certificates(wheel, pinion)
-    };
-    let cut = assembly.data().map(cut);
     let method = Method::Exact { certify: true };
     let between = |[from, to]: [f64; 2], steps: u32| {
         let at = |step: u32| from + (to - from) * (f64::from(step) / f64::from(steps));
@@ -307,7 +289,7 @@ fn pitch(assembly: &AssembledPair, pose: &Pose) -> Result<Vec<PoseResult>, Error
             found.extend(poses);
             Ok::<(), Error>(())
         };
-        sweep_blocks(assembly, cut.as_ref(), method, &matings, 0.0, &go_on, each)?;
+        sweep_blocks(assembly, None, method, &matings, 0.0, &go_on, each)?;
         Ok::<Vec<PoseResult>, Error>(found)
     };
     let start = pose.mating().fraction;

@@ -4,7 +4,7 @@ use crate::call::work;
 use crate::error::Outcome;
 use crate::gear::Gear;
 use gearlash::gauge::{Settings, gauge as measure};
-use gearlash_results::gauge::{GaugedGear, GearSource, json};
+use gearlash_results::gauge::{GaugedGear, json};
 use pyo3::prelude::*;
 
 /// Teeth spanned, diameters of pins and ball, mm, teeth of the master gear, poses per pitch: a tuple in Python.
@@ -54,7 +54,9 @@ pub fn gauge(
         title: &gear.title,
         name: gear.entry.name,
         material,
-        gear: GearSource::Data(as_built, spec),
+        teeth: spec.teeth,
+        data: Some((as_built, spec)),
+        outline_bound: None,
         gauged,
     };
     Ok(json(&gear.title, &[gauged]))

@@ -5,7 +5,6 @@ use gearlash::metrology::{Eccentricity, EccentricityNote, GearNotes, ThicknessSt
 use gearlash::outline::{FittedInvolute, OutlineGear, StandardGear};
 use gearlash_files::PairFile;
 use gearlash_files::numbers::{fixed, trimmed, um, within};
-use gearlash_files::spec::EitherGearSpec;
 use serde_json::{Map, Value, json};
 
 /// The keys of a result with notes on `file`; without any a key is left out.
@@ -67,19 +66,13 @@ fn cross_check(note: &ThicknessStatements) -> Value {
 
 /// The drawn gears of a pair that resemble an involute, by name.
 fn fitted(file: &PairFile) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> {
-    let Some((_, wheel, pinion)) = file.study.drawn.first() else {
-        return Vec::new();
-    };
-    let gears = [
-        ("wheel", &file.spec.wheel, wheel),
-        ("pinion", &file.spec.pinion, pinion),
-    ];
-    let fitted = gears
-        .into_iter()
-        .filter_map(|(name, spec, gear)| match spec {
-            EitherGearSpec::Data(_) => None,
-            EitherGearSpec::Outline(_) => Some((name, gear, gear.fitted_involute()?)),
-        });
+    let gears = file.study.drawn.iter().take(1);
+    let gears = gears.flat_map(|(_, wheel, pinion)| [("wheel", wheel), ("pinion", pinion)]);
+    let drawings = gears.zip(&file.drawings);
+    let fitted = drawings.filter_map(|((name, gear), drawing)| {
+        drawing.as_ref()?;
+        Some((name, gear, gear.fitted_involute()?))
+    });
     fitted.collect()
 }
 
@@ -92,13 +85,9 @@ pub fn fitted_sentences(file: &PairFile) -> Vec<String> {
 
 /// Notes on a pair with a drawn gear, one per line; empty for other pairs.
 pub fn drawn_notes(file: &PairFile) -> String {
-    if file.spec.by_data().is_some() {
-        return String::new();
-    }
     let left_out = "A drawn gear has no module and no involute: formulas and checks are left out.";
-    let lines = [left_out.to_owned()]
-        .into_iter()
-        .chain(fitted_sentences(file));
+    let left_out = file.study.drawn.first().map(|_| left_out.to_owned());
+    let lines = left_out.into_iter().chain(fitted_sentences(file));
     lines.map(|line| line + "\n").collect()
 }
 

@@ -8,7 +8,7 @@ use gearlash::contact::{
 };
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
-use gearlash::pair::{Backlash, GearPair, Mating, Member, Pose, arcmin};
+use gearlash::pair::{Backlash, Mating, Member, Pose, arcmin};
 use gearlash_files::numbers::um_ascii;
 use serde_json::json;
 use std::f64::consts::{PI, TAU};
@@ -49,7 +49,12 @@ impl PoseRow {
         let (data, found) = (assembly.data(), result.proven());
         let contact = |side, contact: fn(&LostMotion) -> Option<&Contact>| {
             let found = found.filter(|found| found.angle().is_some())?;
-            Some(ContactRow::new(data, side, &result.pose, contact(found)?))
+            Some(ContactRow::new(
+                assembly,
+                side,
+                &result.pose,
+                contact(found)?,
+            ))
         };
         PoseRow {
             class: data.map(|pair| result.class(pair)),
@@ -63,7 +68,6 @@ impl PoseRow {
     fn without_contacts(assembly: &AssembledPair, pose: ComparedPose) -> PoseRow {
         let result = &pose.simulated;
         let j_wt = result.backlash;
-        let both = assembly.data().zip(j_wt);
         PoseRow {
             center_distance: assembly.center_distance(),
             material: "",
@@ -71,7 +75,7 @@ impl PoseRow {
             locked: assembly.locked(),
             angle: result.proven().and_then(LostMotion::angle),
             arcmin: Member::BOTH.map(|at| Some(arcmin(assembly.angle(at, j_wt?)))),
-            backlash: both.map(|(pair, j_wt)| pair.backlash(j_wt)),
+            backlash: j_wt.and_then(|j_wt| assembly.backlash(j_wt)),
             class: None,
             right: None,
             left: None,
@@ -250,13 +254,14 @@ pub struct ContactRow {
 }
 
 impl ContactRow {
-    /// The row of the `contact` on `side` of `pair` at `pose`; `pair` is `None` for a drawn pair.
-    pub fn new(pair: Option<&GearPair>, side: Side, pose: &Pose, contact: &Contact) -> ContactRow {
+    /// The row of the `contact` on `side` of `assembly` at `pose`.
+    pub fn new(assembly: &AssembledPair, side: Side, pose: &Pose, contact: &Contact) -> ContactRow {
+        let pair = assembly.data();
         ContactRow {
             at: pair.and_then(|pair| FacePlace::of(pair, pose, contact)),
             contact: *contact,
             class: pair.map(|pair| ContactClass::of(pair, side, contact)),
-            varies_along_face: pair.is_some_and(GearPair::varies_along_face),
+            varies_along_face: assembly.varies_along_face(),
         }
     }
 
@@ -268,8 +273,7 @@ impl ContactRow {
 
     fn class_alone(&self) -> String {
         let Some(class) = self.class else {
-            let Contact { wheel, pinion, .. } = &self.contact;
-            return format!("{} on {}", wheel.curve.name(), pinion.curve.name());
+            return self.places();
         };
         let tip = class.tip.map(|member| format!("{} tip", member.name()));
         let moment = class.moment.map(|moment| moment.name().to_owned());
@@ -279,6 +283,17 @@ impl ContactRow {
         } else {
             format!("{} ({})", class.kind.name(), more.join(", "))
         }
+    }
+
+    /// `tip on flank`, the wheel's place first.
+    fn places(&self) -> String {
+        let Contact { wheel, pinion, .. } = &self.contact;
+        format!("{} on {}", wheel.curve.name(), pinion.curve.name())
+    }
+
+    /// The places of a contact without a class, which checks do not name.
+    pub(crate) fn unchecked_places(&self) -> Option<String> {
+        self.class.is_none().then(|| self.places())
     }
 
     /// `11,10 involute-tip`.

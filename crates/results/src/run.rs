@@ -83,7 +83,7 @@ row_type!(row: RunRow {
     "material" Plain [heading(shown("material"))] => row.material;
     "phase.wheel_tooth" Plain => Value::optional(row.phase.map(|phase| phase.0));
     "phase.pinion_tooth" Plain => Value::optional(row.phase.map(|phase| phase.1));
-    "operating_pressure_angle_deg" Plain => row.assembly.data().map(|pair| pair.operating_pressure_angle().to_degrees());
+    "operating_pressure_angle_deg" Plain => row.assembly.operating_pressure_angle().map(f64::to_degrees);
     "" Plain [people(shown("poses").spare(5))] => row.poses;
     "" Backlash [people(shown("least"))] => Value::um(row.summary.min);
     "" Plain [people(shown("at").broken())] => row.at[0].clone();
@@ -137,7 +137,7 @@ fn worst(worst: &Worst) -> serde_json::Value {
         "j_wt_um": worst.backlash * 1e3,
         "formula_um": (worst.backlash + worst.loss) * 1e3,
         "side": worst.side.name(),
-        "contact": ContactRow::new(Some(&worst.assembly), worst.side, &worst.pose, &worst.contact).json(),
+        "contact": ContactRow::new(&worst.assembly.clone().into(), worst.side, &worst.pose, &worst.contact).json(),
     })
 }
 
@@ -160,13 +160,11 @@ impl ExtremeRow {
     /// The row of `extreme`, which belongs to `run` and `verdict`.
     pub fn new(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> ExtremeRow {
         let assembly = &extreme.assembly;
-        let open = run.assembly.data().filter(|_| run.any_direction());
-        let high_teeth = open.zip(assembly.data()).map(|(open, worst)| {
-            Member::BOTH.map(|member| {
-                let is_open = open.gear(member).any_direction();
-                is_open.then(|| worst.gear(member).high_tooth())
-            })
-        });
+        let high_tooth = |member| {
+            let is_open = run.assembly.any_direction(member);
+            is_open.then(|| assembly.high_tooth(member))
+        };
+        let high_teeth = run.any_direction().then(|| Member::BOTH.map(high_tooth));
         ExtremeRow {
             bracket: [extreme.low, extreme.high],
             found: extreme.found(),

@@ -61,7 +61,7 @@ pub fn simulation(
 
 /// A note on helical gears: the section of each value, and the face of the result.
 fn helical_note(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
-    let helical = |run: &RunTally| Some(run.assembly.data()?.gear(Member::Wheel).gear().clone());
+    let helical = |run: &RunTally| Some(run.assembly.as_built(Member::Wheel)?.gear().clone());
     let wheel = runs.iter().find(|run| run.assembly.is_helical());
     let Some(wheel) = wheel.and_then(helical) else {
         return String::new();

@@ -5,12 +5,14 @@
 //! first.
 
 use crate::layout::{Screen, Tone};
+use crate::pose::ContactRow;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::diagnosis::{self, CheckName};
 use gearlash::analysis::extremes::{BearingPlay, CoveredPhases, RunExtreme, RunExtremes, WIDTH};
 use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
-use gearlash::contact::{Contact, Doubt, Status};
+use gearlash::contact::{Doubt, Status};
+use gearlash::gear::Side;
 use gearlash::pair::{Member, arcmin};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, stated_distance, um, um_within, unit_of};
@@ -511,12 +513,7 @@ fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
             None => ("Assembles at no centre distance in mesh".to_owned(), true),
         });
     }
-    // The search is for gears by data alone.
-    if verdict
-        .runs
-        .iter()
-        .any(|run| is_apart(run) && run.assembly.data().is_some())
-    {
+    if verdict.runs.iter().any(is_apart) {
         distances.push(match verdict.meshes_to() {
             Some(to) => distance_words("In mesh up to", rounded_down(to.low), to.doubt),
             None => ("In mesh at no centre distance".to_owned(), true),
@@ -616,18 +613,15 @@ fn row(
     }
 }
 
-/// The places of contact: `tip on flank`, the wheel's first, for right and left flanks. `None` for gears by data, whose checks
-/// name the contacts.
+/// The places of contact: `tip on flank`, the wheel's first, for right and left flanks. `None` where checks name the contacts.
 fn touched(extreme: &RunExtreme) -> Option<String> {
-    if extreme.assembly.data().is_some() {
-        return None;
-    }
-    let found = extreme.pose.simulated.proven()?;
-    let words = |contact: &Contact| {
-        let [wheel, pinion] = [contact.wheel, contact.pinion].map(|touch| touch.curve.name());
-        format!("{wheel} on {pinion}")
+    let result = &extreme.pose.simulated;
+    let found = result.proven()?;
+    let places = |side| {
+        let contact = found.on(side)?;
+        ContactRow::new(&extreme.assembly, side, &result.pose, &contact).unchecked_places()
     };
-    let [right, left] = [found.right.as_ref()?, found.left.as_ref()?].map(words);
+    let (right, left) = (places(Side::Right)?, places(Side::Left)?);
     Some(if right == left {
         right
     } else {

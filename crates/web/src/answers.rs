@@ -94,8 +94,7 @@ impl Page {
                 "{poses} poses, a page holds up to {MOST_POSES}: take fewer steps_per_pitch or centre distances"
             ));
         }
-        let materials = study.materials.iter().map(|gears| gears.0);
-        let materials = materials.chain(study.drawn.iter().map(|gears| gears.0));
+        let materials = study.material_names();
         let notes: Vec<String> = [&pair.warnings[..], &pair.remarks[..]].concat();
         let found = json!({
             "title": study.title,
@@ -505,13 +504,9 @@ fn limits(study: &Study) -> Value {
         return json!([]);
     };
     let limits = study.requirements.iter().filter_map(|(quantity, limits)| {
-        let per_backlash = match (*quantity, pair.data()) {
-            (Quantity::OperatingBacklash, _) => 1.0,
-            (Quantity::LostMotion(member), _) => pair.angle(member, 1.0),
-            (Quantity::ReferenceBacklash | Quantity::NormalBacklash, Some(data)) => {
-                quantity.value(data, 1.0, false)
-            }
-            _ => return None,
+        let per_backlash = match quantity {
+            Quantity::RadialBacklash | Quantity::RadialClearance => return None,
+            _ => quantity.bracket(&pair, [1.0; 2], false)?[0],
         };
         let (name, unit, per, decimals) = unit_of(*quantity);
         let of = match quantity {

@@ -28,18 +28,16 @@ const LEFT_OUT: [(&str, &str); 2] = [
 ];
 
 /// Keys of `[tolerance]` that do not apply to a pair with an outline, and why; those of a gear first.
-const NO_SCATTER: [(&str, &str); 8] = [
-    ("thickness", AS_DRAWN),
+const NO_SCATTER: [(&str, &str); 6] = [
     ("pitch", AS_DRAWN),
     ("per_tooth", AS_DRAWN),
     ("gears", AS_DRAWN),
     ("lead", ONE_SECTION),
     ("wobble_um", ONE_SECTION),
     ("misalignment", ONE_SECTION),
-    ("thickness_correlation", AS_DRAWN),
 ];
 
-const AS_DRAWN: &str = "the gears of a pair with an outline scatter by their runout alone";
+const AS_DRAWN: &str = "the gears of a pair with an outline scatter by thickness and runout alone";
 
 const ONE_SECTION: &str = "an outline is solved in one section: axes are parallel";
 
@@ -65,7 +63,7 @@ pub(crate) fn refuse_tables(file: &Table) {
         let reason = format!("a pair with an outline {why}");
         file.add(name, reason, "remove the table");
     }
-    let (of_a_gear, others) = NO_SCATTER.split_at(6);
+    let (of_a_gear, others) = NO_SCATTER.split_at(5);
     let tables = [("wheel.", of_a_gear), ("pinion.", of_a_gear), ("", others)];
     let scatters = tables.into_iter().flat_map(|(table, keys)| {
         let key =
@@ -73,7 +71,7 @@ pub(crate) fn refuse_tables(file: &Table) {
         keys.iter().map(key)
     });
     for (key, why) in scatters.filter(|(key, _)| file.has(key)) {
-        let help = "leave it out: runout, center_distance, bearing_play and phase apply";
+        let help = "leave it out: thickness, runout, center_distance, bearing_play and phase apply";
         file.add(&key, why, help);
     }
 }

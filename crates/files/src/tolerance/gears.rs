@@ -6,7 +6,6 @@ use crate::reading::Reading;
 use crate::spec::{GearSpec, GearToleranceSpec, ToleranceSpec};
 use crate::table::Table;
 use crate::temperature::REFERENCE_C;
-use gearlash::analysis::study::Material;
 use gearlash::error::GearError;
 use gearlash::gear::thickness::per_normal_thickness;
 use gearlash::gear::{AsBuilt, Deviations};
@@ -310,30 +309,38 @@ pub fn left_out(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<String> {
 }
 
 /// The gear in the middle between the thickest and the thinnest.
-pub fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, GearError> {
-    let gears: Vec<&AsBuilt> = gears.collect();
-    let base = |gear: &AsBuilt| gear.gear().base_thickness();
-    let (first, rest) = gears.split_first().ok_or(GearError::ThicknessField)?;
-    let Some(last) = rest.last() else {
-        return Ok((*first).clone());
-    };
-    let per = per_normal_thickness(first.gear().basic_data());
-    let thicker = 0.5 * (base(last) - base(first)) / per;
-    first.varied(thicker, &Deviations::default())
+pub fn middle<'a>(gears: impl IntoIterator<Item = &'a AsBuilt>) -> Result<AsBuilt, GearError> {
+    let mut gears = gears.into_iter();
+    let most = gears.next().ok_or(GearError::ThicknessField)?;
+    match gears.last() {
+        Some(least) => most.varied(-half_band(most, least), &Deviations::default()),
+        None => Ok(most.clone()),
+    }
 }
 
-/// The band of a gear's thickness about its middle, mm at the reference circle (in the normal section).
+/// Half the difference of the thicknesses of two gears, mm at the reference circle (in the normal section).
+fn half_band(most: &AsBuilt, least: &AsBuilt) -> f64 {
+    let [most, least] = [most.gear(), least.gear()];
+    let per = per_normal_thickness(most.basic_data());
+    0.5 * (most.base_thickness() - least.base_thickness()) / per
+}
+
+/// The band of a gear's thickness about its middle, mm: at the reference circle (in the normal section), or of a drawn gear along the normals
+/// of its flanks.
 pub fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
-    let gear = |(_, wheel, pinion): &'_ (Material, AsBuilt, AsBuilt)| {
-        let gear = [wheel, pinion][member as usize].gear();
-        (
-            gear.base_thickness(),
-            per_normal_thickness(gear.basic_data()),
-        )
-    };
-    let materials = &pair.study.materials;
-    let ((most, per), (least, _)) = (gear(materials.first()?), gear(materials.last()?));
-    let half = 0.5 * (most - least) / per;
+    let study = &pair.study;
+    let by_data = study.materials.first().zip(study.materials.last());
+    let by_data = by_data.map(|(most, least)| {
+        let [most, least] = [most, least].map(|(_, wheel, pinion)| [wheel, pinion]);
+        half_band(most[member as usize], least[member as usize])
+    });
+    let drawn = study.drawn.first().zip(study.drawn.last());
+    let drawn = drawn.and_then(|(most, least)| {
+        let [most, least] = [most, least].map(|(_, wheel, pinion)| [wheel, pinion]);
+        // An offset moves both flanks of a tooth.
+        Some(most[member as usize].flank_offset()? - least[member as usize].flank_offset()?)
+    });
+    let half = by_data.or(drawn)?;
     (half > 0.0).then_some([-half, half])
 }
 

@@ -9,7 +9,7 @@ use crate::table::Table;
 use crate::tolerance::gears::{MeasuredGear, gears, left_out, middle, thickness_band};
 use crate::{common_face, lead, pair, with_tree};
 use gearlash::analysis::phases::phase;
-use gearlash::error::Error;
+use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, GradedQuantity, Lead, PitchAxis, Side};
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Mating, Member, SweepPlan};
@@ -152,37 +152,41 @@ fn own_distance(pair: &PairFile, file: &Table) -> Option<f64> {
 /// The mean pair of the population at a centre distance, mm: the middle of thickness bands.
 fn own_pair(pair: &PairFile, distance: f64, file: &Table) -> Option<AssembledPair> {
     let study = &pair.study;
+    let is_lost = |member: &Member| {
+        let ends = study.drawn.first().zip(study.drawn.last());
+        let differ = ends.is_some_and(|((_, wheel, pinion), (_, other, others))| {
+            [wheel != other, pinion != others][*member as usize]
+        });
+        differ && thickness_band(pair, *member).is_none()
+    };
+    if let Some(member) = Member::BOTH.into_iter().find(is_lost) {
+        return file.refuse(
+            &format!("{}.thickness", member.name()),
+            "states a band, and beside an outline a gear by its data has one thickness",
+            "state one thickness",
+        );
+    }
     let made = if study.material_count() == 1 {
         study.pairs(distance).map(|mut pairs| pairs.remove(0).1)
-    } else if study.is_drawn() {
-        return file.refuse(
-            "tolerance",
-            "given for a pair with an outline and a band of thickness or flank offset",
-            "state one thickness for each gear",
-        );
     } else {
-        let materials = &study.materials;
-        let wheel = middle(materials.iter().map(|(_, wheel, _)| wheel));
-        let pinion = middle(materials.iter().map(|(_, _, pinion)| pinion));
-        let made = wheel.and_then(|wheel| study.pair(&wheel, &pinion?, distance));
-        made.map(AssembledPair::from).map_err(Error::from)
+        study.pairs(distance).and_then(|ends| {
+            let [(_, most), (_, least)] = &ends[..] else {
+                return Err(GearError::ThicknessField.into());
+            };
+            most.varied(
+                distance,
+                |gear, member| match least.as_built(member) {
+                    Some(least) => middle([gear, least]),
+                    None => Ok(gear.clone()),
+                },
+                |gear, member| match thickness_band(pair, member) {
+                    Some([thinner, _]) => gear.thicker(thinner),
+                    None => Ok(gear.clone()),
+                },
+            )
+        })
     };
     file.keep("tolerance", made, "correct the gears, or their distance")
-}
-
-/// The scatter of a gear of a pair with an outline. Other keys than its runout are refused with the pair.
-fn gear_of_outline(
-    spec: &GearToleranceSpec,
-    member: Member,
-    file: &Table,
-) -> Option<(GearScatter, Vec<MeasuredGear>)> {
-    let key = format!("tolerance.{}.runout", member.name());
-    let runout = scatter(&spec.runout, None, (file, &key))?;
-    let scatters = GearScatter {
-        runout,
-        ..GearScatter::default()
-    };
-    Some((scatters, Vec::new()))
 }
 
 /// The scatter of the lean of the pinion's axis in and out of the plane of the axes, mm per mm.
@@ -224,16 +228,21 @@ fn gear(
     let Some(spec) = spec else {
         return Some((GearScatter::default(), Vec::new()));
     };
-    if pair.study.is_drawn() {
-        return gear_of_outline(spec, member, file);
-    }
     let key = |name: &str| format!("tolerance.{}.{name}", member.name());
     let one =
         |spec: &Option<ScatterSpec>, name: &str, band| scatter(spec, band, (file, &key(name)));
     let thickness = one(&spec.thickness, "thickness", thickness_band(pair, member));
     let runout = one(&spec.runout, "runout", None);
+    let Some((_, wheel, pinion)) = pair.study.materials.first() else {
+        // Other keys are refused with a pair that has an outline.
+        let scatters = GearScatter {
+            thickness: thickness?,
+            runout: runout?,
+            ..GearScatter::default()
+        };
+        return Some((scatters, Vec::new()));
+    };
     let per_tooth = one(&spec.per_tooth, "per_tooth", None);
-    let (_, wheel, pinion) = pair.study.materials.first()?;
     let gear = [wheel, pinion][member as usize];
     let pitch = match spec.pitch.map(|pitch| (pitch.sigma_um, pitch.grade)) {
         Some((Some(sigma), _)) => Some(Some(1e-3 * sigma)),
@@ -353,7 +362,7 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
         ),
         PopulationError::Drawn => (
             "tolerance",
-            "leave out all but runout, center_distance, bearing_play and phase",
+            "leave out the thickness of the gear by its data",
         ),
         PopulationError::OtherGear { .. } => (
             "tolerance",

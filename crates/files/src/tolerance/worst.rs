@@ -1,5 +1,6 @@
 //! One assembly of a population as a pair file.
 
+use super::gears::thickness_band;
 use super::population::ToleranceFile;
 use crate::lead::with_further;
 use crate::spec::{
@@ -137,7 +138,7 @@ impl ToleranceFile {
         spec.pinion = self.gear_spec(assembly, draw, Member::Pinion)?;
         spec.assembly = spec.assembly.at(vec![pair.center_distance()]);
         let scatters = self.population.scatters();
-        if let Some(pair) = pair.data().filter(|_| scatters.lean != [None, None]) {
+        if scatters.lean != [None, None] {
             spec.assembly = spec.assembly.with_lean(pair.lean());
         }
         if !is_own {
@@ -153,15 +154,25 @@ impl ToleranceFile {
         Some(spec)
     }
 
-    /// A gear of a pair with an outline, with its runout.
-    fn with_runout(&self, pair: &AssembledPair, member: Member) -> EitherGearSpec {
+    /// A gear of a pair with an outline, with its flank offset and its runout.
+    fn of_outlines(&self, pair: &AssembledPair, member: Member) -> EitherGearSpec {
         let mut own = [&self.pair.spec.wheel, &self.pair.spec.pinion][member as usize].clone();
-        if self.population.scatters().of(member).runout.is_none() {
+        let (scale, scatter) = (
+            own.scale().unwrap_or(1.0),
+            self.population.scatters().of(member),
+        );
+        if let EitherGearSpec::Outline(spec) = &mut own
+            && (scatter.thickness.is_some() || thickness_band(&self.pair, member).is_some())
+        {
+            let offset = pair.flank_offset(member).map(|mm| Either::One(mm / scale));
+            spec.thickness.get_or_insert_default().flank_offset_mm = offset;
+        }
+        if scatter.runout.is_none() {
             return own;
         }
         let eccentricity = pair.eccentricity(member);
         let runout = RunoutSpec {
-            total_um: Some(2e3 * eccentricity / own.scale().unwrap_or(1.0)),
+            total_um: Some(2e3 * eccentricity / scale),
             high_tooth: (eccentricity > 0.0).then(|| pair.high_tooth(member)),
             ..RunoutSpec::default()
         };
@@ -175,7 +186,7 @@ impl ToleranceFile {
     /// A gear as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
     fn gear_spec(&self, assembly: &Assembly, draw: Draw, member: Member) -> Option<EitherGearSpec> {
         let Some(pair) = assembly.pair.data() else {
-            return Some(self.with_runout(&assembly.pair, member));
+            return Some(self.of_outlines(&assembly.pair, member));
         };
         let gear = pair.gear(member);
         let own = self.pair.spec.data(member)?;

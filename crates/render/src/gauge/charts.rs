@@ -11,7 +11,7 @@ use gearlash::gauge::{GradedReading, PitchReadings, Roll, RollPose, RunoutReadin
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, um};
-use gearlash_results::gauge::{ByTooth, Chart, GaugedGear, GearSource, Length, lengths, page_name};
+use gearlash_results::gauge::{ByTooth, Chart, GaugedGear, Length, lengths, page_name};
 use maud::{DOCTYPE, PreEscaped, html};
 
 /// Values below this, µm, count as level: far below the resolution of a gauge in a shop, far above the rounding of readings.
@@ -109,7 +109,7 @@ fn file(
 }
 
 fn subtitle(gauged: &GaugedGear) -> String {
-    let GearSource::Data(gear, _) = gauged.gear else {
+    let Some((gear, _)) = gauged.data else {
         return gauged.words();
     };
     let design = gear.gear().design();
@@ -275,7 +275,7 @@ fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
 /// The double-flank roll test as a curve over one revolution.
 fn roll_chart(gauged: &GaugedGear, roll: &Roll) -> File {
     let mean = roll.mean();
-    let teeth = gauged.teeth();
+    let teeth = gauged.teeth;
     let value = |pose: &RollPose| Some(1e3 * (pose.distance - mean));
     let place = |pose: &RollPose| f64::from(pose.mating.wheel_tooth) + pose.mating.fraction;
     let poses = roll.poses.iter().chain(&roll.between);

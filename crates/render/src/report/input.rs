@@ -195,8 +195,8 @@ pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
     let distances = study.center_distances.iter().map(|a| stated_distance(*a));
     let distances: Vec<String> = distances.collect();
     let angles = page.report.analysis.runs.iter();
-    let angles = angles.filter_map(|run| run.run.assembly.data());
-    let angles = angles.map(|pair| pair.operating_pressure_angle().to_degrees());
+    let angles = angles.filter_map(|run| run.run.assembly.operating_pressure_angle());
+    let angles = angles.map(f64::to_degrees);
     let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
     let angle = if least == most {
         fixed(least, 4)

@@ -8,7 +8,6 @@ use crate::chart::PictureError;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::measured::{MeasuredMating, sides};
 use gearlash::analysis::outcome::{MODELS, deviation};
-use gearlash::pair::GearPair;
 use gearlash_files::numbers::difference_um;
 use gearlash_results::text::check::{MARGIN, doubts, shown};
 use gearlash_results::text::measured_shown;
@@ -158,7 +157,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                     "of teeth that can touch within the common one."
                 }
             }
-            @if page.all.iter().any(|run| run.run.assembly.data().is_some_and(GearPair::is_modified)) {
+            @if page.all.iter().any(|run| run.run.assembly.is_modified()) {
                 p {
                     "Models 1 and 2 know no profile deviation. Model 3 takes it at its own contact point; where a flank is tilted there the real "
                     "contact lies beside it, which the model cannot follow: it lies above by the square of the tilt."

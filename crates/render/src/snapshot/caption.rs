@@ -5,7 +5,6 @@ use crate::kit::{Spot, TextStyle};
 use crate::pose_name::pose_name;
 use gearlash::contact::{FreePlacement, PoseResult, Scene, Status};
 use gearlash::gear::Side;
-use gearlash::pair::GearPair;
 use gearlash_files::numbers::{trimmed, um, um_bounded};
 use svg::node::element::{Element, Group};
 
@@ -109,8 +108,7 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
 /// The face for which the result of a section holds; empty for spur gears.
 fn over_face(view: &Snapshot) -> String {
     view.section.map_or(String::new(), |_| {
-        let face = view.assembly.data().map_or([0.0; 2], GearPair::face);
-        let [from, to] = face.map(|end| trimmed(end, 0, 3));
+        let [from, to] = view.assembly.face().map(|end| trimmed(end, 0, 3));
         format!(" over the face {from} … {to} mm")
     })
 }

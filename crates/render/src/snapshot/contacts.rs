@@ -8,7 +8,7 @@ use crate::kit::{
     Frame, GREY, INK, Occupied, Spot, around, arrow, clip, dashed, diamond, dot, group, line,
 };
 use gearlash::contact::{DrawnContact, Scene};
-use gearlash::gear::ProfilePart;
+use gearlash::gear::{Placed, ProfilePart};
 use gearlash::pair::Member;
 use svg::node::element::Group;
 
@@ -80,17 +80,27 @@ pub fn style(curve: ProfilePart) -> (&'static str, &'static str) {
     }
 }
 
+/// The part of a profile on which `contact` lies, and its gear; `None` for a drawn one.
+pub fn part_on<'a>(
+    scene: &'a Scene,
+    contact: &DrawnContact,
+    member: Member,
+) -> Option<(ProfilePart, &'a Placed<'a>)> {
+    let part = contact.touch(member).curve.part();
+    part.zip(scene.placed(member).data())
+}
+
 /// The bands of one contact, on the metal's side of both outlines (clips `{id}-wheel-clip`, `{id}-pinion-clip`).
 pub fn bands(scene: &Scene, contact: &DrawnContact, view: &View, id: &str, width: f64) -> Group {
     let wide = view.frame.grown(MARGIN);
     let mut group = Group::new();
     for member in Member::BOTH {
-        let touch = contact.touch(member);
-        let (Some(part), Some(placed)) = (touch.curve.part(), scene.placed(member).data()) else {
+        let Some((part, placed)) = part_on(scene, contact, member) else {
             continue;
         };
         let (colour, dashes) = style(part);
-        let points = placed.curve(contact.side, touch.tooth, part, view.chord());
+        let tooth = contact.touch(member).tooth;
+        let points = placed.curve(contact.side, tooth, part, view.chord());
         for run in clip::parts(&view.spots(&points), &wide) {
             let clip = format!("url(#{id}-{}-clip)", member.name());
             group = group.add(band(&run, width, colour, dashes).set("clip-path", clip));
@@ -120,10 +130,7 @@ pub fn limits(
 ) -> Group {
     let wide = view.frame.grown(MARGIN);
     let mut group = Group::new();
-    for member in below_form(contact) {
-        let Some(placed) = scene.placed(member).data() else {
-            continue;
-        };
+    for (_, placed) in below_form(scene, contact) {
         let radius = placed.as_built().gear().form_radius();
         for run in clip::runs(&view.arc(placed.centre(), radius), &wide) {
             occupied.line(&run);
@@ -138,19 +145,22 @@ pub fn limits(
 }
 
 /// The gears with the contact on their fillet or root.
-pub fn below_form(contact: &DrawnContact) -> Vec<Member> {
+/// The gears below whose form circle `contact` lies.
+pub fn below_form<'a>(
+    scene: &'a Scene,
+    contact: &'a DrawnContact,
+) -> impl Iterator<Item = (Member, &'a Placed<'a>)> {
     let members = Member::BOTH.into_iter();
-    members
-        .filter(|member| contact.is_below_form_circle(*member))
-        .collect()
+    let below = members.filter(|member| contact.is_below_form_circle(*member));
+    below.filter_map(|member| Some((member, scene.placed(member).data()?)))
 }
 
 pub fn tangent_points(scene: &Scene, contact: &DrawnContact, view: &View) -> Vec<Spot> {
     let Some(action) = scene.line_of_action(contact.side) else {
         return Vec::new();
     };
-    let members = below_form(contact).into_iter();
-    let ends = members.map(|member| action.ends[usize::from(member == Member::Pinion)]);
+    let members = below_form(scene, contact);
+    let ends = members.map(|(member, _)| action.ends[usize::from(member == Member::Pinion)]);
     let inner = view.frame.grown(-8.0);
     ends.map(|end| view.spot(end))
         .filter(|spot| inner.holds(&around(*spot, 0.0)))

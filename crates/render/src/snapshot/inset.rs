@@ -100,9 +100,9 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame:
             let gap = contact.gap;
             let length = um(gap, 2);
             // In a transverse section the line of action is in that section, and another section can be tighter.
-            let (symbol, here) = match scene.assembly().data() {
+            let (symbol, here) = match scene.placed(Member::Wheel).base_radius() {
                 None => ("", " along the normal"),
-                Some(pair) if pair.is_helical() => ("j_bt = ", " in this section"),
+                Some(_) if scene.assembly().is_helical() => ("j_bt = ", " in this section"),
                 Some(_) => ("j_bn = ", ""),
             };
             let first = match scene.free_placement() {

@@ -28,8 +28,8 @@ pub struct Shown {
     pub touching: Vec<ProfilePart>,
     pub form: bool,
     pub tangent: bool,
-    /// A drawn pair: no base circle, no line of action.
-    pub outlines: bool,
+    /// Base circles and lines of action; a drawn pair has none.
+    pub base_circles: bool,
 }
 
 enum Sample<'a> {
@@ -71,7 +71,6 @@ impl Sample<'_> {
 pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
     let hatch = ids.url("hatch");
     let hatched = [OVERLAP, &hatch];
-    let by_data = !shown.outlines;
     let samples = [
         (
             "contact, normal out of the locked gear",
@@ -83,14 +82,18 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
             Sample::Meeting,
             true,
         ),
-        ("line of action, path of contact", Sample::OfAction, by_data),
+        (
+            "line of action, path of contact",
+            Sample::OfAction,
+            shown.base_circles,
+        ),
         // For gears by data, the lines over the metal distinguish them.
-        ("wheel", Sample::Fills(&[WHEEL]), shown.outlines),
-        ("pinion", Sample::Fills(&[PINION]), shown.outlines),
+        ("wheel", Sample::Fills(&[WHEEL]), !shown.base_circles),
+        ("pinion", Sample::Fills(&[PINION]), !shown.base_circles),
         ("gap", Sample::Fills(&[GAP]), shown.gap),
         ("overlap", Sample::Fills(&hatched), shown.overlap),
         ("operating pitch circle", Sample::Dashes(PITCH_DASH), true),
-        ("base circle", Sample::Dashes(BASE_DASH), by_data),
+        ("base circle", Sample::Dashes(BASE_DASH), shown.base_circles),
         ("form circle", Sample::Dashes(FORM_DASH), shown.form),
         ("base tangent point", Sample::Tangent, shown.tangent),
         ("line of centres", Sample::Dashes(CENTRES_DASH), true),

@@ -121,26 +121,20 @@ fn slots<'s>(
 
 /// The parts that the legend must explain.
 fn legend_content(scene: &Scene, main: &View) -> Shown {
-    let is_drawn = scene.assembly().data().is_none();
     let any = |holds: &dyn Fn(&DrawnContact) -> bool| scene.contacts().iter().any(holds);
-    let touches = scene.contacts().iter().filter(|_| !is_drawn);
-    let touches = touches.flat_map(|m| Member::BOTH.map(|member| m.touch(member)));
+    let touches = scene.contacts().iter();
+    let touches = touches.flat_map(|m| Member::BOTH.map(|member| (m, member)));
     Shown {
         on_paper: true,
         gap: any(&|contact| contact.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
-        touching: touches.filter_map(|touch| touch.curve.part()).collect(),
-        form: !is_drawn && any(&|m| !contacts::below_form(m).is_empty()),
+        touching: touches
+            .filter_map(|(m, member)| contacts::part_on(scene, m, member))
+            .map(|(part, _)| part)
+            .collect(),
+        form: any(&|m| contacts::below_form(scene, m).next().is_some()),
         tangent: any(&|m| !contacts::tangent_points(scene, m, main).is_empty()),
-        outlines: is_drawn,
-    }
-}
-
-/// The section that is drawn for helical gears.
-fn section(assembly: &AssembledPair, pose: &PoseResult) -> Result<Option<MeshSection>, Error> {
-    match assembly.data() {
-        Some(pair) => MeshSection::binding(pair, pose),
-        None => Ok(None),
+        base_circles: scene.placed(Member::Wheel).base_radius().is_some(),
     }
 }
 
@@ -154,7 +148,7 @@ pub fn pose_picture(
     material: Material,
     pose: &PoseResult,
 ) -> Result<String, Error> {
-    let section = section(assembly, pose)?;
+    let section = MeshSection::binding(assembly, pose)?;
     let view = Snapshot::of_result(title, assembly, material, pose, section.as_ref());
     Ok(snapshot(&view))
 }
@@ -168,7 +162,7 @@ pub(crate) fn pose_picture_in_page(
     pose: &PoseResult,
     (id, words): (&str, impl Fn(Option<f64>) -> String),
 ) -> Result<[String; 2], Error> {
-    let section = section(assembly, pose)?;
+    let section = MeshSection::binding(assembly, pose)?;
     let words = words(section.as_ref().map(MeshSection::at));
     let view = Snapshot::of_result(title, assembly, material, pose, section.as_ref());
     Ok([snapshot_in_page(&view, id, &words), words])

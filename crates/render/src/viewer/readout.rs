@@ -62,8 +62,7 @@ impl Texts {
         let contact = |side| match touching(pose, side) {
             None => "none".to_owned(),
             Some(contact) => {
-                let pair = run.run.assembly.data();
-                let row = ContactRow::new(pair, side, &pose.pose, &contact);
+                let row = ContactRow::new(&run.run.assembly, side, &pose.pose, &contact);
                 format!(
                     "wheel tooth {} on pinion tooth {}, {}",
                     contact.wheel.tooth,
@@ -155,14 +154,13 @@ impl HelicalColumns {
     /// The columns of `assembly`, with the section of `pose` shown first; `None` for spur gears.
     pub fn of(assembly: &AssembledPair, pose: &PoseResult) -> Option<HelicalColumns> {
         let start_mm = first(assembly, pose)?;
-        let pair = assembly.data()?;
         let twist = |member| {
-            let data = *pair.gear(member).gear().basic_data();
-            rounded(data.twist().to_degrees(), DEGREES + 4)
+            let twist = assembly.twist(member);
+            rounded(twist.to_degrees(), DEGREES + 4)
         };
         Some(HelicalColumns {
             // Steps of the slider start at the near end.
-            face_mm: pair.face().map(|end| rounded(end, SECTION)),
+            face_mm: assembly.face().map(|end| rounded(end, SECTION)),
             twist_deg_a_mm: Member::BOTH.map(twist),
             start_mm: rounded(start_mm, PLACE),
         })
@@ -172,7 +170,7 @@ impl HelicalColumns {
 /// The section shown first, mm: where the free gear touches on its right flanks, else the middle of the face; `None` for spur
 /// gears.
 pub fn first(assembly: &AssembledPair, pose: &PoseResult) -> Option<f64> {
-    let [from, to] = assembly.data()?.face();
+    let [from, to] = assembly.face();
     let touching = touching(pose, Side::Right).map(|contact| contact.section);
     assembly
         .is_helical()
@@ -193,9 +191,7 @@ impl Winding {
     /// The start position of the gear `placed` in `section`, mm.
     pub fn new(placed: &PlacedGear, member: Member, section: f64, decimals: usize) -> Winding {
         let centre = placed.centre() - placed.axis();
-        let twist = placed
-            .data()
-            .map_or(0.0, |placed| placed.as_built().gear().basic_data().twist());
+        let twist = placed.twist();
         Winding {
             name: member.name(),
             turned: degrees(twist * section),

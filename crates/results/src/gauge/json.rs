@@ -1,6 +1,6 @@
 //! The readings as JSON.
 
-use super::{GaugedGear, GearSource};
+use super::GaugedGear;
 use crate::column::{json_text, list, row_type};
 use gearlash::contact::Touch;
 use gearlash::gauge::{
@@ -25,7 +25,7 @@ fn gear(gauged: &GaugedGear) -> Value {
     let mut shown = json!({
         "gear": gauged.name,
         "material": gauged.material.name(),
-        "teeth": gauged.teeth(),
+        "teeth": gauged.teeth,
         "spans": reading_or_reason(&read.spans, |spans| json!({
             "teeth": spans.teeth,
             "formula_mm": formula.span,
@@ -87,13 +87,13 @@ fn gear(gauged: &GaugedGear) -> Value {
     if let Some(found) = &read.along_face {
         shown["along_face"] = along_face(found);
     }
-    match gauged.gear {
-        GearSource::Data(gear, spec) => {
-            if let Some(hand) = gear.gear().basic_data().hand() {
-                of_helix(&gauged.gauged, spec, hand, &mut shown);
-            }
-        }
-        GearSource::Drawn(gear) => shown["outline_bound_um"] = json!(gear.bound() * 1e3),
+    if let Some((gear, spec)) = gauged.data
+        && let Some(hand) = gear.gear().basic_data().hand()
+    {
+        of_helix(&gauged.gauged, spec, hand, &mut shown);
+    }
+    if let Some(mm) = gauged.outline_bound {
+        shown["outline_bound_um"] = json!(mm * 1e3);
     }
     shown
 }

@@ -20,7 +20,7 @@ pub struct Length {
     pub formula: Option<f64>,
     /// The length at each tooth, where it varies.
     pub by_tooth: Option<ByTooth>,
-    is_drawn: bool,
+    has_formula: bool,
 }
 
 /// A length at each tooth.
@@ -44,9 +44,9 @@ impl Length {
         Value::optional(place.map(|place| place + 1).next())
     }
 
-    /// `cell`, which is absent in tables of drawn gears.
+    /// `cell`, which is absent in tables of gears without formulas.
     fn by_formula(&self, cell: impl FnOnce(Option<f64>) -> String) -> Value {
-        Value::optional((!self.is_drawn).then(|| cell(self.formula)))
+        Value::optional(self.has_formula.then(|| cell(self.formula)))
     }
 }
 
@@ -75,7 +75,7 @@ pub fn length_table(gauged: &GaugedGear, screen: &Screen) -> String {
 pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     let read = &gauged.gauged;
     let formula = &read.formula;
-    let (wound, is_drawn) = (gauged.is_helical(), gauged.basic_data().is_none());
+    let (wound, has_formula) = (gauged.is_helical(), gauged.data.is_some());
     let mut rows = Vec::new();
     let mut add = |name: String, ends, mean, error, formula, by_tooth| {
         rows.push(Length {
@@ -85,7 +85,7 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             error,
             formula,
             by_tooth,
-            is_drawn,
+            has_formula,
         });
     };
     let by_tooth = |chart, values, symbol: &str, tooth| {

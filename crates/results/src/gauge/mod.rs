@@ -7,7 +7,6 @@ mod readings;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::{Gauged, Unmeasured};
 use gearlash::gear::{AsBuilt, BasicGearData};
-use gearlash::outline::OutlineGear;
 use gearlash_files::short_for_span;
 use gearlash_files::spec::GearSpec;
 use gearlash_files::{NoGearFile, gauged_file};
@@ -15,15 +14,6 @@ use gearlash_files::{NoGearFile, gauged_file};
 pub use json::json;
 pub use lengths::{ByTooth, Length, length_table, lengths};
 pub use readings::{Chart, position_table, teeth_csv};
-
-/// The source of a gear on the gauge: data, or a drawing.
-#[derive(Debug, Clone, Copy)]
-pub enum GearSource<'a> {
-    /// A gear by its data, and its table as understood.
-    Data(&'a AsBuilt, &'a GearSpec),
-    /// A drawn gear.
-    Drawn(&'a OutlineGear),
-}
 
 /// One gear in one material, and the gauges' readings.
 #[derive(Debug)]
@@ -34,8 +24,12 @@ pub struct GaugedGear<'a> {
     pub name: &'static str,
     /// The thickness.
     pub material: Material,
-    /// The gear.
-    pub gear: GearSource<'a>,
+    /// The number of its teeth.
+    pub teeth: u32,
+    /// The gear, and its table as understood; `None` for a drawn gear.
+    pub data: Option<(&'a AsBuilt, &'a GearSpec)>,
+    /// How far its outline may lie from the drawing, mm; `None` for a gear by its data.
+    pub outline_bound: Option<f64>,
     /// The readings.
     pub gauged: Gauged,
 }
@@ -51,7 +45,7 @@ impl GaugedGear<'_> {
     /// # Errors
     /// The readings are incomplete.
     pub fn gear_file(&self) -> Result<Option<(String, String)>, NoGearFile> {
-        let GearSource::Data(_, spec) = self.gear else {
+        let Some((_, spec)) = self.data else {
             return Ok(None);
         };
         let text = gauged_file(self.title, &self.words(), spec, &self.gauged)?;
@@ -60,18 +54,7 @@ impl GaugedGear<'_> {
 
     /// Its basic data; `None` for a drawn gear.
     pub fn basic_data(&self) -> Option<&BasicGearData> {
-        match self.gear {
-            GearSource::Data(gear, _) => Some(gear.gear().basic_data()),
-            GearSource::Drawn(_) => None,
-        }
-    }
-
-    /// The number of its teeth.
-    pub fn teeth(&self) -> u32 {
-        match self.gear {
-            GearSource::Data(gear, _) => gear.gear().basic_data().teeth(),
-            GearSource::Drawn(gear) => gear.teeth(),
-        }
+        Some(self.data?.0.gear().basic_data())
     }
 
     /// Whether its teeth are helical.
@@ -81,7 +64,7 @@ impl GaugedGear<'_> {
 
     /// The gear in a few words.
     pub fn words(&self) -> String {
-        let (name, teeth, material) = (self.name, self.teeth(), self.material.name());
+        let (name, teeth, material) = (self.name, self.teeth, self.material.name());
         match self.basic_data() {
             Some(data) => format!(
                 "{name}, {teeth} teeth, module {} mm{}, material {material}",
@@ -94,20 +77,16 @@ impl GaugedGear<'_> {
 
     /// Helix angle and hand, after a comma; empty for a spur gear.
     pub fn helix(&self) -> String {
-        let GearSource::Data(gear, spec) = self.gear else {
-            return String::new();
-        };
-        match (gear.gear().basic_data().hand(), spec.helix_angle_deg) {
-            (Some(hand), Some(degrees)) => format!(", β {degrees}° {}", hand.name()),
-            _ => String::new(),
-        }
+        let hand = self.basic_data().and_then(BasicGearData::hand);
+        let degrees = self.data.and_then(|(_, spec)| spec.helix_angle_deg);
+        hand.zip(degrees).map_or(String::new(), |(hand, degrees)| {
+            format!(", β {degrees}° {}", hand.name())
+        })
     }
 
     /// A warning where the face of a helical gear is too short for its spans, and the file itself did not warn.
     pub fn short_face(&self) -> Option<String> {
-        let GearSource::Data(gear, spec) = self.gear else {
-            return None;
-        };
+        let (gear, spec) = self.data?;
         let k = self.gauged.spans.as_ref().ok()?.teeth;
         let stated = spec.thickness.statement.span.as_ref();
         let warned = stated.is_some_and(|span| span.teeth == k);

@@ -119,7 +119,7 @@ fn tooth_rows(gear: &GaugedGear) -> Vec<ToothRow> {
             .map(|values| values.as_ref()?.get(tooth - 1).copied())
             .to_vec(),
     };
-    (1..=gear.teeth() as usize).map(row).collect()
+    (1..=gear.teeth as usize).map(row).collect()
 }
 
 /// A table for people, one row per tooth; a column without values is left out.

@@ -87,7 +87,9 @@
 
   function edit(name) {
     main = name;
-    text.value = saved = decoded(files.get(name));
+    text.value = decoded(files.get(name));
+    // As the editor has it: with its own ends of lines.
+    saved = text.value;
     byId("text-label").textContent = name;
     byId("understood").hidden = true;
     edited();
@@ -162,8 +164,12 @@
     listFiles();
     const drawings = names.filter(isDrawing);
     const tables = names.filter((name) => !isText(name) && !isDrawing(name));
-    if (!pair && tables.length === 1 && drawings.length === 0) await understand(tables[0]);
-    if (!pair && tables.filter((name) => !isNamed(name, text.value)).length > 1) await say("tables", tables.join(", "));
+    if (!pair && tables.length === 1 && drawings.length === 0 && !isNamed(tables[0], text.value)) await understand(tables[0]);
+    if (!pair && tables.filter((name) => !isNamed(name, text.value)).length > 1) {
+      run += 1;
+      byId("working").hidden = true;
+      return say("tables", tables.join(", "));
+    }
     if (pair) edit(pair);
     else if (drawings.length > 0) return useDrawings();
     calculate();
@@ -244,6 +250,8 @@
   text.addEventListener("input", () => {
     edited();
     byId("found").classList.add("old");
+    // The places of problems are those of the text before.
+    byId("problem-list").inert = true;
     clearTimeout(typing);
     if (took < FOLLOWED) typing = setTimeout(calculate, PAUSE);
   });
@@ -282,12 +290,15 @@
       byId("problems").hidden = true;
       show(result);
       byId("found").classList.toggle("old", text.value !== content);
-      took = performance.now() - since;
       quietly(findMarks(now));
     } catch (fault) {
       if (now === run && fault !== STOPPED) fail(fault);
     } finally {
-      if (now === run) byId("working").hidden = true;
+      if (now === run) {
+        took = performance.now() - since;
+        if (document.activeElement === byId("cancel")) byId("calculate").focus();
+        byId("working").hidden = true;
+      }
     }
   }
 
@@ -310,6 +321,7 @@
   function work(stage) {
     begun = heard = performance.now();
     byId("working").hidden = false;
+    byId("problems").hidden = true;
     byId("stage").textContent = words("stage", stage);
     for (const id of ["silence", "cancelled", "searching"]) byId(id).textContent = "";
     byId("progress").removeAttribute("value");
@@ -366,6 +378,7 @@
     byId("found").classList.remove("old");
     byId("problems").hidden = false;
     byId("problems-title").textContent = title;
+    byId("problem-list").inert = false;
     byId("problem-list").replaceChildren(...problems.map(({ file, key, value, reason, help, line, from, to, link }) => {
       const item = make("li");
       if (file && file !== main) item.append(`${file}: `);
@@ -443,6 +456,7 @@
   let mesh = null;
   let resting = null;
   let settling = null;
+  let lagging = null;
 
   // Of several requests the newest wins; one is on its way.
   function newest(name, into, act) {
@@ -471,24 +485,28 @@
   const livePose = newest("live", "here", async () => {
     const at = place();
     if (!mesh) await drawMesh(at);
-    showPose(await answer("live", "pose", "live", ...at));
+    const pose = await answer("live", "pose", "live", ...at);
+    if (isDistance()) showPose(pose);
   });
   // A part of the effort while the slider moves; all of it at rest, where that leaves a band unproven.
   async function bandAt(a, isWhole) {
     const band = await answer("band", "live_band", a, isWhole);
-    if (isWhole && a !== distance()) return;
+    if (!isDistance() || (isWhole && a !== distance())) return;
+    clearTimeout(lagging);
     showBand(band);
     byId("cycle").dataset.a = a;
     byId("live").classList.toggle("behind", a !== distance());
     if (!isWhole && band.is_proven === false) settling = setTimeout(wholeBand, 150);
+    clearTimeout(resting);
+    resting = setTimeout(() => {
+      if (a !== distance()) return;
+      const spoken = new Set(["here", "cycle"].map((name) => byId(name).dataset.spoken));
+      byId("spoken").replaceChildren(...[...spoken].map((words) => make("span", words)));
+    }, 1000);
   }
   const liveBand = newest("band", "cycle", async () => {
     clearTimeout(settling);
     await bandAt(distance(), false);
-    clearTimeout(resting);
-    resting = setTimeout(() => {
-      byId("spoken").replaceChildren(...["here", "cycle"].map((name) => make("span", byId(name).dataset.spoken)));
-    }, 1000);
   });
   const wholeBand = newest("band", "cycle", () => bandAt(distance(), true));
 
@@ -498,7 +516,12 @@
       showBand({ failed: words("here", "none") });
       return;
     }
-    byId("live").classList.toggle("behind", Number(byId("cycle").dataset.a) !== distance());
+    const isBehind = Number(byId("cycle").dataset.a) !== distance();
+    byId("live").classList.toggle("behind", isBehind);
+    clearTimeout(resting);
+    clearTimeout(lagging);
+    // The band of another distance does not stand beside the pose for long.
+    if (isBehind) lagging = setTimeout(() => showBand({ failed: "…" }), 500);
     livePose();
     liveBand();
   }
@@ -634,9 +657,9 @@
     if (text.value !== before) return;
     if (made.text) {
       write(made.text);
-      byId("keep").focus();
       edited();
-      calculate();
+      await calculate();
+      byId("keep").focus();
     }
     byId("kept").textContent = made.failed ?? made.said;
   });
@@ -786,7 +809,7 @@
   byId("calculate").addEventListener("click", calculate);
   byId("cancel").addEventListener("click", cancel);
   text.addEventListener("scroll", () => { byId("lines").scrollTop = text.scrollTop; });
-  text.addEventListener("keydown", (event) => { if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) calculate(); });
+  document.addEventListener("keydown", (event) => { if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) calculate(); });
   const hasFiles = (event) => event.dataTransfer.types.includes("Files");
   document.addEventListener("dragover", (event) => {
     if (!hasFiles(event)) return;

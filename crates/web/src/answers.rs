@@ -26,7 +26,7 @@ use gearlash_results::grades::grades;
 use gearlash_results::text::check::shown;
 use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{
-    ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
+    ExtremeRow, VerdictLines, extremes_in_short, rounded_down, rounded_up, uncut,
 };
 use serde_json::{Value, json};
 use std::fmt::Display;
@@ -46,6 +46,12 @@ const MOST_TEXT: u64 = 1 << 20;
 /// Divisor of a verdict's effort for a live answer (tuned: every example that a verdict proves is proven, and one without a proof takes
 /// 10 ms).
 const LIVE_PARTS: u64 = 80;
+
+/// A stated distance has six decimals.
+const STATED: f64 = 1e-6;
+
+/// Readings of a text whose distance is sought: it is as good as proportional.
+const MOST_READINGS: u32 = 5;
 
 /// Receives steps begun, steps in all and the stage; a break ends the work.
 pub type OnStep = dyn Fn(u64, u64, &str) -> ControlFlow<()> + Sync;
@@ -105,7 +111,7 @@ impl Page {
             "distances_mm": study.center_distances,
             "materials": materials.map(|material| material.words()).collect::<Vec<_>>(),
             "range_mm": range(study),
-            "marks": study.center_distances.iter().map(|a| mark(*a, "file", "pair file:", None)).collect::<Vec<_>>(),
+            "marks": study.center_distances.iter().map(|a| mark(*a, "file", "pair file, a =", None)).collect::<Vec<_>>(),
         });
         self.pair = Some(pair);
         found
@@ -199,17 +205,37 @@ impl Page {
         if !(mm > 0.0 && mm.is_finite()) {
             return failed("This is no distance. The pair file is unchanged.");
         }
-        match with_distance(Path::new(name), text, mm) {
-            None => failed(
-                "The pair file states no single centre distance that could be replaced. It is unchanged.",
-            ),
-            Some((text, before)) => {
-                let is_number = before.replace('_', "").parse::<f64>().is_ok();
+        // The text states the distance at 20 °C, and where its axes are measured; the study has it warm, and at the wheel.
+        let mut stated = mm;
+        for _ in 0..MOST_READINGS {
+            let Some((made, before)) = with_distance(Path::new(name), text, stated) else {
+                return failed(
+                    "The pair file does not state its centre distance in mm as one value. It is unchanged.",
+                );
+            };
+            let found = match self.distances(name, &made)[..] {
+                [found] => found,
+                _ => mm,
+            };
+            if (found - mm).abs() <= STATED {
                 let before: Vec<&str> = before.split_whitespace().collect();
-                let said = format!("{} replaces {}.", trimmed(mm, 0, 6), before.join(" "));
-                json!({ "text": text, "said": if is_number { "" } else { &said } })
+                let mut said = format!("{} replaces {}", trimmed(stated, 0, 6), before.join(" "));
+                if (stated - mm).abs() > STATED {
+                    said += &format!(": {} mm in results", trimmed(mm, 0, 6));
+                }
+                return json!({ "text": made, "said": said + "." });
             }
+            stated += mm - found;
         }
+        failed("No centre distance of the pair file gives this one. It is unchanged.")
+    }
+
+    /// The centre distances of the pair file `name` with this text, mm; none where it has problems.
+    fn distances(&self, name: &str, text: &str) -> Vec<f64> {
+        let mut files = self.files.clone();
+        files.add(name, text.as_bytes().to_vec());
+        let read = read_files(Rc::new(files), name);
+        read.map_or_else(|_| Vec::new(), |pair| pair.study.center_distances)
     }
 
     /// The files in a zip archive, as they were given.
@@ -358,7 +384,8 @@ impl Page {
             // The number alone says that a pose is clear.
             let words = state.strip_prefix("clear, ").unwrap_or(&state).to_owned();
             let touch = Side::BOTH.map(|side| {
-                let contact = pose.proven().and_then(|found| found.on(side));
+                let found = pose.proven().filter(|_| j_wt.is_some());
+                let contact = found.and_then(|found| found.on(side));
                 let teeth = contact.map_or("no teeth".to_owned(), |contact| {
                     let [wheel, pinion] = [contact.wheel.tooth, contact.pinion.tooth];
                     format!("wheel {wheel} and pinion {pinion}")
@@ -444,7 +471,7 @@ impl Page {
             let verdict = Verdict::of_study(&study, &found.each, Vec::new());
             let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
             // Without the sentences on distances that follow from the extremes: those are not searched.
-            let words = band_words(&lines(&verdict));
+            let words = band_words(&uncut(&verdict));
             Ok(json!({
                 "spoken": format!("Whole cycle: {words}"),
                 "words": words,
@@ -466,10 +493,18 @@ fn range(study: &Study) -> [f64; 2] {
         distances().fold(0.0, f64::max),
     );
     let pairs = study.pairs(least).into_iter().flatten();
-    let apart = pairs.map(|(_, pair)| pair.reach()).fold(most, f64::max);
+    let reach = pairs.map(|(_, pair)| pair.reach()).reduce(f64::max);
+    let reach = reach.unwrap_or(most);
+    // Gears that are apart at every distance begin where theirs would be: two modules of depth nearer.
+    let teeth = f64::from(study.teeth().iter().sum::<u32>());
+    let near = if least < reach {
+        least
+    } else {
+        reach * teeth / (teeth + 4.0)
+    };
     // As far below as a fourth of the way up: backlash falls by more than two thirds of a module there.
     // Whole micrometres, which the slider counts from its end.
-    [least - 0.25 * (apart - least), apart].map(|mm| (mm * 1e3).round() / 1e3)
+    [near - 0.25 * (reach - near), reach.max(most)].map(|mm| (mm * 1e3).round() / 1e3)
 }
 
 /// The study for other centre distances: without bearing clearance, so that a stated distance is the distance of the axes, and with
@@ -562,11 +597,19 @@ fn band_words(lines: &VerdictLines) -> String {
             lines.state,
             diagnosis::Verdict::Pass | diagnosis::Verdict::Warn
         );
-    match &rows[..] {
+    let mut words = match &rows[..] {
         [] => lines.status.clone(),
         _ if is_enough => format!("{}. {}", rows.join(", "), lines.proof),
         _ => format!("{} {}. {}", lines.status, rows.join(", "), lines.proof),
+    };
+    let unmet = lines
+        .qualifiers
+        .iter()
+        .filter(|line| line.starts_with("Requirement not"));
+    for line in unmet {
+        words += &format!(" {line}.");
     }
+    words
 }
 
 /// The verdict in a word, which says the same as its colour.

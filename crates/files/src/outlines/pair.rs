@@ -269,9 +269,9 @@ impl<'a> OutlineOptions<'a> {
         match drawing::read(path, &bytes, &options) {
             Err(error) if error.lacks_unit => return self,
             Ok(drawing) if (drawing.unit_mm / unit.mm() - 1.0).abs() > 1e-6 => {
-                let (file, stated) = (path.display(), shortest(rounded(drawing.unit_mm, 9)));
+                let stated = shortest(rounded(drawing.unit_mm, 9));
                 warnings.push(format!(
-                    "{file}: states that its unit is {stated} mm, which counts; {name} is not used"
+                    "states that its unit is {stated} mm, which counts; {name} is not used"
                 ));
             }
             _ => {}
@@ -291,7 +291,12 @@ impl<'a> Drawings<'a> {
         warnings: &mut Vec<String>,
     ) -> Drawings<'a> {
         for (options, path) in self.options.iter_mut().zip([self.wheel, self.pinion]) {
-            *options = options.with_unit_needed(path, files, warnings);
+            let mut own = Vec::new();
+            *options = options.with_unit_needed(path, files, &mut own);
+            let named = own
+                .iter()
+                .map(|words| format!("{}: {words}", path.display()));
+            warnings.extend(named);
         }
         self
     }

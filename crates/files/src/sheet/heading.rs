@@ -173,17 +173,19 @@ fn of_words(name: &str) -> Option<Column> {
     if let Some(quantity) = of_word(&rest.concat()) {
         return meaning_of(side, quantity);
     }
-    let (mut found, mut number) = (None, None);
+    rest.retain(|word| !VOCABULARY.words.fillers.contains(&plain(word)));
+    let is_number = |word: &&str| word.bytes().all(|b| b.is_ascii_digit());
+    let number = match rest.iter().copied().filter(is_number).collect::<Vec<_>>()[..] {
+        [] => None,
+        [one] => Some(one.parse::<u32>().ok()?),
+        _ => return None,
+    };
+    rest.retain(|word| !is_number(word));
+    let mut found = of_word(&rest.concat());
+    if found.is_some() {
+        rest.clear();
+    }
     for word in rest {
-        if VOCABULARY.words.fillers.contains(&plain(word)) {
-            continue;
-        }
-        if let Ok(stated) = word.parse::<u32>() {
-            if number.replace(stated).is_some() {
-                return None;
-            }
-            continue;
-        }
         let quantity = of_word(word)?;
         found = Some(match found {
             None => quantity,

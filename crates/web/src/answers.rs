@@ -26,7 +26,7 @@ use gearlash_results::grades::grades;
 use gearlash_results::text::check::shown;
 use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{
-    ExtremeRow, VerdictLines, extremes_in_short, rounded_down, rounded_up, uncut,
+    ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
 };
 use serde_json::{Value, json};
 use std::fmt::Display;

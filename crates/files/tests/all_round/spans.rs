@@ -63,7 +63,7 @@ proptest! {
         prop_assume!(k.is_some());
         let k = k.unwrap();
         let spans = spans(&gear, k);
-        let study = pair(&format!("{}thickness.span = {{ teeth = {k}, mm = {spans:?} }}", drawing(recipe)));
+        let study = pair(&format!("{}thickness.span = {{ teeth = {k}, mm = {spans:?}, per_tooth = true }}", drawing(recipe)));
         check_same(wheel(&study), &gear, 1e-9);
         prop_assert_eq!(study.study.materials.len(), 1);
         prop_assert_eq!(study.study.materials[0].0.name(), "as-measured");
@@ -73,7 +73,7 @@ proptest! {
         let first: Vec<u32> = (1..=z).map(|tooth| recipe.renumber(tooth, by)).collect();
         let turned = recipe.renumbered(by);
         let again = pair(&format!(
-            "{}thickness.span = {{ teeth = {k}, mm = {spans:?}, first_tooth = {first:?} }}",
+            "{}thickness.span = {{ teeth = {k}, mm = {spans:?}, first_tooth = {first:?}, per_tooth = true }}",
             drawing(&turned)
         ));
         check_same(wheel(&again), &turned.build(1.0).unwrap(), 1e-9);
@@ -97,7 +97,7 @@ proptest! {
         }
         let study = pair_beside(
             &format!(
-                "{}thickness = {{ per_tooth_um = {per_tooth:?}, span = {{ teeth = {k}, file = \"spans.csv\" }} }}",
+                "{}thickness = {{ per_tooth_um = {per_tooth:?}, span = {{ teeth = {k}, file = \"spans.csv\", per_tooth = true }} }}",
                 drawing(recipe)
             ),
             &table,

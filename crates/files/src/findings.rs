@@ -448,7 +448,7 @@ fn runout_readings(readings: &FittedReadings) -> String {
             probe(readings.probe),
             shown(readings.first_harmonic),
             readings.by_ball_um.map_or(String::new(), |um| format!(
-                ". The ball is taken to touch at the reference circle; another that fits changes the eccentricity by up to {} µm: state it as ball_mm",
+                ". The ball is taken to touch at the reference circle; another that fits changes it by up to {} µm: state it as ball_mm",
                 ascii(um, 3)
             ))
         ),

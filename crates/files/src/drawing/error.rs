@@ -72,7 +72,7 @@ impl DrawingError {
         DrawingError::at(
             place,
             format!("more than two ends meet at {}", at(point)),
-            "delete what is drawn twice and what is not outline, name the `layer` or `id` of the outline alone, or give a smaller join_mm",
+            "delete what is drawn twice and what is not outline; name the `layer` or `id` of the outline alone, or give a smaller join_mm",
         )
     }
 

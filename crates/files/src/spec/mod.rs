@@ -80,7 +80,7 @@ pub(crate) fn designation_fault(schema: &Value, text: &str) -> Option<String> {
         _ => text.parse::<ThicknessField>().err()?,
     };
     Some(match fault {
-        GearError::DistanceField => "no distance with a tolerance that is known: js, H, h, F or f of ISO 286 with grade 5 … 10, ±, or two deviations, such as \"30 js7\", \"30 ±0.02\" or \"30 +0.03/0\"".to_owned(),
+        GearError::DistanceField => "no distance with a tolerance that is known: js, H, h, F or f with grade 5 … 10, ±, or deviations, as in \"30 js7\", \"30 ±0.02\" or \"30 +0.03/0\"".to_owned(),
         GearError::ThicknessField => format!("{fault}, allowed is 21 … 30 with a … h, ab, bc or cd, such as \"25cd\""),
         other => other.to_string(),
     })

@@ -54,7 +54,7 @@ fn spans_say_which_sign_is_meant() {
 
 #[test]
 fn thickness_that_is_said_twice() {
-    const ADDED: &str = "the two are added: where both were measured";
+    const ADDED: &str = "The two are added: where both were measured";
     let mut dice = Dice(TestRunner::deterministic());
     let [right, left] = dice.real(44, 4.0);
     let mean = |list: &[f64]| list.iter().sum::<f64>() / 44.0;
@@ -103,7 +103,7 @@ fn thickness_beside_pitch_is_reported_in_micrometres() {
         &warnings,
         "vary by 3.000 µm by this list and by 8.000 µm by the pitch",
     );
-    check_one(&warnings, "7.000 µm apart at tooth 1;");
+    check_one(&warnings, "at tooth 1 they are 7.000 µm apart. ");
 }
 
 /// Issue: own-axis data that hold the very eccentricity that is stated beside them count it twice.

@@ -211,7 +211,7 @@ fn the_file_says_which_eccentricity_counts() {
     let bias = 2.0 * ALPHA_DEG.to_radians().cos() * c.cos();
     let off = note.difference_um.unwrap() - bias;
     assert!(off.abs() < 3e-3, "{note:?} {bias}");
-    let words = "cannot be distinguished from it); that of [runout], 10.000";
+    let words = "looks alike; that of [runout], 10.000";
     assert!(study.warnings[0].contains(words), "{:?}", study.warnings);
     // The key changes nothing without a runout: the pitch counts anyway.
     let alone = pair(&keys);

@@ -161,7 +161,11 @@ pub fn remedies(
     tick: &Tick,
 ) -> Result<Remedies, Error> {
     let jams = |run: &RunExtremes| run.assembles() == Some(false);
-    let fails = |is_max: bool| verdict.unmet.iter().any(|unmet| unmet.is_max == is_max);
+    // A jam misses every limit, and is too tight.
+    let fails = |is_max: bool| {
+        let mut unmet = verdict.unmet.iter();
+        unmet.any(|unmet| unmet.is_max == is_max && unmet.found.is_some())
+    };
     let too_tight = verdict.runs.iter().any(jams) || fails(false);
     let too_loose = fails(true);
     let out_of_mesh = |run: &RunExtremes| run.status == Status::NoContact;

@@ -189,8 +189,12 @@ impl BasicGearData {
     pub(crate) fn tooth_after(&self, pitches: f64) -> f64 {
         let teeth = f64::from(self.teeth);
         let tooth = 1.0 + pitches.rem_euclid(teeth);
-        // rem_euclid of a tiny negative number may round up to z, and so may the sum.
-        if tooth < teeth + 1.0 { tooth } else { 1.0 }
+        // Rounding, also of `rem_euclid`, can put tooth 1 just below z + 1.
+        if tooth < teeth + 1.0 - 1e-9 {
+            tooth
+        } else {
+            1.0
+        }
     }
 
     /// Reference radius `r = m_n z/(2 cos β)`, mm.

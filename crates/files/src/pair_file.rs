@@ -204,6 +204,7 @@ impl<'a> PairTables<'a> {
         let (wheel, pinion) = (self.wheel.outline()?, self.pinion.outline()?);
         let stated = self.poses.distances(table, assembly, None, warnings)?;
         let center_distances = stated.distances_mm();
+        let band = stated.band_mm();
         let is_band = wheel.is_band() || pinion.is_band();
         self.poses
             .check_count(table, Some(&center_distances), is_band)?;
@@ -218,7 +219,7 @@ impl<'a> PairTables<'a> {
             drawn: in_materials(&wheel, &pinion),
             stated,
             center_distances,
-            band: None,
+            band,
             face: [0.0; 2],
         })
     }

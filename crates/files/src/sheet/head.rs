@@ -88,7 +88,11 @@ impl Head {
                 },
             }
         });
-        let headings = headings.collect();
+        let mut headings: Vec<Heading> = headings.collect();
+        // A title may be wider than the table.
+        if !has_groups {
+            headings.truncate(line.cells.len());
+        }
         Head {
             line: line.number,
             at,

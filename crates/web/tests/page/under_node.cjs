@@ -55,6 +55,7 @@ for (const files of cases) {
     const a = opened.distances_mm[0];
     one.with_distance(main, "", a);
     one.too_large(main, 2 ** 20 + 1);
+    one.said("tables", main);
     const place = [a, 0, at.wheel, at.pinion, at.left, at.fraction];
     answers.push(result, one.mark_of_jam(), timed(() => one.live_band(a, false)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
     // As the slider moves it, after the first.

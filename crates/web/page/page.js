@@ -531,7 +531,8 @@
     for (const field of [fields.a, fields.number]) [field.min, field.max] = [low, high];
     [fields.wheel.max, fields.pinion.max] = opened.teeth;
     const at = start ?? { distance_mm: opened.distances_mm[0], wheel: 1, pinion: 1, left: false, fraction: 0 };
-    fields.a.value = fields.number.value = at.distance_mm;
+    // A warm pair's distance has any number of decimals.
+    fields.a.value = fields.number.value = Number(at.distance_mm.toFixed(6));
     [fields.wheel.value, fields.pinion.value] = [at.wheel, at.pinion];
     fields.flank.value = at.left ? "left" : "right";
     fields.material.replaceChildren(...opened.materials.map((name, i) => make("option", name, { value: i })));

@@ -181,6 +181,13 @@ impl BasicGearData {
     }
 
     /// The tooth (fractional, `1 ≤ … < z + 1`) whose undisturbed centre lies at `angle`, rad, from tooth 1 along ascending numbers.
+    ///
+    /// ```
+    /// let gear = gearlash::gear::BasicGearData::new(21, 1.5, 20f64.to_radians()).unwrap();
+    /// // Rounding does not make tooth 1 the tooth 22.
+    /// assert_eq!(gear.tooth_towards(-1e-13), 1.0);
+    /// assert!((gear.tooth_towards(-0.5 * gear.angular_pitch()) - 21.5).abs() < 1e-12);
+    /// ```
     pub fn tooth_towards(&self, angle: f64) -> f64 {
         self.tooth_after(angle / self.angular_pitch())
     }

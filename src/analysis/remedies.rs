@@ -103,7 +103,7 @@ pub struct StatedGear {
 /// The reason why a change, or every change, is not among the remedies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NoRemedy {
-    /// Least and greatest value, `found`, of a quantity are farther apart than its limits.
+    /// Least and greatest value, `found`, of a quantity differ by more than its limits do.
     Spread {
         /// The limited quantity.
         quantity: Quantity,

@@ -204,7 +204,7 @@ fn shift_of_equal_list(list: &[f64], same: &impl Fn(&[f64], f64) -> bool) -> Opt
     })
 }
 
-/// What spans show of a stated thickness variation.
+/// A stated thickness variation as spans show it.
 struct Shown {
     /// The share of it: 1 if they agree.
     slope: f64,
@@ -221,7 +221,7 @@ impl Shown {
     }
 }
 
-/// What enough spans show of a `stated` thickness variation, beside the `other` deviations.
+/// The `stated` thickness variation as enough spans show it, beside the `other` deviations.
 ///
 /// The spans without the effect of the `other` deviations are regressed on the spans expected from the stated ones.
 fn share_shown(spans: &Spans, stated: Deviations, other: Deviations) -> Option<Shown> {

@@ -161,7 +161,7 @@ pub fn read_files(files: Rc<Files>, main: &str) -> Result<PairFile, InputError> 
 /// Reads a pair from two drawings.
 ///
 /// # Errors
-/// As [`read`]; options of the command line stand in place of keys.
+/// As [`read`]; it names options of the command line, not keys.
 pub fn read_drawings(drawings: &outlines::Drawings) -> Result<PairFile, InputError> {
     let mut warnings = Vec::new();
     let drawings = drawings.with_units_needed(None, &mut warnings);

@@ -80,7 +80,7 @@ row_type!(row: CheckRow {
     "unproven" Plain => Value::optional(row.check.unproven.clone());
 });
 
-/// What the margin of a check is.
+/// A sentence that defines the margin of a check.
 pub const MARGIN: &str = "Margin: to the limit, from the worse of formula and outlines; of centre distances, from the outlines. A negative one misses it.";
 
 /// The unit of a check, as shown to people.

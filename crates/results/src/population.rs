@@ -97,7 +97,7 @@ row_type!(row: ContributionRow {
     "" Plain [people(shown("by itself").spare(1))] => Value::optional(row.greatest.map(|of| percent(of[1])));
 });
 
-/// What a share of the variance is, below the table.
+/// Sentences below the table that define a share of the variance.
 pub const SHARES: &str = "A share counts joint effects at each quantity that takes part, so shares can add to more than 100 %; \
      by itself leaves joint effects out. ± is the standard error: a small share can come out negative within it.";
 

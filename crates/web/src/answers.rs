@@ -320,7 +320,7 @@ impl Page {
         json!({ "title": counted(1, "problem", ""), "problems": [problem] })
     }
 
-    /// The problem of a file called `name` of so many `bytes`; null where it is not too large.
+    /// The problem of the file `name` with this number of `bytes`; null where it is not too large.
     pub fn too_large(&self, name: &str, bytes: u64) -> Value {
         let name = Path::new(name);
         let ending = name.extension().map(|ending| ending.to_ascii_lowercase());

@@ -74,7 +74,7 @@ impl Gearlash {
         self.page.said(what, names).to_string()
     }
 
-    /// The problem of a file called `name` of so many `bytes`: `{title, problems}`; null where it is not too large.
+    /// The problem of the file `name` with this number of `bytes`: `{title, problems}`; null where it is not too large.
     pub fn too_large(&self, name: &str, bytes: f64) -> String {
         self.page.too_large(name, bytes as u64).to_string()
     }

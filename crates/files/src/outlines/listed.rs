@@ -46,7 +46,7 @@ pub fn lists_outlines(path: &Path) -> bool {
 /// The outlines of the drawing at `path`; `units` is its unit as in a pair file, used where it states none.
 ///
 /// # Errors
-/// [`InputError`] where the file is no drawing or has a fault; options of the command line stand in place of keys.
+/// [`InputError`] where the file is no drawing or has a fault; it names options of the command line, not keys.
 pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutlines, InputError> {
     let unit = |name: &str| Unit::NAMED.iter().find(|(known, _)| *known == name);
     let fault = |problem: Problem| by_flags(InputError::of(path, vec![problem]));

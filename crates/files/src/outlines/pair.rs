@@ -117,7 +117,7 @@ pub(crate) fn refuse_axes(file: &Table, assembly: &AssemblySpec) {
 
 /// Poses of a pitch that are looked at for slips.
 const POSES: u32 = 16;
-/// Of these, poses with a tip in contact that teeth with deviations have, too.
+/// Greatest number of these with a tip in contact that is no reason for a warning: teeth with deviations have some.
 const TIPS_PASS: usize = 8;
 
 /// Warnings of centre distances that leave much backlash, or teeth out of contact, between the first teeth of gears by these outlines.

@@ -564,13 +564,11 @@ fn rows(verdict: &Verdict) -> Vec<ExtremeRow> {
     let is_any = greatest.is_some();
     let least = worst(Status::Jammed, "jammed", least, "least");
     let greatest = worst(Status::NoContact, "out of mesh", greatest, "greatest");
-    match (least, greatest) {
-        (Some(least), Some(greatest)) => vec![least, greatest],
-        (least, greatest) => least
-            .into_iter()
-            .chain(greatest)
-            .filter(|_| is_any)
-            .collect(),
+    // The status alone says that a pair jams everywhere, or is out of mesh.
+    if is_any || least.is_some() && greatest.is_some() {
+        least.into_iter().chain(greatest).collect()
+    } else {
+        Vec::new()
     }
 }
 

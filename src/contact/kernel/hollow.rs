@@ -553,25 +553,15 @@ impl FacingHalves {
                     _ => ((free, &f), &l),
                 };
                 let chord = &chords[1 - owner];
-                let off = self.off_stretch(
-                    (owner, hollow),
-                    stretch,
-                    (chord, n),
-                    margin,
-                    directions_tried,
-                )?;
+                let mut off_by = |margin: f64| {
+                    let owner = (owner, hollow);
+                    self.off_stretch(owner, stretch, (chord, n), margin, directions_tried)
+                };
+                let off = off_by(margin)?;
                 if self.holds_for_curve(1 - owner, mate, stretch, off) {
                     return Some((owner, off));
                 }
-                let margin = margin + mate.sag;
-                let off = self.off_stretch(
-                    (owner, hollow),
-                    stretch,
-                    (chord, n),
-                    margin,
-                    directions_tried,
-                )?;
-                Some((owner, off))
+                Some((owner, off_by(margin + mate.sag)?))
             };
             if let Some((owner, proof)) = proof(0).or_else(|| proof(1)) {
                 record([l.ends, f.ends], owner, proof);

@@ -139,20 +139,26 @@ pub(crate) fn slips(
         Some((a?, pair, found))
     };
     // Teeth that are stated thinner are no reason to doubt the distance.
-    let thick = |gear: &OutlineGear| match gear.flank_offset() {
-        Some(offset) if offset < 0.0 => gear.with_flank_offset(0.0).ok(),
-        _ => Some(gear.clone()),
+    let is_thin = |gear: &OutlineGear| gear.flank_offset().is_some_and(|offset| offset < 0.0);
+    let thick = |gear: &OutlineGear| {
+        if is_thin(gear) {
+            gear.with_flank_offset(0.0).ok()
+        } else {
+            Some(gear.clone())
+        }
     };
-    let thick = thick(wheel).zip(thick(pinion));
-    let nearest = distances.iter().copied().reduce(f64::min);
-    let nearest = thick.and_then(|(wheel, pinion)| of(nearest, [wheel, pinion]));
-    let farthest = distances.iter().copied().reduce(f64::max);
-    let farthest = of(farthest, [wheel.clone(), pinion.clone()]);
+    let [near, far] = [f64::min, f64::max].map(|end| distances.iter().copied().reduce(end));
+    let farthest = of(far, [wheel.clone(), pinion.clone()]);
+    let is_thinned = is_thin(wheel) || is_thin(pinion);
+    let thicker = || of(near, [thick(wheel)?, thick(pinion)?]);
+    // Most files state one distance and no offset.
+    let thickest = (is_thinned || near != far).then(thicker);
+    let nearest = thickest.as_ref().unwrap_or(&farthest).as_ref();
     let backlash = nearest.and_then(|(a, pair, found)| {
         let angles = found.iter().filter_map(|found| found.angle());
         let backlash = angles.reduce(f64::min)? * pair.operating_pitch_radius(pair.free());
         let module = 2.0 * a / f64::from(wheel.teeth() + pinion.teeth());
-        excessive(a, "drawn", backlash, module, check)
+        excessive(*a, "drawn", backlash, module, check)
     });
     let lost = farthest.and_then(|(a, _, found)| {
         // Teeth that overlap, or have no backlash, touch where they must.

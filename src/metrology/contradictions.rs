@@ -256,9 +256,6 @@ fn share_shown(spans: &Spans, stated: Deviations, other: Deviations) -> Option<S
     })
 }
 
-/// Greatest relative difference at which own-axis pitch seems to contain the stated eccentricity: 25 % of the amount or 14.5° of the
-/// direction. A harmonic of the gear's own pitch, of any direction and up to twice the amount, comes so near once in 64 times.
-const SAME_ECCENTRICITY: f64 = 0.25;
 /// Greatest share of the first harmonics' energy that an eccentricity leaves. A wave common to both flanks of a tooth leaves
 /// `sin² (α − π/(2z))`, 0.1 at 20°. Noise of a tenth of an eccentricity, at 20 teeth, leaves some 0.001.
 const NOT_JOINT: f64 = 0.05;
@@ -304,13 +301,22 @@ fn eccentricity_in_own_pitch(
     if !(jointly && found.eccentricity > STANDS_OUT * deviation) {
         return None;
     }
-    if in_runout.distance_um(&in_pitch, basic_data) > SAME_ECCENTRICITY * in_runout.um {
-        // The same amount in another direction: one of the two directions may be wrong.
-        let as_large = (in_pitch.um - in_runout.um).abs() <= SAME_ECCENTRICITY * in_runout.um;
-        return (as_large && !by_readings).then_some(Finding::StatedEccentricityElsewhere {
-            in_pitch,
-            stated: in_runout,
-        });
+    if !in_runout.is_same(&in_pitch, basic_data) {
+        // The same amount in another direction: one of the two directions may be wrong. Beside readings, only by a known slip: a
+        // harmonic of the gear's own pitch is as large by chance.
+        let same_way = Eccentricity {
+            high_tooth: in_runout.high_tooth,
+            ..in_pitch
+        };
+        let is_as_large = in_runout.is_same(&same_way, basic_data);
+        let reversal = in_runout.reversal(&in_pitch, basic_data);
+        return ((is_as_large && !by_readings) || reversal.is_some()).then_some(
+            Finding::StatedEccentricityElsewhere {
+                in_pitch,
+                stated: in_runout,
+                reversal,
+            },
+        );
     }
     Some(Finding::OwnPitchHoldsEccentricity {
         in_pitch,

@@ -182,6 +182,8 @@ pub enum Finding {
         in_pitch: Eccentricity,
         /// The stated eccentricity.
         stated: Eccentricity,
+        /// How one of the two statements may be reversed.
+        reversal: Option<Reversal>,
     },
     /// A single value far from all the others.
     Outlier(Outlier),
@@ -441,6 +443,52 @@ impl Eccentricity {
         let (sin, cos) = angle.sin_cos();
         (other.um * cos - self.um).hypot(other.um * sin)
     }
+
+    /// Whether the `other` one is the same.
+    pub(super) fn is_same(&self, other: &Eccentricity, basic_data: &BasicGearData) -> bool {
+        self.distance_um(other, basic_data) <= SAME_ECCENTRICITY * self.um
+    }
+
+    /// How this eccentricity or the `other` one may be reversed; `None` if they are the same, or differ in another way.
+    pub(super) fn reversal(
+        &self,
+        other: &Eccentricity,
+        basic_data: &BasicGearData,
+    ) -> Option<Reversal> {
+        let is_at = |high_tooth| {
+            self.is_same(
+                &Eccentricity {
+                    high_tooth,
+                    ..*other
+                },
+                basic_data,
+            )
+        };
+        let half_turn = f64::from(basic_data.teeth()) / 2.0;
+        if is_at(other.high_tooth) {
+            None
+        } else if is_at(other.high_tooth + half_turn) {
+            Some(Reversal::Sign)
+        } else {
+            // Counted the other way from tooth 1.
+            is_at(2.0 - other.high_tooth).then_some(Reversal::Numbering)
+        }
+    }
+}
+
+/// Greatest relative difference at which two eccentricities count as one: 25 % of the amount or 14.5° of the direction. A harmonic of
+/// the gear's own pitch, of any direction and up to twice the amount, comes so near once in 64 times.
+const SAME_ECCENTRICITY: f64 = 0.25;
+
+/// How two statements of one eccentricity can differ by a slip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Reversal {
+    /// Half a turn: the sign of one.
+    Sign,
+    /// Mirrored about tooth 1: the sense in which the teeth of one are numbered.
+    Numbering,
 }
 
 /// The eccentricity in datum-axis pitch, and the stated one.
@@ -455,6 +503,8 @@ pub struct EccentricityNote {
     pub stated_counts: bool,
     /// Distance between the two displacements, µm, if both are known.
     pub difference_um: Option<f64>,
+    /// How one of the two may be reversed.
+    pub reversal: Option<Reversal>,
 }
 
 /// Evaluation of readings all round.

@@ -52,8 +52,8 @@ mod wobble;
 pub use error::{DeviationCause, Fits, LeadKey, MeasurementError, ProfileKey, StatementRole};
 pub use finding::{
     AllRoundNote, Eccentricity, EccentricityNote, Finding, FittedReadings, FlankKnowledge,
-    GearNotes, MeanOnly, Outlier, PitchOutlier, Quantity, ReadingOutlier, RunoutContradiction,
-    RunoutSource, SameKind, ThicknessBesidePitch, ThicknessStatements, TooFar,
+    GearNotes, MeanOnly, Outlier, PitchOutlier, Quantity, ReadingOutlier, Reversal,
+    RunoutContradiction, RunoutSource, SameKind, ThicknessBesidePitch, ThicknessStatements, TooFar,
 };
 pub use flank_correlation::{anticorrelation_p_value, datum_anticorrelation_p_value};
 pub use measure::{CrossCheck, MeasuredGear, Measurements};

@@ -146,6 +146,8 @@ impl Runout {
 
 /// Standard deviations by which the readings must contradict the flanks.
 const CERTAIN: f64 = 3.0;
+/// Unexplained rest, µm r.m.s., that is no contradiction: readings rounded to 1 µm and flanks rounded so leave 0.6.
+const LEAST_LEFT_UM: f64 = 1.0;
 /// Greatest unexplained rest of the readings, µm r.m.s. Tuned: readings and flanks of 1 µm each leave some 2 µm at a ball; 5 µm
 /// r.m.s. belong to another gear.
 const MOST_LEFT_UM: f64 = 3.0;
@@ -233,15 +235,15 @@ impl ReadingsFit {
         let (said, shared) = (sum(|_, s| s * s), sum(|r, s| r * s));
         let left = sum(|r, s| (r - s).powi(2));
         let count = all.rest.len() as f64;
-        let refused = said > 0.0 && count > 5.0 && {
+        let left_um = 1000.0 * (left / count).sqrt();
+        let refused = left_um > LEAST_LEFT_UM && said > 0.0 && count > 5.0 && {
             let slope = shared / said;
             let about = all.rest.iter().map(|(r, s)| (r - slope * s).powi(2));
             // Four fitted values: mean, both components of the first harmonic, slope.
             let deviation = (about.sum::<f64>() / (count - 4.0) / said).sqrt();
             slope + CERTAIN * deviation < 0.5
         };
-        let foreign = left > sum(|r, _| r * r).max(said) / 2.0
-            && 1000.0 * (left / count).sqrt() > MOST_LEFT_UM;
+        let foreign = left > sum(|r, _| r * r).max(said) / 2.0 && left_um > MOST_LEFT_UM;
         if !(refused || foreign) {
             return None;
         }

@@ -307,5 +307,6 @@ fn eccentricity_note(
         stated,
         stated_counts: counts == Some(EccentricitySource::Runout),
         difference_um: stated.map(|stated| in_pitch.distance_um(&stated, basic_data)),
+        reversal: stated.and_then(|stated| stated.reversal(&in_pitch, basic_data)),
     }
 }

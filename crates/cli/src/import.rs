@@ -174,7 +174,7 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
         let unnamed = |problem: &&mut Problem| problem.help == import::NAME_COLUMNS;
         for problem in error.problems.iter_mut().filter(unnamed) {
             problem.help +=
-                ", or import --only pitch --header-row 1 --tooth-column A --left B --right C";
+                "; as options --only pitch --tooth-column A --left B --right C, or --only span --column B";
         }
         error
     })?)

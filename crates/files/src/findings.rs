@@ -8,8 +8,8 @@ use super::thickness::CROSS_CHECK;
 use gearlash::gear::{DIN_3967_SOURCE, Flank, Probe};
 use gearlash::metrology::{
     Eccentricity, EccentricityNote, Finding, FittedReadings, FlankKnowledge, LeadKey, MeanOnly,
-    Outlier, ProfileKey, Quantity, RunoutSource, SameKind, StatementRole, ThicknessBesidePitch,
-    ThicknessStatements, TooFar,
+    Outlier, ProfileKey, Quantity, Reversal, RunoutSource, SameKind, StatementRole,
+    ThicknessBesidePitch, ThicknessStatements, TooFar,
 };
 
 /// The line that the user reads, with the key it is about.
@@ -275,7 +275,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         } => (
             "pitch.axis",
             format!(
-                "the values look as if they were measured about the datum axis: their first harmonic is that of an eccentricity of {}, and {}: \
+                "the values look as if they were measured about the datum axis. Their first harmonic is that of an eccentricity of {}; {}: \
                  if so, write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\"",
                 shown(*in_pitch),
                 match runout {
@@ -284,20 +284,25 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
                         shown(*in_runout)
                     ),
                     RunoutSource::Readings { left } => format!(
-                        "the readings of [runout] contain one of {}; used as the gear's own pitch the values explain the readings and leave {} as eccentricity",
+                        "the readings of [runout] contain one of {}. Used as the gear's own pitch the values explain the readings and leave {} as eccentricity",
                         shown(*in_runout),
                         left.map_or("nothing".to_owned(), shown),
                     ),
                 },
             ),
         ),
-        Finding::StatedEccentricityElsewhere { in_pitch, stated } => (
-            "runout.high_tooth",
+        Finding::StatedEccentricityElsewhere {
+            in_pitch,
+            stated,
+            reversal,
+        } => (
+            "runout",
             format!(
-                "the pitch of both flanks contains the first harmonic of an eccentricity of {}; the one stated here is as large, {}, and both are \
+                "the pitch of both flanks contains the first harmonic of an eccentricity of {}; the one stated here is as large, {}{}. Both are \
                  used: check the tooth, and whether the pitch was measured about the datum axis",
                 shown(*in_pitch),
                 shown(*stated),
+                reversed(*reversal),
             ),
         ),
         Finding::Outlier(found) => outlier(of, found),
@@ -321,6 +326,15 @@ fn shown(e: Eccentricity) -> String {
     format!("{um} µm towards tooth {tooth}")
 }
 
+/// How one of two statements of an eccentricity may be reversed, after the second.
+fn reversed(reversal: Option<Reversal>) -> &'static str {
+    match reversal {
+        Some(Reversal::Sign) => " (half a turn apart: a sign may be reversed)",
+        Some(Reversal::Numbering) => " (mirrored: check the numbering)",
+        None => "",
+    }
+}
+
 fn in_pitch(note: &EccentricityNote) -> String {
     let found = format!(
         "the datum-axis values contain an eccentricity of {}",
@@ -329,6 +343,7 @@ fn in_pitch(note: &EccentricityNote) -> String {
     let stated = note.stated.zip(note.difference_um);
     let stated =
         stated.map(|(stated, um)| format!("{}, {} µm from it", shown(stated), ascii(um, 3)));
+    let stated = stated.map(|stated| stated + reversed(note.reversal));
     match stated {
         Some(stated) if note.stated_counts => format!(
             "{found}. That of [runout], {stated}, is used and removed from them; the first harmonic that remains is used as the gear's own pitch"

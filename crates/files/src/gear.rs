@@ -233,7 +233,8 @@ impl GearPart {
         spec.profile_shift = statements.design.profile_shift;
         spec.rack = RackSpec::from(&statements.design.rack);
         spec.tip_diameter_mm = statements.design.tip_diameter?;
-        spec.runout = statements.runout.settled(gear.runout);
+        let settled_runout = statements.runout.settled(gear.runout);
+        spec.runout = statements.runout.spec;
         spec.profile = statements.profiles.spec();
         spec.lead = statements.leads.map(|leads| leads.spec);
         spec.pitch = statements.pitch.map(|sheet| sheet.spec);
@@ -243,6 +244,8 @@ impl GearPart {
         }
         self.helix?.echo(&mut spec);
         self.warnings.extend(unit_slips::warnings(name, &spec));
+        // Of readings it is calculated, and no slip.
+        spec.runout = settled_runout;
         self.spec = Some(EitherGearSpec::Data(Box::new(spec)));
         Some(())
     }

@@ -21,7 +21,7 @@ use std::rc::Rc;
 pub use table::{ImportedColumn, ImportedTable, Kind, Value};
 
 /// The remedy for a table that no heading explains.
-pub const NAME_COLUMNS: &str = "say what it holds and where, by letter or heading: header_row, tooth_column, left and right in [wheel.pitch]";
+pub const NAME_COLUMNS: &str = "say what it holds and where, by heading or letter: tooth_column, and left and right of a pitch, column of other data";
 
 /// A kind of file, by its content.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

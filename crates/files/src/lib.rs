@@ -68,6 +68,7 @@ use check::Checked;
 use node::Node;
 use pair_file::PairTables;
 use reading::Reading;
+use std::ffi::OsStr;
 use std::path::Path;
 use std::rc::Rc;
 use table::Table;
@@ -265,9 +266,37 @@ fn gears_by_data(file: &Tree) -> Option<GearsFile> {
 
 /// The result of `understand` for the file at `path`.
 fn with_tree<T>(path: &Path, understand: impl FnOnce(&Tree) -> Option<T>) -> Result<T, InputError> {
-    let bytes = bytes(path).and_then(|bytes| rexs::no_model(named(path), bytes));
+    let bytes = bytes(path).and_then(|bytes| refuse_other_kinds(named(path), bytes));
     let text = bytes.and_then(source::text);
     with_text(named(path), Reading::of(path), text, understand)
+}
+
+/// The `bytes` of the file at `path`, which should be a pair file or gear file.
+/// Errors: the file is a drawing, a table or a gearbox model, by its name or as XML.
+fn refuse_other_kinds(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let is_xml = text.trim_ascii_start().starts_with(b"<");
+    let holds = |tag: &[u8]| is_xml && text.windows(tag.len()).any(|part| part == tag);
+    let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+    let ends = |endings: &[&str]| endings.contains(&&ending.to_ascii_lowercase()[..]);
+    let file = path.display();
+    let (reason, help) = if rexs::is_rexs(path) || holds(b"<model") {
+        let help = format!(
+            "gearlash import {file} --stage ID -o pair.toml writes the pair file of a stage"
+        );
+        ("is a gearbox model", help)
+    } else if ends(&["dxf", "dwg"]) || holds(b"<svg") {
+        let help = "gearlash init --outline writes a pair file that names drawings; check, compare and gauge also take drawings";
+        ("is a drawing", help.to_owned())
+    } else if ends(&["csv", "xlsx", "xls", "ods", "mka"]) {
+        let help = format!(
+            "gearlash import {file} shows its numbers and the lines of a pair file that name it"
+        );
+        ("is a table", help)
+    } else {
+        return Ok(bytes);
+    };
+    Err(Problem::of_file(reason, help))
 }
 
 /// The bytes of the file at `path`.

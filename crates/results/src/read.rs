@@ -20,6 +20,13 @@ pub fn imported(imported: &Imported, screen: &Screen) -> String {
     for reason in &imported.not_read {
         text += &screen.fold(&format!("Not read: {}\n\n", line(reason)));
     }
+    let mut left_out = imported
+        .tables
+        .iter()
+        .filter_map(|table| table.left_out.as_ref());
+    if left_out.any(|words| words.contains("column")) {
+        text += &screen.fold("To read a column that is left out, name it: --only pitch --left B --right C, or --only span --column B.\n\n");
+    }
     let _ = writeln!(text, "For a pair file beside {}:", line(&imported.file));
     // Not folded, because users copy it.
     text + "\n" + &imported.toml
@@ -114,16 +121,16 @@ pub fn listed_outlines(
         ("wheel", 2) => vec![gear, "pinion"],
         _ => vec![gear],
     };
-    for (number, gear) in (1..).zip(gears) {
+    for ((number, outline), gear) in rows.iter().zip(gears) {
         text += &format!("\n[{gear}.outline]\nfile = {name:?}\n");
         if let Some(units) = &drawing.units {
             text += &format!("units = {units:?}\n");
         }
         if rows.len() > 1 {
-            text += &format!(
-                "number = {number}  # of {}\ncenter_mm = \"fit\"\n",
-                rows.len()
-            );
+            text += &format!("number = {number}  # of {}\n", rows.len());
+        }
+        if rows.len() > 1 || !outline.is_centred {
+            text += "center_mm = \"fit\"\n";
         }
     }
     text

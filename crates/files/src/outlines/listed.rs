@@ -32,11 +32,16 @@ pub struct ListedOutline {
     pub start: String,
     /// Width and height, mm.
     pub size_mm: Vector2<f64>,
+    /// Whether its axis can be the origin of the drawing: the middle of its box is near.
+    pub is_centred: bool,
     /// Lines, arcs and curves.
     pub parts: usize,
     /// Closed paths inside it.
     pub inside: usize,
 }
+
+/// Largest distance of a gear's axis from the middle of its outline, of half the diagonal of its box. Runout is below 0.01 of it.
+const OFF_CENTRE: f64 = 0.05;
 
 /// Whether a file is a drawing that names its outlines: DXF or SVG.
 pub fn lists_outlines(path: &Path) -> bool {
@@ -75,6 +80,7 @@ pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutline
             place: path.place.clone(),
             start: start(path),
             size_mm: high - low,
+            is_centred: (low.coords + high.coords).norm() <= OFF_CENTRE * (high - low).norm(),
             parts: path.segments.len(),
             inside: outline.inside.len(),
         }

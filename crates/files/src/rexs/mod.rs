@@ -187,25 +187,6 @@ pub fn is_rexs(path: &Path) -> bool {
     ending.is_some_and(|ending| ["rexs", "rexsj", "rexsz"].iter().any(|one| ending == *one))
 }
 
-/// The `bytes` of the file at `path`, which should be a pair file or gear file.
-/// Errors: the file is a gearbox model, by its name or as XML.
-pub(crate) fn no_model(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
-    let is_xml = text.trim_ascii_start().starts_with(b"<");
-    let is_model = is_xml && text.windows(6).any(|six| six == b"<model");
-    if is_rexs(path) || is_model {
-        Err(Problem::of_file(
-            "is a gearbox model",
-            format!(
-                "gearlash import {} --stage ID -o pair.toml writes the pair file of a stage",
-                path.display()
-            ),
-        ))
-    } else {
-        Ok(bytes)
-    }
-}
-
 /// Largest unpacked size: 16 MiB, as for a file that is not zipped.
 const MAX_UNPACKED: u64 = 16 << 20;
 const ARCHIVE: &str = "the archive";

@@ -205,12 +205,12 @@ fn of_words(name: &str) -> Option<Column> {
     meaning_of(side, quantity)
 }
 
-/// The words of `name`: `Zahn-Nr.` is one, `Fp-links` is two.
+/// The words of `name`: `Zahn-Nr.` and `W_k` are one each, `Fp-links` is two.
 fn parts(name: &str) -> impl Iterator<Item = &str> {
-    let separators = |c: char| c.is_whitespace() || "_/,:=()[]|".contains(c);
+    let separators = |c: char| c.is_whitespace() || "/,:=()[]|".contains(c);
     let words = name.split(separators).flat_map(|word| {
-        let is_one = word.contains('-') && of_word(word).is_some();
-        word.split(move |c| c == '-' && !is_one)
+        let is_one = word.contains(['-', '_']) && of_word(word).is_some();
+        word.split(move |c| matches!(c, '-' | '_') && !is_one)
     });
     words.filter(|part| !part.is_empty())
 }

@@ -165,7 +165,7 @@
 //!
 //! # A picture
 //!
-//! `gearlash-render` draws results; `gearlash-files` reads pair files.
+//! `gearlash-render` draws results; `gearlash-input` reads pair files.
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};

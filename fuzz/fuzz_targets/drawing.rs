@@ -2,10 +2,10 @@
 //! it whose first pose has an answer.
 #![no_main]
 
-use gearlash_files::drawing::{Options, Unit, read};
+use gearlash_drawing::{Options, Unit, read};
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Mating;
-use gearlash_files::outlines::{Drawings, OutlineOptions};
+use gearlash_input::outlines::{Drawings, OutlineOptions};
 use libfuzzer_sys::{Corpus, fuzz_target};
 use std::path::Path;
 use tempfile::TempDir;
@@ -65,7 +65,7 @@ fn gear(name: &str, file: &[u8], units: Option<&str>) {
         center_distance_mm,
         options: [options; 2],
     };
-    let pair = gearlash_files::read_drawings(&drawings(1e6));
+    let pair = gearlash_input::read_drawings(&drawings(1e6));
     let Ok(pair) = pair else { return };
     let (_, wheel, pinion) = &pair.study.drawn[0];
     let a = wheel.tip_radius() + pinion.root_radius();

@@ -2,7 +2,7 @@
 //! file that reads again, or a reason.
 #![no_main]
 
-use gearlash_files::rexs::read;
+use gearlash_rexs::read;
 use gearlash_fuzz::folder::Folder;
 use libfuzzer_sys::{Corpus, fuzz_target};
 use std::fs;

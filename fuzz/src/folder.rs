@@ -1,7 +1,7 @@
 //! Files in memory: the library reads pair files and tables from paths.
 
 use gearlash::analysis::study::Study;
-use gearlash_files::PairFile;
+use gearlash_input::PairFile;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -52,7 +52,7 @@ impl Folder {
 }
 
 fn read(path: &Path) -> Option<PairFile> {
-    let error = match gearlash_files::read(path) {
+    let error = match gearlash_input::read(path) {
         Ok(file) => return Some(file),
         Err(error) => error,
     };

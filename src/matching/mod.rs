@@ -4,7 +4,7 @@
 //! meet the requirement and, among those, the pairs nearest to a target backlash. [`Matrix::at_random`] and [`Matrix::by_classes`] give
 //! the expectation for random pairing and for thickness classes. The module needs the feature `matching`.
 //!
-//! A cell of the matrix is an assembly of a [population](crate::population) per phase. `gearlash-files` (`matching`) reads the folders
+//! A cell of the matrix is an assembly of a [population](crate::population) per phase. `gearlash-input` (`matching`) reads the folders
 //! and writes the result.
 //!
 //! ```

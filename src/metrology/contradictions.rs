@@ -13,7 +13,7 @@ use crate::gear::{Deviations, Flank, Pitch, Spans, range};
 /// Below this probability, opposed flanks count as reversed. Tuned: of unrelated curves, white or random walks, at most 2 in
 /// 4000 were suspected. Curves with common waves up to 5 µm, noise of ±1 µm and one reversed flank: 84 % were found at
 /// z = 20, 91 % at z = 44. About the datum axis, with 0, 2 and 20 µm of eccentricity, at most 2 in 4000 were suspected. Reversed
-/// flanks were found in all of 4000 cases from 20 µm on, and in 57 … 96 % at 5 µm. `cargo test -p gearlash-files --test readers
+/// flanks were found in all of 4000 cases from 20 µm on, and in 57 … 96 % at 5 µm. `cargo test -p gearlash-input-tests --test readers
 /// reversed_flanks -- --nocapture` prints the counts.
 const UNRELATED: f64 = 1e-3;
 /// Ratio of the energies left in the spans by the two signs of the left flank, above which the sign is clear. Tuned: noise alone

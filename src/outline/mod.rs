@@ -4,7 +4,7 @@
 //! finding only. An outline gear has half teeth, tooth numbers and an axis, which contact needs ([`crate::contact::OutlineKernel`]).
 //!
 //! `OutlineGear::from` converts a gear given by data, so a pair may combine both. [`OutlineDifference`] compares two outlines of one
-//! gear; [`crate::gauge`] measures spans and pins on an outline. `gearlash-files` (`drawing`, `outlines`) reads files into
+//! gear; [`crate::gauge`] measures spans and pins on an outline. `gearlash-drawing` and `gearlash-input` (`outlines`) read files into
 //! [`OutlineGear`]s, and [`crate::analysis::study::Study::of_drawn`] makes studies of them.
 //!
 //! ```

@@ -6,7 +6,7 @@
 //! worst case and the root sum of squares. The [`contributions`] of each scatter use separate samples.
 //!
 //! An assembly is a function of seed and number alone (`stream`). Its extremes are compared with the limits of a [`Requirement`], by the
-//! quantities of [`crate::analysis::requirement`]. `gearlash-files` (`tolerance`) reads a population and files of rows, and writes results.
+//! quantities of [`crate::analysis::requirement`]. `gearlash-input` (`tolerance`) reads a population and files of rows, and writes results.
 //!
 //! Nothing here knows a file: a measured gear is an [`AsBuilt`](crate::gear::AsBuilt) like any other.
 //!

@@ -213,7 +213,7 @@ pub fn um(pair: &GearPair) -> f64 {
 /// The study of a pair file; its path counts from the root of the repository.
 pub fn study(path: impl AsRef<Path>) -> Study {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-    gearlash_files::read(&path).unwrap().study
+    gearlash_input::read(&path).unwrap().study
 }
 
 /// The pair of a study that has one centre distance and one thickness.

@@ -1,4 +1,4 @@
-//! Gears from measurements in memory: what no gear has is refused, and drawings are read as printed. `crates/files/tests/all_round` finds the deviations
+//! Gears from measurements in memory: what no gear has is refused, and drawings are read as printed. `crates/input/tests/all_round` finds the deviations
 //! of models again.
 
 mod drawing;

@@ -20,9 +20,9 @@ use gearlash::contact::Method;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::stated_distance;
 use gearlash_render::chart::{self, Heading};
 use gearlash_results::verdict::extremes_in_short;
+use gearlash_text::numbers::stated_distance;
 use std::path::PathBuf;
 
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG

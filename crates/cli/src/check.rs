@@ -11,10 +11,11 @@ use crate::output::{OutputFolder, own_folder};
 use crate::progress::run_under_bar;
 use gearlash::analysis::Plan;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
-use gearlash_files::outlines::Drawings;
-use gearlash_files::{InputError, PairFile, Problem, distance_refused, named};
+use gearlash_input::outlines::Drawings;
+use gearlash_input::{PairFile, distance_refused};
 use gearlash_results::judged::Judged;
 use gearlash_results::{RemedyRecords, checked};
+use gearlash_text::{InputError, Problem, named};
 use std::path::{Path, PathBuf};
 
 /// A distance at which no two gears touch, mm.
@@ -60,8 +61,8 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     if args.inputs {
         return match given(args)? {
-            Some(drawings) => input::print_inputs([gearlash_files::read_drawings(&drawings)]),
-            None => input::print_inputs(args.pairs.iter().map(|path| gearlash_files::read(path))),
+            Some(drawings) => input::print_inputs([gearlash_input::read_drawings(&drawings)]),
+            None => input::print_inputs(args.pairs.iter().map(|path| gearlash_input::read(path))),
         };
     }
     let drawn = drawings(args)?;
@@ -158,7 +159,7 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
 /// The pair file at `path`, at the centre distance of the command line if there is one.
 fn moved(path: &Path, mm: Option<f64>) -> Result<PairFile, InputError> {
     const OPTION: &str = "--center-distance";
-    let pair = gearlash_files::read(path)?;
+    let pair = gearlash_input::read(path)?;
     let Some(mm) = mm else { return Ok(pair) };
     let moved = pair.at(vec![mm]).map_err(|reason| InputError {
         file: named(path).to_path_buf(),
@@ -183,7 +184,7 @@ fn moved(path: &Path, mm: Option<f64>) -> Result<PairFile, InputError> {
 /// are apart. The search begins where a tip touches a root.
 fn without_play(args: &Args, drawings: Drawings) -> Result<(f64, String), Error> {
     let not_found = || Error::usage(NOT_FOUND);
-    let apart = gearlash_files::read_drawings(&drawings)?;
+    let apart = gearlash_input::read_drawings(&drawings)?;
     let nearest = tips_on_roots(&apart.study)?.ok_or_else(not_found)?;
     let tight = apart.at(vec![nearest])?;
     let plan = Plan::new(&tight.study, args.method.of(&tight.study)?).with_extremes();

@@ -12,8 +12,8 @@ use clap::builder::PossibleValue;
 use gearlash::analysis::compare::tolerance_um;
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, simulate_by_blocks};
-use gearlash_files::PairFile;
-use gearlash_files::outlines::TwoDrawings;
+use gearlash_input::PairFile;
+use gearlash_input::outlines::TwoDrawings;
 use gearlash_render::outline_difference;
 use gearlash_results::judged::Judged;
 use gearlash_results::text::difference_text;
@@ -96,7 +96,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     }
     let slip = args
         .tolerance_um
-        .and_then(|um| gearlash_files::tolerance_slip("--tolerance-um", um));
+        .and_then(|um| gearlash_input::tolerance_slip("--tolerance-um", um));
     if let Some(warning) = slip {
         print_error_line(&format!("warning: {warning}"));
     }
@@ -119,7 +119,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
             "--format csv belongs to two drawings; of a pair file, `gearlash simulate FILE --format csv` writes simulated and analytic backlash of each pose",
         ));
     };
-    let files = judged::read(&args.pairs, gearlash_files::read_by_data)?;
+    let files = judged::read(&args.pairs, gearlash_input::read_by_data)?;
     let mut steps = 0;
     for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
         steps += file.study.pose_count() + run_count(&file.study)?;
@@ -190,7 +190,7 @@ fn drawings(args: &Args) -> Result<u8, Error> {
             "--method, --no-certify and the formats junit, github and markdown are for pair files; leave them out",
         ));
     }
-    let compared = gearlash_files::compare_drawings(&TwoDrawings {
+    let compared = gearlash_input::compare_drawings(&TwoDrawings {
         paths: [a, b],
         options: args.drawn.options()?,
     })?;

@@ -5,9 +5,9 @@
 
 use crate::error::Error;
 use gearlash::analysis::verdict::Verdict;
-use gearlash_files::Sources;
-use gearlash_files::characters::plain;
 use gearlash_results::verdict::lines;
+use gearlash_text::Sources;
+use gearlash_text::characters::plain;
 use std::io::{BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -131,7 +131,7 @@ pub(super) fn print_error_text(lines: &str) {
 
 /// Prints warnings, and with `--verbose` notes.
 pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
-    let file = gearlash_files::named(file).display();
+    let file = gearlash_text::named(file).display();
     let remarks = if VERBOSE.load(Ordering::Relaxed) {
         remarks
     } else {

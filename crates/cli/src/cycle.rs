@@ -16,7 +16,7 @@ use gearlash::error::go_on;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Mating;
-use gearlash_files::distance_refused;
+use gearlash_input::distance_refused;
 
 /// The certified extremes of `study`, and the checks that fail at its poses, under a progress bar.
 fn extremes_and_failed_checks(study: &Study) -> Result<(CycleExtremes, Vec<CheckName>), Error> {

@@ -1,9 +1,8 @@
 //! Errors that end a command, and exit codes.
 
 use gearlash::error::GearError;
-use gearlash_files::InputError;
-use gearlash_files::characters;
 use gearlash_render::PictureError;
+use gearlash_text::{InputError, characters};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 

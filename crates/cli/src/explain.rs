@@ -3,8 +3,8 @@
 use super::console::has_colours;
 use crate::error::Error;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
-use gearlash_files::InputError;
-use gearlash_files::characters::{plain, quoted_source};
+use gearlash_text::InputError;
+use gearlash_text::characters::{plain, quoted_source};
 use std::ops::Range;
 
 /// Longest line of a pair file that is shown, bytes; for a longer one only the place is reported (tuned: a list of 200 values).
@@ -91,7 +91,7 @@ fn titled(line: &str, place: Option<Place>, renderer: &Renderer) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gearlash_files::Problem;
+    use gearlash_text::Problem;
 
     fn input(key: &str, text: &str) -> Error {
         Error::Input(InputError {

@@ -11,8 +11,8 @@ use gearlash::analysis::study::Material;
 use gearlash::gauge::{Settings, gauge, gauge_outline, pin_sizes, pose_count};
 use gearlash::gear::AsBuilt;
 use gearlash::outline::OutlineGear;
-use gearlash_files::spec::GearSpec;
-use gearlash_files::{GearEntry, GearsFile};
+use gearlash_input::spec::GearSpec;
+use gearlash_input::{GearEntry, GearsFile};
 use gearlash_render::gauge::{charts, page, text};
 use gearlash_results::gauge::{GaugedGear, json, possible_files, stem, table_name, teeth_csv};
 use std::path::PathBuf;
@@ -138,7 +138,7 @@ fn read(args: &Args) -> Result<GearsFile, Error> {
         let [options] = args.drawn.options()?;
         reported(
             &args.file,
-            gearlash_files::read_drawing(&args.file, &options),
+            gearlash_input::read_drawing(&args.file, &options),
         )
     } else if args.drawn.given() {
         Err(Error::Usage(format!(
@@ -146,7 +146,7 @@ fn read(args: &Args) -> Result<GearsFile, Error> {
             DrawnArgs::NAMES
         )))
     } else {
-        reported(&args.file, gearlash_files::read_gears(&args.file))
+        reported(&args.file, gearlash_input::read_gears(&args.file))
     }
 }
 

@@ -6,12 +6,13 @@ use crate::error::Error;
 use crate::options::ScreenArgs;
 use crate::output::Target;
 use clap::ValueEnum;
-use gearlash_files::Problem;
-use gearlash_files::drawing::Unit;
-use gearlash_files::import::{self, Content, Imported, Kind, Options};
-use gearlash_files::outlines::{listed_outlines, lists_outlines};
-use gearlash_files::rexs::{self, RexsFile, RexsPair};
+use gearlash_drawing::Unit;
+use gearlash_input::import::{self, Imported, Kind, Options};
+use gearlash_input::is_rexs;
+use gearlash_input::outlines::{listed_outlines, lists_outlines};
 use gearlash_results::text::{self, Screen};
+use gearlash_rexs::{self as rexs, RexsFile, RexsPair};
+use gearlash_text::{Problem, STANDARD_INPUT};
 use std::path::{Path, PathBuf};
 
 /// Show what is read of a table, protocol, drawing or gearbox model, and the lines of a pair file that name it
@@ -123,15 +124,27 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
             "{file}: is {what}, which has no {options}"
         )))
     };
-    match Content::of(&args.file, &bytes) {
-        Content::Table if args.rexs.is_given() => of_other("a table", "--stage and no --output"),
-        Content::Table => show(args, &table(args, bytes)?),
-        Content::GearboxModel if args.of_tables() => of_other(
+    if !is_gearbox_model(&args.file, &bytes) {
+        if args.rexs.is_given() {
+            return of_other("a table", "--stage and no --output");
+        }
+        return show(args, &table(args, bytes)?);
+    }
+    if args.of_tables() {
+        return of_other(
             "a gearbox model",
             "columns, sheets or --format json: -o FILE writes the pair file of a stage",
-        ),
-        Content::GearboxModel => model(&args.file, &args.rexs, &args.screen.screen()),
+        );
     }
+    model(&args.file, &args.rexs, &args.screen.screen())
+}
+
+/// Whether the file at `path` with these bytes is a gearbox model, as standard input is; else it holds tables.
+fn is_gearbox_model(path: &Path, bytes: &[u8]) -> bool {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    // No table begins like XML or JSON.
+    let begins = matches!(text.trim_ascii_start().first(), Some(b'<' | b'{'));
+    begins || is_rexs(path) || path == Path::new(STANDARD_INPUT)
 }
 
 /// The outlines of a drawing.
@@ -221,7 +234,7 @@ impl RexsArgs {
 fn model(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<u8, Error> {
     let file = rexs::read(path)?;
     check_streams_not_input(&file.sources)?;
-    let name = gearlash_files::named(path).display().to_string();
+    let name = gearlash_text::named(path).display().to_string();
     let chosen = match args.stage {
         Some(id) => Ok(pair_of(&name, &file, id)?),
         None => only_readable_stage(&file),

@@ -2,10 +2,11 @@
 
 use crate::console::{check_streams_not_input, print, print_error_line, warn};
 use crate::error::Error;
-use gearlash_files::characters::plain;
-use gearlash_files::outlines::Drawings;
-use gearlash_files::{GearsFile, InputError, PairFile, Problem, Sources, numbers};
-use gearlash_files::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
+use gearlash_input::outlines::Drawings;
+use gearlash_input::{GearsFile, PairFile};
+use gearlash_input::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
+use gearlash_text::characters::plain;
+use gearlash_text::{InputError, Problem, Sources, numbers};
 use std::path::{Path, PathBuf};
 
 /// A file that was read.
@@ -37,12 +38,12 @@ pub(super) fn reported<T: InputFile>(path: &Path, file: Result<T, InputError>) -
 
 /// The pair file at `path`; its warnings and notes are reported.
 pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
-    reported(path, gearlash_files::read(path))
+    reported(path, gearlash_input::read(path))
 }
 
 /// The pair of two drawings at a centre distance; its warnings, `warning` first, and notes are reported.
 pub(super) fn drawings(drawings: &Drawings, warning: Option<String>) -> Result<PairFile, Error> {
-    let mut file = gearlash_files::read_drawings(drawings)?;
+    let mut file = gearlash_input::read_drawings(drawings)?;
     file.warnings.splice(..0, warning);
     reported(&PathBuf::from(&file.stem), Ok(file))
 }

@@ -8,8 +8,9 @@ use crate::input::{check_stdin_once, reported};
 use crate::options::ScreenArgs;
 use crate::output::check_not_input;
 use clap::ValueEnum;
-use gearlash_files::{InputError, PairFile, Sources};
+use gearlash_input::PairFile;
 use gearlash_results::judged::{Judged, JudgedFile, Outcome};
+use gearlash_text::{InputError, Sources};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 

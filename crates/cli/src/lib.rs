@@ -30,7 +30,7 @@ mod tolerance;
 use crate::error::Error;
 use clap::{CommandFactory, Parser, Subcommand};
 use console::{print_error_line, print_error_text, printed};
-use gearlash_files::characters::plain;
+use gearlash_text::characters::plain;
 use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;

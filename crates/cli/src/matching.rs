@@ -4,7 +4,7 @@ use crate::console::{check_streams_not_input, print_error_line, warn};
 use crate::error::{Error, exit_code};
 use crate::options::{ResultsArgs, ScreenArgs};
 use crate::progress::Progress;
-use gearlash_files::matching::{MatchFile, MatchResult, read_match};
+use gearlash_input::matching::{MatchFile, MatchResult, read_match};
 use gearlash_render::match_map;
 use gearlash_results::matching;
 use std::path::{Path, PathBuf};
@@ -46,7 +46,7 @@ fn target(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
-    let name = gearlash_files::named(&args.pair);
+    let name = gearlash_text::named(&args.pair);
     let stem = Path::new(name.file_stem().unwrap_or_default());
     check_folders(args, args.results.path(stem).as_deref())?;
     let folders = [args.wheels.as_path(), args.pinions.as_path()];

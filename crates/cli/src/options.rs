@@ -9,11 +9,12 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{METHODS_AGREE_WITHIN, Method, MethodAgreement};
 use gearlash::pair::{BacklashUnit, Member};
-use gearlash_files::drawing::{self, Unit};
-use gearlash_files::numbers::{order_um, power};
-use gearlash_files::outlines::OutlineOptions;
-use gearlash_files::{GearEntry, GearsFile, Sources};
+use gearlash_drawing::Unit;
+use gearlash_input::outlines::OutlineOptions;
+use gearlash_input::{GearEntry, GearsFile};
 use gearlash_results::text::Screen;
+use gearlash_text::Sources;
+use gearlash_text::numbers::{order_um, power};
 use std::path::{Path, PathBuf};
 
 /// `--gear`, `--at`.
@@ -347,7 +348,7 @@ fn point(text: &str) -> Result<[f64; 2], String> {
 
 /// Whether a file is a drawing, by its extension.
 pub(super) fn is_drawing(path: &Path) -> bool {
-    drawing::Format::of(path).is_some()
+    gearlash_drawing::Format::of(path).is_some()
 }
 
 /// `--method` and `--no-certify`.

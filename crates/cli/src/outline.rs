@@ -7,8 +7,9 @@ use crate::output::Target;
 use clap::ValueEnum;
 use gearlash::analysis::study::Material;
 use gearlash::gear::{AsBuilt, HalfTooth, Side};
-use gearlash_files::spec::GearSpec;
-use gearlash_files::{GearEntry, OutlineFile, OutlineFormat};
+use gearlash_drawing::{OutlineFile, OutlineFormat};
+use gearlash_input::GearEntry;
+use gearlash_input::spec::GearSpec;
 use std::path::{Path, PathBuf};
 
 /// Write the outline of a gear as measured as DXF, SVG or CSV
@@ -103,7 +104,7 @@ fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
 }
 
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
-    let study = gearlash_files::read_gears_by_data(&args.file);
+    let study = gearlash_input::read_gears_by_data(&args.file);
     let study = reported(&args.file, study)?;
     let chosen = choose(&args.file, args.gear, Some(args.material), &study, |gear| {
         let materials = gear.materials.iter();

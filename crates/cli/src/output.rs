@@ -6,8 +6,8 @@
 
 use crate::console::{print, print_note};
 use crate::error::Error;
-use gearlash_files::Sources;
-use gearlash_files::characters::plain;
+use gearlash_text::Sources;
+use gearlash_text::characters::plain;
 use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};

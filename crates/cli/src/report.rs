@@ -9,7 +9,7 @@ use crate::progress::{Progress, run_under_bar};
 use data_encoding::BASE64;
 use gearlash::analysis::Plan;
 use gearlash::error::go_on;
-use gearlash_files::{PairFile, import};
+use gearlash_input::{PairFile, import};
 use gearlash_render::{self, Report};
 use gearlash_results::grades::grades;
 use serde_json::{Map, Value, json};

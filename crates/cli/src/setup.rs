@@ -6,7 +6,8 @@ use crate::error::Error;
 use crate::output::Target;
 use clap::{CommandFactory, ValueEnum};
 use clap_complete::Shell;
-use gearlash_files::{Sources, explained, gear_schema, pair_schema};
+use gearlash_input::{explained, gear_schema, pair_schema};
+use gearlash_text::Sources;
 use std::path::PathBuf;
 
 /// Write a commented pair file to begin with

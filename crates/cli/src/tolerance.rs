@@ -9,7 +9,7 @@ use crate::options::{ResultsArgs, ScreenArgs};
 use crate::output::OutputFolder;
 use crate::progress::Progress;
 use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Row, Tally, WORST};
-use gearlash_files::tolerance::{
+use gearlash_input::tolerance::{
     BLOCK, MAX_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceResult, ToleranceRun, is_worst_file,
     read_tolerance, worst_file, worst_name,
 };
@@ -122,7 +122,7 @@ fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<u8, Error> {
     let path = args.rows.as_deref().unwrap_or(Path::new("rows.csv"));
     let rows = RowsFile::begin(path, &run, first..end, false)?;
     draw(&run, first..end, Some(rows))?;
-    let path = gearlash_files::characters::plain(&path.display().to_string());
+    let path = gearlash_text::characters::plain(&path.display().to_string());
     print_note(&format!("{path}: assemblies {first} to {}\n", end - 1))?;
     Ok(0)
 }

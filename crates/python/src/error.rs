@@ -1,6 +1,6 @@
 //! Errors as Python exceptions. `gearlash._errors` defines them; the text is the command's.
 
-use gearlash_files::InputError;
+use gearlash_text::InputError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyTuple, PyType};

@@ -3,8 +3,8 @@
 use crate::error::Outcome;
 use gearlash::analysis::study::Material;
 use gearlash::gear::AsBuilt;
-use gearlash_files::spec::GearSpec;
-use gearlash_files::{GearEntry, GearsFile};
+use gearlash_input::spec::GearSpec;
+use gearlash_input::{GearEntry, GearsFile};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -76,7 +76,7 @@ impl Gear {
     /// The gear of `text` with the keys of a gear file.
     #[staticmethod]
     fn from_text(py: Python<'_>, name: &str, text: &str) -> Outcome<Gear> {
-        let read = py.detach(|| gearlash_files::read_gears_text(Path::new(name), text));
+        let read = py.detach(|| gearlash_input::read_gears_text(Path::new(name), text));
         Gear::of(read?, None)
     }
 
@@ -84,7 +84,7 @@ impl Gear {
     #[staticmethod]
     #[pyo3(signature = (path, name=None))]
     fn read(py: Python<'_>, path: PathBuf, name: Option<&str>) -> Outcome<Gear> {
-        let read = py.detach(|| gearlash_files::read_gears_by_data(&path));
+        let read = py.detach(|| gearlash_input::read_gears_by_data(&path));
         Gear::of(read?, name)
     }
 

@@ -6,7 +6,7 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Mating, Member};
-use gearlash_files::{PairFile, distance_refused};
+use gearlash_input::{PairFile, distance_refused};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -70,14 +70,14 @@ impl Pair {
     /// The pair of `text` with the keys of a pair file.
     #[staticmethod]
     fn from_text(py: Python<'_>, name: &str, text: &str) -> Outcome<Pair> {
-        let file = py.detach(|| gearlash_files::read_text(Path::new(name), text))?;
+        let file = py.detach(|| gearlash_input::read_text(Path::new(name), text))?;
         Ok(Pair { file })
     }
 
     /// The pair of the pair file at `path`.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> Outcome<Pair> {
-        let file = py.detach(|| gearlash_files::read(&path))?;
+        let file = py.detach(|| gearlash_input::read(&path))?;
         Ok(Pair { file })
     }
 

@@ -5,13 +5,13 @@ use crate::error::Outcome as Done;
 use gearlash::error::Error;
 use gearlash::matching::{Fit, PairFit};
 use gearlash::population::{ContributionsError, Outcome, OutcomeKind, Row};
-use gearlash_files::InputError;
-use gearlash_files::matching::{MatchFile, MatchResult, read_match};
-use gearlash_files::tolerance::{
+use gearlash_input::matching::{MatchFile, MatchResult, read_match};
+use gearlash_input::tolerance::{
     BLOCK, MAX_ASSEMBLIES, RowsHead, RowsReader, RowsTally, ToleranceFile, ToleranceRun,
     read_tolerance, row_line, tenths_to_um,
 };
 use gearlash_results::{matching, population};
+use gearlash_text::InputError;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -11,7 +11,7 @@ use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let file = std::env::args().nth(1).ok_or("name a pair file")?;
-    let study = gearlash_files::read(Path::new(&file))?.study;
+    let study = gearlash_input::read(Path::new(&file))?.study;
     let plan = Plan::new(&study, Method::Exact { certify: true });
     let analysis = Analysis::silently(&plan)?;
     let runs: Vec<_> = analysis.all().collect();

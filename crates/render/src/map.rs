@@ -7,7 +7,7 @@ use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::diagnosis::{Limit, Map, MapCell};
 use gearlash::analysis::study::Material;
 use gearlash::contact::{ContactKind, PoseClass, Status};
-use gearlash_files::numbers::{fixed, shortest};
+use gearlash_text::numbers::{fixed, shortest};
 use svg::node::Node;
 use svg::node::element::{Group, SVG};
 

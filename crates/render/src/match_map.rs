@@ -4,9 +4,9 @@
 //! the mesh cycle. A cross marks pairs that meet the requirement in no phase.
 
 use crate::kit::{Frame, INK, TextStyle, blank_sheet, disc, line, number, scale, shaded, turned};
-use gearlash_files::characters::plain;
-use gearlash_files::matching::MatchResult;
-use gearlash_files::numbers::{rounded, shortest};
+use gearlash_input::matching::MatchResult;
+use gearlash_text::characters::plain;
+use gearlash_text::numbers::{rounded, shortest};
 use svg::node::Node;
 use svg::node::element::Group;
 

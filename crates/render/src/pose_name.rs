@@ -2,7 +2,7 @@
 
 use gearlash::gear::Side;
 use gearlash::pair::Mating;
-use gearlash_files::numbers::trimmed;
+use gearlash_text::numbers::trimmed;
 
 /// Decimals of a pitch: enough to reproduce a pose with `snapshot`.
 const DECIMALS: usize = 6;

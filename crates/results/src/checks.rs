@@ -11,8 +11,8 @@ use gearlash::analysis::backlash_map::{BacklashCell, BacklashMap};
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap, MapCell};
 use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::pair::{BacklashUnit, Member};
-use gearlash_files::PairFile;
-use gearlash_files::numbers::{ascii, fixed, stated_distance, um_ascii};
+use gearlash_input::PairFile;
+use gearlash_text::numbers::{ascii, fixed, stated_distance, um_ascii};
 use serde_json::json;
 use std::fmt::Write;
 

@@ -14,8 +14,8 @@
 
 use crate::layout::{self, Screen, Table, Tone};
 use gearlash::pair::BacklashUnit;
-use gearlash_files::characters::{self, cell, csv_text, plain};
-use gearlash_files::numbers::{NONE, backlash, backlash_ascii, fixed, power, stated_distance};
+use gearlash_text::characters::{self, cell, csv_text, plain};
+use gearlash_text::numbers::{NONE, backlash, backlash_ascii, fixed, power, stated_distance};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
 /// A row type.

@@ -12,9 +12,9 @@ use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::tally::RunTally;
 use gearlash::analysis::verdict::{Requirement, Verdict as CycleVerdict};
 use gearlash::pair::Mating;
-use gearlash_files::PairFile;
-use gearlash_files::characters::plain;
-use gearlash_files::numbers::{NONE, power, signed_um, stated_distance, um_ascii};
+use gearlash_input::PairFile;
+use gearlash_text::characters::plain;
+use gearlash_text::numbers::{NONE, power, signed_um, stated_distance, um_ascii};
 use serde_json::json;
 use std::fmt::Write;
 

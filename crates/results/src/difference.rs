@@ -3,9 +3,9 @@
 use crate::column::{Row, json_text, row_type, shown};
 use crate::layout::{Screen, Tone};
 use gearlash::outline::{Deviation, OutlineGear};
-use gearlash_files::characters::{csv_text, plain};
-use gearlash_files::numbers::{ascii, bound_um, fixed, signed_um, um, um_ascii};
-use gearlash_files::outlines::ComparedOutlines;
+use gearlash_input::outlines::ComparedOutlines;
+use gearlash_text::characters::{csv_text, plain};
+use gearlash_text::numbers::{ascii, bound_um, fixed, signed_um, um, um_ascii};
 use serde_json::json;
 
 /// The deviations of B from A.

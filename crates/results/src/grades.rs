@@ -3,7 +3,7 @@
 use gearlash::gauge::{GradedReading, LeadReadings, PitchReadings, ProfileReadings, Unmeasured};
 use gearlash::gauge::{graded, leads, pitches, profiles};
 use gearlash::gear::Inspection;
-use gearlash_files::PairFile;
+use gearlash_input::PairFile;
 
 /// Pitch and runout of one gear as measured by the gauge, and the required grade.
 #[derive(Debug, Clone)]

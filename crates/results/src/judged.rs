@@ -6,7 +6,7 @@
 use crate::layout::{Screen, Tone};
 use crate::verdict::VerdictLines;
 use gearlash::analysis::diagnosis::Verdict;
-use gearlash_files::characters::{self, plain};
+use gearlash_text::characters::{self, plain};
 use quick_xml::events::{BytesDecl, BytesText, Event};
 use quick_xml::{ElementWriter, Writer};
 use serde_json::{Value, json};

@@ -4,7 +4,7 @@
 
 use anstyle::{AnsiColor, Style};
 use gearlash::analysis::compare::ComparedPose;
-use gearlash_files::numbers::rounded;
+use gearlash_text::numbers::rounded;
 use std::borrow::Cow;
 use textwrap::Options;
 use textwrap::core::display_width;

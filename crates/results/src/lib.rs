@@ -7,7 +7,7 @@
 //! use gearlash::contact::Method;
 //! use std::path::Path;
 //!
-//! let pair = gearlash_files::read(Path::new("fixtures/karba_44x44.toml"))?;
+//! let pair = gearlash_input::read(Path::new("fixtures/karba_44x44.toml"))?;
 //! let plan = Plan::new(&pair.study, Method::Exact { certify: true }).with_extremes();
 //! let analysis = Analysis::silently(&plan)?;
 //! let verdict = analysis.verdict();

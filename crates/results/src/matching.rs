@@ -3,9 +3,9 @@
 use crate::column::{Row, Value, json_text, list, row_type, shown};
 use crate::layout::Screen;
 use gearlash::matching::{Expected, PairFit};
-use gearlash_files::characters::plain;
-use gearlash_files::matching::MatchResult;
-use gearlash_files::numbers::{fixed, stated_distance, um_ascii};
+use gearlash_input::matching::MatchResult;
+use gearlash_text::characters::plain;
+use gearlash_text::numbers::{fixed, stated_distance, um_ascii};
 use serde_json::json;
 
 /// A wheel with a pinion in its best phase.

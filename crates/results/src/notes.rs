@@ -3,8 +3,8 @@
 use gearlash::analysis::study::Study;
 use gearlash::metrology::{Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
 use gearlash::outline::{FittedInvolute, OutlineGear, StandardGear};
-use gearlash_files::PairFile;
-use gearlash_files::numbers::{fixed, trimmed, um, within};
+use gearlash_input::PairFile;
+use gearlash_text::numbers::{fixed, trimmed, um, within};
 use serde_json::{Map, Value, json};
 
 /// The keys of a result with notes on `file`; without any a key is left out.

@@ -7,12 +7,12 @@ use gearlash::population::{
     CONFIDENCE, Contribution, Contributions, Estimate, LIMIT_SHARE, LIMIT_SIGMAS, OutcomeKind,
     PITCH_LIMIT_SIGMAS, QUANTILES, Share, SpreadStatistics,
 };
-use gearlash_files::characters::plain;
-use gearlash_files::numbers::{fixed, rounded, within};
-use gearlash_files::tolerance::{
+use gearlash_input::tolerance::{
     ToleranceResult, Worst, phases_of_limits, sentence, without_backlash, without_worst_case,
     worst_name,
 };
+use gearlash_text::characters::plain;
+use gearlash_text::numbers::{fixed, rounded, within};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 

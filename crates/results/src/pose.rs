@@ -9,7 +9,7 @@ use gearlash::contact::{
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Backlash, Mating, Member, Pose, arcmin};
-use gearlash_files::numbers::um_ascii;
+use gearlash_text::numbers::um_ascii;
 use serde_json::json;
 use std::f64::consts::{PI, TAU};
 

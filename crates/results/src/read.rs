@@ -2,11 +2,11 @@
 
 use crate::column::{Row, row_type, shown};
 use crate::layout::{Column, Screen, Table};
-use gearlash_files::characters::{line, plain};
-use gearlash_files::import::{Imported, ImportedTable, Value};
-use gearlash_files::numbers::rounded;
-use gearlash_files::outlines::{ListedOutline, ListedOutlines};
-use gearlash_files::rexs::{RexsFile, RexsPair, RexsStage};
+use gearlash_input::import::{Imported, ImportedTable, Value};
+use gearlash_input::outlines::{ListedOutline, ListedOutlines};
+use gearlash_rexs::{RexsFile, RexsPair, RexsStage};
+use gearlash_text::characters::{line, plain};
+use gearlash_text::numbers::rounded;
 use std::fmt::Write;
 
 /// The tables of a file, and the lines of a pair file that name them.

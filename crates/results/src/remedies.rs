@@ -3,8 +3,8 @@
 use gearlash::analysis::remedies::{Change, Gears, NoRemedy, Remedies, Remedy};
 use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::pair::Member;
-use gearlash_files::PairFile;
-use gearlash_files::numbers::{ascii, fixed, rounded, unit_of};
+use gearlash_input::PairFile;
+use gearlash_text::numbers::{ascii, fixed, rounded, unit_of};
 use serde::Serialize;
 
 /// A remedy in the keys and units of a pair file.

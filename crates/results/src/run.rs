@@ -13,7 +13,7 @@ use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Doubt;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{FaceDeviation, Member, arcmin};
-use gearlash_files::characters;
+use gearlash_text::characters;
 use serde_json::json;
 
 /// A run and its summary.

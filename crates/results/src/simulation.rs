@@ -12,7 +12,7 @@ use gearlash::analysis::tally::{MOST_LISTED, RunTally};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::gear::Hand;
 use gearlash::pair::{BacklashUnit, Member};
-use gearlash_files::numbers::{backlash_ascii, stated_distance, trimmed};
+use gearlash_text::numbers::{backlash_ascii, stated_distance, trimmed};
 use std::fmt::Write;
 
 /// The text that `simulate` prints on `screen`, backlash in `unit`.

@@ -14,8 +14,8 @@ use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
 use gearlash::contact::{Doubt, Status};
 use gearlash::gear::Side;
 use gearlash::pair::{Member, arcmin};
-use gearlash_files::characters::plain;
-use gearlash_files::numbers::{fixed, stated_distance, um, um_within, unit_of};
+use gearlash_text::characters::plain;
+use gearlash_text::numbers::{fixed, stated_distance, um, um_within, unit_of};
 use std::fmt;
 
 /// The most columns of a line.

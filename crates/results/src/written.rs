@@ -9,8 +9,8 @@ use crate::run::{RunRow, extremes, verdict_record};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::{Piece, RunTally};
 use gearlash::analysis::verdict::Verdict;
-use gearlash_files::PairFile;
-use gearlash_files::characters;
+use gearlash_input::PairFile;
+use gearlash_text::characters;
 #[cfg(feature = "rayon")]
 use rayon::prelude::*;
 use serde::Serialize;

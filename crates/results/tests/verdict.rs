@@ -8,7 +8,7 @@ use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::contact::{Doubt, Method};
 use gearlash::error::go_on;
 use gearlash::pair::Member;
-use gearlash_files::{PairFile, read_text};
+use gearlash_input::{PairFile, read_text};
 use gearlash_results::verdict::{COLUMNS, LINES, lines};
 use std::path::Path;
 

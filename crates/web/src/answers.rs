@@ -14,10 +14,9 @@ use gearlash::error::Tick;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{BacklashUnit, Mating, Member, SweepPlan};
-use gearlash_files::numbers::{trimmed, um, unit_of};
-use gearlash_files::outlines::{Drawings, OutlineOptions};
-use gearlash_files::{Files, InputError, MAX_BYTES, PairFile};
-use gearlash_files::{import, named, read_files, too_large, with_distance};
+use gearlash_input::PairFile;
+use gearlash_input::outlines::{Drawings, OutlineOptions};
+use gearlash_input::{import, read_files, with_distance};
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::viewer::LivePose;
 use gearlash_render::{Report, dark_style, pose_picture};
@@ -28,6 +27,8 @@ use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{
     ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
 };
+use gearlash_text::numbers::{trimmed, um, unit_of};
+use gearlash_text::{Files, InputError, MAX_BYTES, named, too_large};
 use serde_json::{Value, json};
 use std::fmt::Display;
 use std::ops::ControlFlow;

@@ -46,7 +46,7 @@ impl Gearlash {
 
     /// Takes all files out.
     pub fn clear(&mut self) {
-        self.page.files = gearlash_files::Files::new();
+        self.page.files = gearlash_text::Files::new();
     }
 
     /// The files in a zip archive.

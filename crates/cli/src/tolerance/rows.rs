@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::output::folder_of;
 use crate::signals;
 use gearlash::population::{Row, Tally};
-use gearlash_files::tolerance::{RowsHead, RowsTally, ToleranceRun, named, row_line, shell_word};
+use gearlash_input::tolerance::{RowsHead, RowsTally, ToleranceRun, named, row_line, shell_word};
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::ops::Range;

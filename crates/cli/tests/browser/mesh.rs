@@ -2,7 +2,7 @@
 
 use crate::browsers::{Chromium, Script, Tab};
 use crate::page::{Site, of, open, shown_text, unfold};
-use gearlash_files::numbers::{decades, two_digits_up};
+use gearlash_text::numbers::{decades, two_digits_up};
 use serde_json::{Value, json};
 
 /// Shows a pose by the controls' own events.

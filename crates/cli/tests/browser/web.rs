@@ -285,7 +285,7 @@ pub fn page_mesh_moves_with_the_distance(browser: &Chromium, _: &Site) {
         },
         fraction: value(&mut tab, "turn").parse().unwrap(),
     };
-    let study = gearlash_files::read(&path(DRAWING[0])).unwrap().study;
+    let study = gearlash_input::read(&path(DRAWING[0])).unwrap().study;
     for [a, shown] in found {
         let (_, pair) = study.pairs(a).unwrap().remove(material as usize);
         let own = 1e3 * pair.lost_motion(mating).unwrap().backlash.unwrap();

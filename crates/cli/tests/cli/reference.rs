@@ -37,7 +37,7 @@ fn assert_written(page: &str, name: &str, list: &str) {
 
 #[test]
 fn the_reference_has_every_key_of_the_pair_file() {
-    let schema: Value = serde_json::from_str(&gearlash_files::pair_schema()).unwrap();
+    let schema: Value = serde_json::from_str(&gearlash_input::pair_schema()).unwrap();
     let mut keys = Keys {
         schema: &schema,
         text: String::new(),
@@ -210,7 +210,7 @@ fn the_stored_schemas_are_those_of_the_types() {
         }
         format!("\"{name}\": {schema}")
     };
-    let mut lines: Vec<String> = gearlash_files::schemas()
+    let mut lines: Vec<String> = gearlash_input::schemas()
         .map(|(name, schema)| line(name, schema))
         .into();
     let each = definitions
@@ -218,7 +218,7 @@ fn the_stored_schemas_are_those_of_the_types() {
         .map(|(name, definition)| format!("\"{name}\": {definition}"));
     let definitions = each.collect::<Vec<_>>().join(",\n");
     lines.push(format!("\"definitions\": {{\n{definitions}\n}}"));
-    let path = docs().join("../crates/files/src/spec/schemas.json");
+    let path = docs().join("../crates/input/src/spec/schemas.json");
     assert_stored(&path, &format!("{{\n{}\n}}\n", lines.join(",\n")));
 }
 

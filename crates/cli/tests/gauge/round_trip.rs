@@ -6,7 +6,7 @@ use gearlash::analysis::simulate::simulate;
 use gearlash::analysis::study::Study;
 use gearlash::contact::Method;
 use gearlash::error::go_on;
-use gearlash_files as input;
+use gearlash_input as input;
 
 fn um_list(values: &[f64]) -> String {
     let values: Vec<f64> = values.iter().map(|mm| mm * 1e3).collect();

@@ -5,7 +5,7 @@ use crate::kit::{Anchor, Axis};
 use gearlash::analysis::curves::{Course, CourseLine};
 use gearlash::contact::Status;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::stated_distance;
+use gearlash_text::numbers::stated_distance;
 
 pub(super) fn course_axis(course: &Course) -> Axis {
     let name = match course.teeth {

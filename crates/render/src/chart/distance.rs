@@ -9,7 +9,7 @@ use gearlash::analysis::curves::{DistancePoint, OverDistance};
 use gearlash::analysis::measured::Band;
 use gearlash::analysis::outcome::AtDistance;
 use gearlash::pair::{BacklashUnit, Mating};
-use gearlash_files::numbers::{fixed, trimmed};
+use gearlash_text::numbers::{fixed, trimmed};
 
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];

@@ -8,7 +8,7 @@ use crate::pose_name::{flank_heading, pose_name};
 use gearlash::analysis::curves::{ContactLine, Field, FieldSection, FieldSide, PathLimit};
 use gearlash::contact::ContactKind;
 use gearlash::gear::Side;
-use gearlash_files::numbers::{trimmed, um};
+use gearlash_text::numbers::{trimmed, um};
 
 /// Heights of a field and of the curve below it.
 const HEIGHTS: [f64; 2] = [270.0, 150.0];

@@ -8,7 +8,7 @@ use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
 use gearlash::gauge::{FlankTraces, LeadReadings, ProfileReadings, TraceReading};
 use gearlash::gear::{Flank, Inspection, PitchAxis};
-use gearlash_files::numbers::{fixed, um};
+use gearlash_text::numbers::{fixed, um};
 
 /// Single and cumulative pitch of both flanks, thickness and runout of `gear` (its name). Panels without a deviation are left out.
 ///

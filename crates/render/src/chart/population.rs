@@ -5,8 +5,8 @@ use super::panel::{Look, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use gearlash::population::{BIN_TENTHS_NM, Contributions, Spread, TENTHS_NM_PER_MM};
-use gearlash_files::numbers::{fixed, shortest};
-use gearlash_files::tolerance::{Convergence, ToleranceResult, shares};
+use gearlash_input::tolerance::{Convergence, ToleranceResult, shares};
+use gearlash_text::numbers::{fixed, shortest};
 
 const BARS: i64 = 120;
 /// Height of the picture relative to the tallest bar: the names of three lines fit above.

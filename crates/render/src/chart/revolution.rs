@@ -11,7 +11,7 @@ use gearlash::analysis::curves::{Course, CourseLine, Extreme};
 use gearlash::analysis::study::Material;
 use gearlash::gear::Side;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::backlash;
+use gearlash_text::numbers::backlash;
 
 const FILL: f64 = 0.2;
 

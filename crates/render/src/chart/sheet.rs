@@ -5,7 +5,7 @@ use super::marks;
 use super::marks::bar;
 use super::panel::{Entry, Mark, Panel, Swatch};
 use crate::kit::{FONTS, Frame, NUMBERS, Plot, TextStyle, axes, grid, line, number};
-use gearlash_files::characters::plain;
+use gearlash_text::characters::plain;
 use svg::node::Node;
 use svg::node::element::{Group, SVG, Title};
 

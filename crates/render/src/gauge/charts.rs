@@ -9,9 +9,9 @@ use crate::chart::{
 };
 use gearlash::gauge::{GradedReading, PitchReadings, Roll, RollPose, RunoutReadings};
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
-use gearlash_files::characters::plain;
-use gearlash_files::numbers::{fixed, rounded, um};
 use gearlash_results::gauge::{ByTooth, Chart, GaugedGear, Length, lengths, page_name};
+use gearlash_text::characters::plain;
+use gearlash_text::numbers::{fixed, rounded, um};
 use maud::{DOCTYPE, PreEscaped, html};
 
 /// Values below this, µm, count as level: far below the resolution of a gauge in a shop, far above the rounding of readings.

@@ -5,10 +5,10 @@ use gearlash::gauge::{
     Eccentricity, FaceReadings, FlankTraces, Gauged, GradedReading, PitchReadings, TraceReading,
 };
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade};
-use gearlash_files::characters::plain;
-use gearlash_files::numbers::{ascii, order_um, um_ascii};
 use gearlash_results::gauge::{GaugedGear, length_table, position_table};
 use gearlash_results::text::{Column, Screen, Table};
+use gearlash_text::characters::plain;
+use gearlash_text::numbers::{ascii, order_um, um_ascii};
 use std::fmt::Write;
 
 /// The text that `gauge` prints on `screen`; with `by_position` also every reading tooth by tooth.

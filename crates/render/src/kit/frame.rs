@@ -1,7 +1,7 @@
 //! Points and rectangles of a sheet, y downwards.
 
 use super::paint::INK;
-use gearlash_files::numbers::ascii;
+use gearlash_text::numbers::ascii;
 use svg::node::element::Rectangle;
 
 /// A point of the sheet: right, down.

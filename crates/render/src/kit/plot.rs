@@ -6,7 +6,7 @@ use super::paint::{GRID, INK};
 use super::scale::{decade, power};
 use super::sheet::line;
 use super::text::TextStyle;
-use gearlash_files::numbers::fixed;
+use gearlash_text::numbers::fixed;
 use svg::node::Node;
 use svg::node::element::Group;
 

@@ -4,7 +4,7 @@ use super::frame::Spot;
 use super::paint::INK;
 use super::sheet::{UNITS_PER_MM, line};
 use super::text::TextStyle;
-use gearlash_files::numbers::rounded;
+use gearlash_text::numbers::rounded;
 use svg::node::element::Group;
 
 /// Mantissas of scales: 1, 2 and 5 by ISO 5455.

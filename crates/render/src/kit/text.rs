@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, Spot, number};
 use super::paint::{GREY, INK};
-use gearlash_files::characters::plain;
+use gearlash_text::characters::plain;
 use svg::node::element::Element;
 use svg::node::{Blob, Node, Text};
 

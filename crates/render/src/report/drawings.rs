@@ -6,13 +6,13 @@ use super::phrases::{plain, sentence};
 use super::stated::{high_tooth, runout, single_or_band, thickness};
 use super::table::{Table, cells, columns};
 use gearlash::outline::OutlineGear;
-use gearlash_files::PairFile;
-use gearlash_files::numbers::{bound_um, shortest, trimmed};
-use gearlash_files::outlines::DrawingRead;
-use gearlash_files::spec::{
+use gearlash_input::PairFile;
+use gearlash_input::outlines::DrawingRead;
+use gearlash_input::spec::{
     CentreName, CentreSpec, EitherGearSpec, GearSpec, OutlineSpec, PointsKind,
 };
 use gearlash_results::drawn_notes;
+use gearlash_text::numbers::{bound_um, shortest, trimmed};
 use maud::{Markup, Render, html};
 
 pub(super) fn section(page: &Page) -> Markup {

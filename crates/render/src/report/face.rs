@@ -9,8 +9,8 @@ use gearlash::analysis::face_width::{AtWidth, FaceExtreme};
 use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::contact::Status;
 use gearlash::pair::{Backlash, GearPair};
-use gearlash_files::numbers::{NONE, trimmed, um};
 use gearlash_results::verdict::doubt;
+use gearlash_text::numbers::{NONE, trimmed, um};
 use maud::{Markup, html};
 
 /// Whether a page has this section.

@@ -7,8 +7,8 @@ use crate::pose_name::phase_name;
 use gearlash::analysis::curves::{Course, DistancePoint, Followed};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::stated_distance;
 use gearlash_results::grades::GearGrades;
+use gearlash_text::numbers::stated_distance;
 use maud::{Markup, PreEscaped, Render, html};
 
 /// Most centre distances and phases whose curves are in the page (tuned: some 100 kB each).

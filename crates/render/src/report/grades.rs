@@ -7,8 +7,8 @@ use gearlash::analysis::diagnosis::Verdict;
 use gearlash::gauge::{GradedReading, PitchReadings};
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, GradedQuantity, PitchAxis};
 use gearlash::metrology::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
-use gearlash_files::numbers::{fixed, um};
 use gearlash_results::grades::GearGrades;
+use gearlash_text::numbers::{fixed, um};
 use maud::{Markup, html};
 
 pub(super) fn table(page: &Page) -> Markup {

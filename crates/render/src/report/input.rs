@@ -9,8 +9,8 @@ use super::table::{Table, cells, columns};
 use crate::chart::PictureError;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, Inspection};
 use gearlash::pair::Member;
-use gearlash_files::numbers::{fixed, shortest, stated_distance, trimmed};
-use gearlash_files::spec::{AssemblySpec, GearSpec};
+use gearlash_input::spec::{AssemblySpec, GearSpec};
+use gearlash_text::numbers::{fixed, shortest, stated_distance, trimmed};
 use maud::{Markup, Render, html};
 
 /// A property of a gear as built: symbol, name and unit for spur gears; those for helical gears where they differ; decimals;

@@ -3,7 +3,7 @@
 use super::figures::collapsed;
 use super::page::Page;
 use super::phrases::{j_wt, symbol};
-use gearlash_files::numbers::bound_um;
+use gearlash_text::numbers::bound_um;
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {

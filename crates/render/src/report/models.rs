@@ -8,9 +8,9 @@ use crate::chart::PictureError;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::measured::{MeasuredMating, sides};
 use gearlash::analysis::outcome::{MODELS, deviation};
-use gearlash_files::numbers::difference_um;
 use gearlash_results::text::check::{MARGIN, doubts, shown};
 use gearlash_results::text::measured_shown;
+use gearlash_text::numbers::difference_um;
 use maud::{Markup, html};
 
 pub(super) fn checks(page: &Page) -> Markup {
@@ -147,7 +147,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
             h2 { "Formulas beside the simulation" }
             p {
                 "Of " (of.poses) " poses " (counts.join("; "))
-                " (tolerance " (gearlash_files::numbers::shortest(page.report.pair.study.tolerance_um)) " µm and the error bound)."
+                " (tolerance " (gearlash_text::numbers::shortest(page.report.pair.study.tolerance_um)) " µm and the error bound)."
             }
             @if page.report.pair.study.is_helical() {
                 p {

@@ -9,7 +9,7 @@ use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::Course;
 use gearlash::analysis::outcome::{Agreement, AtDistance, Outcome};
 use gearlash::error::{Error, Tick};
-use gearlash_files::PairFile;
+use gearlash_input::PairFile;
 use gearlash_results::grades::GearGrades;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use std::ops::ControlFlow;

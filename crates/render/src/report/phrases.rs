@@ -3,8 +3,8 @@
 use crate::pose_name::{phase_name, pose_name};
 use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::gear::Side;
-pub(super) use gearlash_files::characters::plain;
-use gearlash_files::numbers::{NONE, um};
+pub(super) use gearlash_text::characters::plain;
+use gearlash_text::numbers::{NONE, um};
 use maud::{Markup, html};
 
 /// `least … greatest`, in µm.

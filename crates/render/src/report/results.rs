@@ -12,7 +12,7 @@ use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::analysis::phases::phase_groups;
 use gearlash::analysis::tally::{RunTally, tally};
 use gearlash::contact::Status;
-use gearlash_files::numbers::{stated_distance, trimmed, um};
+use gearlash_text::numbers::{stated_distance, trimmed, um};
 use maud::{Markup, PreEscaped, html};
 
 pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {

@@ -1,11 +1,11 @@
 //! The statements of a pair file about a gear, in words.
 
 use gearlash::gear::MeasuringBody;
-use gearlash_files::numbers::{rounded, shortest};
-use gearlash_files::spec::{
+use gearlash_input::spec::{
     BandSpec, Either, FlankLeadSpec, FlankProfileSpec, LeadSpec, LengthSpec, PitchSpec,
     ProfileSpec, ReliefShape, RunoutPlaneSpec, RunoutSpec, ThicknessSpec,
 };
+use gearlash_text::numbers::{rounded, shortest};
 
 /// A single value, or `min … max`.
 pub(super) fn single_or_band(stated: &Either<f64, BandSpec>) -> String {

@@ -8,12 +8,12 @@ use super::{drawings, stated};
 use crate::chart::population::Pictures;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::population::{CONFIDENCE, GROUPS, LIMIT_SIGMAS, OutcomeKind, PITCH_LIMIT_SIGMAS};
-use gearlash_files::numbers::{rounded, shortest};
-use gearlash_files::spec::GearSpec;
-use gearlash_files::tolerance::{
+use gearlash_input::spec::GearSpec;
+use gearlash_input::tolerance::{
     About, Limit, ToleranceFile, ToleranceResult, sentence, without_worst_case,
 };
 use gearlash_results::population;
+use gearlash_text::numbers::{rounded, shortest};
 use maud::{Markup, Render, html};
 
 /// Input of a page of a population.

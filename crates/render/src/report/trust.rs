@@ -6,8 +6,8 @@ use super::phrases::{j_wt, plain, pose};
 use gearlash::analysis::extremes::WIDTH;
 use gearlash::analysis::outcome::{MODELS, PoseOfRun, deviation};
 use gearlash::contact::{Method, MethodAgreement};
-use gearlash_files::numbers::{bound_um, difference_um, shortest, stated_distance};
 use gearlash_results::doubts;
+use gearlash_text::numbers::{bound_um, difference_um, shortest, stated_distance};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {

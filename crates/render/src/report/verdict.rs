@@ -11,9 +11,9 @@ use gearlash::analysis::outcome::{Outcome, PoseOfRun};
 use gearlash::analysis::phases::phase;
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::pair::{GearPair, Member, SweepPlan};
-use gearlash_files::numbers::{stated_distance, um};
 use gearlash_results::text::check::titles;
 use gearlash_results::verdict::{VerdictLines, uncut};
+use gearlash_text::numbers::{stated_distance, um};
 use maud::{Markup, Render, html};
 use std::collections::BTreeSet;
 

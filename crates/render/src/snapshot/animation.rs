@@ -16,7 +16,7 @@ use crate::kit::{
 use gearlash::contact::{DrawnContact, MeshSection, PoseResult, Scene, Status};
 use gearlash::gear::Side;
 use gearlash::pair::Member;
-use gearlash_files::numbers::{ascii, fixed, um};
+use gearlash_text::numbers::{ascii, fixed, um};
 use std::f64::consts::TAU;
 use svg::node::element::{Animate, AnimateTransform, ClipPath, Group, Path};
 

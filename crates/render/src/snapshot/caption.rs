@@ -5,7 +5,7 @@ use crate::kit::{Spot, TextStyle};
 use crate::pose_name::pose_name;
 use gearlash::contact::{FreePlacement, PoseResult, Scene, Status};
 use gearlash::gear::Side;
-use gearlash_files::numbers::{trimmed, um, um_bounded};
+use gearlash_text::numbers::{trimmed, um, um_bounded};
 use svg::node::element::{Element, Group};
 
 /// Least type size of a result; a longer one is cut.

@@ -7,9 +7,9 @@ use crate::kit::{
     blank_sheet, clip, clipped, define_frame, dot, line, polygon, scale,
 };
 use gearlash::outline::{Deviation, OutlineDifference, OutlineGear};
-use gearlash_files::numbers::{fixed, signed_um};
-use gearlash_files::outlines::ComparedOutlines;
+use gearlash_input::outlines::ComparedOutlines;
 use gearlash_results::{difference_sentence, turn_words};
+use gearlash_text::numbers::{fixed, signed_um};
 use nalgebra::Point2;
 use svg::node::element::Group;
 

@@ -12,7 +12,7 @@ use crate::kit::{
 use gearlash::contact::Exaggeration;
 use gearlash::gear::Placed;
 use gearlash::pair::{Member, Pose};
-use gearlash_files::numbers::{rounded, um};
+use gearlash_text::numbers::{rounded, um};
 use svg::node::element::{Group, Path};
 
 const GHOST_DASH: &str = "5 3";

@@ -12,7 +12,7 @@ use gearlash::contact::{
 };
 use gearlash::gear::{ProfilePart, Side};
 use gearlash::pair::{GearPair, Member};
-use gearlash_files::numbers::um;
+use gearlash_text::numbers::um;
 use nalgebra::center;
 use svg::node::element::{Element, Group, Rectangle};
 

@@ -4,7 +4,7 @@ use super::view::View;
 use crate::kit::{self, Frame, HATCH, Occupied, Spot, TextStyle, clip, line};
 use gearlash::contact::{DrawnContact, FreePlacement, Scene};
 use gearlash::pair::{Mating, Member};
-use gearlash_files::numbers::{significant, um};
+use gearlash_text::numbers::{significant, um};
 use nalgebra::Vector2;
 use std::f64::consts::TAU;
 use svg::node::Node;

@@ -12,7 +12,7 @@ use gearlash::contact::{Contact, LostMotion, Status};
 use gearlash::gear::Side;
 use gearlash::outline::{AssembledPair, PlacedGear};
 use gearlash::pair::Member;
-use gearlash_files::numbers::rounded;
+use gearlash_text::numbers::rounded;
 use std::fmt::Write;
 use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Text, Use};
 

@@ -2,7 +2,7 @@
 
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Member;
-use gearlash_files::numbers::{rounded, two_digits_up};
+use gearlash_text::numbers::{rounded, two_digits_up};
 
 /// Chordal error of an outline, in modules: 0.05 µm at module 3. A backlash of a few micrometres is then visible, and the dot of
 /// a contact is on both outlines.

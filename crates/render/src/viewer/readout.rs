@@ -8,8 +8,8 @@ use gearlash::contact::{Contact, PoseResult};
 use gearlash::gear::Side;
 use gearlash::outline::{AssembledPair, PlacedGear};
 use gearlash::pair::Member;
-use gearlash_files::numbers::{decades, fixed, rounded, trimmed, two_digits_up};
 use gearlash_results::ContactRow;
+use gearlash_text::numbers::{decades, fixed, rounded, trimmed, two_digits_up};
 use serde::Serialize;
 
 /// The contact on `side`; `None` for a pose without numbers.

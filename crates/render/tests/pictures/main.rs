@@ -38,11 +38,11 @@ const METHOD: Method = Method::Exact { certify: false };
 
 fn study(fixture: &str) -> Study {
     let fixtures = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures"));
-    gearlash_files::read(&fixtures.join(fixture)).unwrap().study
+    gearlash_input::read(&fixtures.join(fixture)).unwrap().study
 }
 
 fn study_of(text: &str) -> Study {
-    let read = gearlash_files::read_text(Path::new("pair.toml"), text);
+    let read = gearlash_input::read_text(Path::new("pair.toml"), text);
     read.unwrap().study
 }
 

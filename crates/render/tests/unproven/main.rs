@@ -12,7 +12,7 @@ use gearlash::analysis::study::{RunPlan, Study};
 use gearlash::contact::{CutPair, Method, PoseResult, Unproven, sweep};
 use gearlash::error::go_on as on;
 use gearlash::pair::{GearPair, Member};
-use gearlash_files::{PairFile, read_text};
+use gearlash_input::{PairFile, read_text};
 use std::path::Path;
 use std::sync::LazyLock;
 

@@ -9,7 +9,7 @@ use gearlash::gauge::{
     Unmeasured,
 };
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, Hand};
-use gearlash_files::spec::GearSpec;
+use gearlash_input::spec::GearSpec;
 use serde_json::{Value, json};
 
 /// All gears as JSON: lengths in mm where the name says so, deviations in µm. A reading that was not taken is

@@ -4,7 +4,7 @@ use super::{Chart, GaugedGear};
 use crate::column::{Row, Value, row_type, shown};
 use crate::layout::Screen;
 use gearlash::gauge::OverPins;
-use gearlash_files::numbers::{ascii, order_um, um_ascii};
+use gearlash_text::numbers::{ascii, order_um, um_ascii};
 
 /// One length, mm.
 pub struct Length {

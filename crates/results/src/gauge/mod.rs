@@ -7,9 +7,9 @@ mod readings;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::{Gauged, Unmeasured};
 use gearlash::gear::{AsBuilt, BasicGearData};
-use gearlash_files::short_for_span;
-use gearlash_files::spec::GearSpec;
-use gearlash_files::{NoGearFile, gauged_file};
+use gearlash_input::short_for_span;
+use gearlash_input::spec::GearSpec;
+use gearlash_input::{NoGearFile, gauged_file};
 
 pub use json::json;
 pub use lengths::{ByTooth, Length, length_table, lengths};

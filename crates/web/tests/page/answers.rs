@@ -8,7 +8,7 @@ use gearlash::contact::Method;
 use gearlash::error::go_on;
 use gearlash::gear::Side;
 use gearlash::pair::{Mating, Member};
-use gearlash_files::read;
+use gearlash_input::read;
 use gearlash_results::verdict::lines;
 use gearlash_web::answers::{LivePlace, OnStep, Page};
 use serde_json::{Value, json};

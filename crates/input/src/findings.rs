@@ -1,0 +1,581 @@
+//! Findings about the measurements of a gear, in words.
+
+use super::lead;
+use super::profile;
+use super::statements::Statements;
+use super::thickness::CROSS_CHECK;
+use gearlash::gear::{DIN_3967_SOURCE, Flank, Probe};
+use gearlash::metrology::{
+    Eccentricity, EccentricityNote, Finding, FittedReadings, FlankKnowledge, LeadKey, MeanOnly,
+    Outlier, ProfileKey, Quantity, Reversal, RunoutSource, SameKind, StatementRole,
+    ThicknessBesidePitch, ThicknessStatements, TooFar,
+};
+use gearlash_text::numbers::{ascii, rounded, shortest};
+
+/// The line that the user reads, with the key it is about.
+pub fn describe(of: &Statements, finding: &Finding) -> String {
+    const PER_TOOTH: &str = "thickness.per_tooth_um";
+    let some_teeth = |flank: Flank, measured: u32, teeth: u32| {
+        format!(
+            "traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
+            flank.name()
+        )
+    };
+    let traced: String;
+    let (key, words) = match finding {
+        Finding::PitchDoesNotClose {
+            flank,
+            sum_um,
+            rounding_um,
+        } => (
+            of.pitch_key(*flank),
+            format!(
+                "the single pitch deviations of the {} flanks sum to {} µm instead of 0 (rounding leaves up to {} µm); \
+                 the rest is distributed evenly over the teeth",
+                flank.name(),
+                ascii(*sum_um, 2),
+                ascii(*rounding_um, 2),
+            ),
+        ),
+        Finding::WobbleInLeads {
+            um,
+            tooth,
+            apart_um,
+        } => {
+            let counts = match apart_um {
+                None => "the gear wobbles so".to_owned(),
+                Some(apart) => format!("the stated wobble counts, {} µm off it", ascii(*apart, 2)),
+            };
+            let words = format!(
+                "the leads about the bore contain a wobble of {} µm over the teeth, towards tooth {}; it is taken out of them, and {counts}",
+                ascii(*um, 2),
+                ascii(*tooth, 2)
+            );
+            ("lead.axis", words)
+        }
+        Finding::RunoutReadings(readings) => ("runout.file", runout_readings(readings)),
+        Finding::RunoutContradictsFlanks(found) => (
+            "runout.file",
+            format!(
+                "the readings contradict the flanks, whose data take precedence. Beyond the first harmonic the readings vary by up to {} µm, the stated flanks by \
+                 {} µm; {} {} they differ by {} µm. F_r of the readings is {} µm. Check gear, tooth numbers, sense and at",
+                ascii(found.read_um, 3),
+                ascii(found.said_um, 3),
+                match found.probe {
+                    Probe::Ball(_) => "after tooth",
+                    Probe::Fork => "at tooth",
+                },
+                found.tooth,
+                ascii(found.apart_um, 3),
+                ascii(found.range_um, 3),
+            ),
+        ),
+        Finding::RunoutWithoutDirection { total_um } => (
+            "runout",
+            format!(
+                "{total_um} µm without high_tooth: least and greatest of the verdict are over every direction; single poses and the gauge have tooth 1 high"
+            ),
+        ),
+        Finding::EccentricityInPitch(note) => ("pitch", in_pitch(note)),
+        Finding::ProfileOfSomeTeeth {
+            flank,
+            measured,
+            teeth,
+        } => {
+            traced = profile::key_of(of.table, *flank, ProfileKey::Trace);
+            (&*traced, some_teeth(*flank, *measured, *teeth))
+        }
+        Finding::LeadOfSomeTeeth {
+            flank,
+            measured,
+            teeth,
+        } => {
+            traced = lead::key_of(of.table, *flank, LeadKey::Trace);
+            (&*traced, some_teeth(*flank, *measured, *teeth))
+        }
+        Finding::PinsGiveMeanOnly {
+            readings,
+            with_pitch,
+        } => (
+            "thickness.over_pins",
+            format!(
+                "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{}",
+                if *with_pitch {
+                    ""
+                } else {
+                    "; without [pitch] the pitch is assumed even"
+                }
+            ),
+        ),
+        Finding::SpansGiveEachTooth {
+            spanned,
+            teeth,
+            amplification,
+            with_pitch,
+        } => (
+            "thickness.span",
+            format!(
+                "{teeth} spans over {spanned} teeth give each tooth's thickness; an error of the readings is amplified up to {amplification}-fold, \
+                 {}-fold when random, as [uncertainty] counts it (per_tooth = false uses the mean only){}",
+                ascii(f64::from(*amplification).sqrt(), 1),
+                if *with_pitch {
+                    ""
+                } else {
+                    "; without [pitch] all variation of the spans counts as thickness"
+                }
+            ),
+        ),
+        Finding::SpansGiveMeanOnly {
+            spanned,
+            teeth,
+            readings,
+            why,
+            pitch_in_mean,
+        } => {
+            let words = mean_by_spans(*spanned, *teeth, *readings, *why, *pitch_in_mean);
+            ("thickness.span", words)
+        }
+        Finding::LeftFlankReversed { eccentricity_um } => (
+            of.pitch_key(Flank::Left),
+            format!(
+                "the left flanks vary opposite to the right ones, as if their sign were reversed{}: if + means plus material on both flanks \
+                 (or the gear was seen from the other face), write sense = {:?}",
+                eccentricity_um.map_or(String::new(), |um| {
+                    let [reversed, stated] = um.map(|um| ascii(um, 3));
+                    format!(
+                        " (reversed they contain an eccentricity of {reversed} µm, as stated one of {stated} µm)"
+                    )
+                }),
+                of.other_sense()
+            ),
+        ),
+        Finding::ThicknessBesidePitch(beside) => {
+            (PER_TOOTH, beside_pitch(beside, of.other_sense()))
+        }
+        Finding::SpansRefusePitch {
+            shown,
+            left_um,
+            spans_count,
+        } => (
+            "pitch",
+            format!(
+                "the spans contradict the thickness by its flanks, right minus left (they show {} % of it, and vary by {} µm r.m.s. beside it): check right and left, sign and tooth numbers; {}",
+                ascii(100.0 * shown, 0),
+                ascii(*left_um, 1),
+                precedence(*spans_count)
+            ),
+        ),
+        Finding::SpansRefuseThickness { shown, spans_count } => (
+            PER_TOOTH,
+            format!(
+                "the spans contradict it (they show {} % of it): check its sign and tooth numbers, or leave it out; {}",
+                ascii(100.0 * shown, 0),
+                precedence(*spans_count)
+            ),
+        ),
+        Finding::PerToothMeanTooLarge { mean_um } => (
+            PER_TOOTH,
+            format!(
+                "its mean is {} µm, more than a tenth of the module: each value is how much thicker than the mean the tooth is, in µm; if they are \
+                 thicknesses, subtract their mean; if they are in another unit, convert them",
+                ascii(*mean_um, 1)
+            ),
+        ),
+        Finding::PerToothOffMean {
+            mean_um,
+            scatter_um,
+        } => {
+            let stated = of.thickness.statement.key().unwrap_or_default();
+            let words = format!(
+                "its mean, {} µm, adds to the stated {stated} (its values scatter about it by {} µm r.m.s.): if they were measured \
+                 from the nominal thickness, and {stated} states the same, subtract their mean from the list",
+                ascii(*mean_um, 1),
+                ascii(*scatter_um, 1)
+            );
+            (PER_TOOTH, words)
+        }
+        Finding::LooksLikeWhole { quantity, mean_um } => {
+            let (key, what) = match quantity {
+                Quantity::Pitch => ("pitch", "the pitch itself"),
+                Quantity::PerTooth => (PER_TOOTH, "the thickness itself"),
+            };
+            let mean = ascii(*mean_um, 3);
+            let words = format!(
+                "the values are about {mean}, as {what} in mm; needed is the deviation of each tooth, in µm"
+            );
+            (key, words)
+        }
+        Finding::ThicknessField {
+            diameter_mm,
+            upper_um,
+            lower_um,
+        } => (
+            "thickness.designation",
+            format!(
+                "at reference diameter {} mm the allowances are {} and {} µm, {DIN_3967_SOURCE}",
+                shortest(rounded(*diameter_mm, 4)),
+                ascii(*upper_um, 0),
+                ascii(*lower_um, 0)
+            ),
+        ),
+        Finding::AllowanceThickens { um } => (
+            "thickness.allowance_um",
+            format!(
+                "{um} µm makes the teeth thicker than nominal, but an allowance for backlash makes them thinner: check its sign; if {} µm was \
+                 meant, write that",
+                -um
+            ),
+        ),
+        Finding::AllowanceTooLarge { um } => (
+            "thickness.allowance_um",
+            format!(
+                "{um} µm takes more than a quarter of the module off the teeth: if nm were meant, write {}",
+                shortest(um / 1000.0)
+            ),
+        ),
+        Finding::CrossCheckOfSameKind(kind) => {
+            let kind = match kind {
+                SameKind::Span => "a span over as many teeth",
+                SameKind::OverPins => "a dimension over the same pins",
+                SameKind::Chord => "a chord at the same height",
+                SameKind::Allowance => "an allowance",
+            };
+            let words = format!(
+                "is {kind}, like the statement that is used, and repeats its faults: check by another kind of measurement (span, over pins, \
+                 another number of teeth or pin)"
+            );
+            (CROSS_CHECK, words)
+        }
+        Finding::FirstHarmonicNotEccentricity {
+            left_um,
+            left_percent,
+            alike,
+            exchanged,
+            eccentricity_um,
+        } => (
+            "pitch",
+            format!(
+                "the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. Of it, {} µm \
+                 on a flank, {} % of its energy, are used as the gear's own pitch{}. The eccentricity of {} µm is therefore uncertain: measure the runout, \
+                 and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"",
+                ascii(*left_um, 3),
+                ascii(*left_percent, 0),
+                match (*alike, *exchanged) {
+                    (true, _) => "; both flanks vary equally, as from an index error of the machine",
+                    (false, true) => "; with right and left exchanged it is that of an eccentricity: check which column is which",
+                    (false, false) => "",
+                },
+                ascii(*eccentricity_um, 3),
+            ),
+        ),
+        Finding::OwnPitchHoldsEccentricity {
+            in_pitch,
+            in_runout,
+            runout,
+        } => (
+            "pitch.axis",
+            format!(
+                "the values look as if they were measured about the datum axis. Their first harmonic is that of an eccentricity of {}; {}: \
+                 if so, write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\"",
+                shown(*in_pitch),
+                match runout {
+                    RunoutSource::Total => format!(
+                        "[runout] says {}, which would count twice",
+                        shown(*in_runout)
+                    ),
+                    RunoutSource::Readings { left } => format!(
+                        "the readings of [runout] contain one of {}. Used as the gear's own pitch the values explain the readings and leave {} as eccentricity",
+                        shown(*in_runout),
+                        left.map_or("nothing".to_owned(), shown),
+                    ),
+                },
+            ),
+        ),
+        Finding::StatedEccentricityElsewhere {
+            in_pitch,
+            stated,
+            reversal,
+        } => (
+            "runout",
+            format!(
+                "the pitch of both flanks contains the first harmonic of an eccentricity of {}; the one stated here is as large, {}{}. Both are \
+                 used: check the tooth, and whether the pitch was measured about the datum axis",
+                shown(*in_pitch),
+                shown(*stated),
+                reversed(*reversal),
+            ),
+        ),
+        Finding::Outlier(found) => outlier(of, found),
+        Finding::ThicknessStatedTwice(compared) => {
+            (CROSS_CHECK, stated_twice(of, compared))
+        }
+    };
+    format!("{}: {words}", of.table.path_of(key))
+}
+
+fn precedence(spans_count: bool) -> &'static str {
+    if spans_count {
+        "the spans take precedence"
+    } else {
+        "it is used as given"
+    }
+}
+
+fn shown(e: Eccentricity) -> String {
+    let [um, tooth] = [ascii(e.um, 3), ascii(e.high_tooth, 2)];
+    format!("{um} µm towards tooth {tooth}")
+}
+
+/// How one of two statements of an eccentricity may be reversed, after the second.
+fn reversed(reversal: Option<Reversal>) -> &'static str {
+    match reversal {
+        Some(Reversal::Sign) => " (half a turn apart: a sign may be reversed)",
+        Some(Reversal::Numbering) => " (mirrored: check the numbering)",
+        None => "",
+    }
+}
+
+fn in_pitch(note: &EccentricityNote) -> String {
+    let found = format!(
+        "the datum-axis values contain an eccentricity of {}",
+        shown(note.in_pitch)
+    );
+    let stated = note.stated.zip(note.difference_um);
+    let stated =
+        stated.map(|(stated, um)| format!("{}, {} µm from it", shown(stated), ascii(um, 3)));
+    let stated = stated.map(|stated| stated + reversed(note.reversal));
+    match stated {
+        Some(stated) if note.stated_counts => format!(
+            "{found}. That of [runout], {stated}, is used and removed from them; the first harmonic that remains is used as the gear's own pitch"
+        ),
+        stated => format!(
+            "{found}; it is used as the gear's, as a first harmonic of its own pitch looks alike{}",
+            stated.map_or(String::new(), |stated| format!(
+                "; that of [runout], {stated}, is not used"
+            ))
+        ),
+    }
+}
+
+/// The key of an outlier and a warning.
+fn outlier(of: &Statements, outlier: &Outlier) -> (&'static str, String) {
+    let (key, why) = match outlier {
+        Outlier::Reading(reading) => (
+            if reading.over_pins {
+                "thickness.over_pins"
+            } else {
+                "thickness.span"
+            },
+            match reading.why {
+                TooFar::CoarseGear(um) => format!(
+                    "more than the {} µm by which even a coarse gear varies",
+                    ascii(um, 0)
+                ),
+                TooFar::HalfWithin(um) => format!("half of them within {} µm", ascii(um, 1)),
+            },
+        ),
+        Outlier::Pitch(pitch) => (
+            of.pitch_key(pitch.flank),
+            format!(
+                "more than the {} µm of even a coarse gear, half of the others within {} µm",
+                ascii(pitch.coarse_um, 0),
+                ascii(pitch.half_within_um, 1)
+            ),
+        ),
+    };
+    let (name, deviation) = (outlier_name(outlier), deviation(outlier));
+    let words = format!("{name} is {deviation}; {why}: check it; it is used as given");
+    (key, words)
+}
+
+/// The outlier as the end of a help text for impossible measurements.
+pub fn suspected(outlier: &Outlier) -> String {
+    format!(
+        ", above all {}: it is {}",
+        outlier_name(outlier),
+        deviation(outlier)
+    )
+}
+
+fn outlier_name(outlier: &Outlier) -> String {
+    match outlier {
+        Outlier::Reading(reading) => {
+            let place = if reading.over_pins { "space" } else { "tooth" };
+            format!(
+                "the reading at {place} {}, {} mm,",
+                reading.place, reading.mm
+            )
+        }
+        Outlier::Pitch(pitch) => format!(
+            "tooth {} of the {} flanks, {} µm,",
+            pitch.tooth,
+            pitch.flank.name(),
+            pitch.um
+        ),
+    }
+}
+
+/// Its deviation and the reference it deviates from.
+fn deviation(outlier: &Outlier) -> String {
+    match outlier {
+        Outlier::Reading(reading) => format!(
+            "{} µm from the median of all {}, {}",
+            ascii(reading.off_um, 1),
+            reading.readings,
+            if reading.flanks_taken_out {
+                format!(
+                    "{} mm, with the stated flanks' effect removed",
+                    ascii(reading.median_mm, 4)
+                )
+            } else {
+                format!("{} mm", reading.median_mm)
+            }
+        ),
+        Outlier::Pitch(pitch) => format!(
+            "{} µm from {}",
+            ascii(pitch.off_um, 1),
+            if pitch.from_neighbours {
+                "its neighbours' mean"
+            } else {
+                "the median"
+            }
+        ),
+    }
+}
+
+/// The eccentricity of runout readings.
+fn runout_readings(readings: &FittedReadings) -> String {
+    let [range, left] = [readings.range_um, readings.left_um].map(|um| ascii(um, 3));
+    let fitted = shown(readings.eccentricity);
+    match readings.knowledge {
+        FlankKnowledge::NoPitch => format!(
+            "the readings' first harmonic{} is an eccentricity of {fitted}, which is used as the gear's: without [pitch] a first harmonic of its own tooth \
+             thickness cannot be distinguished from it. F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored",
+            if readings.flanks_taken_out {
+                ", after removing the effect of the stated tooth thickness,"
+            } else {
+                ""
+            },
+        ),
+        FlankKnowledge::Pitch => format!(
+            "the readings contain an eccentricity of {fitted}, with the stated flanks' effect on {} removed. Their first harmonic itself is {}. \
+             F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored{}",
+            probe(readings.probe),
+            shown(readings.first_harmonic),
+            readings.by_ball_um.map_or(String::new(), |um| format!(
+                ". The ball is taken to touch at the reference circle; another that fits changes it by up to {} µm: state it as ball_mm",
+                ascii(um, 3)
+            ))
+        ),
+        FlankKnowledge::DatumPitch => format!(
+            "the readings' first harmonic is an eccentricity of {fitted}; datum-axis pitch cannot separate it from a first harmonic of the gear's own tooth \
+             thickness, which looks the same in both. F_r, their range, is {range} µm; up to {left} µm of a reading is in neither that harmonic nor the pitch",
+        ),
+    }
+}
+
+fn probe(probe: Probe) -> String {
+    match probe {
+        Probe::Fork => "a fork at the pressure angle".to_owned(),
+        Probe::Ball(mm) => format!("a ball of {} mm", ascii(mm, 3)),
+    }
+}
+
+/// `readings` spans over `k` of `z` teeth, which give only the mean.
+fn mean_by_spans(k: u32, z: u32, readings: usize, why: MeanOnly, pitch_in_mean: bool) -> String {
+    let mean_only = if pitch_in_mean {
+        "; without [pitch] the pitch at these places stays in the mean thickness"
+    } else {
+        ""
+    };
+    let why = match why {
+        MeanOnly::AsAsked => return format!("{readings} spans, {z} teeth{mean_only}"),
+        MeanOnly::TooFew => format!("{readings} spans do not determine {z} teeth"),
+        MeanOnly::Undetermined { other } => {
+            let other = other.map_or(String::new(), |k| format!(" (spans over {k} teeth would)"));
+            format!(
+                "{z} spans over {k} teeth do not determine single teeth{other}: thickness that alternates from tooth i to tooth i + {} shows in no span",
+                k - 1
+            )
+        }
+    };
+    format!("{why}; only the mean thickness is used{mean_only}")
+}
+
+/// Per-tooth thickness compared with the pitch of both flanks; `other_sense` reads the left flank the other way round.
+fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String {
+    match beside {
+        ThicknessBesidePitch::Same => {
+            "repeats the pitch of both flanks (a tooth is thicker by right minus left pitch deviation), and the two are added: \
+             leave it out, unless the teeth are thicker by that much again"
+                .to_owned()
+        }
+        ThicknessBesidePitch::TakenBack => {
+            "cancels the thickness that the pitch of both flanks gives (right minus left pitch deviation): check which of the two is reversed; \
+             where both were measured on the same teeth, leave it out"
+                .to_owned()
+        }
+        ThicknessBesidePitch::SameIfReversed => format!(
+            "is the thickness that the pitch would give with the left flanks reversed: write pitch.sense = {other_sense:?} and leave it out, \
+             since the two are added"
+        ),
+        ThicknessBesidePitch::SameIfMoved { by, down } => format!(
+            "repeats the pitch of both flanks, shifted {} by {by} in tooth number, and the two are added: check the tooth \
+             numbers of both; if they are of the same teeth, leave it out",
+            if *down { "down" } else { "up" }
+        ),
+        ThicknessBesidePitch::Different {
+            list_um,
+            pitch_um,
+            tooth,
+            apart_um,
+        } => format!(
+            "the teeth vary by {} µm by this list and by {} µm by the pitch of both flanks (right minus left); \
+             at tooth {tooth} they are {} µm apart. The two are added: where both were measured on the same teeth, leave one of them out",
+            ascii(*list_um, 3),
+            ascii(*pitch_um, 3),
+            ascii(*apart_um, 3)
+        ),
+    }
+}
+
+/// The cross-check compared with the statement that counts, in words.
+fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
+    let range = |[least, most]: [f64; 2]| {
+        if least == most {
+            format!("{} mm", ascii(least, 6))
+        } else {
+            format!("{} … {} mm", ascii(least, 6), ascii(most, 6))
+        }
+    };
+    let bands = [compared.counts, compared.cross].map(|[least, most]| least < most);
+    let [gap, tolerance] = [compared.gap_um, compared.tolerance_um].map(|um| ascii(um, 1));
+    let outside = match bands {
+        [false, false] => "".to_owned(),
+        [true, true] => format!("the bands lie {gap} µm apart, "),
+        _ => format!("the single value lies {gap} µm outside the band, "),
+    };
+    let verdict = match (compared.agree(), compared.gap_um > 0.0) {
+        (true, false) => "they agree".to_owned(),
+        (true, true) => {
+            format!("{outside}within the tolerance of {tolerance} µm: they agree")
+        }
+        (false, _) => format!(
+            "{outside}{tolerance} µm is allowed: check both measurements, the pins and the number of teeth spanned"
+        ),
+    };
+    let key = |role| of.of_thickness(role).0.key().unwrap_or_default();
+    format!(
+        "base thickness {} by {}, {} by {}, difference{} {} µm: {verdict}",
+        range(compared.counts),
+        key(StatementRole::Counts),
+        range(compared.cross),
+        key(StatementRole::CrossCheck),
+        if bands == [false, false] {
+            ""
+        } else {
+            " of the means"
+        },
+        ascii(compared.difference_um, 2),
+    )
+}

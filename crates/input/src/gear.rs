@@ -1,0 +1,353 @@
+//! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built, or as drawn.
+
+use super::check::Checked;
+use super::helix::Helix;
+use super::lead::{self, LeadGear, Leads};
+use super::outlines::{self, DrawingRead};
+use super::pitch::PitchSheet;
+use super::profile::{self, Profiles};
+use super::runout::{Runout, StatedTeeth};
+use super::spec::{Either, EitherGearSpec, GearSpec, RackSpec, System};
+use super::statements::Statements;
+use super::{faults, findings, helix, thickness, unit_slips};
+use gearlash::analysis::study::Material;
+use gearlash::error::GearError;
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign};
+use gearlash::metrology::{Finding, GearNotes, Toleranced};
+use gearlash::outline::OutlineGear;
+use gearlash_tables::StatedGear;
+use gearlash_text::{MM_PER_INCH, Table};
+use std::convert::Infallible;
+
+/// The parts of one gear that have no problem.
+#[derive(Debug, Default)]
+pub struct GearPart {
+    /// `z`.
+    pub teeth: Option<u32>,
+    /// `m`, mm.
+    pub module_mm: Option<f64>,
+    /// `α`, degrees as written.
+    pub pressure_angle_deg: Option<f64>,
+    pub helix: Option<Helix>,
+    /// Ratio of lengths along the pitch line in the normal section to those in the section of the file.
+    in_section: f64,
+    pub basic_data: Option<BasicGearData>,
+    /// The gear by its data, in one or both materials.
+    pub as_built: Option<Toleranced<AsBuilt>>,
+    /// The gear by its outline, in one or both materials.
+    pub drawn: Option<Toleranced<OutlineGear>>,
+    /// The content of its drawing.
+    pub drawing: Option<DrawingRead>,
+    /// As in the pair file, defaults filled in.
+    pub spec: Option<EitherGearSpec>,
+    pub scale: f64,
+    /// Coefficient of thermal expansion, 1/K; `Some(None)` where none is given.
+    pub expansion_per_k: Option<Option<f64>>,
+    /// Whether the file states its reference face.
+    pub states_face: bool,
+    /// Notes on statements that concern each other.
+    pub notes: GearNotes,
+    pub warnings: Vec<String>,
+    /// Remarks on what is in order.
+    pub remarks: Vec<String>,
+}
+
+impl GearPart {
+    /// Reads the table `name` of one gear.
+    pub fn read(file: &Checked, name: &str) -> GearPart {
+        let table = file.table().below(name);
+        if table.has("outline") {
+            return GearPart::drawn(file, name).unwrap_or_default();
+        }
+        let number = |key: &str| file.read::<f64>(&table.path_of(key)).flatten();
+        let helix = Helix::read(file, name);
+        let system = file.read::<System>(&table.path_of("system")).flatten();
+        let in_section = match (system, helix) {
+            (Some(System::Transverse), Some(helix)) => helix.angle_deg.to_radians().cos(),
+            _ => 1.0,
+        };
+        let stated = number("module_mm").or_else(|| Some(MM_PER_INCH / number("diametral_pitch")?));
+        let module_mm = stated.map(|module| module * in_section);
+        let stated = number("pressure_angle_deg");
+        let pressure_angle_deg = match in_section {
+            1.0 => stated,
+            cos => stated.map(|angle| (angle.to_radians().tan() * cos).atan().to_degrees()),
+        };
+        let teeth = file.read(&table.path_of("teeth")).flatten();
+        let basic_data = basic_data(&table, teeth, module_mm, pressure_angle_deg);
+        let wound = basic_data.zip(helix);
+        let mut part = GearPart {
+            teeth,
+            module_mm,
+            pressure_angle_deg,
+            helix,
+            in_section,
+            scale: number("scale").unwrap_or(1.0),
+            basic_data: wound.and_then(|(data, helix)| helix.of(data, &table)),
+            expansion_per_k: file.read(&table.path_of("expansion_per_k")),
+            states_face: table.has("reference_face"),
+            ..GearPart::default()
+        };
+        part.complete((file, name), &table);
+        part.remarks.extend(table.reading().take_remarks());
+        part
+    }
+
+    fn drawn(file: &Checked, name: &str) -> Option<GearPart> {
+        let part = outlines::gear(file, name)?;
+        Some(GearPart {
+            teeth: Some(part.gears.most().teeth()),
+            drawn: Some(part.gears),
+            drawing: Some(part.read),
+            spec: Some(EitherGearSpec::Outline(Box::new(part.spec))),
+            expansion_per_k: Some(None),
+            warnings: part.warning.into_iter().collect(),
+            remarks: part.remarks,
+            ..GearPart::default()
+        })
+    }
+
+    fn complete(&mut self, (file, name): (&Checked, &str), table: &Table) -> Option<()> {
+        let teeth = self.teeth;
+        let profile_shift = file.read::<f64>(&table.path_of("profile_shift"));
+        let face = file.read::<Face>(&table.path_of("reference_face"));
+        let tip_diameter = file.read::<f64>(&table.path_of("tip_diameter_mm"));
+        let rack = file.read::<RackSpec>(&table.path_of("rack"));
+        let rack = rack.and_then(|rack| self.rack(rack.unwrap_or_default(), table));
+        let thickness = file.read(&table.path_of("thickness"));
+        let thickness = thickness.and_then(|spec| {
+            let mut spec = thickness::complete(table, spec.unwrap_or_default(), teeth)?;
+            spec.allowances_in_normal_section(self.in_section);
+            Some(spec)
+        });
+        let runout = file.read(&table.path_of("runout"));
+        let heights = |face: Face| Some(self.helix?.face_mm.map(|ends| face.heights(ends)));
+        let stated = StatedTeeth {
+            basic_data: self.basic_data.as_ref(),
+            heights: face.and_then(|face| heights(face.unwrap_or_default())),
+        };
+        let runout = runout
+            .and_then(|spec| Runout::read(table, spec.unwrap_or_default(), teeth, Some(&stated)));
+        let sheet = match file.read(&table.path_of("pitch")) {
+            Some(Some(spec)) => PitchSheet::read(table, spec, teeth),
+            absent => absent.map(|_| None),
+        };
+        let checked = profile::check(table);
+        let profiles = file
+            .read(&table.path_of("profile"))
+            .filter(|_| checked.is_some())
+            .and_then(|spec| {
+                let spec = spec.unwrap_or_default();
+                Profiles::read(table, spec, teeth, self.basic_data.as_ref())
+            });
+        let leads = lead::check(table)
+            .and_then(|()| file.read(&table.path_of("lead")))
+            .zip(face)
+            .and_then(|(spec, face)| {
+                let own = LeadGear {
+                    teeth: self.teeth,
+                    module_mm: self.module_mm,
+                    helix: self.helix,
+                    basic_data: self.basic_data.as_ref(),
+                };
+                Leads::read(table, spec, &own, face.unwrap_or_default())
+            });
+
+        let pitch = match (&sheet, &self.basic_data, &runout) {
+            (Some(None), ..) => Some(()),
+            (Some(Some(sheet)), Some(basic_data), Some(runout)) => {
+                faults::check_pitch(table, sheet, runout, basic_data)
+            }
+            _ => None,
+        };
+        let mut design = GearDesign {
+            basic_data: self.basic_data?,
+            profile_shift: profile_shift?.unwrap_or(0.0) / self.in_section,
+            rack: rack?,
+            tip_diameter: tip_diameter?,
+        };
+        design.tip_diameter = Some(2.0 * design.tip_radius());
+        thickness::check_body(table, thickness.as_ref()?, &design)?;
+        let drawn = StatedGear {
+            design: &design,
+            pressure_angle_deg: self.pressure_angle_deg?,
+            helix_angle_deg: self.helix?.angle_deg,
+        };
+        let pitch_header = sheet
+            .iter()
+            .flatten()
+            .filter_map(|sheet| sheet.header.as_ref());
+        let mut header_warnings = Vec::new();
+        let runout_header = runout.iter().filter_map(|runout| runout.header.as_ref());
+        let trace_headers = profiles.iter().flat_map(|profiles| &profiles.headers);
+        let lead_headers = leads.iter().flatten().flat_map(|leads| &leads.headers);
+        let trace_headers = trace_headers.chain(lead_headers);
+        for header in pitch_header.chain(runout_header).chain(trace_headers) {
+            header.check(&drawn);
+            header_warnings.extend_from_slice(header.warnings());
+        }
+        let face = face.map(Option::unwrap_or_default);
+        let statements = Statements {
+            table,
+            design,
+            thickness: thickness?,
+            pitch: sheet.flatten(),
+            runout: runout?,
+            profiles: profiles?,
+            leads: leads?,
+        };
+        let measurements = statements.measurements(face.unwrap_or_default());
+        if pitch.is_none() || statements.thickness.per_tooth_um.is_none() {
+            // Other faults are reported, too.
+            let errors = measurements.check_thickness_and_runout();
+            faults::add_all(&statements, errors);
+            return None;
+        }
+        let errors = |errors| faults::add_all(&statements, errors);
+        let gear = measurements.measure().map_err(errors).ok()?;
+        let mut spec = file.read::<GearSpec>(name)??;
+        self.describe(&statements, &gear.findings, header_warnings);
+        self.warnings.extend_from_slice(&statements.runout.warnings);
+        let leads = statements.leads.as_ref();
+        self.warnings
+            .extend(leads.into_iter().flat_map(|leads| leads.warnings.clone()));
+        self.notes = gear.notes;
+        self.beside_helix(&statements, gear.as_built.most())?;
+        let scale = self.scale;
+        let scaled = match spec.scale {
+            Some(_) => gear.as_built.try_map(|gear| gear.expanded(scale)),
+            None => Ok(gear.as_built),
+        };
+        let help = "check the factor";
+        self.as_built = Some(table.keep("scale", scaled, help)?);
+        let key = table.path_of("scale");
+        let words = "every length and deviation of the gear is multiplied by it: results are of the gear as scaled";
+        self.remarks
+            .extend(spec.scale.map(|_| format!("{key}: {words}")));
+
+        spec.face_width_mm = None;
+        (spec.system, spec.diametral_pitch) = (None, None);
+        spec.module_mm = self.module_mm?;
+        spec.pressure_angle_deg = self.pressure_angle_deg?;
+        spec.profile_shift = statements.design.profile_shift;
+        spec.rack = RackSpec::from(&statements.design.rack);
+        spec.tip_diameter_mm = statements.design.tip_diameter?;
+        let settled_runout = statements.runout.settled(gear.runout);
+        spec.runout = statements.runout.spec;
+        spec.profile = statements.profiles.spec();
+        spec.lead = statements.leads.map(|leads| leads.spec);
+        spec.pitch = statements.pitch.map(|sheet| sheet.spec);
+        spec.thickness = statements.thickness;
+        if spec.thickness.statement.key().is_none() {
+            spec.thickness.statement.allowance_um = Some(Either::One(0.0));
+        }
+        self.helix?.echo(&mut spec);
+        self.warnings.extend(unit_slips::warnings(name, &spec));
+        // Of readings it is calculated, and no slip.
+        spec.runout = settled_runout;
+        self.spec = Some(EitherGearSpec::Data(Box::new(spec)));
+        Some(())
+    }
+
+    /// The gear by its data, in one or both materials, with its table as understood.
+    pub fn by_data(&self) -> Option<(&Toleranced<AsBuilt>, &GearSpec)> {
+        self.as_built.as_ref().zip(self.spec.as_ref()?.data())
+    }
+
+    /// The outline of the gear, in one or both materials.
+    pub fn outline(&self) -> Option<Toleranced<OutlineGear>> {
+        let of_data = |gear: &Toleranced<AsBuilt>| {
+            let outline = |gear: &AsBuilt| Ok::<_, Infallible>(OutlineGear::from(gear));
+            gear.try_map(outline).ok()
+        };
+        self.drawn
+            .clone()
+            .or_else(|| of_data(self.as_built.as_ref()?))
+    }
+
+    /// Whether it has a least and a greatest material.
+    pub fn is_band(&self) -> bool {
+        self.as_built.as_ref().is_some_and(Toleranced::is_band)
+            || self.drawn.as_ref().is_some_and(Toleranced::is_band)
+    }
+
+    pub fn has_leads(&self) -> bool {
+        let gear = self.as_built.as_ref();
+        gear.is_some_and(|gear| gear.most().has_leads())
+    }
+
+    /// Base radius, mm.
+    pub fn base_radius(&self) -> Option<f64> {
+        Some(self.scale * self.basic_data.as_ref()?.base_radius())
+    }
+
+    /// The rack of the gear's table `gear`.
+    fn rack(&self, spec: RackSpec, gear: &Table) -> Option<BasicRack> {
+        let stated = [spec.addendum, spec.dedendum, spec.root_radius];
+        let [addendum, dedendum, root_radius] = stated.map(|length| length / self.in_section);
+        let rack = BasicRack::new(addendum, dedendum, root_radius);
+        let rack = rack.map_err(|error| match error {
+            GearError::OutOfRange { value, allowed, .. } => {
+                format!("{value} is out of range, allowed is {allowed}")
+            }
+            other => other.to_string(),
+        });
+        gear.keep(
+            "rack.root_radius",
+            rack,
+            "reduce it, or give a greater dedendum",
+        )
+    }
+
+    /// Warns of a face too short for the span of helical teeth.
+    fn beside_helix(&mut self, of: &Statements, gear: &AsBuilt) -> Option<()> {
+        let helix = self.helix?;
+        if helix.angle_deg == 0.0 {
+            return Some(());
+        }
+        let span = of.thickness.statement.span.as_ref().map(|span| span.teeth);
+        let name = of.table.path_of("face_mm");
+        let name = name.trim_end_matches(".face_mm").to_owned();
+        self.warnings
+            .extend(helix::short_for_span(helix.face_mm, &name, gear, span));
+        Some(())
+    }
+
+    /// Puts `findings` into words. Findings on the pitch sheet's own values come before the `header_warnings`.
+    fn describe(&mut self, of: &Statements, findings: &[Finding], header_warnings: Vec<String>) {
+        let sheet = |finding: &&Finding| matches!(finding, Finding::PitchDoesNotClose { .. });
+        let of_sheet = findings.iter().take_while(sheet).count();
+        let (before, after) = findings.split_at(of_sheet);
+        self.warnings
+            .extend(before.iter().map(|finding| findings::describe(of, finding)));
+        self.warnings.extend(header_warnings);
+        for finding in after {
+            let list = if finding.is_in_order() {
+                &mut self.remarks
+            } else {
+                &mut self.warnings
+            };
+            list.push(findings::describe(of, finding));
+        }
+    }
+}
+
+fn basic_data(
+    table: &Table,
+    teeth: Option<u32>,
+    module_mm: Option<f64>,
+    pressure_angle_deg: Option<f64>,
+) -> Option<BasicGearData> {
+    let basic_data = BasicGearData::new(teeth?, module_mm?, pressure_angle_deg?.to_radians());
+    table.keep("module_mm", basic_data, "correct the gear's basic data")
+}
+
+/// The result of `of` for the gear in each material.
+pub fn materials<S, T>(built: &Toleranced<S>, of: impl Fn(&S) -> T) -> Vec<(Material, T)> {
+    match built {
+        Toleranced::Single(gear) => vec![(Material::AsMeasured, of(gear))],
+        Toleranced::Band { least, most } => {
+            vec![(Material::Most, of(most)), (Material::Least, of(least))]
+        }
+    }
+}

@@ -1,0 +1,376 @@
+//! `[lead]`: deviations of the flanks along the face, for both flanks or each.
+//!
+//! Heights of the file count from the reference face's end of the teeth. A [`Lead`] counts heights from the measuring plane, away from
+//! the reference face.
+
+use super::helix::Helix;
+use super::spec::{
+    Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, GearSpec, LeadSpec, ReliefEnd, ReliefShape,
+    SlopeLength, SpurSlopeSpec, TeethEnd, TraceSpec,
+};
+use super::traces::{self, Along, Measured};
+use gearlash::gear::{BasicGearData, EndRelief, Face, Flank, Hand, Lead, Trace};
+use gearlash::metrology::LeadKey;
+use gearlash_tables::Header;
+use gearlash_text::Table;
+use gearlash_text::numbers::shortest;
+
+const NAME: &str = "lead";
+/// Share of the face width that the evaluation range leaves out at each end, unless one module is less; ISO 1328-1.
+const END_SHARE: f64 = 0.05;
+
+/// Face, evaluation range and zero of leads, and the share of a stated slope that the evaluation range has. Heights count from the reference
+/// face's end of the teeth.
+fn shape(
+    [near, far]: [f64; 2],
+    range_mm: [f64; 2],
+    zero_mm: f64,
+    over: SlopeLength,
+) -> (Lead, f64) {
+    let at = |height: f64| (near + height).clamp(near, far);
+    let range = range_mm.map(at);
+    let share = match over {
+        SlopeLength::Range => 1.0,
+        SlopeLength::Face => (range[1] - range[0]) / (far - near),
+    };
+    let lead = Lead {
+        face: [near, far],
+        range,
+        zero: at(zero_mm),
+        ..Lead::default()
+    };
+    (lead, share)
+}
+
+/// The evaluation range of a gear of this module that states none.
+fn default_range(width: f64, module_mm: f64) -> [f64; 2] {
+    let margin = (END_SHARE * width).min(module_mm);
+    [margin, width - margin]
+}
+
+/// The leads of a gear as understood, to which further ones are added, with their [`shape`]; `None` without a face.
+pub fn to_add_to(gear: &GearSpec) -> Option<(LeadSpec, Lead, f64)> {
+    let face = gear.heights()?;
+    let mut spec = gear.lead.clone().unwrap_or_default();
+    let range = default_range(face[1] - face[0], gear.module_mm);
+    let (range, zero) = (
+        spec.range_mm.unwrap_or(range),
+        spec.zero_mm.unwrap_or(-face[0]),
+    );
+    (spec.range_mm, spec.zero_mm) = (Some(range), Some(zero));
+    let scale = gear.scale();
+    let (face, heights) = (face.map(|end| scale * end), range.map(|end| scale * end));
+    let (shape, share) = shape(face, heights, scale * zero, spec.over);
+    Some((spec, shape, share))
+}
+
+/// The leads of `gear` with the slopes and crownings, mm, of `further` ones of right and left flanks, which have its [`shape`].
+pub fn with_further(gear: &GearSpec, further: &[Lead; 2]) -> Option<LeadSpec> {
+    let (mut spec, _, share) = to_add_to(gear)?;
+    let mut flanks = spec.flanks.flanks().map(FlankLeadSpec::clone);
+    for (flank, further) in flanks.iter_mut().zip(further) {
+        let um = 1e3 / gear.scale();
+        *flank.slope_um.get_or_insert_default() += um * further.slope / share;
+        *flank.crowning_um.get_or_insert_default() += um * further.crowning;
+    }
+    spec.flanks = FlanksSpec::new(flanks);
+    Some(spec)
+}
+
+#[derive(Debug, Clone)]
+pub struct Leads {
+    /// As in the pair file: defaults filled in, traces as lists from the reference face in the transverse section.
+    pub spec: LeadSpec,
+    /// Their [`shape`].
+    shape: (Lead, f64),
+    hand: Hand,
+    /// Statements about the gear in the files of traces.
+    pub headers: Vec<Header>,
+    pub warnings: Vec<String>,
+}
+
+/// The data of a gear that its leads need, as far as they are known.
+pub struct LeadGear<'a> {
+    pub teeth: Option<u32>,
+    pub module_mm: Option<f64>,
+    pub helix: Option<Helix>,
+    pub basic_data: Option<&'a BasicGearData>,
+}
+
+impl Leads {
+    /// Reads the leads `spec` of the gear's table `gear`; `Some(None)` without any.
+    pub fn read(
+        gear: &Table,
+        spec: Option<LeadSpec>,
+        part: &LeadGear,
+        face: Face,
+    ) -> Option<Option<Leads>> {
+        let Some(mut spec) = spec else {
+            return Some(None);
+        };
+        let table = gear.below(NAME);
+        let helix = part.helix?;
+        let Some([from, to]) = helix.face_mm else {
+            return gear.refuse(
+                "face_width_mm",
+                format!(
+                    "missing, expected the face width, or face_mm = [from, to] from the measuring plane, beside [{}]",
+                    gear.path_of(NAME)
+                ),
+                "give the length of the teeth along the axis: leads run over all of it",
+            );
+        };
+        let basic_data = part.basic_data?;
+        let face = face.heights([from, to]);
+        let width = to - from;
+        let mut warnings = Vec::new();
+        let is_helical = helix.angle_deg != 0.0;
+        let teeth_hand = helix.hand.filter(|_| is_helical);
+        let hand = hand(&table, &mut spec.flanks, teeth_hand, &mut warnings)?;
+        let plane = 0.0 - face[0];
+        open_conventions(&table, &spec, plane, is_helical, &mut warnings);
+
+        let zero_mm = spec.zero_mm.unwrap_or(plane);
+        if !(0.0..=width).contains(&zero_mm) {
+            let missing = if spec.zero_mm.is_none() {
+                "missing: the measuring plane is at "
+            } else {
+                ""
+            };
+            return table.refuse(
+                "zero_mm",
+                format!("{missing}height {zero_mm} mm, off the teeth: allowed is 0 … {width} mm"),
+                "give the height at which pitch and thickness were measured, from the reference face's end of the teeth",
+            );
+        }
+        let range_mm = default_range(width, part.module_mm?);
+        let range_mm = spec.range_mm.unwrap_or(range_mm);
+        if !(0.0 <= range_mm[0] && range_mm[0] < range_mm[1] && range_mm[1] <= width) {
+            return table.refuse(
+                "range_mm",
+                format!(
+                    "no evaluation range, allowed are two heights, 0 … {width} mm, the lesser first"
+                ),
+                "write range_mm = [start, end], from the reference face's end of the teeth",
+            );
+        }
+        let along = Along::Face {
+            width,
+            helix_cos: basic_data.base_helix_angle().cos(),
+        };
+        let measured = Measured::new(part.teeth, along);
+        let mut flanks = traces::read_flanks(&table, spec.flanks, &measured)?;
+        if spec.from == TeethEnd::Far {
+            for flank in &mut flanks {
+                flank.trace = flank.trace.take().map(|traces| match traces {
+                    Either::One(one) => Either::One(turned(one, width)),
+                    Either::Other(list) => {
+                        Either::Other(list.into_iter().map(|one| turned(one, width)).collect())
+                    }
+                });
+            }
+        }
+        Some(Some(Leads {
+            shape: shape(face, range_mm, zero_mm, spec.over),
+            spec: LeadSpec {
+                flanks: FlanksSpec::new(flanks),
+                zero_mm: Some(zero_mm),
+                range_mm: Some(range_mm),
+                from: TeethEnd::Reference,
+                ..spec
+            },
+            hand,
+            headers: measured.into_headers(),
+            warnings,
+        }))
+    }
+
+    /// The leads of right flanks and of left ones.
+    pub fn measured(&self) -> [Lead; 2] {
+        let (shape, share) = &self.shape;
+        let [near, far] = shape.face;
+        let point = |(height, um): (&f64, &f64)| ((near + height).clamp(near, far), um / 1000.0);
+        let lead = |(own, flank): (Flank, &FlankLeadSpec)| {
+            let turn = helix_slope(flank).map_or(0.0, |(um, hand)| {
+                Lead::slope_of_helix(um, hand.unwrap_or(self.hand), own)
+            });
+            let reliefs = flank.end_relief.iter().flat_map(Either::as_list);
+            let traces = flank.trace.iter().flat_map(Either::as_list);
+            let trace = |trace: &TraceSpec| {
+                let heights = trace.from_reference_face_mm.iter().flatten();
+                let points = heights.zip(trace.deviation_um.iter().flatten());
+                Trace {
+                    tooth: trace.tooth,
+                    points: points.map(point).collect(),
+                }
+            };
+            Lead {
+                slope: share * (flank.slope_um.unwrap_or(0.0) + turn) / 1000.0,
+                crowning: flank.crowning_um.unwrap_or(0.0) / 1000.0,
+                end_reliefs: reliefs.flat_map(end_reliefs).collect(),
+                traces: traces.map(trace).collect(),
+                ..shape.clone()
+            }
+        };
+        let [right, left] = self.spec.flanks.flanks();
+        [(Flank::Right, right), (Flank::Left, left)].map(lead)
+    }
+}
+
+/// The key, below the gear's table, that states `key` of a flank.
+pub fn key_of(gear: &Table, flank: Flank, key: LeadKey) -> String {
+    match key {
+        LeadKey::EndRelief => traces::key_of(gear, NAME, flank, "end_relief"),
+        LeadKey::Trace => traces::key_of(gear, NAME, flank, "trace"),
+        LeadKey::Range => format!("{NAME}.range_mm"),
+        LeadKey::All => NAME.to_owned(),
+    }
+}
+
+/// Reports keys that are given for both flanks and again for one.
+pub fn check(gear: &Table) -> Option<()> {
+    traces::check_flanks(gear, NAME)
+}
+
+/// The hand of the teeth, or that of the helix slopes of a spur gear. A number on a spur gear gets the right hand where it is positive.
+fn hand(
+    table: &Table,
+    flanks: &mut FlanksSpec<FlankLeadSpec>,
+    helix: Option<Hand>,
+    warnings: &mut Vec<String>,
+) -> Option<Hand> {
+    const KEY: &str = "helix_slope_um";
+    let tables = [
+        (table.clone(), Some(&mut flanks.both)),
+        (table.below(Flank::Right.name()), flanks.right.as_mut()),
+        (table.below(Flank::Left.name()), flanks.left.as_mut()),
+    ];
+    let mut read_as = None;
+    for (table, flank) in tables {
+        let Some(slope) = flank.and_then(|flank| flank.helix_slope_um.as_mut()) else {
+            continue;
+        };
+        match (&*slope, helix) {
+            (Either::Other(_), Some(hand)) => {
+                return table.refuse(
+                    KEY,
+                    format!(
+                        "the gear is {}-hand, allowed is a number of µm, + = greater helix angle",
+                        hand.name()
+                    ),
+                    "write a number",
+                );
+            }
+            (Either::One(um), None) => {
+                let hand = if *um < 0.0 { Hand::Left } else { Hand::Right };
+                let stated = SpurSlopeSpec::new(um.abs(), hand);
+                read_as.get_or_insert((table.path_of(KEY), *um, hand));
+                *slope = Either::Other(stated);
+            }
+            _ => {}
+        }
+    }
+    warnings.extend(read_as.map(|(key, um, hand)| {
+        format!(
+            "{key}: {um} µm of a spur gear without a hand counts as {}-hand; write \"{size} r\" or \"{size} l\"",
+            hand.name(),
+            size = um.abs()
+        )
+    }));
+    Some(helix.unwrap_or(Hand::Right))
+}
+
+/// Warnings of conventions that values depend on and that `spec` does not state. `plane` is the height of the measuring plane, mm.
+fn open_conventions(
+    table: &Table,
+    spec: &LeadSpec,
+    plane: f64,
+    is_helical: bool,
+    warnings: &mut Vec<String>,
+) {
+    let FlanksSpec { both, right, left } = &spec.flanks;
+    let flanks = || {
+        [Some(both), right.as_ref(), left.as_ref()]
+            .into_iter()
+            .flatten()
+    };
+    let has = |is_stated: fn(&FlankLeadSpec) -> bool| flanks().any(is_stated);
+    let has_slopes = has(|flank| flank.slope_um.is_some() || flank.helix_slope_um.is_some());
+    let has_traces = has(|flank| flank.trace.is_some());
+    let has_crowning = has(|flank| flank.crowning_um.is_some());
+    let traces = || flanks().flat_map(|flank| flank.trace.iter().flat_map(Either::as_list));
+    let has_teeth = traces().any(|trace| trace.tooth.is_some() || trace.table.is_some());
+    let lacks_direction = traces().any(|trace| trace.direction.is_none());
+    let conventions = [
+        (
+            "over",
+            has_slopes,
+            "slopes refer to the evaluation range; write over = \"range\", or \"face\" where they are over the whole width".to_owned(),
+        ),
+        (
+            "from",
+            has_traces,
+            "heights of traces count from the reference face; write from = \"reference\", or \"far\" where they begin at the other end".to_owned(),
+        ),
+        (
+            "axis",
+            has_teeth,
+            "traces count as measured about the axis of the teeth; write axis = \"own\", or \"datum\" where it was the bore".to_owned(),
+        ),
+        (
+            "zero_mm",
+            has_crowning || has_traces,
+            format!(
+                "pitch and thickness count as measured in the measuring plane, at height {height} mm; write zero_mm = {height}, or the height where they were",
+                height = shortest(plane)
+            ),
+        ),
+        (
+            "trace.direction",
+            is_helical && lacks_direction,
+            "deviations of traces count in the transverse section; write direction = \"transverse\", or \"normal\" where they are square to the teeth".to_owned(),
+        ),
+    ];
+    for (key, is_needed, words) in conventions {
+        if is_needed && !table.has(key) {
+            warnings.push(format!("{}: not stated, {words}", table.path_of(key)));
+        }
+    }
+}
+
+/// The helix slope of a flank, µm, and its hand where it states one.
+fn helix_slope(flank: &FlankLeadSpec) -> Option<(f64, Option<Hand>)> {
+    match flank.helix_slope_um.as_ref()? {
+        Either::One(um) => Some((*um, None)),
+        Either::Other(stated) => stated.parsed().map(|(um, hand)| (um, Some(hand))),
+    }
+}
+
+fn end_reliefs(spec: &EndReliefSpec) -> Vec<EndRelief> {
+    let ends: &[bool] = match spec.end {
+        ReliefEnd::Reference => &[false],
+        ReliefEnd::Far => &[true],
+        ReliefEnd::Both => &[false, true],
+    };
+    let relief = |at_far_end: &bool| EndRelief {
+        amount: spec.um / 1000.0,
+        length: spec.length_mm,
+        at_far_end: *at_far_end,
+        parabolic: spec.shape == ReliefShape::Parabolic,
+    };
+    ends.iter().map(relief).collect()
+}
+
+/// A trace whose heights count from the other end of teeth of this `width`.
+fn turned(mut trace: TraceSpec, width: f64) -> TraceSpec {
+    if let Some(heights) = &mut trace.from_reference_face_mm {
+        for height in heights.iter_mut() {
+            *height = width - *height;
+        }
+        heights.reverse();
+    }
+    if let Some(deviations) = &mut trace.deviation_um {
+        deviations.reverse();
+    }
+    trace
+}

@@ -1,0 +1,315 @@
+//! From a pair file to a [`Study`](gearlash::analysis::study::Study): every key of the interface, every problem at once.
+//!
+//! A file becomes a tree of values (`source`, `node`). The schema of the spec checks it (`check`), then serde reads the spec. The
+//! tables it names are read (`gearlash-tables`). Metrology and geometry take the result: `faults` finds the keys of their errors,
+//! `findings` puts their findings into words. This package computes nothing about gears.
+//!
+//! ```no_run
+//! use std::path::Path;
+//!
+//! let pair = gearlash_input::read(Path::new("fixtures/karba_44x44.toml"))?;
+//! for warning in &pair.warnings {
+//!     eprintln!("{warning}");
+//! }
+//! println!("{} poses", pair.study.pose_count());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod assembly;
+mod check;
+mod common_face;
+mod distance;
+mod faults;
+mod findings;
+mod gauged_file;
+mod gear;
+mod helix;
+pub mod import;
+mod lead;
+pub mod matching;
+mod measured;
+pub mod outlines;
+mod pair_file;
+mod pair_slips;
+mod pitch;
+mod profile;
+mod read;
+mod runout;
+mod shafts;
+pub mod spec;
+mod statements;
+mod sweep;
+mod temperature;
+mod thickness;
+pub mod tolerance;
+mod tolerance_table;
+mod traces;
+mod unit_slips;
+mod unknown_key;
+
+use check::Checked;
+use gearlash_text::{Files, InputError, Node, Problem, Reading, Table, bytes, named, source};
+use pair_file::PairTables;
+use std::ffi::OsStr;
+use std::path::Path;
+use std::rc::Rc;
+
+pub use distance::with_distance;
+pub use gauged_file::{NoGearFile, gauged_file};
+pub use helix::short_for_span;
+pub use pair_file::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
+pub use pair_slips::in_tolerance as tolerance_slip;
+pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
+pub use spec::{explained, gear_schema, pair_schema, schemas};
+
+/// A pair file or gear file as a tree of values.
+#[derive(Clone, Copy)]
+struct Tree<'a> {
+    path: &'a Path,
+    reading: &'a Rc<Reading>,
+    entries: &'a [(String, Node)],
+}
+
+impl<'a> Tree<'a> {
+    fn table(&self) -> Table<'a> {
+        Table::new("", self.reading, self.entries)
+    }
+
+    /// Whether it is a gear file: it has `[gear]`.
+    fn is_gear_file(&self) -> bool {
+        self.entries.iter().any(|(key, _)| key == "gear")
+    }
+
+    /// The stem of the file, and its title without a problem; by default the stem.
+    fn names(&self, file: &Checked) -> (String, Option<String>) {
+        let stem = self.path.file_stem().unwrap_or_default();
+        let stem = stem.to_string_lossy().into_owned();
+        let title = file.read::<String>("title");
+        let title = title.map(|title| title.unwrap_or_else(|| stem.clone()));
+        (stem, title)
+    }
+}
+
+/// Reads the pair file at `path`: TOML, or JSON with the same keys. `-` is standard input, relative to the working folder.
+///
+/// # Errors
+/// [`InputError`] with all problems of the file, each with key, value, what is allowed and what to do.
+pub fn read(path: &Path) -> Result<PairFile, InputError> {
+    with_tree(path, pair)
+}
+
+/// Reads the pair file at `path`, whose gears must be given by their data.
+///
+/// # Errors
+/// As [`read`]; a gear given by an outline.
+pub fn read_by_data(path: &Path) -> Result<PairFile, InputError> {
+    with_tree(path, pair_by_data)
+}
+
+/// Reads the pair file `text`, TOML or JSON, called `name` in messages; the files that it names are looked for in the working folder.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_text(name: &Path, text: &str) -> Result<PairFile, InputError> {
+    of_text(name, text, pair)
+}
+
+/// Reads the pair file `main` of `files`; the files that it names are among them.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_files(files: Rc<Files>, main: &str) -> Result<PairFile, InputError> {
+    let name = Path::new(main);
+    let text = files.bytes(name).and_then(source::text);
+    with_text(name, Reading::of_files(files), text, pair)
+}
+
+/// Reads a pair from two drawings.
+///
+/// # Errors
+/// As [`read`]; it names options of the command line, not keys.
+pub fn read_drawings(drawings: &outlines::Drawings) -> Result<PairFile, InputError> {
+    let mut warnings = Vec::new();
+    let drawings = drawings.with_units_needed(None, &mut warnings);
+    let stem = |path: &Path| path.file_stem().unwrap_or_default().to_os_string();
+    let mut name = stem(drawings.wheel);
+    name.push("_");
+    name.push(stem(drawings.pinion));
+    let read = of_text(Path::new(&name), &drawings.pair_file(), pair);
+    let mut file = read.map_err(outlines::by_flags)?;
+    file.warnings.splice(..0, warnings);
+    Ok(file)
+}
+
+/// Reads two drawings of one gear and compares them.
+///
+/// # Errors
+/// As [`read_drawings`].
+pub fn compare_drawings(
+    drawings: &outlines::TwoDrawings,
+) -> Result<outlines::ComparedOutlines, InputError> {
+    let mut warnings = [Vec::new(), Vec::new()];
+    let mut drawings = *drawings;
+    for (k, path) in drawings.paths.into_iter().enumerate() {
+        let given = drawings.options[k];
+        let needed = given.with_unit_needed(path, None, &mut warnings[k]);
+        drawings.options[k] = needed;
+    }
+    let read = of_text(drawings.paths[1], &drawings.tables(), |file| {
+        drawings.compared(file)
+    });
+    let compared = read.map_err(outlines::by_flags)?;
+    Ok(outlines::ComparedOutlines {
+        warnings,
+        ..compared
+    })
+}
+
+/// Reads the gears of the file at `path`: a gear file (`title` and one `[gear]` with the keys of `[wheel]`), or a pair file.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
+    with_tree(path, gears)
+}
+
+/// Reads the gears of the file at `path`, which must be given by their data.
+///
+/// # Errors
+/// As [`read_by_data`].
+pub fn read_gears_by_data(path: &Path) -> Result<GearsFile, InputError> {
+    with_tree(path, gears_by_data)
+}
+
+/// Reads the gears of the gear file or pair file `text`, which must be given by their data.
+///
+/// # Errors
+/// As [`read_by_data`].
+pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError> {
+    of_text(name, text, gears_by_data)
+}
+
+/// Reads the gear of the drawing at `path`.
+///
+/// # Errors
+/// As [`read_drawings`].
+pub fn read_drawing(
+    path: &Path,
+    options: &outlines::OutlineOptions,
+) -> Result<GearsFile, InputError> {
+    let mut warnings = Vec::new();
+    let options = options.with_unit_needed(path, None, &mut warnings);
+    let text = outlines::of_drawing(path, &options);
+    let mut file = of_text(path, &text, gears).map_err(outlines::by_flags)?;
+    file.warnings.splice(..0, warnings);
+    Ok(file)
+}
+
+fn pair(file: &Tree) -> Option<PairFile> {
+    PairTables::read(file).study()
+}
+
+/// The pair, which must be given by its data.
+fn pair_by_data(file: &Tree) -> Option<PairFile> {
+    outlines::refuse(file)?;
+    pair(file)
+}
+
+fn gears(file: &Tree) -> Option<GearsFile> {
+    if file.is_gear_file() {
+        read::gear_file(file)
+    } else {
+        pair(file).map(GearsFile::from)
+    }
+}
+
+/// The gears, which must all be given by their data.
+fn gears_by_data(file: &Tree) -> Option<GearsFile> {
+    outlines::refuse(file)?;
+    gears(file)
+}
+
+/// The result of `understand` for the file at `path`.
+fn with_tree<T>(path: &Path, understand: impl FnOnce(&Tree) -> Option<T>) -> Result<T, InputError> {
+    let bytes = bytes(path).and_then(|bytes| refuse_other_kinds(named(path), bytes));
+    let text = bytes.and_then(source::text);
+    with_text(named(path), Reading::of(path), text, understand)
+}
+
+/// Whether the file at `path` is to be read as a gearbox model (REXS), by its name.
+pub fn is_rexs(path: &Path) -> bool {
+    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+    ending.is_some_and(|ending| ["rexs", "rexsj", "rexsz"].iter().any(|one| ending == *one))
+}
+
+/// The `bytes` of the file at `path`, which should be a pair file or gear file.
+/// Errors: the file is a drawing, a table or a gearbox model, by its name or as XML.
+fn refuse_other_kinds(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let is_xml = text.trim_ascii_start().starts_with(b"<");
+    let holds = |tag: &[u8]| is_xml && text.windows(tag.len()).any(|part| part == tag);
+    let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+    let ends = |endings: &[&str]| endings.contains(&&ending.to_ascii_lowercase()[..]);
+    let file = path.display();
+    let (reason, help) = if is_rexs(path) || holds(b"<model") {
+        let help = format!(
+            "gearlash import {file} --stage ID -o pair.toml writes the pair file of a stage"
+        );
+        ("is a gearbox model", help)
+    } else if ends(&["dxf", "dwg"]) || holds(b"<svg") {
+        let help = "gearlash init --outline writes a pair file that names drawings; check, compare and gauge also take drawings";
+        ("is a drawing", help.to_owned())
+    } else if ends(&["csv", "xlsx", "xls", "ods", "mka"]) {
+        let help = format!(
+            "gearlash import {file} shows its numbers and the lines of a pair file that name it"
+        );
+        ("is a table", help)
+    } else {
+        return Ok(bytes);
+    };
+    Err(Problem::of_file(reason, help))
+}
+
+/// The result of `understand` for a `text`.
+fn of_text<T>(
+    name: &Path,
+    text: &str,
+    understand: impl FnOnce(&Tree) -> Option<T>,
+) -> Result<T, InputError> {
+    let reading = Reading::default();
+    with_text(name, reading, Ok(text.to_owned()), understand)
+}
+
+fn with_text<T>(
+    path: &Path,
+    reading: Reading,
+    text: Result<String, Problem>,
+    understand: impl FnOnce(&Tree) -> Option<T>,
+) -> Result<T, InputError> {
+    let reading = Rc::new(reading);
+    let text = reading.keep(text);
+    let entries = text
+        .as_ref()
+        .and_then(|text| source::parse(path, text, &reading))
+        .map(|mut entries| {
+            reading.to_mm(&mut entries);
+            entries
+        });
+    let understood = entries.and_then(|entries| {
+        let (reading, entries) = (&reading, &entries);
+        understand(&Tree {
+            path,
+            reading,
+            entries,
+        })
+    });
+    match understood {
+        Some(understood) if reading.is_good() => Ok(understood),
+        _ => Err(InputError {
+            text: text
+                .filter(|text| !source::is_json(path, text))
+                .unwrap_or_default(),
+            ..InputError::of(path, reading.take_problems())
+        }),
+    }
+}

@@ -1,0 +1,69 @@
+//! The tables of one gear, and their keys.
+
+use super::lead::Leads;
+use super::pitch::PitchSheet;
+use super::profile::Profiles;
+use super::runout::Runout;
+use super::spec::{CrossCheckSpec, StatementSpec, ThicknessSpec};
+use super::thickness;
+use gearlash::gear::{Face, Flank, GearDesign, PitchAxis};
+use gearlash::metrology::{Measurements, StatementRole};
+use gearlash_text::Table;
+
+/// The tables of one gear, as understood.
+pub struct Statements<'a> {
+    /// `[wheel]`, `[pinion]` or `[gear]`.
+    pub table: &'a Table<'a>,
+    /// The design, the tip diameter filled in.
+    pub design: GearDesign,
+    pub thickness: ThicknessSpec,
+    pub pitch: Option<PitchSheet>,
+    pub runout: Runout,
+    pub profiles: Profiles,
+    pub leads: Option<Leads>,
+}
+
+impl Statements<'_> {
+    pub fn measurements(&self, face: Face) -> Measurements {
+        Measurements {
+            design: self.design,
+            face,
+            thickness: self.thickness.statement.measured(),
+            per_tooth_um: self.thickness.per_tooth_um.clone().unwrap_or_default(),
+            cross_check: self
+                .thickness
+                .cross_check
+                .as_ref()
+                .map(CrossCheckSpec::measured),
+            pitch: self.pitch.as_ref().map(PitchSheet::measured),
+            runout: self.runout.measured(),
+            wobble: self.runout.wobble,
+            profiles: self.profiles.measured(&self.design.basic_data),
+            leads_about_datum: self
+                .leads
+                .as_ref()
+                .is_some_and(|leads| leads.spec.axis == PitchAxis::Datum),
+            leads: self.leads.as_ref().map(Leads::measured).unwrap_or_default(),
+        }
+    }
+
+    /// A statement of the thickness, and the table of it below the gear's.
+    pub fn of_thickness(&self, role: StatementRole) -> (&StatementSpec, &'static str) {
+        match (role, &self.thickness.cross_check) {
+            (StatementRole::CrossCheck, Some(check)) => (&check.statement, thickness::CROSS_CHECK),
+            _ => (&self.thickness.statement, "thickness"),
+        }
+    }
+
+    /// The key, below the gear's table, that gives the pitch of a flank.
+    pub fn pitch_key(&self, flank: Flank) -> &'static str {
+        self.pitch
+            .as_ref()
+            .map_or("pitch", |sheet| sheet.key(flank))
+    }
+
+    /// The pitch's `sense` that reads the left flank the other way round.
+    pub fn other_sense(&self) -> &'static str {
+        self.pitch.as_ref().map_or("", |sheet| sheet.other_sense())
+    }
+}

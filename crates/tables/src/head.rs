@@ -1,0 +1,229 @@
+//! The header of a table: the line that names its columns, with the group headings above and the units below.
+
+use super::choice::{Choice, TOOTH};
+use super::column::{Column, Quantity};
+use super::grid::{Cell, Line, letter};
+use super::heading;
+use crate::data_file::DataFile;
+use gearlash_text::Problem;
+use gearlash_text::characters::listed;
+use std::fmt::Display;
+
+/// Lines in which a header is searched, and most cells of such a line. Each cell takes some µs.
+const MAX_SEARCHED: usize = 1_000;
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Heading {
+    /// Its own cell; empty without one.
+    own: String,
+    /// Its own cell, preceded by that of its group.
+    pub shown: String,
+    /// `None` where the words are not known.
+    pub meaning: Option<Column>,
+    pub unit: Option<&'static str>,
+}
+
+impl Heading {
+    /// The quantity, where the words are known.
+    pub fn quantity(&self) -> Option<Quantity> {
+        self.meaning.map(|meaning| meaning.quantity)
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Head {
+    /// Its line in the file, from 1.
+    pub line: u64,
+    pub at: usize,
+    /// Whether the line above holds the headings of groups.
+    pub has_groups: bool,
+    /// Whether the line below holds units.
+    pub has_units: bool,
+    pub headings: Vec<Heading>,
+}
+
+impl Head {
+    /// The line at place `at` of `lines`, read as a header.
+    pub fn of(lines: &[Line], at: usize) -> Head {
+        let line = &lines[at];
+        let groups = at.checked_sub(1).map(|above| &lines[above]);
+        let groups = groups.filter(|above| !above.is_comment() && !above.has_number());
+        let units = lines.get(at + 1).filter(|below| is_units(below));
+        let width = line
+            .cells
+            .len()
+            .max(groups.map_or(0, |above| above.cells.len()));
+        let (mut filled, mut has_groups) = ("", false);
+        let headings = (0..width).map(|place| {
+            let own = line.cell(place).text().trim_start_matches(['#', ' ']);
+            let direct = groups.map_or("", |above| above.cell(place).text());
+            if !direct.is_empty() {
+                filled = direct;
+            }
+            // The text of a merged cell is in its upper line, and in its first column.
+            let group = if own.is_empty() { direct } else { filled };
+            let group = Some(group).filter(|group| is_group(group, direct == *group));
+            let (name, unit) = heading::name_and_unit(own);
+            let (group_name, group_unit) = heading::name_and_unit(group.unwrap_or_default());
+            let meaning = if name.is_empty() {
+                heading::meaning(group_name, None)
+            } else {
+                heading::meaning(name, group.map(|_| group_name))
+            };
+            has_groups |= group.is_some();
+            let below = units.and_then(|units| heading::unit(units.cell(place).text()));
+            let differ = unit.zip(below).is_some_and(|(unit, below)| unit != below);
+            Heading {
+                own: own.to_owned(),
+                shown: format!("{} {own}", group.unwrap_or_default())
+                    .trim()
+                    .to_owned(),
+                meaning,
+                unit: if differ {
+                    Some("two units")
+                } else {
+                    unit.or(below).or(group_unit)
+                },
+            }
+        });
+        let mut headings: Vec<Heading> = headings.collect();
+        // A title may be wider than the table.
+        if !has_groups {
+            headings.truncate(line.cells.len());
+        }
+        Head {
+            line: line.number,
+            at,
+            has_groups,
+            has_units: units.is_some(),
+            headings,
+        }
+    }
+
+    /// The first line of `lines` that is a header by `is_one`; or the line below, where that is a header with the first as its
+    /// groups. A line that the pair file names takes precedence.
+    pub fn find(lines: &[Line], choice: &Choice, is_one: impl Fn(&Head) -> bool) -> Option<Head> {
+        let good = |at: usize| Some(Head::of(lines, at)).filter(|head| is_one(head));
+        if let Some(row) = choice.table.header_row {
+            return good(
+                lines
+                    .iter()
+                    .position(|line| line.number == u64::from(row))?,
+            );
+        }
+        let searched = lines.len().min(MAX_SEARCHED);
+        let mut places = (0..searched).filter(|at| {
+            let line = &lines[*at];
+            !line.is_comment() && line.cells.len() <= MAX_SEARCHED
+        });
+        let first = places.find_map(good)?;
+        let next = lines.get(first.at + 1);
+        if first.has_units || next.is_none_or(|next| next.is_comment() || next.has_number()) {
+            return Some(first);
+        }
+        // Words that have a meaning with those above belong to the header, even if it then lacks a wanted column.
+        let below = Head::of(lines, first.at + 1);
+        let means = |heading: &Heading| {
+            let quantity = heading.quantity();
+            !heading.own.is_empty()
+                && quantity.is_some_and(|quantity| quantity != Quantity::Unstated)
+        };
+        if is_one(&below) || (below.has_groups && below.headings.iter().any(means)) {
+            Some(below).filter(|below| is_one(below))
+        } else {
+            Some(first)
+        }
+    }
+
+    /// The columns whose heading `fits`.
+    pub fn places(&self, fits: impl Fn(&Heading) -> bool) -> Vec<usize> {
+        let headings = self.headings.iter().enumerate();
+        headings
+            .filter(|(_, heading)| fits(heading))
+            .map(|(place, _)| place)
+            .collect()
+    }
+
+    pub fn all(&self) -> Vec<usize> {
+        self.places(|heading| !heading.shown.is_empty())
+    }
+
+    /// The columns that `name` can mean: by their heading, or else by their letter.
+    fn named(&self, name: &str) -> Vec<usize> {
+        let name = name.trim();
+        let is = |text: &str| text == name || heading::name_and_unit(text).0 == name;
+        let places =
+            self.places(|heading| !name.is_empty() && (is(&heading.own) || is(&heading.shown)));
+        if !places.is_empty() {
+            return places;
+        }
+        let by_letter = (0..self.headings.len()).filter(|place| letter(*place) == name);
+        by_letter.collect()
+    }
+
+    /// The columns that can be `wanted`, by `choice` or by their headings.
+    pub fn places_of(&self, wanted: Column, choice: &Choice) -> Vec<usize> {
+        match choice.column(wanted.key()) {
+            Some(name) => self.named(name),
+            None => self.places(|heading| {
+                heading
+                    .meaning
+                    .is_some_and(|meaning| wanted.may_be(meaning))
+            }),
+        }
+    }
+
+    /// The columns that can hold tooth numbers of a table with `wanted` columns.
+    pub fn teeth(&self, wanted: &[Column], choice: &Choice) -> Vec<usize> {
+        if let Some(name) = choice.column(TOOTH) {
+            return self.named(name);
+        }
+        let wants = |quantity| wanted.iter().any(|column| column.quantity == quantity);
+        let teeth = self.places(|heading| match heading.quantity() {
+            Some(Quantity::Tooth) => true,
+            Some(Quantity::FirstTooth) => wants(Quantity::Span),
+            Some(Quantity::Space) => wants(Quantity::OverPins) || wants(Quantity::Runout),
+            _ => false,
+        });
+        if !teeth.is_empty() {
+            return teeth;
+        }
+        // An unspecified number in the first column is the tooth's.
+        let first = self.headings.first().and_then(Heading::quantity);
+        let is_number = first == Some(Quantity::Number);
+        if is_number { vec![0] } else { Vec::new() }
+    }
+
+    /// The column at `place` for a message: "\"Fp links\" (C)".
+    pub fn shown_one(&self, file: &DataFile, place: usize) -> String {
+        match self.headings.get(place).map(|heading| &heading.shown) {
+            Some(name) if !name.is_empty() => format!("{} ({})", file.quote(name), letter(place)),
+            _ => letter(place),
+        }
+    }
+
+    /// The columns at `places` for a message: "\"Fp links\" (C) and \"Fp left\" (G)".
+    pub fn shown(&self, file: &DataFile, places: &[usize]) -> String {
+        let shown = places.iter().map(|place| self.shown_one(file, *place));
+        let shown: Vec<String> = shown.collect();
+        listed(&shown, "and")
+    }
+
+    pub fn problem(&self, file: &DataFile, reason: String, help: impl Display) -> Problem {
+        file.problem_at(self.line, reason, help)
+    }
+}
+
+/// Whether `text` heads a group of columns: a pitch or a flank. Directly above its column any known heading does.
+fn is_group(text: &str, is_above: bool) -> bool {
+    let meaning = heading::meaning(heading::name_and_unit(text).0, None);
+    meaning.is_some_and(|Column { quantity, .. }| {
+        is_above || quantity == Quantity::Unstated || quantity.is_pitch()
+    })
+}
+
+fn is_units(line: &Line) -> bool {
+    let unit = |cell: &Cell| heading::unit(cell.text()).is_some();
+    let is_none = |cell: &Cell| *cell == Cell::Empty || heading::is_no_unit(cell.text());
+    line.cells.iter().any(unit) && line.cells.iter().all(|cell| unit(cell) || is_none(cell))
+}

@@ -1,0 +1,283 @@
+//! Meaning of a heading: the words of a column's own cell and of the group above it, and the unit.
+//!
+//! `headings.toml` holds the words. Every word must be known: "left limit" is not a left flank.
+
+use super::column::{Column, Quantity};
+use gearlash::gear::Side;
+use gearlash_text::Node;
+use serde::{Deserialize, Deserializer};
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::LazyLock;
+
+type Set = HashSet<String>;
+
+/// The words of `headings.toml`.
+#[derive(Debug, Default, Deserialize)]
+struct Vocabulary {
+    #[serde(deserialize_with = "by_word")]
+    symbols: HashMap<String, Quantity>,
+    #[serde(deserialize_with = "by_word")]
+    quantities: HashMap<String, Quantity>,
+    flanks: Flanks,
+    words: Words,
+    #[serde(deserialize_with = "by_word")]
+    units: HashMap<String, String>,
+    statistics: Statistics,
+}
+
+#[derive(Debug, Default, Deserialize)]
+struct Flanks {
+    left: Set,
+    right: Set,
+    flank: Set,
+}
+
+#[derive(Debug, Default, Deserialize)]
+struct Words {
+    fillers: Set,
+    no_unit: Set,
+}
+
+#[derive(Debug, Default, Deserialize)]
+struct Statistics {
+    symbols: Set,
+    words: Set,
+}
+
+/// A test reads the file, too.
+static VOCABULARY: LazyLock<Vocabulary> = LazyLock::new(|| {
+    let words: toml::Table = include_str!("headings.toml").parse().unwrap_or_default();
+    // Serde reads the types from the same tree as those of a pair file. To read them from TOML itself takes 70 kB of code more.
+    Node::from(toml::Value::Table(words))
+        .to()
+        .unwrap_or_default()
+});
+
+/// Reads lists of words, one for each meaning, as the meaning of each word.
+fn by_word<'de, D: Deserializer<'de>, T: Deserialize<'de> + Ord + Clone>(
+    lists: D,
+) -> Result<HashMap<String, T>, D::Error> {
+    let lists = BTreeMap::<T, Vec<String>>::deserialize(lists)?;
+    // The first meaning counts.
+    let words = lists.into_iter().rev();
+    let each = words
+        .flat_map(|(meaning, words)| words.into_iter().map(move |word| (word, meaning.clone())));
+    Ok(each.collect())
+}
+
+/// The unit in `text`, with or without brackets.
+pub fn unit(text: &str) -> Option<&'static str> {
+    let bare = text.trim().trim_start_matches(['(', '[']);
+    let bare = bare.trim_end_matches([')', ']']).trim().to_lowercase();
+    let bare = bare.strip_prefix("in ").unwrap_or(&bare);
+    VOCABULARY.units.get(bare).map(String::as_str)
+}
+
+/// Whether `text` is a placeholder for no unit in a row of units.
+pub fn is_no_unit(text: &str) -> bool {
+    let bare = text.trim_matches(['(', ')', '[', ']', '.', ' ']);
+    VOCABULARY.words.no_unit.contains(&bare.to_lowercase())
+}
+
+/// Splits the unit off a heading: `left (µm)`, `left [µm]`, `left_um` and `left / µm` have one. Other text in brackets is part of
+/// the name.
+pub fn name_and_unit(text: &str) -> (&str, Option<&'static str>) {
+    let text = text.trim();
+    for (open, close) in [('(', ')'), ('[', ']')] {
+        if let Some((name, inner)) = text
+            .strip_suffix(close)
+            .and_then(|rest| rest.rsplit_once(open))
+            && let Some(unit) = unit(inner)
+        {
+            return (name.trim(), Some(unit));
+        }
+    }
+    let last = text.rsplit_once(|c: char| matches!(c, '_' | '/') || c.is_whitespace());
+    match last.map(|(name, word)| (name, unit(word))) {
+        Some((name, Some(unit))) => (name.trim_end_matches(['/', ' ']), Some(unit)),
+        _ => (text, None),
+    }
+}
+
+/// Meaning of `name`, without its unit, below the `group` heading; `None` where a word is unknown or two words contradict.
+pub fn meaning(name: &str, group: Option<&str>) -> Option<Column> {
+    let own = of_words(name);
+    let Some(group) = group else { return own };
+    match own.map(|own| own.quantity) {
+        // Another quantity below the heading of a flank does not belong to the flank.
+        Some(quantity) if quantity != Quantity::Unstated && !quantity.is_pitch() => own,
+        _ => of_words(&format!("{group} {name}")),
+    }
+}
+
+/// The flank that a word or letter in a cell names.
+pub fn side(text: &str) -> Option<Side> {
+    match of_words(text) {
+        Some(Column {
+            side,
+            quantity: Quantity::Unstated,
+        }) => side,
+        _ => letter(&plain(text)),
+    }
+}
+
+/// One letter means a flank only beside a quantity or the word.
+fn letter(word: &str) -> Option<Side> {
+    match word {
+        "l" => Some(Side::Left),
+        "r" => Some(Side::Right),
+        _ => None,
+    }
+}
+
+fn of_words(name: &str) -> Option<Column> {
+    if let Some(quantity) = VOCABULARY.quantities.get(&plain(name)) {
+        return Some(Column::of(*quantity));
+    }
+    let (mut side, mut rest, mut has_flank) = (None, Vec::new(), false);
+    let (mut is_letter, mut is_both) = (false, false);
+    for part in parts(name) {
+        let word = plain(part);
+        let flanks = &VOCABULARY.flanks;
+        if flanks.flank.contains(&word) {
+            has_flank = true;
+            continue;
+        }
+        let letter = letter(&word);
+        is_letter |= letter.is_some();
+        let found = if flanks.left.contains(&word) {
+            Some(Side::Left)
+        } else if flanks.right.contains(&word) {
+            Some(Side::Right)
+        } else {
+            letter
+        };
+        match found {
+            Some(found) => is_both |= side.replace(found).is_some_and(|side| side != found),
+            None => rest.push(part),
+        }
+    }
+    let meaning_of = |side, quantity| Some(Column { side, quantity });
+    if is_both {
+        // "Flanke L/R": each row names its flank.
+        return meaning_of(None, Quantity::Flank).filter(|_| has_flank && rest.is_empty());
+    }
+    if rest.is_empty() {
+        let quantity = if side.is_some() {
+            Quantity::Unstated
+        } else {
+            Quantity::Flank
+        };
+        return meaning_of(side, quantity).filter(|_| has_flank || (side.is_some() && !is_letter));
+    }
+    if let Some(quantity) = of_word(&rest.concat()) {
+        return meaning_of(side, quantity);
+    }
+    rest.retain(|word| !VOCABULARY.words.fillers.contains(&plain(word)));
+    let is_number = |word: &&str| word.bytes().all(|b| b.is_ascii_digit());
+    let number = match rest.iter().copied().filter(is_number).collect::<Vec<_>>()[..] {
+        [] => None,
+        [one] => Some(one.parse::<u32>().ok()?),
+        _ => return None,
+    };
+    rest.retain(|word| !is_number(word));
+    let mut found = of_word(&rest.concat());
+    if found.is_some() {
+        rest.clear();
+    }
+    for word in rest {
+        let quantity = of_word(word)?;
+        found = Some(match found {
+            None => quantity,
+            Some(before) if before == quantity => quantity,
+            Some(Quantity::Pitch) if quantity.is_pitch() => quantity,
+            Some(before) if quantity == Quantity::Pitch && before.is_pitch() => before,
+            Some(_) => return None,
+        });
+    }
+    let quantity = match (found?, number) {
+        (Quantity::OverPins, Some(3)) => Quantity::OverThreePins,
+        (found @ Quantity::Span, _) | (found @ Quantity::OverPins, Some(2)) | (found, None) => {
+            found
+        }
+        _ => return None,
+    };
+    meaning_of(side, quantity)
+}
+
+/// The words of `name`: `Zahn-Nr.` and `W_k` are one each, `Fp-links` is two.
+fn parts(name: &str) -> impl Iterator<Item = &str> {
+    let separators = |c: char| c.is_whitespace() || "/,:=()[]|".contains(c);
+    let words = name.split(separators).flat_map(|word| {
+        let is_one = word.contains(['-', '_']) && of_word(word).is_some();
+        word.split(move |c| matches!(c, '-' | '_') && !is_one)
+    });
+    words.filter(|part| !part.is_empty())
+}
+
+fn of_word(word: &str) -> Option<Quantity> {
+    let symbol = VOCABULARY.symbols.get(word.trim_end_matches('.'));
+    let plain = plain(word);
+    let letters = plain.trim_end_matches(|c: char| c.is_ascii_digit());
+    let known = |word: &str| VOCABULARY.quantities.get(word);
+    let found = symbol.or_else(|| known(&plain));
+    let numbered = || known(&format!("{letters}#")).filter(|_| letters.len() < plain.len());
+    found.or_else(numbered).copied()
+}
+
+/// `name` in lower case without blanks, hyphens, underscores, points and colons.
+pub fn plain(name: &str) -> String {
+    let counts = |c: &char| !c.is_whitespace() && !matches!(c, '-' | '_' | '.' | ':');
+    name.chars()
+        .filter(counts)
+        .flat_map(char::to_lowercase)
+        .collect()
+}
+
+/// Whether `text` labels a line of statistics: `max`, `Fp max`, `σ (n−1)`, `Klasse 6`; a number alone is no label.
+pub fn is_statistic(text: &str) -> bool {
+    let Statistics { symbols, words } = &VOCABULARY.statistics;
+    let (name, _) = name_and_unit(text);
+    let separators = |c: char| c.is_whitespace() || "=()[]:".contains(c);
+    let mut parts = name.split(separators).filter(|part| !part.is_empty());
+    let is_label =
+        |part: &str| symbols.contains(part.trim_end_matches('.')) || words.contains(&plain(part));
+    let is_known = |part: &str| {
+        is_label(part)
+            || part.split(['-', '–', '/']).all(is_label)
+            || part.bytes().all(|b| b.is_ascii_digit())
+    };
+    let mut has_word = false;
+    let all = parts.all(|part| {
+        has_word |= !part.starts_with(|c: char| c.is_ascii_digit());
+        is_known(part)
+    });
+    words.contains(&plain(name)) || (all && has_word)
+}
+
+/// Whether `text` is not a tooth number but words, a date or all teeth: "Fp ges.", "i.O.", "Zahnweite W3", "12.03.2024", "1–44".
+///
+/// "Zahn 7" is one, too, unless it `may_be_tooth`: the line has values.
+pub fn is_remark(text: &str, may_be_tooth: bool) -> bool {
+    let begins = text.starts_with(|c: char| c.is_alphabetic());
+    if begins && text.chars().filter(|c| c.is_alphabetic()).count() > 1 {
+        let name = text.trim_end_matches(|c: char| c.is_ascii_digit() || " .:".contains(c));
+        let quantity = of_words(name).map(|meaning| meaning.quantity);
+        let is_place = matches!(
+            quantity,
+            Some(Quantity::Tooth | Quantity::Number | Quantity::Space | Quantity::FirstTooth)
+        );
+        return !(may_be_tooth && is_place && text.bytes().any(|b| b.is_ascii_digit()));
+    }
+    let ends: Vec<&str> = text.split(['-', '–', '…']).map(str::trim).collect();
+    if let [first, last] = ends[..] {
+        // All teeth: "1 – 44". A tooth is named by one number.
+        return first == "1" && last.parse::<u32>().is_ok();
+    }
+    let parts: Vec<&str> = text.split(['.', '-', '/']).collect();
+    let are_digits = parts
+        .iter()
+        .all(|part| part.bytes().all(|b| b.is_ascii_digit()));
+    let lengths: Vec<usize> = parts.iter().map(|part| part.len()).collect();
+    are_digits && (lengths == [2, 2, 4] || lengths == [4, 2, 2])
+}

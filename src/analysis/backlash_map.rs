@@ -72,16 +72,11 @@ impl BacklashMap {
             _ => (1, 1),
         };
         let start = Mating::at(wheel, pinion, Side::Right);
-        let mut maps: Vec<BacklashMap> = Vec::new();
-        for run in each {
-            let Some(pair) = run.assembly.drawn() else {
-                continue;
-            };
-            if maps.iter().all(|map| map.material != run.material) {
-                maps.push(BacklashMap::new(run, pair, start, tick)?);
-            }
-        }
-        Ok(maps)
+        let run = |material| each.iter().find(move |run| run.material == material);
+        let runs = study.material_names().filter_map(run);
+        let maps =
+            runs.filter_map(|run| Some(BacklashMap::new(run, run.assembly.drawn()?, start, tick)));
+        maps.collect()
     }
 
     fn new(

@@ -125,20 +125,17 @@ pub struct Summary {
     pub off_line_of_action: Option<f64>,
 }
 
-/// A pose of `assembly` with its analytic values, judged with `tolerance_um`. A drawn pair has none.
+/// A pose of `assembly` with the analytic values that it has, judged with `tolerance_um`.
 pub fn compared(assembly: &AssembledPair, result: PoseResult, tolerance_um: f64) -> ComparedPose {
-    let Some(assembly) = assembly.data() else {
-        return result.into();
-    };
-    let analytic: Analytic = evaluate(assembly, &result.pose);
-    let line_of_action = analytic.line_of_action.backlash(assembly);
-    ComparedPose {
-        verdict: judge(assembly, &result, line_of_action, tolerance_um * 1e-3),
-        michalec: analytic.michalec,
-        involute: analytic.involute,
-        line_of_action,
-        simulated: result,
+    let mut pose = ComparedPose::from(result);
+    if let Some(pair) = assembly.data() {
+        let analytic: Analytic = evaluate(pair, &pose.simulated.pose);
+        pose.michalec = analytic.michalec;
+        pose.involute = analytic.involute;
+        pose.line_of_action = analytic.line_of_action.backlash(pair);
+        pose.verdict = judge(pair, &pose, tolerance_um * 1e-3);
     }
+    pose
 }
 
 /// The tolerance in force: that of the command line, otherwise that of the pair file.
@@ -146,17 +143,13 @@ pub fn tolerance_um(study: &Study, given: Option<f64>) -> f64 {
     given.unwrap_or(study.tolerance_um)
 }
 
-fn judge(
-    assembly: &GearPair,
-    result: &PoseResult,
-    formula: Option<f64>,
-    tolerance: f64,
-) -> Verdict {
+fn judge(assembly: &GearPair, pose: &ComparedPose, tolerance: f64) -> Verdict {
+    let result = &pose.simulated;
     let Ok(found) = &result.found else {
         return Verdict::Unproven;
     };
     let simulated = result.backlash.zip(result.error_bound);
-    match (simulated, formula) {
+    match (simulated, pose.line_of_action) {
         (Some((simulated, bound)), Some(formula)) => {
             let difference = simulated - formula;
             if difference.abs() <= tolerance + bound {

@@ -12,7 +12,7 @@ use crate::contact::{
     PROVEN_WIDTH_DRAWN, Status,
 };
 use crate::error::{Error, Tick, go_on};
-use crate::gear::Side;
+use crate::gear::{Side, thickness};
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{FaceDeviation, GearPair, Mating, Member, SweepPlan, ToothNumbers};
 
@@ -28,7 +28,7 @@ pub fn proven_width(assembly: &AssembledPair) -> f64 {
 }
 
 /// A pair whose mesh cycle is searched. Gears by data and drawn gears have a kernel each.
-trait CyclePair {
+pub(super) trait CyclePair {
     /// [`proven_width`].
     fn width(&self) -> f64;
 
@@ -51,10 +51,27 @@ trait CyclePair {
 
     /// [`Planned::effort_of_remedy`].
     fn effort_of_remedy<'t>(&self, cycle: &Planned<'t>) -> Effort<'t>;
+
+    /// How its teeth get thinner; `None` if only one gear's can.
+    fn thinned_teeth(&self) -> Option<ThinnedTeeth>;
+}
+
+/// How teeth get thinner. The variable is the reduction of thickness or of a flank offset from nominal, mm, so that backlash grows with it.
+pub(super) struct ThinnedTeeth {
+    /// Material of wheel and pinion beyond nominal: the negative of their reduction.
+    pub material: [f64; 2],
+    /// The greatest further reduction.
+    pub most: f64,
+    /// `dj_wt` per reduction of one gear.
+    pub slope: f64,
+    /// Reduction per flank offset.
+    pub per_offset: f64,
+    /// Tooth thickness per reduction.
+    pub thickness: f64,
 }
 
 /// `assembly` as its kernel searches it.
-fn cycle_pair(assembly: &AssembledPair) -> &dyn CyclePair {
+pub(super) fn cycle_pair(assembly: &AssembledPair) -> &dyn CyclePair {
     match assembly {
         AssembledPair::Data(pair) => pair,
         AssembledPair::Drawn(pair) => pair,
@@ -112,6 +129,18 @@ impl CyclePair for OutlinePair {
     /// Each search has its own.
     fn effort_of_remedy<'t>(&self, _: &Planned<'t>) -> Effort<'t> {
         Effort::endless()
+    }
+
+    /// By the flank offset alone, which changes a tooth's thickness on both sides.
+    fn thinned_teeth(&self) -> Option<ThinnedTeeth> {
+        let [wheel, pinion] = Member::BOTH.map(|member| self.gear(member));
+        Some(ThinnedTeeth {
+            material: [wheel.flank_offset()?, pinion.flank_offset()?],
+            most: 0.25 * MOST_THICKNESS * wheel.pitch() * wheel.root_radius(),
+            slope: 4.0 * DRAWN_SLOPE,
+            per_offset: 1.0,
+            thickness: 2.0,
+        })
     }
 }
 
@@ -183,7 +212,33 @@ impl CyclePair for GearPair {
         let one = Effort::of_extremes(self, cycle.tick).left();
         Effort::new(places * one, cycle.tick)
     }
+
+    /// By the allowance.
+    fn thinned_teeth(&self) -> Option<ThinnedTeeth> {
+        let wheel = self.gear(Member::Wheel).gear();
+        let basic_data = wheel.basic_data();
+        let per_allowance = thickness::per_normal_thickness(basic_data);
+        let allowance = |member: Member| {
+            let gear = self.gear(member).gear();
+            let nominal = gear.design().nominal_base_thickness();
+            thickness::allowance_from_base(gear.basic_data(), nominal, gear.base_thickness())
+        };
+        Some(ThinnedTeeth {
+            material: Member::BOTH.map(allowance),
+            most: MOST_THICKNESS * wheel.base_thickness() / per_allowance,
+            slope: per_allowance / self.operating_pressure_angle().cos(),
+            // Two offsets along the normals increase the base tooth thickness like an allowance.
+            per_offset: thickness::base_from_span(basic_data, 1, 2.0) / per_allowance,
+            thickness: 1.0,
+        })
+    }
 }
+
+/// Increase of a drawn pair's backlash with the distance, from which searches start: `2 tan α_wt` of 14°.
+pub(super) const DRAWN_SLOPE: f64 = 0.5;
+
+/// Greatest change of a tooth's thickness, as a part of its base tooth thickness.
+const MOST_THICKNESS: f64 = 0.5;
 
 /// Places of open axes that are searched, about.
 const AXES: u64 = 8;

@@ -6,28 +6,21 @@
 //! there is no remedy. The thickness of drawn gears is changed by their flank offset alone.
 
 use super::assembles_from::threshold;
-use super::cycles::{Planned, plans, proven_width};
+use super::cycles::{DRAWN_SLOPE, Planned, ThinnedTeeth, cycle_pair, plans, proven_width};
 use super::extremes::RunExtremes;
 use super::requirement::{Limits, Quantity};
 use super::study::{Material, Study};
 use super::verdict::Verdict;
 use crate::contact::{Effort, End, Status};
 use crate::error::{Error, Tick};
-use crate::gear::{AsBuilt, Deviations, thickness};
-use crate::outline::AssembledPair;
+use crate::outline::{AssembledPair, GearChange};
 use crate::pair::Member;
-
-/// Increase of a drawn pair's backlash with the distance, from which its search starts: `2 tan α_wt` of 14°.
-const DRAWN_SLOPE: f64 = 0.5;
 
 /// Step to which a value is rounded, mm.
 const STEP: f64 = 1e-3;
 
 /// Distance from a rounded value within which a threshold equals it, mm: twice the width of its bracket.
 const NEAR: f64 = 2e-6;
-
-/// Greatest change of a tooth's thickness, as a part of its base tooth thickness.
-const MOST_THICKNESS: f64 = 0.5;
 
 /// Quantities that a remedy changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -204,7 +197,8 @@ pub fn remedies(
     } else {
         found.missing.push(NoRemedy::MeasuredRows);
     }
-    match search.thinned_teeth() {
+    // The first plan has the most material.
+    match cycle_pair(&plans[0].run.assembly).thinned_teeth() {
         Some(teeth) => {
             for gears in Gears::EACH {
                 let changes = search.thickness(&teeth, gears, &effort())?;
@@ -281,18 +275,6 @@ struct Search<'a> {
     sign: f64,
 }
 
-/// How teeth get thinner. The variable is the reduction of thickness or of a flank offset from nominal, mm, so that backlash grows with it.
-struct ThinnedTeeth {
-    /// The present reduction of wheel and pinion with most material.
-    own: [f64; 2],
-    /// The greatest further reduction.
-    most: f64,
-    /// `dj_wt` per reduction of one gear.
-    slope: f64,
-    /// The quantities that state the change, each with the reduction of 1 mm of it.
-    units: Vec<(Change, f64)>,
-}
-
 impl<'a> Search<'a> {
     /// The remedy by the centre distance.
     fn distance(&self, effort: &Effort) -> Result<Option<Remedy>, Error> {
@@ -336,35 +318,6 @@ impl<'a> Search<'a> {
         }))
     }
 
-    /// How the teeth of its pair get thinner: by allowance and flank offset, or drawn ones by flank offset alone. `None` if a gear is given by
-    /// data beside a drawn one.
-    fn thinned_teeth(&self) -> Option<ThinnedTeeth> {
-        let reduction = |of: [f64; 2]| [0, 1].map(|k| -of[k] / self.stated[k].scale);
-        let Some((_, wheel, pinion)) = self.study.materials.first() else {
-            let (_, wheel, pinion) = self.study.drawn.first()?;
-            return Some(ThinnedTeeth {
-                own: reduction([wheel.flank_offset()?, pinion.flank_offset()?]),
-                // Flank offsets of both sides change a tooth's thickness.
-                most: 0.25 * MOST_THICKNESS * wheel.pitch() * wheel.root_radius(),
-                slope: 4.0 * DRAWN_SLOPE,
-                units: vec![(Change::FlankOffset, 1.0)],
-            });
-        };
-        let basic_data = wheel.gear().basic_data();
-        let per_allowance = thickness::per_normal_thickness(basic_data);
-        // Two offsets along the normals increase the base tooth thickness like an allowance.
-        let per_offset = thickness::base_from_span(basic_data, 1, 2.0) / per_allowance;
-        Some(ThinnedTeeth {
-            own: reduction([allowance(wheel), allowance(pinion)]),
-            most: MOST_THICKNESS * wheel.gear().base_thickness() / per_allowance,
-            slope: per_allowance / self.pair.operating_pressure_angle()?.cos(),
-            units: vec![
-                (Change::FlankOffset, per_offset),
-                (Change::ThicknessAllowance, 1.0),
-            ],
-        })
-    }
-
     /// The remedies by the thickness of `gears`: by the flank offset where it states them, else by the allowance; for both gears by either.
     fn thickness(
         &self,
@@ -372,28 +325,19 @@ impl<'a> Search<'a> {
         gears: Gears,
         effort: &Effort,
     ) -> Result<Vec<Remedy>, Error> {
-        let own = teeth.own;
+        let own = [0, 1].map(|k| -teeth.material[k] / self.stated[k].scale);
         let moved = |planned: &Planned, at: f64| {
-            let thicker = |member: Member| self.scale(member) * (own[member as usize] - at);
+            let change = |member: Member| {
+                let reduced = own[member as usize] - at;
+                let thicker = teeth.thickness * (self.scale(member) * reduced);
+                GearChange {
+                    thicker: gears.has(member).then_some(thicker),
+                    ..GearChange::default()
+                }
+            };
             let assembly = &planned.run.assembly;
-            let moved = assembly.varied(
-                assembly.center_distance(),
-                |gear, member| {
-                    if gears.has(member) {
-                        gear.varied(thicker(member), &Deviations::default())
-                    } else {
-                        Ok(gear.clone())
-                    }
-                },
-                |gear, member| {
-                    if gears.has(member) {
-                        gear.thicker(2.0 * thicker(member))
-                    } else {
-                        Ok(gear.clone())
-                    }
-                },
-            );
-            moved.ok()
+            let changes = Member::BOTH.map(change);
+            assembly.varied(assembly.center_distance(), &changes).ok()
         };
         let of_each = gears
             .members()
@@ -402,22 +346,23 @@ impl<'a> Search<'a> {
         let scales = || gears.members().map(|member| self.scale(member));
         let most = teeth.most / scales().fold(0.0, f64::max);
         let range = [start, start + self.sign * most];
-        let slope = scales().sum::<f64>() * teeth.slope;
-        let Some([fails, fits]) = self.between(range, &moved, &|_| slope, effort)? else {
+        let slope = |pair: &AssembledPair| {
+            let teeth = cycle_pair(pair).thinned_teeth();
+            teeth.map_or(f64::NAN, |teeth| scales().sum::<f64>() * teeth.slope)
+        };
+        let Some([fails, fits]) = self.between(range, &moved, &slope, effort)? else {
             return Ok(Vec::new());
         };
         let mut remedies = Vec::new();
         // One flank offset of one gear is an allowance, unless the file states an offset.
         let by_offset = |member: Member| self.stated[member as usize].by_flank_offset;
         let by_offset = gears.members().all(by_offset);
-        let units = teeth.units.iter().filter(|(what, _)| {
-            if *what == Change::FlankOffset {
-                by_offset || gears == Gears::Both
-            } else {
-                !by_offset
-            }
-        });
-        for &(what, unit) in units {
+        let has_offset = by_offset || gears == Gears::Both;
+        let units = [
+            (has_offset, Change::FlankOffset, teeth.per_offset),
+            (!by_offset, Change::ThicknessAllowance, 1.0),
+        ];
+        for (_, what, unit) in units.into_iter().filter(|(is_stated, ..)| *is_stated) {
             let found = self.rounded(0.0, fits, STEP * unit, &moved, effort)?;
             let bracket = [-fails.max(fits), -fails.min(fits)];
             remedies.extend(found.map(|found| Remedy {
@@ -575,13 +520,6 @@ fn possible(room: Result<f64, Error>) -> Result<Option<f64>, Error> {
         Err(Error::Gear(_)) => Ok(None),
         room => room.map(Some),
     }
-}
-
-/// `A_sn`, mm.
-fn allowance(gear: &AsBuilt) -> f64 {
-    let gear = gear.gear();
-    let nominal = gear.design().nominal_base_thickness();
-    thickness::allowance_from_base(gear.basic_data(), nominal, gear.base_thickness())
 }
 
 /// `value` as the nearest multiple of `step`, against rounding.

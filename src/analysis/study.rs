@@ -240,11 +240,6 @@ impl Study {
         Ok(pairs)
     }
 
-    /// Whether a gear is drawn: it has no module and no involute, and no formula applies to the pair.
-    pub fn is_drawn(&self) -> bool {
-        !self.drawn.is_empty()
-    }
-
     /// Its materials.
     pub fn material_names(&self) -> impl Iterator<Item = Material> + '_ {
         let drawn = self.drawn.iter().map(|(material, ..)| *material);
@@ -265,27 +260,27 @@ impl Study {
 
     /// Teeth of wheel and pinion.
     pub fn teeth(&self) -> [u32; 2] {
-        let data = self
-            .materials
-            .first()
-            .map(|(_, wheel, pinion)| [wheel, pinion].map(|gear| gear.gear().basic_data().teeth()));
-        let drawn = self.drawn.first();
+        let of_data = |gear: &AsBuilt| gear.gear().basic_data().teeth();
+        let data = self.materials.iter();
+        let data = data.map(|(_, wheel, pinion)| [wheel, pinion].map(of_data));
+        let drawn = self.drawn.iter();
         let drawn = drawn.map(|(_, wheel, pinion)| [wheel, pinion].map(OutlineGear::teeth));
-        data.or(drawn).unwrap_or_default()
+        data.chain(drawn).next().unwrap_or_default()
     }
 
-    /// Lost motion in arcmin at the gear `at`. In a drawn pair its share of the centre distance is that of its teeth.
+    /// The pair of each material at its first centre distance; none if it cannot be assembled.
+    pub(super) fn first_pairs(&self) -> impl Iterator<Item = AssembledPair> {
+        let pairs = self.center_distances.first().map(|a| self.pairs(*a));
+        pairs.into_iter().flatten().flatten().map(|(_, pair)| pair)
+    }
+
+    /// Lost motion in arcmin at the gear `at`.
     pub fn arcmin(&self, at: Member) -> BacklashUnit {
-        if let Some((_, wheel, pinion)) = self.materials.first() {
-            return BacklashUnit::arcmin(at, wheel.gear(), pinion.gear());
+        let share = |pair: AssembledPair| pair.operating_pitch_radius(at) / pair.center_distance();
+        BacklashUnit::Arcmin {
+            at,
+            share: self.first_pairs().next().map_or(f64::NAN, share),
         }
-        let [wheel, pinion] = self.teeth().map(f64::from);
-        let own = match at {
-            Member::Wheel => wheel,
-            Member::Pinion => pinion,
-        };
-        let share = own / (wheel + pinion);
-        BacklashUnit::Arcmin { at, share }
     }
 
     /// Whether its gears are helical.
@@ -305,9 +300,8 @@ impl Study {
     }
 
     fn has_pair(&self, is: fn(&GearPair) -> bool) -> bool {
-        let pairs = self.center_distances.first().map(|a| self.pairs(*a));
-        let mut pairs = pairs.into_iter().flatten().flatten();
-        pairs.any(|(_, pair)| pair.data().is_some_and(is))
+        let mut pairs = self.first_pairs();
+        pairs.any(|pair| pair.data().is_some_and(is))
     }
 
     /// Whether a pair of teeth may be tightest anywhere on the face ([`GearPair::binds_anywhere`]).

@@ -169,30 +169,24 @@ impl AsBuilt {
         }
     }
 
-    /// This gear with another runout: the eccentricity, mm, towards `high_tooth`.
+    /// This gear with another runout: the eccentricity, mm, towards a tooth, or `None`: in an unknown direction.
     ///
     /// # Errors
     /// As [`AsBuilt::new`] of a runout.
-    pub fn with_runout(&self, eccentricity: f64, high_tooth: f64) -> Result<AsBuilt, GearError> {
+    pub fn with_runout(
+        &self,
+        eccentricity: f64,
+        high_tooth: impl Into<Option<f64>>,
+    ) -> Result<AsBuilt, GearError> {
+        let high_tooth = high_tooth.into();
         let other = AsBuilt {
             eccentricity,
-            high_tooth,
-            any_direction: false,
+            high_tooth: high_tooth.unwrap_or(1.0),
+            any_direction: high_tooth.is_none(),
             ..self.clone()
         };
         other.check_runout()?;
         Ok(other)
-    }
-
-    /// This gear with another runout: the eccentricity, mm, in an unknown direction.
-    ///
-    /// # Errors
-    /// As [`AsBuilt::new`] of a runout.
-    pub fn with_runout_of_any_direction(&self, eccentricity: f64) -> Result<AsBuilt, GearError> {
-        Ok(AsBuilt {
-            any_direction: true,
-            ..self.with_runout(eccentricity, 1.0)?
-        })
     }
 
     /// This gear with another wobble: the lean, mm per mm, and the tooth towards which the teeth lean away from the reference face. The

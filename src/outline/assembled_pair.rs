@@ -1,8 +1,8 @@
 //! A pair as assembled, with gears given by data or by drawings.
 
-use super::gear::OutlineGear;
+use super::change::GearChange;
 use super::pair::OutlinePair;
-use crate::error::{Error, GearError, OutlineError};
+use crate::error::{Error, GearError};
 use crate::gear::{AsBuilt, Face};
 use crate::pair::{Backlash, GearPair, Mating, Member, Pose, ToothNumbers};
 use nalgebra::{Point2, Vector2};
@@ -206,26 +206,26 @@ impl AssembledPair {
         Some(self.data()?.backlash(j_wt))
     }
 
-    /// This pair at another centre distance, mm, each gear replaced by the change of it that applies.
+    /// This pair at another centre distance, mm, its wheel and pinion after these changes.
     ///
     /// # Errors
-    /// As [`AssembledPair::at`], and of the changes.
+    /// As [`AssembledPair::at`], and of the changes: [`Error::ChangeOfDrawn`] of one that an outline has not.
     pub fn varied(
         &self,
         center_distance: f64,
-        by_data: impl Fn(&AsBuilt, Member) -> Result<AsBuilt, GearError>,
-        drawn: impl Fn(&OutlineGear, Member) -> Result<OutlineGear, OutlineError>,
+        changes: &[GearChange; 2],
     ) -> Result<AssembledPair, Error> {
         Ok(match self {
             AssembledPair::Data(pair) => {
-                let gear = |member| by_data(pair.gear(member), member);
+                let gear = |member| changes[member as usize].of_data(pair.gear(member));
                 let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
                 pair.with_gears(wheel, pinion, center_distance)?.into()
             }
             AssembledPair::Drawn(pair) => {
-                let gear = |member| drawn(pair.gear(member), member);
-                let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
-                OutlinePair::new(wheel, pinion, center_distance, pair.locked())?.into()
+                let gear = |member| changes[member as usize].of_outline(pair.gear(member));
+                let gears = gear(Member::Wheel).zip(gear(Member::Pinion));
+                let (wheel, pinion) = gears.ok_or(Error::ChangeOfDrawn)?;
+                OutlinePair::new(wheel?, pinion?, center_distance, pair.locked())?.into()
             }
         })
     }

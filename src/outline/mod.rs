@@ -40,6 +40,7 @@
 //! ```
 
 mod assembled_pair;
+mod change;
 mod difference;
 mod fitted;
 mod gear;
@@ -56,6 +57,7 @@ mod tooth_classes;
 
 pub use crate::error::OutlineError;
 pub use assembled_pair::AssembledPair;
+pub use change::GearChange;
 pub use difference::{Deviation, OutlineDifference};
 pub use fitted::{FittedCentre, FittedInvolute, StandardGear, fit_centre};
 pub use gear::{OutlineGear, OutlineReading};

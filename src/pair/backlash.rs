@@ -3,7 +3,7 @@
 //! Symbols and conversions follow ISO 21771, also for helical gears. Negative values mean interference.
 
 use super::gear_pair::{GearPair, Member};
-use crate::gear::{Gear, involute};
+use crate::gear::involute;
 
 /// A backlash of a pair at its centre distance, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,16 +86,6 @@ pub enum BacklashUnit {
 }
 
 impl BacklashUnit {
-    /// Arcmin at the gear `at`.
-    pub fn arcmin(at: Member, wheel: &Gear, pinion: &Gear) -> BacklashUnit {
-        let gear = match at {
-            Member::Wheel => wheel,
-            Member::Pinion => pinion,
-        };
-        let share = gear.base_radius() / (wheel.base_radius() + pinion.base_radius());
-        BacklashUnit::Arcmin { at, share }
-    }
-
     /// `µm` or `arcmin`.
     pub fn name(self) -> &'static str {
         match self {

@@ -2,13 +2,13 @@
 
 use super::assembly::Assembly;
 use super::factor::Factor;
-use super::members::{Population, displaced};
+use super::members::Population;
 use super::scatter::Scatter;
 use super::scatters::{GearScatter, LeadScatter, phase_count};
 use crate::analysis::extremes::phases_differ;
 use crate::error::Error;
-use crate::gear::{AsBuilt, Deviations, Flank, Lead};
-use crate::outline::OutlineGear;
+use crate::gear::{AsBuilt, Face, Flank, Lead};
+use crate::outline::{AssembledPair, GearChange};
 use crate::pair::{Member, ToothNumbers};
 use crate::parallel;
 
@@ -87,14 +87,10 @@ enum Towards {
 /// As [`Assembly::outcome`].
 pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error> {
     let scatters = population.scatters();
-    let has_no_limits = |member| {
-        let gear = scatters.of(member);
-        // The worst direction of runout is searched for gears by data alone.
-        let is_unsearched =
-            || gear.runout.is_some() && population.pair().as_built(member).is_none();
-        gear.gears.is_some() || is_unsearched()
-    };
-    if Member::BOTH.into_iter().any(has_no_limits) {
+    let are_whole = |member| scatters.of(member).gears.is_some();
+    // The worst direction of a runout is searched for gears by data alone.
+    let worst = assembly(population, &|_| true, Towards::Less, FACE_ENDS[0]);
+    if Member::BOTH.into_iter().any(are_whole) || worst == Err(Error::ChangeOfDrawn) {
         return Ok(None);
     }
     let both = |of: &dyn Fn(Factor) -> bool| {
@@ -195,56 +191,45 @@ fn assembly(
         Towards::More => [0, 1],
     };
     let of = |scatter: &Option<Scatter>, alone: Factor, side: usize| match scatter {
-        None => 0.0,
-        Some(scatter) if at_limit(alone) => scatter.limits()[side],
-        Some(scatter) => scatter.mean(),
+        Some(scatter) if at_limit(alone) => Some(scatter.limits()[side]),
+        scatter => scatter.as_ref().map(Scatter::mean),
     };
-    let thicker = |member| {
-        let scatter = &scatters.of(member).thickness;
-        of(scatter, Factor::Thickness(member), less)
-    };
-    let gear = |own: &AsBuilt, member: Member| {
+    let pair = population.pair();
+    let change = |member: Member| {
         let scatter = scatters.of(member);
-        let each = of(&scatter.per_tooth, Factor::PerTooth(member), less);
+        let each = of(&scatter.per_tooth, Factor::PerTooth(member), less).unwrap_or(0.0);
         let pitch = if at_limit(Factor::Pitch(member)) {
-            pitch_limit(scatter, own) * if towards == Towards::Less { 1.0 } else { -1.0 }
+            let sense = if towards == Towards::Less { 1.0 } else { -1.0 };
+            pitch_limit(scatter, pair, member) * sense
         } else {
             0.0
         };
-        let teeth = own.gear().basic_data().teeth() as usize;
-        let further = Deviations {
+        let lead = scatter.lead.as_ref();
+        let lead_end = at_limit(Factor::Lead(member)).then_some((towards, ends));
+        let is_worst = towards == Towards::Less && at_limit(Factor::Wobble(member));
+        let is_off_axis = at_limit(Factor::Runout(member));
+        GearChange {
+            thicker: of(&scatter.thickness, Factor::Thickness(member), less),
             per_tooth: if each + pitch == 0.0 {
                 Vec::new()
             } else {
-                vec![each + pitch; teeth]
+                vec![each + pitch; pair.teeth(member) as usize]
             },
-            ..Deviations::default()
-        };
-        let mut gear = own.varied(thicker(member), &further)?;
-        if let Some(lead) = &scatter.lead {
-            let limit = at_limit(Factor::Lead(member)).then_some((towards, ends));
-            gear = gear.with_further_leads(&lead_limit(lead, &gear, limit))?;
+            leads: lead.map(|lead| lead_limit(lead, pair.shown_face(member), lead_end)),
+            wobble: scatter.wobble.as_ref().map(|wobble| {
+                let lean = if is_worst { wobble.limits()[1] } else { 0.0 };
+                [lean, leaning_tooth(population, member)]
+            }),
+            runout: scatter.runout.as_ref().map(|runout| match is_off_axis {
+                true => (0.5 * runout.limits()[1], None),
+                false => (0.0, Some(1.0)),
+            }),
+            ..GearChange::default()
         }
-        let is_worst = towards == Towards::Less && at_limit(Factor::Wobble(member));
-        let wobble = scatter.wobble.as_ref().map(|wobble| {
-            let lean = if is_worst { wobble.limits()[1] } else { 0.0 };
-            [lean, leaning_tooth(population, own, member)]
-        });
-        displaced(gear, wobble, |gear| match &scatter.runout {
-            Some(runout) if at_limit(Factor::Runout(member)) => {
-                gear.with_runout_of_any_direction(0.5 * runout.limits()[1])
-            }
-            Some(_) => gear.with_runout(0.0, 1.0),
-            None => Ok(gear),
-        })
     };
     let farther = of(&scatters.center_distance, Factor::CenterDistance, more);
-    let distance = population.pair().center_distance() + farther;
-    let play = match &scatters.bearing_play {
-        Some(play) if at_limit(Factor::BearingPlay) => play.limits()[1],
-        Some(play) => play.mean(),
-        None => population.clearance,
-    };
+    let distance = pair.center_distance() + farther.unwrap_or(0.0);
+    let play = of(&scatters.bearing_play, Factor::BearingPlay, 1);
     // Axes that are nearer at the far end tighten it on both flanks, those with the pinion's far end at +y on right flanks.
     let senses = [-ends[0], ends[0]];
     let leaning = [0, 1].map(|k| match &scatters.lean[k] {
@@ -254,20 +239,16 @@ fn assembly(
         Some(lean) => lean.mean(),
         None => 0.0,
     });
-    let outline = |own: &OutlineGear, member: Member| match scatters.of(member).thickness {
-        Some(_) => own.thicker(thicker(member)),
-        None => Ok(own.clone()),
-    };
-    let pair = population.pair().varied(distance, gear, outline)?;
+    let pair = pair.varied(distance, &Member::BOTH.map(change))?;
     Ok(Assembly {
         pair: pair.leaning_further(leaning)?,
-        clearance: play,
+        clearance: play.unwrap_or(population.clearance),
         phase: population.phase,
     })
 }
 
 /// Leads of right and left flanks at their means, or at a limit with material at these ends of the face.
-fn lead_limit(lead: &LeadScatter, gear: &AsBuilt, limit: Option<(Towards, [f64; 2])>) -> [Lead; 2] {
+fn lead_limit(lead: &LeadScatter, own: Face, limit: Option<(Towards, [f64; 2])>) -> [Lead; 2] {
     let mean = |scatter: &Option<Scatter>| scatter.as_ref().map_or(0.0, Scatter::mean);
     let at = |scatter: &Option<Scatter>, end: usize| {
         scatter
@@ -282,15 +263,12 @@ fn lead_limit(lead: &LeadScatter, gear: &AsBuilt, limit: Option<(Towards, [f64; 
         let Some((towards, ends)) = limit else {
             return lead.with(mean(&lead.slope), mean(&lead.crowning));
         };
-        let end = ends[gear.face().seen_from_front(flank).index()];
+        let end = ends[own.seen_from_front(flank).index()];
         let slope = if end == 0.0 {
             mean(&lead.slope)
         } else {
             // Heights rise away from the reference face.
-            at(
-                &lead.slope,
-                usize::from(-gear.face().ascending() * end > 0.0),
-            )
+            at(&lead.slope, usize::from(-own.ascending() * end > 0.0))
         };
         let crowning = if towards == Towards::Less {
             costly
@@ -302,24 +280,25 @@ fn lead_limit(lead: &LeadScatter, gear: &AsBuilt, limit: Option<(Towards, [f64; 
 }
 
 /// The tooth of a gear of `population` towards which it leans, against its mate where wheel tooth 1 meets the pinion.
-fn leaning_tooth(population: &Population, gear: &AsBuilt, member: Member) -> f64 {
+fn leaning_tooth(population: &Population, member: Member) -> f64 {
+    let pair = population.pair();
     if member == Member::Wheel {
         return 1.0;
     }
-    let data = gear.gear().basic_data();
-    let half = 0.5 * f64::from(data.teeth());
-    let facing = if population.pair().shown_face(Member::Wheel) == gear.face() {
+    let teeth = f64::from(pair.teeth(member));
+    let facing = if pair.shown_face(Member::Wheel) == pair.shown_face(member) {
         0.0
     } else {
-        half
+        0.5 * teeth
     };
-    data.tooth_after(f64::from(population.phase - 1) + facing)
+    1.0 + (f64::from(population.phase - 1) + facing).rem_euclid(teeth)
 }
 
 /// Additional thickness of a tooth, mm, with both flanks at the limit of their cumulative pitch deviation.
-fn pitch_limit(scatter: &GearScatter, gear: &AsBuilt) -> f64 {
-    let z = f64::from(gear.gear().basic_data().teeth());
+fn pitch_limit(scatter: &GearScatter, pair: &AssembledPair, member: Member) -> f64 {
+    let z = f64::from(pair.teeth(member));
     let sigma = scatter.pitch.unwrap_or(0.0) * ((z + 1.0) / 12.0).sqrt();
     // An arc of the transverse section; thickness is in the normal section.
-    2.0 * PITCH_LIMIT_SIGMAS * sigma * gear.gear().basic_data().helix_cos()
+    let helix_cos = |gear: &AsBuilt| gear.gear().basic_data().helix_cos();
+    2.0 * PITCH_LIMIT_SIGMAS * sigma * pair.as_built(member).map_or(1.0, helix_cos)
 }

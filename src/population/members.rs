@@ -6,10 +6,10 @@ use super::scatter::{Scatter, normal_share, standard_normal};
 use super::scatters::{
     GearScatter, LeadScatter, PopulationError, Scatters, not_negative, phase_count,
 };
-use super::stream::{Draw, Stream};
-use crate::error::{Error, GearError, OutlineError};
-use crate::gear::{AsBuilt, Deviations, Lead, Pitch};
-use crate::outline::{AssembledPair, OutlineGear};
+use super::stream::{Draw, Run, Stream};
+use crate::error::Error;
+use crate::gear::{AsBuilt, Lead, Pitch};
+use crate::outline::{AssembledPair, GearChange};
 use crate::pair::Member;
 
 /// A pair and its scatters.
@@ -33,39 +33,47 @@ impl Population {
         pair: impl Into<AssembledPair>,
         scatters: Scatters,
     ) -> Result<Population, PopulationError> {
-        let pair = pair.into();
+        let mut population = Population {
+            pair: pair.into(),
+            scatters,
+            clearance: 0.0,
+            phase: 1,
+            factors: Vec::new(),
+        };
+        let Population { pair, scatters, .. } = &population;
         for member in Member::BOTH {
-            let gear = scatters.of(member);
-            gear.check(pair.as_built(member), pair.flank_offset(member))?;
+            scatters.of(member).check(pair.as_built(member))?;
         }
         let nonnegative = |what, scatter: &Option<Scatter>| match scatter {
             Some(scatter) => not_negative(what, scatter),
             None => Ok(()),
         };
         nonnegative("the play of the bearings", &scatters.bearing_play)?;
-        let [near, far] = pair.face();
-        if scatters.vary_along_face() && near == far {
-            return Err(PopulationError::NoFace);
-        }
         let correlation = scatters.thickness_correlation;
         if !(-1.0..=1.0).contains(&correlation) {
             return Err(PopulationError::Correlation(correlation));
+        }
+        let first = Draw {
+            seed: 0,
+            run: Run::Population,
+            number: 1,
+        };
+        if let Err(Error::ChangeOfDrawn) = population.assembly(first) {
+            return Err(PopulationError::Drawn);
+        }
+        let [near, far] = pair.face();
+        if scatters.vary_along_face() && near == far {
+            return Err(PopulationError::NoFace);
         }
         let thicknesses = [&scatters.wheel.thickness, &scatters.pinion.thickness];
         if correlation != 0.0 && thicknesses.iter().any(|thickness| thickness.is_none()) {
             return Err(PopulationError::NothingToCorrelate);
         }
-        let factors = scatters.factors(&pair);
-        if factors.is_empty() {
+        population.factors = scatters.factors(pair);
+        if population.factors.is_empty() {
             return Err(PopulationError::Nothing);
         }
-        Ok(Population {
-            pair,
-            scatters,
-            clearance: 0.0,
-            phase: 1,
-            factors,
-        })
+        Ok(population)
     }
 
     /// This population with a radial clearance of both bearings together, mm, if none scatters.
@@ -120,18 +128,12 @@ impl Population {
             self.phase
         };
         let shares = self.thickness_shares(&stream);
-        let pair = self.pair.varied(
-            distance,
-            |own, member| {
-                let share = shares[member as usize];
-                self.scatters.of(member).draw(own, member, share, &stream)
-            },
-            |own, member| {
-                let share = shares[member as usize];
-                let scatter = self.scatters.of(member);
-                scatter.draw_outline(own, member, share, &stream)
-            },
-        )?;
+        let changes = Member::BOTH.map(|member| {
+            let share = shares[member as usize];
+            let scatter = self.scatters.of(member);
+            scatter.draw(&self.pair, member, share, &stream)
+        });
+        let pair = self.pair.varied(distance, &changes)?;
         let lean = self.scatters.lean.each_ref().map(Option::as_ref);
         Ok(Assembly {
             pair: if lean == [None, None] {
@@ -176,115 +178,54 @@ impl Population {
 }
 
 impl GearScatter {
-    /// One gear like `own`, with its thickness at `share` of the distribution.
+    /// One gear of `pair` in another assembly, with its thickness at `share` of the distribution.
     fn draw(
         &self,
-        own: &AsBuilt,
+        pair: &AssembledPair,
         member: Member,
         share: f64,
         stream: &dyn Fn(Factor) -> Stream,
-    ) -> Result<AsBuilt, GearError> {
+    ) -> GearChange {
+        let teeth = pair.teeth(member);
         let whole = self.gears.as_ref().map(|gears| {
             let index = stream(Factor::Gear(member)).uniform() * gears.len() as f64;
-            gears[(index as usize).min(gears.len() - 1)].clone()
+            &gears[(index as usize).min(gears.len() - 1)]
         });
-        let gear = whole.unwrap_or_else(|| own.clone());
-        let teeth = gear.gear().basic_data().teeth();
-        let thicker = self.thickness.as_ref().map(|scatter| scatter.at(share));
+        let is_open = whole.map_or(pair.any_direction(member), AsBuilt::any_direction);
+        let eccentricity = whole.map_or(pair.eccentricity(member), AsBuilt::eccentricity);
         let per_tooth = self.per_tooth.as_ref().map(|scatter| {
             let mut each = stream(Factor::PerTooth(member));
             (0..teeth).map(|_| scatter.at(each.uniform())).collect()
         });
-        let pitch = self.pitch.map(|sigma| {
-            let mut each = stream(Factor::Pitch(member));
-            single_pitches(sigma, teeth, &mut each)
-        });
-        let gear = if thicker.is_none() && per_tooth.is_none() && pitch.is_none() {
-            gear
-        } else {
-            gear.varied(
-                thicker.unwrap_or(0.0),
-                &Deviations {
-                    per_tooth: per_tooth.unwrap_or_default(),
-                    pitch,
-                    ..Deviations::default()
-                },
-            )?
-        };
-        let gear = match &self.lead {
-            Some(lead) => gear.with_further_leads(&lead.draw(stream(Factor::Lead(member))))?,
-            None => gear,
-        };
-        let wobble = self.wobble.as_ref().map(|scatter| {
-            let mut wobble = stream(Factor::Wobble(member));
-            [
-                scatter.at(wobble.uniform()),
-                any_tooth(teeth, wobble.uniform()),
-            ]
-        });
-        let is_open = self.runout.is_some() || gear.any_direction();
-        let runout = is_open.then(|| self.runout_of(gear.eccentricity(), (member, teeth), stream));
-        displaced(gear, wobble, |gear| match runout {
-            Some([eccentricity, high_tooth]) => gear.with_runout(eccentricity, high_tooth),
-            None => Ok(gear),
-        })
-    }
-
-    /// The eccentricity of a gear whose own one is `eccentricity`, mm, and the high tooth.
-    fn runout_of(
-        &self,
-        eccentricity: f64,
-        (member, teeth): (Member, u32),
-        stream: &dyn Fn(Factor) -> Stream,
-    ) -> [f64; 2] {
-        let mut runout = stream(Factor::Runout(member));
-        let amount = runout.uniform();
-        let scatter = self.runout.as_ref();
-        let eccentricity = scatter.map_or(eccentricity, |scatter| 0.5 * scatter.at(amount));
-        [eccentricity, any_tooth(teeth, runout.uniform())]
-    }
-
-    /// One drawn gear like `own`, with its thickness at `share` of the distribution.
-    fn draw_outline(
-        &self,
-        own: &OutlineGear,
-        member: Member,
-        share: f64,
-        stream: &dyn Fn(Factor) -> Stream,
-    ) -> Result<OutlineGear, OutlineError> {
-        let gear = match &self.thickness {
-            Some(scatter) => own.thicker(scatter.at(share))?,
-            None => own.clone(),
-        };
-        if self.runout.is_none() {
-            return Ok(gear);
+        let lead = self.lead.as_ref();
+        GearChange {
+            whole: whole.cloned(),
+            thicker: self.thickness.as_ref().map(|scatter| scatter.at(share)),
+            per_tooth: per_tooth.unwrap_or_default(),
+            pitch: self.pitch.map(|sigma| {
+                let mut each = stream(Factor::Pitch(member));
+                single_pitches(sigma, teeth, &mut each)
+            }),
+            leads: lead.map(|lead| lead.draw(stream(Factor::Lead(member)))),
+            wobble: self.wobble.as_ref().map(|scatter| {
+                let mut wobble = stream(Factor::Wobble(member));
+                let lean = scatter.at(wobble.uniform());
+                [lean, any_tooth(teeth, wobble.uniform())]
+            }),
+            runout: (is_open || self.runout.is_some()).then(|| {
+                let mut runout = stream(Factor::Runout(member));
+                let amount = runout.uniform();
+                let scatter = self.runout.as_ref();
+                let eccentricity = scatter.map_or(eccentricity, |scatter| 0.5 * scatter.at(amount));
+                (eccentricity, Some(any_tooth(teeth, runout.uniform())))
+            }),
         }
-        let [eccentricity, high_tooth] =
-            self.runout_of(own.eccentricity(), (member, own.teeth()), stream);
-        gear.with_runout(eccentricity, high_tooth)
     }
 }
 
 /// The place of a share of the circle among the teeth, fractional.
 fn any_tooth(teeth: u32, share: f64) -> f64 {
     1.0 + f64::from(teeth) * share
-}
-
-/// `gear` with another wobble, where one is given, and after `runout`. Where teeth lean, both are those of its measuring plane.
-pub(super) fn displaced(
-    gear: AsBuilt,
-    wobble: Option<[f64; 2]>,
-    runout: impl Fn(AsBuilt) -> Result<AsBuilt, GearError>,
-) -> Result<AsBuilt, GearError> {
-    if wobble.is_none() && gear.wobble() == 0.0 {
-        return runout(gear);
-    }
-    let own = runout(gear.in_measuring_plane())?;
-    let own = match wobble {
-        Some([lean, tooth]) => own.with_wobble(lean, tooth),
-        None => own,
-    };
-    Ok(own.section_at(gear.place()))
 }
 
 impl LeadScatter {

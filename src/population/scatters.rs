@@ -182,12 +182,8 @@ impl Scatters {
 }
 
 impl GearScatter {
-    /// Checks the scatters of the gear `own`, or of a gear of a pair with a drawn one, whose flanks can be moved if it has a `flank_offset`.
-    pub(super) fn check(
-        &self,
-        own: Option<&AsBuilt>,
-        flank_offset: Option<f64>,
-    ) -> Result<(), PopulationError> {
+    /// Checks the scatters of a gear, and its whole gears against `own`.
+    pub(super) fn check(&self, own: Option<&AsBuilt>) -> Result<(), PopulationError> {
         if let Some(runout) = &self.runout {
             not_negative("the runout", runout)?;
         }
@@ -199,15 +195,6 @@ impl GearScatter {
         {
             return Err(PopulationError::Pitch(sigma));
         }
-        let Some(own) = own else {
-            let possible = GearScatter {
-                runout: self.runout.clone(),
-                thickness: self.thickness.clone().filter(|_| flank_offset.is_some()),
-                ..GearScatter::default()
-            };
-            let is_possible = *self == possible;
-            return is_possible.then_some(()).ok_or(PopulationError::Drawn);
-        };
         let Some(gears) = &self.gears else {
             return Ok(());
         };
@@ -218,7 +205,8 @@ impl GearScatter {
         if gears.is_empty() || *self != alone {
             return Err(PopulationError::WholeGears);
         }
-        for (index, gear) in gears.iter().enumerate() {
+        let each = gears.iter().enumerate();
+        for ((index, gear), own) in each.flat_map(|gear| Some(gear).zip(own)) {
             let (found, wanted) = (gear.gear().basic_data(), own.gear().basic_data());
             for (what, found, wanted) in [
                 ("teeth", f64::from(found.teeth()), f64::from(wanted.teeth())),

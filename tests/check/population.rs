@@ -170,7 +170,7 @@ fn contributions_of_a_linear_case_lie_within_their_errors() {
 /// high tooth. Assembled in one phase, only the direction varies, so its index is 1.
 #[test]
 fn the_direction_of_whole_gears_contributes() {
-    let open = spur(44, 3.0).front().with_runout_of_any_direction(0.015);
+    let open = spur(44, 3.0).front().with_runout(0.015, None);
     let pair = pair(&spur(44, 3.0), &spur(44, 3.0).runout(0.01, 7.0), 132.1);
     let scatters = of_wheel(GearScatter {
         gears: Some([open.unwrap()].into()),

@@ -6,7 +6,7 @@ use crate::distances::{self, Distances};
 use crate::error::{Error, exit_code};
 use crate::input;
 use crate::maps::{self, DrawnMap};
-use crate::options::{GearName, MaterialName, MethodArgs, UnitArgs};
+use crate::options::{self, GearName, MaterialName, MethodArgs, UnitArgs};
 use crate::options::{agreed, agreement_of, all_proven, material, teeth};
 use crate::output::Target;
 use crate::progress::{Progress, run_under_bar};
@@ -212,13 +212,8 @@ impl DrawnChart {
 
     /// One gear's deviations.
     fn inspection(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
-        let gears = study.materials.first();
-        let none = || {
-            Error::usage(
-                "--kind inspection is for gears by their data: a drawing states no deviations",
-            )
-        };
-        let (_, wheel, pinion) = gears.ok_or_else(none)?;
+        let reason = "--kind inspection is for gears by their data: a drawing states no deviations";
+        let [wheel, pinion] = options::by_data(study, reason)?;
         let (name, gear) = match args.gear {
             Some(GearName::Pinion) => ("pinion", pinion),
             Some(GearName::Wheel) | None => ("wheel", wheel),

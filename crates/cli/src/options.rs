@@ -8,6 +8,7 @@ use gearlash::analysis::Analysis;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{METHODS_AGREE_WITHIN, Method, MethodAgreement};
+use gearlash::gear::AsBuilt;
 use gearlash::pair::{BacklashUnit, Member};
 use gearlash_drawing::Unit;
 use gearlash_input::outlines::OutlineOptions;
@@ -362,6 +363,13 @@ pub(super) struct MethodArgs {
     no_certify: bool,
 }
 
+/// Wheel and pinion by their data; a usage error with `reason` where a gear is drawn.
+pub fn by_data<'a>(study: &'a Study, reason: &'static str) -> Result<[&'a AsBuilt; 2], Error> {
+    let gears = study.materials.first();
+    let gears = gears.map(|(_, wheel, pinion)| [wheel, pinion]);
+    gears.ok_or_else(|| Error::usage(reason))
+}
+
 #[derive(Clone, Copy, ValueEnum)]
 enum MethodName {
     /// On the exact tooth curves, each result proven; polygons check every 64th
@@ -380,13 +388,13 @@ impl MethodArgs {
 
     /// The requested method, for the pair of `study`.
     pub fn of(&self, study: &Study) -> Result<Method, Error> {
-        if study.is_drawn() && self.method.is_some() {
-            Err(Error::usage(
+        if self.method.is_some() {
+            by_data(
+                study,
                 "--method is for gears by their data: drawn curves are searched as drawn, and polygons check every pose; leave it out",
-            ))
-        } else {
-            Ok(self.method())
+            )?;
         }
+        Ok(self.method())
     }
 
     /// The requested method.

@@ -5,7 +5,7 @@ use crate::cycle::{self, Binding, Found, Wanted};
 use crate::distances;
 use crate::error::{Error, exit_code};
 use crate::input;
-use crate::options::{MaterialName, all_proven, material, teeth};
+use crate::options::{self, MaterialName, all_proven, material, teeth};
 use crate::output::Target;
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
@@ -92,10 +92,11 @@ fn check(args: &Args, study: &Study) -> Result<(), Error> {
     if args.section.is_some() && !study.is_helical() {
         return Err(Error::usage(SPUR_SECTION));
     }
-    if args.exaggerate.is_some() && study.materials.is_empty() {
-        return Err(Error::usage(
+    if args.exaggerate.is_some() {
+        options::by_data(
+            study,
             "--exaggerate is for gears by their data: a drawing states no deviations; leave it out",
-        ));
+        )?;
     }
     Ok(())
 }

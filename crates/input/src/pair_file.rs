@@ -186,6 +186,9 @@ impl<'a> PairTables<'a> {
             stem: self.stem,
             spec,
             drawings: [self.wheel.drawing, self.pinion.drawing],
+            left_out: self.is_drawn.then_some(
+                "A drawn gear has no module and no involute: formulas and checks are left out.",
+            ),
             warnings,
             remarks,
             sources: self.file.table().reading().sources(),

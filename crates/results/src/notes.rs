@@ -83,10 +83,9 @@ pub fn fitted_sentences(file: &PairFile) -> Vec<String> {
         .collect()
 }
 
-/// Notes on a pair with a drawn gear, one per line; empty for other pairs.
+/// Notes on what was read of drawings, one per line.
 pub fn drawn_notes(file: &PairFile) -> String {
-    let left_out = "A drawn gear has no module and no involute: formulas and checks are left out.";
-    let left_out = file.study.drawn.first().map(|_| left_out.to_owned());
+    let left_out = file.left_out.map(str::to_owned);
     let lines = left_out.into_iter().chain(fitted_sentences(file));
     lines.map(|line| line + "\n").collect()
 }

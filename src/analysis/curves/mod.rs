@@ -72,8 +72,9 @@ fn with_left_flanks(
     method: Method,
     tick: &Tick,
 ) -> Result<Vec<ComparedRun>, Error> {
-    // Formulas of gears by data distinguish right and left flanks.
-    if study.materials.is_empty() {
+    // Formulas alone distinguish right and left flanks.
+    let mut poses = runs.iter().flat_map(|run| &run.poses);
+    if poses.all(|pose| pose.involute.is_none()) {
         return Ok(runs);
     }
     let mut plans = study.runs()?;
@@ -132,11 +133,9 @@ fn first_mating(study: &Study) -> (u32, u32) {
 /// The mating of wheel tooth 1 in the assembly phase of the study's first mating.
 fn from_tooth_1(study: &Study) -> (u32, u32) {
     let (wheel, pinion) = first_mating(study);
-    let first = study.center_distances.first();
-    let pairs = first.and_then(|a| study.pairs(*a).ok());
-    let Some((_, assembly)) = pairs.iter().flatten().next() else {
+    let Some(assembly) = study.first_pairs().next() else {
         return (wheel, pinion);
     };
-    let start = Mating::at(wheel, pinion, Side::Right).of_wheel_tooth_1(assembly);
+    let start = Mating::at(wheel, pinion, Side::Right).of_wheel_tooth_1(&assembly);
     (start.wheel_tooth, start.pinion_tooth)
 }

@@ -4,12 +4,12 @@ use crate::read::PairFile;
 use crate::spec::{
     GearSpec, GearToleranceSpec, PhaseName, ScatterName, ScatterSpec, SpreadSpec, ToleranceSpec,
 };
-use crate::tolerance::gears::{MeasuredGear, gears, left_out, middle, thickness_band};
+use crate::tolerance::gears::{MeasuredGear, gears, left_out, thickness_band};
 use crate::{common_face, lead, pair, with_tree};
 use gearlash::analysis::phases::phase;
 use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, GradedQuantity, Lead, PitchAxis, Side};
-use gearlash::outline::AssembledPair;
+use gearlash::outline::{AssembledPair, GearChange};
 use gearlash::pair::{Mating, Member, SweepPlan};
 use gearlash::population::{
     GearScatter, LIMIT_SIGMAS, LeadScatter, Population, PopulationError, Requirement, Scatter,
@@ -165,26 +165,14 @@ fn own_pair(pair: &PairFile, distance: f64, file: &Table) -> Option<AssembledPai
             "state one thickness",
         );
     }
-    let made = if study.material_count() == 1 {
-        study.pairs(distance).map(|mut pairs| pairs.remove(0).1)
-    } else {
-        study.pairs(distance).and_then(|ends| {
-            let [(_, most), (_, least)] = &ends[..] else {
-                return Err(GearError::ThicknessField.into());
-            };
-            most.varied(
-                distance,
-                |gear, member| match least.as_built(member) {
-                    Some(least) => middle([gear, least]),
-                    None => Ok(gear.clone()),
-                },
-                |gear, member| match thickness_band(pair, member) {
-                    Some([thinner, _]) => gear.thicker(thinner),
-                    None => Ok(gear.clone()),
-                },
-            )
-        })
+    let change = |member: Member| GearChange {
+        thicker: thickness_band(pair, member).map(|[thinner, _]| thinner),
+        ..GearChange::default()
     };
+    let made = study.pairs(distance).and_then(|pairs| {
+        let (_, most) = pairs.first().ok_or(GearError::ThicknessField)?;
+        most.varied(distance, &Member::BOTH.map(change))
+    });
     file.keep("tolerance", made, "correct the gears, or their distance")
 }
 

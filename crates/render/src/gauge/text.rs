@@ -14,21 +14,21 @@ use std::fmt::Write;
 /// The text that `gauge` prints on `screen`; with `by_position` also every reading tooth by tooth.
 pub fn text(title: &str, gears: &[GaugedGear], by_position: bool, screen: &Screen) -> String {
     let mut text = format!("{}\n", plain(title));
+    let mut lengths_alone = true;
     for gauged in gears {
         let _ = write!(text, "\n{}\n\n", gauged.words());
         text += &length_table(gauged, screen);
-        if gauged.basic_data().is_some() {
-            text += &deviations(&gauged.gauged);
-            text += &grade_table(&gauged.gauged, screen);
-        }
-        text += &remarks(gauged);
+        let deviations = deviations(&gauged.gauged, screen);
+        lengths_alone &= deviations.is_empty();
+        text += &deviations;
+        text += &remarks(gauged, !deviations.is_empty());
         if by_position {
             text += POSITIONS;
             text += &position_table(gauged);
         }
     }
-    if gears.iter().all(|gauged| gauged.basic_data().is_none()) {
-        return screen.fold(&(text + &screen.paragraphs(OF_DRAWN)));
+    if lengths_alone {
+        return screen.fold(&(text + &screen.paragraphs(OF_LENGTHS)));
     }
     text += &screen.paragraphs(LEGEND);
     if gears.iter().any(GaugedGear::is_helical) {
@@ -47,7 +47,7 @@ Thickness is an arc of the reference circle. Pitch: own, about the gear's own ce
 which is what a standard grades. Grade: the finest that admits the value, with its tolerance; measured and tolerance in µm.
 --positions, --format csv and the CSV files have every reading tooth by tooth.";
 
-const OF_DRAWN: &str = "
+const OF_LENGTHS: &str = "
 Lengths in mm; range and bound in µm. At: the first tooth spanned, or the tooth before the space of the (first) pin. The anvils reach \
 down to a third of the depth above the root.";
 
@@ -55,9 +55,9 @@ const OF_HELICAL: &str = "
 Helical gears: all is of the measuring plane, the centres of the balls too. Span: along the normal of the helix. M_dK: over balls; \
 M_dR: over pins that lie along the spaces, opposite each other. Thickness: s_t on the arc of the transverse section, s_n = s_t cos β.";
 
-/// Runout, pitch and roll in µm.
-fn deviations(read: &Gauged) -> String {
-    let mut text = String::from("\n");
+/// Runout, pitch, roll and grades; empty if spans and pins alone are measured.
+fn deviations(read: &Gauged, screen: &Screen) -> String {
+    let mut text = String::new();
     if let Ok(runout) = &read.runout {
         let _ = writeln!(
             text,
@@ -98,7 +98,10 @@ fn deviations(read: &Gauged) -> String {
         }
     }
     text += &read.along_face.as_ref().map_or(String::new(), along_face);
-    text
+    if text.is_empty() {
+        return text;
+    }
+    format!("\n{text}{}", grade_table(read, screen))
 }
 
 fn profile_words(flank: &FlankTraces) -> String {
@@ -226,13 +229,13 @@ fn graded_name(one: &GradedReading) -> String {
 }
 
 /// Notes on readings that were not taken, and on contacts off the involute.
-fn remarks(gauged: &GaugedGear) -> String {
+fn remarks(gauged: &GaugedGear, has_deviations: bool) -> String {
     let read = &gauged.gauged;
     let mut text = String::new();
     for line in gauged.unmeasured() {
         let _ = writeln!(text, "{line}");
     }
-    if let (Err(reason), Some(_)) = (&read.stated, gauged.basic_data()) {
+    if let (Err(reason), true) = (&read.stated, has_deviations) {
         let _ = writeln!(text, "no gear file: {reason}");
     }
     let spans = read.spans.iter().flat_map(|spans| &spans.readings);

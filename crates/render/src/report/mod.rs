@@ -6,6 +6,7 @@
 mod drawings;
 mod face;
 mod figures;
+mod gears;
 mod grades;
 mod input;
 mod method;
@@ -23,6 +24,7 @@ use crate::chart::PictureError;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::outcome::{Agreement, Outcome, by_distance};
+use gears::Gears;
 use maud::html;
 use page::{Page, PageFrame};
 
@@ -67,7 +69,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     sections.retain(|(id, _)| *id != "face" || face::is_of(&page));
     let has_checks = !report.analysis.diagnosis.groups.is_empty();
     sections.retain(|(id, _)| has_checks || !matches!(*id, "trust" | "checks" | "models"));
-    let by_data = report.pair.spec.by_data();
+    let gears = Gears::of(report.pair);
     let main = html! {
         (verdict::section(&page))
         (trust::unproven(&page))
@@ -77,11 +79,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
             (trust::section(&page))
             (models::checks(&page))
         }
-        @if let Some(gears) = by_data {
-            (input::section(&page, gears)?)
-        } @else {
-            (drawings::section(&page))
-        }
+        ((gears.section)(&page)?)
         (models::measured(&page))
         @if has_checks { (models::section(&page)?) }
         (results::poses(&page))
@@ -92,11 +90,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         file: report.file,
         date: report.date,
         sections: &sections,
-        same: if by_data.is_some() {
-            "The same pair file and version give the same numbers."
-        } else {
-            "The same pair file, drawings and version give the same numbers."
-        },
+        same: gears.same,
     };
     Ok(page_frame.page(&main))
 }

@@ -1,14 +1,13 @@
 //! The page of a population of pairs.
 
 use super::figures::{collapsed, figure};
+use super::gears::Gears;
 use super::page::PageFrame;
 use super::phrases::{j_wt, plain, with_symbols};
 use super::table::{Table, cells, columns, mark};
-use super::{drawings, stated};
 use crate::chart::population::Pictures;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::population::{CONFIDENCE, GROUPS, LIMIT_SIGMAS, OutcomeKind, PITCH_LIMIT_SIGMAS};
-use gearlash_input::spec::GearSpec;
 use gearlash_input::tolerance::{
     About, Limit, ToleranceFile, ToleranceResult, sentence, without_worst_case,
 };
@@ -89,10 +88,6 @@ fn result(report: &ToleranceReport) -> Markup {
 /// The gears, their assembly, the scatter and the requirement.
 fn input(report: &ToleranceReport) -> Markup {
     let pair = &report.file.pair;
-    let gears = match pair.spec.by_data() {
-        Some(gears) => gears_by_data(gears),
-        None => drawings::gears(pair),
-    };
     // Specs are plain data, which JSON can always hold.
     let assembly = serde_json::to_value(&pair.spec.assembly).unwrap_or_default();
     let scatters = serde_json::to_value(&report.file.tolerance).unwrap_or_default();
@@ -100,7 +95,7 @@ fn input(report: &ToleranceReport) -> Markup {
     html! {
         section id="input" {
             h2 { "Input" }
-            (gears)
+            (Gears::of(pair).table)
             (stated_table("Assembly", &assembly))
             (stated_table("What scatters, [tolerance]", &scatters))
             p {
@@ -109,30 +104,6 @@ fn input(report: &ToleranceReport) -> Markup {
             }
         }
     }
-}
-
-fn gears_by_data(gears: [&GearSpec; 2]) -> Markup {
-    let of = |value: &dyn Fn(&GearSpec) -> String| gears.map(value);
-    let pressure = of(&|gear| shortest(gear.pressure_angle_deg));
-    let helix = of(&|gear| gear.helix_angle_deg.map_or("0".to_owned(), shortest));
-    let pitch = of(&|gear| stated::pitch(gear.pitch.as_ref(), false));
-    let mut rows = vec![
-        ("teeth", of(&|gear| gear.teeth.to_string())),
-        ("module, mm", of(&|gear| shortest(gear.module_mm))),
-        ("pressure angle, °", pressure),
-        ("helix angle, °", helix),
-        ("profile shift", of(&|gear| shortest(gear.profile_shift))),
-        ("thickness", of(&|gear| stated::thickness(&gear.thickness))),
-        ("runout, µm", of(&|gear| stated::runout(&gear.runout))),
-        ("pitch", pitch),
-    ];
-    if gears.iter().all(|gear| gear.helix_angle_deg.is_none()) {
-        rows.retain(|(name, _)| *name != "helix angle, °");
-    }
-    let columns = columns(" | wheel | pinion");
-    let rows = rows.into_iter();
-    let rows = rows.map(|(name, [wheel, pinion])| cells![name, plain(&wheel), plain(&pinion)]);
-    Table::new("Gears", html! { "Gears as stated" }, columns, rows).render()
 }
 
 fn stated_table(caption: &str, table: &serde_json::Value) -> Markup {

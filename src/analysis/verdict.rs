@@ -88,6 +88,8 @@ pub struct Verdict<'a> {
     pub failed_checks: Vec<CheckName>,
     /// Standard uncertainties of the measurements, if stated.
     pub uncertainty: Option<Uncertainty>,
+    /// Whether it keeps all its limits over the expanded uncertainty, too.
+    pub is_kept_within_uncertainty: bool,
 }
 
 impl<'a> Verdict<'a> {
@@ -98,7 +100,8 @@ impl<'a> Verdict<'a> {
         uncertainty: Option<Uncertainty>,
         failed_checks: Vec<CheckName>,
     ) -> Verdict<'a> {
-        let unmet = unmet(required, runs);
+        let within = unmet(required, runs, uncertainty);
+        let unmet = unmet(required, runs, None);
         Verdict {
             runs,
             requirement: Requirement::of(required, &unmet),
@@ -106,6 +109,7 @@ impl<'a> Verdict<'a> {
             lost_motion_of: lost_motion_of(required),
             failed_checks,
             uncertainty,
+            is_kept_within_uncertainty: within.is_empty(),
         }
     }
 
@@ -237,8 +241,13 @@ fn lost_motion_of(required: &Requirements) -> Option<Member> {
     })
 }
 
-/// The limits of `required` that some of `runs` do not meet, each with its worst value; certainly missed ones first.
-fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
+/// The limits of `required` that some of `runs` do not meet, each with its worst value, widened by the expanded `uncertainty`;
+/// certainly missed ones first.
+fn unmet(
+    required: &Requirements,
+    runs: &[RunExtremes],
+    uncertainty: Option<Uncertainty>,
+) -> Vec<Unmet> {
     let limits = required.iter().flat_map(|(quantity, limits)| {
         let ends = [(limits.min, false), (limits.max, true)];
         ends.map(|(limit, is_max)| (*quantity, limit, is_max))
@@ -246,7 +255,7 @@ fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
     let worst = |(quantity, limit, is_max): (Quantity, Option<f64>, bool)| {
         let limit = limit?;
         let each = runs.iter();
-        let each = each.filter_map(|run| unmet_by(run, quantity, limit, is_max));
+        let each = each.filter_map(|run| unmet_by(run, quantity, (limit, is_max), uncertainty));
         let key = |(unmet, most): &(Unmet, f64)| (unmet.is_missed, *most);
         each.max_by(|one, other| {
             let ((missed, most), (other_missed, other_most)) = (key(one), key(other));
@@ -263,15 +272,19 @@ fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
 fn unmet_by(
     run: &RunExtremes,
     quantity: Quantity,
-    limit: f64,
-    is_max: bool,
+    (limit, is_max): (f64, bool),
+    uncertainty: Option<Uncertainty>,
 ) -> Option<(Unmet, f64)> {
     let (assembly, extreme) = run.with_play(if is_max { End::Greatest } else { End::Least });
     // The radial clearance needs no contact.
     let extreme = extreme.filter(|_| quantity != Quantity::RadialClearance);
     let j_wt = match quantity {
         Quantity::RadialClearance => Some([0.0; 2]),
-        _ => extreme.map(|found| [found.low, found.high]),
+        _ => extreme.map(|found| {
+            let off = uncertainty.and_then(|of| of.of(&found.assembly, &found.pose.simulated));
+            let off = off.unwrap_or(0.0);
+            [found.low - off, found.high + off]
+        }),
     };
     let found = j_wt.and_then(|j_wt| quantity.bracket(assembly, j_wt, is_max));
     let [most, least] = match found {

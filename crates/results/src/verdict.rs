@@ -650,12 +650,17 @@ fn teeth(pose: &ComparedPose) -> Option<String> {
     ))
 }
 
-/// The lines of `verdict` as the message of a failure: of a pair that assembles, the limits that it violates come first.
+/// The lines of `verdict` as the message of a failure: of a pair that assembles, the limits that it violates come first, and once.
 pub(crate) fn message(verdict: &Verdict, lines: &VerdictLines) -> String {
     let violated = verdict.unmet.iter().map(|unmet| limit(unmet, UNCUT));
-    let violated = violated.filter(|_| verdict.assembles() == Some(true));
-    let lines = lines.lines();
-    violated.chain(lines).collect::<Vec<String>>().join("\n")
+    let mut message: Vec<String> = violated
+        .filter(|_| verdict.assembles() == Some(true))
+        .collect();
+    let lines = lines.lines().into_iter();
+    let is_said = |line: &String| message.iter().any(|limit| limit.starts_with(line.trim()));
+    let others: Vec<String> = lines.filter(|line| !is_said(line)).collect();
+    message.extend(others);
+    message.join("\n")
 }
 
 /// The sentences that qualify the extremes, the most important first.
@@ -676,7 +681,9 @@ fn sentences(verdict: &Verdict, most: usize) -> Vec<String> {
         sentences.push(format!("± is the expanded uncertainty, k = {k}"));
     }
     if verdict.requirement == Requirement::Met {
-        sentences.push("Requirement met".to_owned());
+        let is_within = verdict.is_kept_within_uncertainty;
+        let rest = if is_within { "" } else { ", but not within ±" };
+        sentences.push(format!("Requirement met{rest}"));
     }
     sentences
 }

@@ -10,10 +10,12 @@ use gearlash_input::spec::GearSpec;
 use gearlash_text::numbers::shortest;
 use maud::{Markup, Render, html};
 
+type Section<'a> = dyn Fn(&Page) -> Result<Markup, PictureError> + 'a;
+
 /// The parts of a page that differ between gears by data and drawn ones.
 pub(super) struct Gears<'a> {
     /// The section of the gears and their assembly.
-    pub section: Box<dyn Fn(&Page) -> Result<Markup, PictureError> + 'a>,
+    pub section: Box<Section<'a>>,
     /// Table of both gears for the page of a population.
     pub table: Markup,
     /// What gives the same numbers again.

@@ -390,7 +390,7 @@ pub enum Error {
     /// An outline that is no gear, or a pair of outlines that cannot be put together.
     #[error(transparent)]
     Outline(#[from] OutlineError),
-    /// A change that a gear of a pair with a drawn one has not.
+    /// A change that is impossible beside a drawn gear.
     #[error("beside a drawing each gear's runout can change, and the thickness of a drawn one")]
     ChangeOfDrawn,
     /// The contact search failed for a pair of flanks: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.

@@ -88,7 +88,7 @@ pub struct Verdict<'a> {
     pub failed_checks: Vec<CheckName>,
     /// Standard uncertainties of the measurements, if stated.
     pub uncertainty: Option<Uncertainty>,
-    /// Whether it keeps all its limits over the expanded uncertainty, too.
+    /// Whether the limits also hold with the expanded uncertainty of `j_wt`. A radial clearance has none.
     pub is_kept_within_uncertainty: bool,
 }
 

@@ -455,30 +455,31 @@ impl Eccentricity {
         other: &Eccentricity,
         basic_data: &BasicGearData,
     ) -> Option<Reversal> {
-        let is_at = |high_tooth| {
-            self.is_same(
-                &Eccentricity {
-                    high_tooth,
-                    ..*other
-                },
-                basic_data,
-            )
-        };
-        let half_turn = f64::from(basic_data.teeth()) / 2.0;
-        if is_at(other.high_tooth) {
-            None
-        } else if is_at(other.high_tooth + half_turn) {
-            Some(Reversal::Sign)
-        } else {
-            // Counted the other way from tooth 1.
-            is_at(2.0 - other.high_tooth).then_some(Reversal::Numbering)
+        if self.is_same(other, basic_data) || self.um < LEAST_UM {
+            return None;
         }
+        let half_turn = f64::from(basic_data.teeth()) / 2.0;
+        let turned = (other.high_tooth + half_turn, Reversal::Sign);
+        // Counted the other way from tooth 1.
+        let mirrored = (2.0 - other.high_tooth, Reversal::Numbering);
+        let each = [turned, mirrored].map(|(high_tooth, reversal)| {
+            let um = other.um;
+            (Eccentricity { um, high_tooth }, reversal)
+        });
+        let off = |moved: &Eccentricity| self.distance_um(moved, basic_data);
+        let nearest = each
+            .into_iter()
+            .min_by(|(one, _), (two, _)| off(one).total_cmp(&off(two)));
+        nearest.and_then(|(moved, reversal)| self.is_same(&moved, basic_data).then_some(reversal))
     }
 }
 
 /// Greatest relative difference at which two eccentricities count as one: 25 % of the amount or 14.5° of the direction. A harmonic of
 /// the gear's own pitch, of any direction and up to twice the amount, comes so near once in 64 times.
 const SAME_ECCENTRICITY: f64 = 0.25;
+
+/// Less eccentricity, µm, is within the rounding of a sheet.
+const LEAST_UM: f64 = 1.0;
 
 /// How two statements of one eccentricity can differ by a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -16,6 +16,7 @@ use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
 use gearlash::outline::OutlineGear;
 use gearlash_tables::StatedGear;
+use gearlash_text::numbers::rounded;
 use gearlash_text::{MM_PER_INCH, Table};
 use std::convert::Infallible;
 
@@ -233,6 +234,7 @@ impl GearPart {
         spec.rack = RackSpec::from(&statements.design.rack);
         spec.tip_diameter_mm = statements.design.tip_diameter?;
         let settled_runout = statements.runout.settled(gear.runout);
+        let read_um = statements.runout.range_um();
         spec.runout = statements.runout.spec;
         spec.profile = statements.profiles.spec();
         spec.lead = statements.leads.map(|leads| leads.spec);
@@ -243,7 +245,11 @@ impl GearPart {
         }
         self.helix?.echo(&mut spec);
         self.warnings.extend(unit_slips::warnings(name, &spec));
-        // Of readings it is calculated, and no slip.
+        let read_slip = read_um.and_then(|um| {
+            let key = table.path_of("runout.file");
+            unit_slips::in_unit(&key, "um", rounded(um, 4))
+        });
+        self.warnings.extend(read_slip);
         spec.runout = settled_runout;
         self.spec = Some(EitherGearSpec::Data(Box::new(spec)));
         Some(())

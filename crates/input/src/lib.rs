@@ -1,6 +1,6 @@
 //! From a pair file to a [`Study`](gearlash::analysis::study::Study): every key of the interface, every problem at once.
 //!
-//! A file becomes a tree of values (`source`, `node`). The schema of the spec checks it (`check`), then serde reads the spec. The
+//! A file becomes a tree of values (`gearlash-text`). The schema of the spec checks it (`check`), then serde reads the spec. The
 //! tables it names are read (`gearlash-tables`). Metrology and geometry take the result: `faults` finds the keys of their errors,
 //! `findings` puts their findings into words. This package computes nothing about gears.
 //!
@@ -259,7 +259,7 @@ fn refuse_other_kinds(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     } else if ends(&["dxf", "dwg"]) || holds(b"<svg") {
         let help = "gearlash init --outline writes a pair file that names drawings; check, compare and gauge also take drawings";
         ("is a drawing", help.to_owned())
-    } else if ends(&["csv", "xlsx", "xls", "ods", "mka"]) {
+    } else if ends(&["csv", "tsv", "xlsx", "xlsm", "xls", "ods", "mka", "mew"]) {
         let help = format!(
             "gearlash import {file} shows its numbers and the lines of a pair file that name it"
         );

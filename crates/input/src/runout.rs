@@ -211,6 +211,11 @@ impl Runout {
         }
     }
 
+    /// Range of its readings, µm; `None` without readings.
+    pub fn range_um(&self) -> Option<f64> {
+        self.readings.as_ref().map(ProbeReadings::range_um)
+    }
+
     /// The key, below the gear's table, that gives it.
     pub fn key(&self) -> &'static str {
         if self.of_planes.is_some() {

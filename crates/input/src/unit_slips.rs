@@ -40,7 +40,7 @@ pub fn warnings(path: &str, table: &impl Serialize) -> Vec<String> {
 }
 
 /// The warning of a key whose greatest number is `value`.
-fn in_unit(path: &str, unit: &str, value: f64) -> Option<String> {
+pub fn in_unit(path: &str, unit: &str, value: f64) -> Option<String> {
     let size = value.abs();
     let least_mm = MIN_MM.iter().find(|(key, _)| path.ends_with(key));
     let words = match unit {

@@ -115,7 +115,7 @@ pub fn checked(
         let doubt = "some poses are not proven, or methods disagree";
         (diagnosis::Verdict::Unproven, doubt)
     };
-    let message = verdict::message(verdict, &lines) + "\n" + &remedies.text(verdict);
+    let message = verdict::message(verdict) + "\n" + &remedies.text(verdict);
     let mut cases = vec![
         Case::new(VERDICT, state, message.trim_end().to_owned()),
         Case::new("poses", proof, of_poses.to_owned()),

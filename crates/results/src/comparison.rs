@@ -114,11 +114,7 @@ impl ComparedPair<'_> {
             passes: agrees && kept,
             cases: vec![
                 Case::new("formulas", failed(agrees, is_unproven), formulas),
-                Case::new(
-                    VERDICT,
-                    failed(kept, kept_unproven),
-                    message(&verdict, &lines),
-                ),
+                Case::new(VERDICT, failed(kept, kept_unproven), message(&verdict)),
             ],
             warnings: self.file.warnings.clone(),
             remarks: self.file.remarks.clone(),

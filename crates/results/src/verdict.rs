@@ -650,17 +650,16 @@ fn teeth(pose: &ComparedPose) -> Option<String> {
     ))
 }
 
-/// The lines of `verdict` as the message of a failure: of a pair that assembles, the limits that it violates come first, and once.
-pub(crate) fn message(verdict: &Verdict, lines: &VerdictLines) -> String {
-    let violated = verdict.unmet.iter().map(|unmet| limit(unmet, UNCUT));
-    let mut message: Vec<String> = violated
-        .filter(|_| verdict.assembles() == Some(true))
-        .collect();
-    let lines = lines.lines().into_iter();
-    let is_said = |line: &String| message.iter().any(|limit| limit.starts_with(line.trim()));
-    let others: Vec<String> = lines.filter(|line| !is_said(line)).collect();
-    message.extend(others);
-    message.join("\n")
+/// The lines of `verdict` as the message of a failure. The limits that a pair misses which assembles come before them.
+pub(crate) fn message(verdict: &Verdict) -> String {
+    let mut others = verdict.clone();
+    let mut violated = Vec::new();
+    if verdict.assembles() == Some(true) {
+        violated = std::mem::take(&mut others.unmet);
+    }
+    let violated = violated.iter().map(|unmet| limit(unmet, UNCUT));
+    let lines = lines(&others).lines();
+    violated.chain(lines).collect::<Vec<String>>().join("\n")
 }
 
 /// The sentences that qualify the extremes, the most important first.

@@ -12,7 +12,7 @@ use gearlash_input::is_rexs;
 use gearlash_input::outlines::{listed_outlines, lists_outlines};
 use gearlash_results::text::{self, Screen};
 use gearlash_rexs::{self as rexs, RexsFile, RexsPair};
-use gearlash_text::{Problem, STANDARD_INPUT};
+use gearlash_text::{Problem, STANDARD_INPUT, without_mark};
 use std::path::{Path, PathBuf};
 
 /// Show what is read of a table, protocol, drawing or gearbox model, and the lines of a pair file that name it
@@ -141,9 +141,9 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
 
 /// Whether the file at `path` with these bytes is a gearbox model, as standard input is; else it holds tables.
 fn is_gearbox_model(path: &Path, bytes: &[u8]) -> bool {
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     // No table begins like XML or JSON.
-    let begins = matches!(text.trim_ascii_start().first(), Some(b'<' | b'{'));
+    let first = without_mark(bytes).trim_ascii_start().first();
+    let begins = matches!(first, Some(b'<' | b'{'));
     begins || is_rexs(path) || path == Path::new(STANDARD_INPUT)
 }
 

@@ -6,8 +6,9 @@
 
 use crate::console::{print, print_note};
 use crate::error::Error;
-use gearlash_text::Sources;
+use gearlash_input::{TABLE_EXTENSIONS, is_rexs};
 use gearlash_text::characters::plain;
+use gearlash_text::{Sources, has_extension};
 use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -280,16 +281,11 @@ impl Place {
     }
 }
 
-/// Extensions of input files: pair files, tables, protocols and gearbox models.
-const READ: [&str; 12] = [
-    "toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls", "mka", "mew", "rexs", "rexsj", "rexsz",
-];
-
 impl Target {
     /// As [`Target::prepare`], for a page, a picture or Markdown. It never overwrites a pair file or table, read or not.
     pub(super) fn prepare_beside(path: PathBuf, sources: &Sources) -> Result<Target, Error> {
-        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-        if ending.is_some_and(|ending| READ.iter().any(|read| ending == *read)) {
+        let is_pair_file = has_extension(&path, &["toml", "json"]);
+        if is_pair_file || has_extension(&path, &TABLE_EXTENSIONS) || is_rexs(&path) {
             return Err(Error::Usage(format!(
                 "{}: this is the place of a pair file or a table, which would be lost; name another file",
                 path.display()

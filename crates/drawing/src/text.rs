@@ -2,11 +2,12 @@
 
 use super::DrawingError;
 use gearlash_text::encoding::windows_1252;
+use gearlash_text::without_mark;
 use std::borrow::Cow;
 
 /// UTF-8, or Windows-1252, which old programs write. A byte order mark is left out.
 pub fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, DrawingError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = without_mark(bytes);
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err(DrawingError::at("line 1", "UTF-16", "save it as UTF-8"));
     }

@@ -48,14 +48,17 @@ mod unit_slips;
 mod unknown_key;
 
 use check::Checked;
-use gearlash_text::{Files, InputError, Node, Problem, Reading, Table, bytes, named, source};
+use gearlash_text::{
+    Files, InputError, Node, Problem, Reading, Table, bytes, has_extension, named, source,
+    without_mark,
+};
 use pair_file::PairTables;
-use std::ffi::OsStr;
 use std::path::Path;
 use std::rc::Rc;
 
 pub use distance::with_distance;
 pub use gauged_file::{NoGearFile, gauged_file};
+pub use gearlash_tables::EXTENSIONS as TABLE_EXTENSIONS;
 pub use helix::short_for_span;
 pub use pair_file::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use pair_slips::in_tolerance as tolerance_slip;
@@ -238,28 +241,26 @@ fn with_tree<T>(path: &Path, understand: impl FnOnce(&Tree) -> Option<T>) -> Res
 
 /// Whether the file at `path` is to be read as a gearbox model (REXS), by its name.
 pub fn is_rexs(path: &Path) -> bool {
-    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-    ending.is_some_and(|ending| ["rexs", "rexsj", "rexsz"].iter().any(|one| ending == *one))
+    has_extension(path, &["rexs", "rexsj", "rexsz"])
 }
 
 /// The `bytes` of the file at `path`, which should be a pair file or gear file.
 /// Errors: the file is a drawing, a table or a gearbox model, by its name or as XML.
 fn refuse_other_kinds(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let text = without_mark(&bytes);
     let is_xml = text.trim_ascii_start().starts_with(b"<");
     let holds = |tag: &[u8]| is_xml && text.windows(tag.len()).any(|part| part == tag);
-    let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default();
-    let ends = |endings: &[&str]| endings.contains(&&ending.to_ascii_lowercase()[..]);
+    let is_table = has_extension(path, &TABLE_EXTENSIONS) || has_extension(path, &["ods"]);
     let file = path.display();
     let (reason, help) = if is_rexs(path) || holds(b"<model") {
         let help = format!(
             "gearlash import {file} --stage ID -o pair.toml writes the pair file of a stage"
         );
         ("is a gearbox model", help)
-    } else if ends(&["dxf", "dwg"]) || holds(b"<svg") {
+    } else if has_extension(path, &["dxf", "dwg"]) || holds(b"<svg") {
         let help = "gearlash init --outline writes a pair file that names drawings; check, compare and gauge also take drawings";
         ("is a drawing", help.to_owned())
-    } else if ends(&["csv", "tsv", "xlsx", "xlsm", "xls", "ods", "mka", "mew"]) {
+    } else if is_table {
         let help = format!(
             "gearlash import {file} shows its numbers and the lines of a pair file that name it"
         );

@@ -35,6 +35,9 @@ pub use request::{Coverage, Request, Wanted};
 use rows::Found;
 pub use rows::{Row, Unread};
 
+/// Extensions of files with tables; `.xls` is refused with the way out.
+pub const EXTENSIONS: [&str; 7] = ["csv", "tsv", "xlsx", "xlsm", "xls", "mka", "mew"];
+
 /// Formats that are not read: their first bytes and names.
 const NOT_READ: [(&[u8], &str); 2] = [
     (

@@ -277,8 +277,8 @@ fn relationships(parts: &Parts, from: &str) -> Result<BTreeMap<String, Related>,
 fn part<'a>(parts: &'a Parts, name: &str) -> Result<&'a str, String> {
     let bytes = parts.get(&name.to_lowercase());
     let bytes = bytes.ok_or_else(|| format!("it has no part {name}"))?;
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    std::str::from_utf8(bytes).map_err(|_| format!("{name}: not UTF-8"))
+    std::str::from_utf8(gearlash_text::without_mark(bytes))
+        .map_err(|_| format!("{name}: not UTF-8"))
 }
 
 /// Hands each event of an XML text to `take`, until it breaks. An empty element starts and ends.

@@ -1,7 +1,7 @@
 //! Text of files, and what is said about it: characters that may be shown, numbers for people, problems with their place and remedy.
 //!
 //! A file becomes text (`source`) and a tree of values (`node`) with paths (`table`). One [`Reading`] collects the problems and remarks
-//! of a file and of those that it names. Every package that reads files stands on this one. It computes nothing about gears.
+//! of a file and of those that it names. Every package that reads files imports this one. It computes nothing about gears.
 
 pub mod characters;
 pub mod encoding;
@@ -37,6 +37,17 @@ pub fn named(path: &Path) -> &Path {
     } else {
         path
     }
+}
+
+/// Whether the name of the file at `path` has one of these extensions, in lower case or not.
+pub fn has_extension(path: &Path, any: &[&str]) -> bool {
+    let extension = path.extension().map(|text| text.to_ascii_lowercase());
+    extension.is_some_and(|extension| any.iter().any(|one| extension == *one))
+}
+
+/// `bytes` without the byte order mark of UTF-8.
+pub fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
 /// The bytes of the file at `path`; `-` is standard input.

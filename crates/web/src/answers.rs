@@ -28,7 +28,7 @@ use gearlash_results::verdict::{
     ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
 };
 use gearlash_text::numbers::{trimmed, um, unit_of};
-use gearlash_text::{Files, InputError, MAX_BYTES, named, too_large};
+use gearlash_text::{Files, InputError, MAX_BYTES, has_extension, named, too_large};
 use serde_json::{Value, json};
 use std::fmt::Display;
 use std::ops::ControlFlow;
@@ -324,8 +324,7 @@ impl Page {
     /// The problem of the file `name` with this number of `bytes`; null where it is not too large.
     pub fn too_large(&self, name: &str, bytes: u64) -> Value {
         let name = Path::new(name);
-        let ending = name.extension().map(|ending| ending.to_ascii_lowercase());
-        let is_text = ending.is_some_and(|ending| ending == "toml" || ending == "json");
+        let is_text = has_extension(name, &["toml", "json"]);
         let most = if is_text { MOST_TEXT } else { MAX_BYTES };
         if bytes <= most {
             return Value::Null;

@@ -6,6 +6,7 @@ use crate::output::folder_of;
 use crate::signals;
 use gearlash::population::{Row, Tally};
 use gearlash_input::tolerance::{RowsHead, RowsTally, ToleranceRun, named, row_line, shell_word};
+use gearlash_text::has_extension;
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::ops::Range;
@@ -38,8 +39,7 @@ impl<'a> RowsFile<'a> {
         numbers: Range<u64>,
         is_whole: bool,
     ) -> Result<RowsFile<'a>, Error> {
-        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-        if ending.is_some_and(|ending| ending == "parquet") {
+        if has_extension(path, &["parquet"]) {
             return Err(wrong(
                 path,
                 "Parquet is gone: rows are CSV, which pandas, polars and DuckDB convert; name a file that ends in .csv",

@@ -206,10 +206,22 @@ impl AssembledPair {
         Some(self.data()?.backlash(j_wt))
     }
 
+    /// Whether wheel and pinion have what these changes change; beside an outline a gear has less.
+    pub fn allows(&self, changes: &[GearChange; 2]) -> bool {
+        let is_possible =
+            |member, pair: &OutlinePair| changes[member as usize].is_possible(pair.gear(member));
+        let drawn = self.drawn();
+        drawn.is_none_or(|pair| {
+            Member::BOTH
+                .into_iter()
+                .all(|member| is_possible(member, pair))
+        })
+    }
+
     /// This pair at another centre distance, mm, its wheel and pinion after these changes.
     ///
     /// # Errors
-    /// As [`AssembledPair::at`], and of the changes: [`Error::ChangeOfDrawn`] of one that an outline has not.
+    /// As [`AssembledPair::at`], and of the changes: [`Error::ChangeOfDrawn`] of one that it does not [allow](AssembledPair::allows).
     pub fn varied(
         &self,
         center_distance: f64,
@@ -222,10 +234,12 @@ impl AssembledPair {
                 pair.with_gears(wheel, pinion, center_distance)?.into()
             }
             AssembledPair::Drawn(pair) => {
+                if !self.allows(changes) {
+                    return Err(Error::ChangeOfDrawn);
+                }
                 let gear = |member| changes[member as usize].of_outline(pair.gear(member));
-                let gears = gear(Member::Wheel).zip(gear(Member::Pinion));
-                let (wheel, pinion) = gears.ok_or(Error::ChangeOfDrawn)?;
-                OutlinePair::new(wheel?, pinion?, center_distance, pair.locked())?.into()
+                let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+                OutlinePair::new(wheel, pinion, center_distance, pair.locked())?.into()
             }
         })
     }

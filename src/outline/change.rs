@@ -52,26 +52,25 @@ impl GearChange {
         Ok(if leans { gear.section_at(place) } else { gear })
     }
 
-    /// `gear` after this change: a drawn one with another thickness, and either kind with a runout of a known direction. `None` of any
-    /// other change, which an outline has not.
-    pub(super) fn of_outline(
-        &self,
-        gear: &OutlineGear,
-    ) -> Option<Result<OutlineGear, OutlineError>> {
-        let possible = GearChange {
+    /// Whether `gear` can change so: a drawn one in thickness, and either kind in a runout of a known direction. An outline has nothing else.
+    pub(super) fn is_possible(&self, gear: &OutlineGear) -> bool {
+        let outline = GearChange {
             thicker: self.thicker.filter(|_| gear.flank_offset().is_some()),
             runout: self.runout.filter(|(_, tooth)| tooth.is_some()),
             ..GearChange::default()
         };
-        (*self == possible).then(|| {
-            let mut gear = gear.clone();
-            if let Some(by) = self.thicker {
-                gear = gear.thicker(by)?;
-            }
-            if let Some((eccentricity, Some(tooth))) = self.runout {
-                gear = gear.with_runout(eccentricity, tooth)?;
-            }
-            Ok(gear)
-        })
+        *self == outline
+    }
+
+    /// `gear` after this change, which [is possible](GearChange::is_possible).
+    pub(super) fn of_outline(&self, gear: &OutlineGear) -> Result<OutlineGear, OutlineError> {
+        let mut gear = gear.clone();
+        if let Some(by) = self.thicker {
+            gear = gear.thicker(by)?;
+        }
+        if let Some((eccentricity, Some(tooth))) = self.runout {
+            gear = gear.with_runout(eccentricity, tooth)?;
+        }
+        Ok(gear)
     }
 }

@@ -89,8 +89,11 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
     let scatters = population.scatters();
     let are_whole = |member| scatters.of(member).gears.is_some();
     // The worst direction of a runout is searched for gears by data alone.
-    let worst = assembly(population, &|_| true, Towards::Less, FACE_ENDS[0]);
-    if Member::BOTH.into_iter().any(are_whole) || worst == Err(Error::ChangeOfDrawn) {
+    let off_axis = Member::BOTH.map(|member| GearChange {
+        runout: scatters.of(member).runout.as_ref().map(|_| (0.0, None)),
+        ..GearChange::default()
+    });
+    if Member::BOTH.into_iter().any(are_whole) || !population.pair().allows(&off_axis) {
         return Ok(None);
     }
     let both = |of: &dyn Fn(Factor) -> bool| {

@@ -58,7 +58,7 @@ impl Population {
             run: Run::Population,
             number: 1,
         };
-        if let Err(Error::ChangeOfDrawn) = population.assembly(first) {
+        if !pair.allows(&population.changes(&|factor| first.stream(factor.quantity()))) {
             return Err(PopulationError::Drawn);
         }
         let [near, far] = pair.face();
@@ -127,13 +127,7 @@ impl Population {
         } else {
             self.phase
         };
-        let shares = self.thickness_shares(&stream);
-        let changes = Member::BOTH.map(|member| {
-            let share = shares[member as usize];
-            let scatter = self.scatters.of(member);
-            scatter.draw(&self.pair, member, share, &stream)
-        });
-        let pair = self.pair.varied(distance, &changes)?;
+        let pair = self.pair.varied(distance, &self.changes(&stream))?;
         let lean = self.scatters.lean.each_ref().map(Option::as_ref);
         Ok(Assembly {
             pair: if lean == [None, None] {
@@ -143,6 +137,16 @@ impl Population {
             },
             clearance: play.unwrap_or(self.clearance),
             phase,
+        })
+    }
+
+    /// The changes of both gears from those of the pair.
+    fn changes(&self, stream: &dyn Fn(Factor) -> Stream) -> [GearChange; 2] {
+        let shares = self.thickness_shares(stream);
+        Member::BOTH.map(|member| {
+            let share = shares[member as usize];
+            let scatter = self.scatters.of(member);
+            scatter.draw(&self.pair, member, share, stream)
         })
     }
 

@@ -100,16 +100,16 @@ impl<'a> Verdict<'a> {
         uncertainty: Option<Uncertainty>,
         failed_checks: Vec<CheckName>,
     ) -> Verdict<'a> {
-        let within = unmet(required, runs, uncertainty);
-        let unmet = unmet(required, runs, None);
+        let missed = unmet(required, runs, None);
+        let is_within = || uncertainty.is_none() || unmet(required, runs, uncertainty).is_empty();
         Verdict {
             runs,
-            requirement: Requirement::of(required, &unmet),
-            unmet,
+            requirement: Requirement::of(required, &missed),
+            is_kept_within_uncertainty: missed.is_empty() && is_within(),
+            unmet: missed,
             lost_motion_of: lost_motion_of(required),
             failed_checks,
             uncertainty,
-            is_kept_within_uncertainty: within.is_empty(),
         }
     }
 

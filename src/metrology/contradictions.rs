@@ -302,21 +302,15 @@ fn eccentricity_in_own_pitch(
         return None;
     }
     if !in_runout.is_same(&in_pitch, basic_data) {
-        // The same amount in another direction: one of the two directions may be wrong. Beside readings, only by a known slip: a
-        // harmonic of the gear's own pitch is as large by chance.
-        let same_way = Eccentricity {
-            high_tooth: in_runout.high_tooth,
-            ..in_pitch
-        };
-        let is_as_large = in_runout.is_same(&same_way, basic_data);
+        // The same amount in another direction: one of the two directions may be wrong. A harmonic of the gear's own pitch is as
+        // large by chance: beside readings, only a known slip counts.
         let reversal = in_runout.reversal(&in_pitch, basic_data);
-        return ((is_as_large && !by_readings) || reversal.is_some()).then_some(
-            Finding::StatedEccentricityElsewhere {
-                in_pitch,
-                stated: in_runout,
-                reversal,
-            },
-        );
+        let is_doubted = reversal.is_some() || !by_readings && in_runout.is_as_large(&in_pitch);
+        return is_doubted.then_some(Finding::StatedEccentricityElsewhere {
+            in_pitch,
+            stated: in_runout,
+            reversal,
+        });
     }
     Some(Finding::OwnPitchHoldsEccentricity {
         in_pitch,

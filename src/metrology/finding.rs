@@ -449,6 +449,11 @@ impl Eccentricity {
         self.distance_um(other, basic_data) <= SAME_ECCENTRICITY * self.um
     }
 
+    /// Whether the amount of the `other` one is the same.
+    pub(super) fn is_as_large(&self, other: &Eccentricity) -> bool {
+        (other.um - self.um).abs() <= SAME_ECCENTRICITY * self.um
+    }
+
     /// How this eccentricity or the `other` one may be reversed; `None` if they are the same, or differ in another way.
     pub(super) fn reversal(
         &self,
@@ -458,19 +463,25 @@ impl Eccentricity {
         if self.is_same(other, basic_data) || self.um < LEAST_UM {
             return None;
         }
-        let half_turn = f64::from(basic_data.teeth()) / 2.0;
-        let turned = (other.high_tooth + half_turn, Reversal::Sign);
+        let turned = other.high_tooth + f64::from(basic_data.teeth()) / 2.0;
         // Counted the other way from tooth 1.
-        let mirrored = (2.0 - other.high_tooth, Reversal::Numbering);
-        let each = [turned, mirrored].map(|(high_tooth, reversal)| {
-            let um = other.um;
-            (Eccentricity { um, high_tooth }, reversal)
-        });
-        let off = |moved: &Eccentricity| self.distance_um(moved, basic_data);
-        let nearest = each
+        let mirrored = 2.0 - other.high_tooth;
+        let each = [(turned, Reversal::Sign), (mirrored, Reversal::Numbering)];
+        let off = |high_tooth| {
+            self.distance_um(
+                &Eccentricity {
+                    high_tooth,
+                    ..*other
+                },
+                basic_data,
+            )
+        };
+        let each = each.map(|(high_tooth, reversal)| (off(high_tooth), reversal));
+        let near = each
             .into_iter()
-            .min_by(|(one, _), (two, _)| off(one).total_cmp(&off(two)));
-        nearest.and_then(|(moved, reversal)| self.is_same(&moved, basic_data).then_some(reversal))
+            .filter(|(off, _)| *off <= SAME_ECCENTRICITY * self.um);
+        let nearest = near.min_by(|(one, _), (two, _)| one.total_cmp(two));
+        nearest.map(|(_, reversal)| reversal)
     }
 }
 

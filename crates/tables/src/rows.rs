@@ -284,6 +284,12 @@ impl Unread {
         (!words.is_empty()).then(|| words.join("; "))
     }
 
+    /// Whether there are columns without the letters `elsewhere`.
+    pub fn has_columns(&self, elsewhere: &[&str]) -> bool {
+        let mut letters = self.columns.iter().map(|(letter, _)| &letter[..]);
+        letters.any(|letter| !elsewhere.contains(&letter))
+    }
+
     /// The columns with the letters `elsewhere`, as [`Unread::words`].
     pub fn elsewhere(&self, elsewhere: &[&str]) -> Option<String> {
         self.named(|letter| elsewhere.contains(&letter))

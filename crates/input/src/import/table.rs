@@ -58,6 +58,9 @@ pub struct ImportedTable {
     /// Parts of the file that are not part of the table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<String>,
+    /// Whether columns are left out.
+    #[serde(skip)]
+    pub leaves_out_columns: bool,
     /// Columns that are part of another table of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub in_other_table: Option<String>,
@@ -180,6 +183,7 @@ impl ImportedTable {
                 Some(origin) => origin.left_out.words(&[]),
                 None => sheet.header.unused().map(str::to_owned),
             },
+            leaves_out_columns: false,
             in_other_table: None,
             unread: origin.map_or_else(Unread::default, |origin| origin.left_out.clone()),
             columns,
@@ -198,6 +202,7 @@ impl ImportedTable {
         let letters = headings.filter_map(|column| Some(&column.heading.as_ref()?.1[..]));
         let letters: Vec<&str> = letters.collect();
         self.left_out = self.unread.words(&letters);
+        self.leaves_out_columns = self.unread.has_columns(&letters);
         self.in_other_table = self.unread.elsewhere(&letters);
     }
 }

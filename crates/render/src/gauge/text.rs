@@ -21,7 +21,7 @@ pub fn text(title: &str, gears: &[GaugedGear], by_position: bool, screen: &Scree
         let deviations = deviations(&gauged.gauged, screen);
         lengths_alone &= deviations.is_empty();
         text += &deviations;
-        text += &remarks(gauged, !deviations.is_empty());
+        text += &remarks(gauged);
         if by_position {
             text += POSITIONS;
             text += &position_table(gauged);
@@ -229,13 +229,13 @@ fn graded_name(one: &GradedReading) -> String {
 }
 
 /// Notes on readings that were not taken, and on contacts off the involute.
-fn remarks(gauged: &GaugedGear, has_deviations: bool) -> String {
+fn remarks(gauged: &GaugedGear) -> String {
     let read = &gauged.gauged;
     let mut text = String::new();
     for line in gauged.unmeasured() {
         let _ = writeln!(text, "{line}");
     }
-    if let (Err(reason), true) = (&read.stated, has_deviations) {
+    if let (Err(reason), Some(_)) = (&read.stated, gauged.basic_data()) {
         let _ = writeln!(text, "no gear file: {reason}");
     }
     let spans = read.spans.iter().flat_map(|spans| &spans.readings);

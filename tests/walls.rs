@@ -23,7 +23,7 @@ const WALLS: [(&str, &str); 9] = [
     ("population", "metrology gauge"),
 ];
 
-/// Packages that read files, each above those before it, and the packages of the house that it stands on.
+/// Packages that read files, each above those before it, and the packages of this workspace that it imports.
 const READERS: [(&str, &[&str]); 5] = [
     ("text", &["gearlash"]),
     ("tables", &["gearlash", "gearlash-text"]),

@@ -274,7 +274,7 @@ impl Study {
         pairs.into_iter().flatten().flatten().map(|(_, pair)| pair)
     }
 
-    /// Lost motion in arcmin at the gear `at`.
+    /// Lost motion in arcmin at the gear `at`; NaN for pairs that cannot be assembled at their first distance, which [`Study::runs`] refuses.
     pub fn arcmin(&self, at: Member) -> BacklashUnit {
         let share = |pair: AssembledPair| pair.operating_pitch_radius(at) / pair.center_distance();
         BacklashUnit::Arcmin {

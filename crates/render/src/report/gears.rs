@@ -1,4 +1,4 @@
-//! What a page says of the gears of a pair: by their data, or as drawn.
+//! Parts of a page that depend on how gears are given: by their data, or by drawings.
 
 use super::page::Page;
 use super::phrases::{plain, symbol};
@@ -18,12 +18,13 @@ pub(super) struct Gears<'a> {
     pub section: Box<Section<'a>>,
     /// Table of both gears for the page of a population.
     pub table: Markup,
-    /// What gives the same numbers again.
+    /// The sentence on the input that reproduces the numbers.
     pub same: &'static str,
     /// How the outlines are made.
     pub built: &'static str,
-    /// What the error bound covers, and the sentence after it.
+    /// The errors within the error bound.
     pub bound: &'static str,
+    /// The sentence after the bound: symbols, or limits of a drawing.
     pub symbols: Markup,
     /// How teeth are found on a drawing.
     pub teeth: Option<&'static str>,

@@ -127,7 +127,10 @@ impl FromStr for DesignatedDistance {
     /// `30 js7`, `30,0 H7`, `30 ±0.02`, `30 +0.03/0`, with or without spaces.
     fn from_str(text: &str) -> Result<DesignatedDistance, GearError> {
         let read = || {
-            if let Some((nominal, mm)) = text.split_once('±').or_else(|| text.split_once("+-")) {
+            let sign = ["±", "+-", "+/-"]
+                .into_iter()
+                .find(|sign| text.contains(sign));
+            if let Some((nominal, mm)) = sign.and_then(|sign| text.split_once(sign)) {
                 let mm = plain_number(mm)?;
                 return Some((plain_number(nominal)?, Tolerance::Deviations([-mm, mm])));
             }

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::input;
 use crate::judged::{self, JudgedFormat, print_outcome};
 use crate::maps::{self, DrawnMap};
-use crate::options::{DrawnArgs, MethodArgs, ScreenArgs, agreed, is_drawing};
+use crate::options::{DrawnArgs, MethodArgs, ScreenArgs, agreed, is_drawing, not_two_drawings};
 use crate::output::{OutputFolder, own_folder};
 use crate::progress::run_under_bar;
 use gearlash::analysis::Plan;
@@ -145,9 +145,9 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
             center_distance_mm: args.center_distance.unwrap_or(APART_MM),
             options: args.drawn.options()?,
         })),
-        paths if paths.iter().any(|path| is_drawing(path)) => Err(Error::usage(
-            "give two drawings, of the wheel and of the pinion, or pair files alone (--map writes into the folder of -o)",
-        )),
+        paths if paths.iter().any(|path| is_drawing(path)) => {
+            Err(not_two_drawings(paths, "drawings of wheel and pinion"))
+        }
         _ if args.drawn.given() => Err(Error::Usage(format!(
             "{} belong to two drawings: pair files state them",
             DrawnArgs::NAMES

@@ -4,7 +4,7 @@ use crate::console::{check_streams_not_input, print, print_error_line, warn};
 use crate::cycle::failed_checks;
 use crate::error::{Error, exit_code};
 use crate::judged::{self, JudgedFormat, print_outcome};
-use crate::options::{DrawnArgs, MethodArgs, ScreenArgs, agreement, is_drawing};
+use crate::options::{DrawnArgs, MethodArgs, ScreenArgs, agreement, is_drawing, not_two_drawings};
 use crate::output::Target;
 use crate::progress::Progress;
 use clap::ValueEnum;
@@ -175,11 +175,7 @@ fn of_option(error: Error, option: &str) -> Error {
 fn drawings(args: &Args) -> Result<u8, Error> {
     let [a, b] = match &args.pairs[..] {
         [a, b] if is_drawing(a) && is_drawing(b) => [a, b],
-        _ => {
-            return Err(Error::usage(
-                "give two drawings of one gear, or pair files alone",
-            ));
-        }
+        paths => return Err(not_two_drawings(paths, "two drawings of one gear")),
     };
     let is_of_pairs = matches!(
         args.format,

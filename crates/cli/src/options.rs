@@ -352,6 +352,15 @@ pub(super) fn is_drawing(path: &Path) -> bool {
     gearlash_drawing::Format::of(path).is_some()
 }
 
+/// Usage error of `paths` that are neither `two` drawings nor pair files alone: it names the first drawing.
+pub(super) fn not_two_drawings(paths: &[PathBuf], two: &str) -> Error {
+    let drawing = paths.iter().find(|path| is_drawing(path));
+    let file = drawing.map_or(Path::new(""), |path| path).display();
+    Error::Usage(format!(
+        "{file} counts as a drawing by its name; give {two}, or pair files alone; gearlash import shows how to use a table"
+    ))
+}
+
 /// `--method` and `--no-certify`.
 #[derive(clap::Args, Default)]
 pub(super) struct MethodArgs {

@@ -13,6 +13,7 @@ use nalgebra::{Point2, Vector2};
 
 const TWO_NUMBERS: &str =
     "write x and y, or x, y and one z, separated by a comma, a semicolon, a tab or blanks";
+const FIRST_POINT: &str = "write x and y of the first point; a table of measurements is no drawing, `gearlash import` reads it";
 
 struct Row<'a> {
     line: usize,
@@ -89,13 +90,12 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
     let (mut columns, mut height) = (None, None);
     for (index, text) in text.split('\n').enumerate() {
         let (line, text) = (index + 1, text.trim());
-        let wrong = |reason: String| {
-            Err(DrawingError::at(
-                format!("line {line}"),
-                reason,
-                TWO_NUMBERS,
-            ))
+        let help = if rows.is_empty() {
+            FIRST_POINT
+        } else {
+            TWO_NUMBERS
         };
+        let wrong = |reason: String| Err(DrawingError::at(format!("line {line}"), reason, help));
         if let Some(comment) = text.strip_prefix('#') {
             if let Some(unit) = commented_unit(comment) {
                 record_unit(&mut stated, unit, line)?;
@@ -123,7 +123,10 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
         if let Some(z) = z {
             let first = *height.get_or_insert(*z);
             let value = |text| written(text).map(|number| number.value);
-            if value(z).is_none() || value(z) != value(first) {
+            if value(z).is_none() {
+                return wrong(format!("z \"{}\" is not a number", cut(z, LONGEST_NAME)));
+            }
+            if value(z) != value(first) {
                 return wrong(format!(
                     "z is \"{}\", expected one number for all points, \"{}\" as before",
                     cut(z, LONGEST_NAME),

@@ -48,6 +48,7 @@ mod unit_slips;
 mod unknown_key;
 
 use check::Checked;
+use gearlash_text::characters::shell_word;
 use gearlash_text::{
     Files, InputError, Node, Problem, Reading, Table, bytes, has_extension, named, source,
     without_mark,
@@ -234,7 +235,7 @@ fn gears_by_data(file: &Tree) -> Option<GearsFile> {
 
 /// The result of `understand` for the file at `path`.
 fn with_tree<T>(path: &Path, understand: impl FnOnce(&Tree) -> Option<T>) -> Result<T, InputError> {
-    let bytes = bytes(path).and_then(|bytes| refuse_other_kinds(named(path), bytes));
+    let bytes = bytes(path).and_then(|bytes| refuse_other_kinds(path, bytes));
     let text = bytes.and_then(source::text);
     with_text(named(path), Reading::of(path), text, understand)
 }
@@ -251,7 +252,10 @@ fn refuse_other_kinds(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     let is_xml = text.trim_ascii_start().starts_with(b"<");
     let holds = |tag: &[u8]| is_xml && text.windows(tag.len()).any(|part| part == tag);
     let is_table = has_extension(path, &TABLE_EXTENSIONS) || has_extension(path, &["ods"]);
-    let file = path.display();
+    // A pair file has tables in brackets, or is JSON.
+    let is_protocol =
+        has_extension(path, &["txt"]) && !text.iter().any(|byte| b"[{".contains(byte));
+    let file = shell_word(path);
     let (reason, help) = if is_rexs(path) || holds(b"<model") {
         let help = format!(
             "gearlash import {file} --stage ID -o pair.toml writes the pair file of a stage"
@@ -260,11 +264,11 @@ fn refuse_other_kinds(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     } else if has_extension(path, &["dxf", "dwg"]) || holds(b"<svg") {
         let help = "gearlash init --outline writes a pair file that names drawings; check, compare and gauge also take drawings";
         ("is a drawing", help.to_owned())
-    } else if is_table {
+    } else if is_table || is_protocol {
         let help = format!(
             "gearlash import {file} shows its numbers and the lines of a pair file that name it"
         );
-        ("is a table", help)
+        ("is a table or protocol", help)
     } else {
         return Ok(bytes);
     };

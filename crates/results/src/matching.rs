@@ -44,24 +44,29 @@ row_type!(row: AssignmentRow {
     "assigned" Plain [no_json] => u32::from(row.is_assigned);
 });
 
-/// Every wheel with every pinion, wheel by wheel.
-fn rows(result: &MatchResult) -> impl Iterator<Item = AssignmentRow> {
-    let [wheels, pinions] = &result.names;
-    let places =
-        (0..wheels.len()).flat_map(|wheel| (0..pinions.len()).map(move |pinion| (wheel, pinion)));
-    places.filter_map(|(wheel, pinion)| {
-        Some(AssignmentRow {
-            wheel: wheels[wheel].clone(),
-            pinion: pinions[pinion].clone(),
-            found: *result.matrix.pair_fit(wheel, pinion)?,
-            has_phases: result.matrix.phases() > 1,
-            is_assigned: result.places.binary_search(&(wheel, pinion)).is_ok(),
-        })
+/// A wheel with a pinion by their places; `None` where they were not tried.
+fn row(result: &MatchResult, [wheel, pinion]: [usize; 2]) -> Option<AssignmentRow> {
+    Some(AssignmentRow {
+        wheel: result.names[0][wheel].clone(),
+        pinion: result.names[1][pinion].clone(),
+        found: *result.matrix.pair_fit(wheel, pinion)?,
+        has_phases: result.matrix.phases() > 1,
+        is_assigned: result.places.binary_search(&(wheel, pinion)).is_ok(),
     })
 }
 
-/// The pair nearest to the limits, and how far beyond them it is, mm; `None` where these are of another quantity alone.
-fn nearest(result: &MatchResult) -> Option<(AssignmentRow, f64)> {
+/// Every wheel with every pinion, wheel by wheel.
+fn rows(result: &MatchResult) -> impl Iterator<Item = AssignmentRow> {
+    let [wheels, pinions] = [0, 1].map(|kind| result.names[kind].len());
+    let places = (0..wheels).flat_map(move |wheel| (0..pinions).map(move |pinion| [wheel, pinion]));
+    places.filter_map(|places| row(result, places))
+}
+
+/// The pair of `rows` nearest to the limits, and how far beyond them it is, mm; `None` where these are of another quantity alone.
+fn nearest(
+    result: &MatchResult,
+    rows: impl Iterator<Item = AssignmentRow>,
+) -> Option<(AssignmentRow, f64)> {
     let [min, max] = match result.limits {
         [None, None] if result.others.is_empty() => [Some(0.0), None],
         limits => limits,
@@ -73,8 +78,37 @@ fn nearest(result: &MatchResult) -> Option<(AssignmentRow, f64)> {
         let beyond = below.into_iter().chain(above).reduce(f64::max)?;
         Some((row, beyond))
     };
-    let each = rows(result).filter_map(missed);
+    let each = rows.filter_map(missed);
     each.min_by(|one, other| one.1.total_cmp(&other.1))
+}
+
+/// Gears left over whose nearest mate is named.
+const MOST_REASONS: usize = 10;
+
+/// The gear `name`, left over of a `kind` (0: wheels), with its nearest mate.
+fn left_over(result: &MatchResult, kind: usize, name: &str) -> String {
+    let place = result.names[kind].iter().position(|one| one == name);
+    let mates = 0..result.names[1 - kind].len();
+    let rows = mates.filter_map(|mate| {
+        let mut places = [mate; 2];
+        places[kind] = place?;
+        row(result, places)
+    });
+    let reason = nearest(result, rows).map(|(row, beyond)| {
+        let outcome = row.found.best.outcome;
+        let mate = plain([&row.pinion, &row.wheel][kind]);
+        let um = |mm: Option<f64>| um_ascii(mm, 2);
+        if beyond > 0.0 {
+            let (least, greatest) = (um(outcome.least), um(outcome.greatest));
+            format!(
+                " ({least} to {greatest} µm with {mate}, {} µm beyond the limits)",
+                um(Some(beyond))
+            )
+        } else {
+            format!(" (fits {mate}, which has another mate)")
+        }
+    });
+    plain(name) + &reason.unwrap_or_default()
 }
 
 /// The pairs of the assignment.
@@ -132,7 +166,8 @@ pub fn text(result: &MatchResult, screen: &Screen) -> String {
             stated_distance(result.clearance)
         ));
     }
-    let nearest = nearest(result).filter(|(_, beyond)| pairs.is_empty() && *beyond > 0.0);
+    let nearest =
+        nearest(result, rows(result)).filter(|(_, beyond)| pairs.is_empty() && *beyond > 0.0);
     if let Some((row, beyond)) = nearest {
         let outcome = row.found.best.outcome;
         let um = |mm: Option<f64>| um_ascii(mm, 2);
@@ -149,10 +184,15 @@ pub fn text(result: &MatchResult, screen: &Screen) -> String {
         "Target of the backlash: {} µm (--target-um sets another).\n",
         fixed(1e3 * result.wanted, 2)
     ));
-    for (kind, names) in ["Wheels", "Pinions"].iter().zip(&result.left_over) {
+    for (kind, names) in result.left_over.iter().enumerate() {
         if !names.is_empty() {
-            let names: Vec<String> = names.iter().map(|name| plain(name)).collect();
+            let each = names.iter().enumerate().map(|(k, name)| match k {
+                ..MOST_REASONS => left_over(result, kind, name),
+                _ => plain(name).into(),
+            });
+            let names: Vec<String> = each.collect();
             text.push('\n');
+            let kind = ["Wheels", "Pinions"][kind];
             text += &screen.fold(&format!("{kind} left over: {}.\n", names.join(", ")));
         }
     }

@@ -93,7 +93,7 @@ pub fn drawn_notes(file: &PairFile) -> String {
 fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
     let standard = found.standard.iter().map(|standard| {
         format!(
-            "module {} mm, {}°, {teeth} teeth, x = {}",
+            "module {} mm, {}°, {teeth} teeth, x = {} by thickness",
             trimmed(standard.module, 1, 3),
             trimmed(standard.pressure_angle.to_degrees(), 0, 1),
             fixed(standard.shift, 3)

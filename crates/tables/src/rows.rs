@@ -91,7 +91,11 @@ impl<'a> Found<'a> {
                 || rows.iter().any(|line| *line.cell(*place) != Cell::Empty);
             has_content && !used.contains(place) && !beside.contains(&Some(*place))
         });
-        let columns = columns.map(|(place, _)| (letter(place), head.shown_one(file, place)));
+        let columns = columns.map(|(place, _)| UnreadColumn {
+            letter: letter(place),
+            name: head.shown_one(file, place),
+            has_numbers: rows.iter().any(|line| line.cell(place).number().is_some()),
+        });
         let left_out = Unread {
             lines: lines_in_words(file, left_out),
             columns: columns.collect(),
@@ -268,7 +272,15 @@ fn lines_in_words(file: &DataFile, mut lines: Vec<(u64, &str)>) -> Option<String
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Unread {
     lines: Option<String>,
-    columns: Vec<(String, String)>,
+    columns: Vec<UnreadColumn>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct UnreadColumn {
+    letter: String,
+    /// Heading and letter.
+    name: String,
+    has_numbers: bool,
 }
 
 impl Unread {
@@ -284,10 +296,10 @@ impl Unread {
         (!words.is_empty()).then(|| words.join("; "))
     }
 
-    /// Whether there are columns without the letters `elsewhere`.
-    pub fn has_columns(&self, elsewhere: &[&str]) -> bool {
-        let mut letters = self.columns.iter().map(|(letter, _)| &letter[..]);
-        letters.any(|letter| !elsewhere.contains(&letter))
+    /// Whether there are columns of numbers without the letters `elsewhere`.
+    pub fn has_numbers(&self, elsewhere: &[&str]) -> bool {
+        let mut columns = self.columns.iter();
+        columns.any(|column| column.has_numbers && !elsewhere.contains(&&column.letter[..]))
     }
 
     /// The columns with the letters `elsewhere`, as [`Unread::words`].
@@ -296,8 +308,8 @@ impl Unread {
     }
 
     fn named(&self, is_named: impl Fn(&str) -> bool) -> Option<String> {
-        let names = self.columns.iter().filter(|(letter, _)| is_named(letter));
-        let names: Vec<String> = names.map(|(_, name)| name.clone()).collect();
+        let names = self.columns.iter().filter(|one| is_named(&one.letter));
+        let names: Vec<String> = names.map(|one| one.name.clone()).collect();
         let column = format!("column{}", plural(names.len()));
         (!names.is_empty()).then(|| format!("{column} {}", first_of(names, MAX_LISTED)))
     }

@@ -3,6 +3,8 @@
 //! Titles, file names, keys and cells come from outside. A terminal, picture or page may act on some of their characters. Every
 //! place that prints or writes such text passes it through [`plain`], JSON through [`json`].
 
+use std::path::Path;
+
 /// Whether a terminal, picture or page acts on `c`, or cannot hold it.
 ///
 /// Controls move a terminal's cursor, change its colours and end lines; so do the separators U+2028 and U+2029. Unicode's
@@ -150,5 +152,16 @@ pub fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {
         Some((end, _)) => format!("{} …", &text[..end]),
         None => text.to_owned(),
+    }
+}
+
+/// `path` as one word of a shell.
+pub fn shell_word(path: &Path) -> String {
+    let text = path.display().to_string();
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+=:,@%".contains(c);
+    if !text.is_empty() && text.chars().all(is_plain) {
+        text
+    } else {
+        format!("'{}'", text.replace('\'', "'\\''"))
     }
 }

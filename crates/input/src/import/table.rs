@@ -58,7 +58,7 @@ pub struct ImportedTable {
     /// Parts of the file that are not part of the table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<String>,
-    /// Whether columns are left out.
+    /// Whether columns of numbers are left out.
     #[serde(skip)]
     pub leaves_out_columns: bool,
     /// Columns that are part of another table of the file.
@@ -202,7 +202,7 @@ impl ImportedTable {
         let letters = headings.filter_map(|column| Some(&column.heading.as_ref()?.1[..]));
         let letters: Vec<&str> = letters.collect();
         self.left_out = self.unread.words(&letters);
-        self.leaves_out_columns = self.unread.has_columns(&letters);
+        self.leaves_out_columns = self.unread.has_numbers(&letters);
         self.in_other_table = self.unread.elsewhere(&letters);
     }
 }

@@ -8,6 +8,7 @@ use gearlash::population::{
     ContributionsError, Factor, GROUPS, OutcomeKind, Row, Sample, Scatter, Statistics, Tally,
     contributions, limit_cases,
 };
+use gearlash_text::characters::shell_word;
 use serde_json::json;
 use std::ops::Range;
 use std::path::Path;
@@ -186,17 +187,6 @@ impl<'a> ToleranceRun<'a> {
             requirement: self.file.requirement,
             seed: self.seed,
         }
-    }
-}
-
-/// `path` as one word of a shell.
-pub fn shell_word(path: &Path) -> String {
-    let text = path.display().to_string();
-    let is_plain = |c: char| c.is_alphanumeric() || "/._-+=:,@%".contains(c);
-    if !text.is_empty() && text.chars().all(is_plain) {
-        text
-    } else {
-        format!("'{}'", text.replace('\'', "'\\''"))
     }
 }
 

@@ -295,7 +295,7 @@ pub enum OutlineError {
     },
     /// Fewer than three teeth.
     #[error(
-        "of teeth {found} are found between diameters {root_diameter_mm:.4} and {tip_diameter_mm:.4} mm; a gear has at least 3"
+        "teeth between diameters {root_diameter_mm:.4} and {tip_diameter_mm:.4} mm: {found}; a gear has at least 3"
     )]
     TooFewTeeth {
         /// How many.

@@ -176,6 +176,9 @@ const FIRST_STEP: f64 = 0.01;
 /// Width of the bracket of a pair with a drawn gear, mm: a tenth of what is shown.
 const DISTANCE_WIDTH_DRAWN: f64 = 1e-5;
 
+/// A wider bracket, mm, is not proven to the last digit shown.
+const SHOWN: f64 = 1e-4;
+
 /// Rounds at most of the search for a distance: each rules out a pose that interfered.
 const MOST_TIGHTEST: u32 = 40;
 
@@ -246,7 +249,7 @@ pub(super) fn assembles_from_of_outlines(
         };
         floor = there.center_distance();
         if let Some(least) = least {
-            let is_free = least.low >= 0.0;
+            let is_free = least.low >= 0.0 && floor - low <= SHOWN;
             return Ok(Some(Threshold {
                 low,
                 high: floor,

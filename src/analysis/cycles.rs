@@ -85,7 +85,7 @@ impl CyclePair for OutlinePair {
 
     fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
         let kernel = OutlineKernel::new(self);
-        let over = cycle_of_outlines(self, cycle.over(), cycle.tick);
+        let over = cycle_of_outlines(self, cycle.over(), cycle.limits());
         let found = kernel.extremes(self, &over, cycle.ends(), PROVEN_WIDTH_DRAWN);
         let (mut assembles_from, mut to) = (None, None);
         if cycle.alone.is_none() {
@@ -110,13 +110,13 @@ impl CyclePair for OutlinePair {
     }
 
     fn end(&self, cycle: &Planned, end: End, _: &Effort) -> Result<Extremes, Error> {
-        let over = cycle_of_outlines(self, cycle.over(), cycle.tick);
+        let over = cycle_of_outlines(self, cycle.over(), cycle.limits());
         Ok(OutlineKernel::new(self).extremes(self, &over, &[end], PROVEN_WIDTH_DRAWN))
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
         let (over, width) = (
-            cycle_of_outlines(self, over, &go_on),
+            cycle_of_outlines(self, over, (1, &go_on)),
             width.max(PROVEN_WIDTH_DRAWN),
         );
         Ok(OutlineKernel::new(self).extremes(self, &over, &End::BOTH, width))
@@ -592,6 +592,11 @@ impl<'t> Planned<'t> {
         self.alone.map_or(1, |alone| alone.parts)
     }
 
+    /// The parts of the effort of which each search may use one, and the tick that ends it.
+    fn limits(&self) -> (u64, &'t Tick<'t>) {
+        (self.parts(), self.tick)
+    }
+
     /// The first mating of the cycle, and the number of distinct ones.
     fn over(&self) -> (Mating, u64) {
         (self.first, self.distinct)
@@ -713,12 +718,13 @@ pub fn extremes_of_phase(
 fn cycle_of_outlines<'t>(
     pair: &OutlinePair,
     (first, distinct): (Mating, u64),
-    tick: &'t Tick,
+    (parts_of_effort, tick): (u64, &'t Tick),
 ) -> OutlineCycle<'t> {
     OutlineCycle {
         first,
         distinct,
         matings: hunting_pitches(pair),
+        parts_of_effort,
         tick,
         classes: [pair.locked(), pair.free()].map(|member| pair.gear(member).tooth_classes()),
     }

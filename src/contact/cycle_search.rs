@@ -34,9 +34,6 @@ const MOST_PARTS: f64 = 4.0;
 /// Share of the wanted bracket that the bounds of cells may leave.
 const SHARE_OF_BOUNDS: f64 = 0.8;
 
-/// Limit of [`Effort`] for one extreme, nodes (tuned: some seconds).
-const MOST_EFFORT: u64 = 10_000_000;
-
 /// Least effort of a cell, nodes (tuned: 10 µs).
 const LEAST_EFFORT: u64 = 30;
 
@@ -140,6 +137,8 @@ pub(super) struct CycleSearch<'a, T> {
     pub width: f64,
     /// Arc of one radian, mm.
     pub radius: f64,
+    /// Limit of [`Effort`] for one extreme, nodes.
+    pub most_effort: u64,
     pub tick: &'a Tick<'a>,
 }
 
@@ -161,7 +160,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
                 return None;
             }
             let mut cells = cells.clone();
-            let effort = Effort::new(MOST_EFFORT, self.tick);
+            let effort = Effort::new(self.most_effort, self.tick);
             let is_closed = self.divide(&mut cells, end, &effort);
             used += effort.used();
             self.refine_best(&mut cells, end);

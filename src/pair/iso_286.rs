@@ -109,9 +109,12 @@ fn deviation(text: &str) -> Option<f64> {
     }
 }
 
-/// `30 +0.03/0`: the nominal distance, and both deviations in either order.
+/// `30 +0.03/0`, `30 +0.03 -0.01`: the nominal distance, and both deviations in either order.
 fn two_deviations(text: &str) -> Option<(f64, Tolerance)> {
-    let (head, second) = text.split_once('/')?;
+    let (head, second) = match text.split_once('/') {
+        Some(parts) => parts,
+        None => text.split_at(text.rfind(SIGNS)?),
+    };
     let head = head.trim();
     // A sign or a blank ends the nominal distance.
     let begins = |c: char| SIGNS.contains(&c) || c.is_whitespace();
@@ -124,8 +127,9 @@ fn two_deviations(text: &str) -> Option<(f64, Tolerance)> {
 impl FromStr for DesignatedDistance {
     type Err = GearError;
 
-    /// `30 js7`, `30,0 H7`, `30 ±0.02`, `30 +0.03/0`, with or without spaces.
+    /// `30 js7`, `30,0 H7`, `30 ±0.02`, `30 +0.03/0`, with or without spaces and `mm`.
     fn from_str(text: &str) -> Result<DesignatedDistance, GearError> {
+        let text = &text.replace("mm", "");
         let read = || {
             let sign = ["±", "+-", "+/-"]
                 .into_iter()
@@ -134,7 +138,7 @@ impl FromStr for DesignatedDistance {
                 let mm = plain_number(mm)?;
                 return Some((plain_number(nominal)?, Tolerance::Deviations([-mm, mm])));
             }
-            if text.contains('/') {
+            if text.contains('/') || text.matches(SIGNS).count() == 2 {
                 return two_deviations(text);
             }
             let mut field = *FIELDS.iter().find(|(letter, ..)| text.contains(letter))?;

@@ -145,9 +145,14 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
             center_distance_mm: args.center_distance.unwrap_or(APART_MM),
             options: args.drawn.options()?,
         })),
-        paths if paths.iter().any(|path| is_drawing(path)) => {
-            Err(not_two_drawings(paths, "drawings of wheel and pinion"))
-        }
+        paths if paths.iter().any(|path| is_drawing(path)) => Err(not_two_drawings(
+            paths,
+            if args.map {
+                "drawings of wheel and pinion (--map writes into the folder of -o)"
+            } else {
+                "drawings of wheel and pinion"
+            },
+        )),
         _ if args.drawn.given() => Err(Error::Usage(format!(
             "{} belong to two drawings: pair files state them",
             DrawnArgs::NAMES

@@ -226,10 +226,11 @@ impl Outcome {
 
     /// GitHub workflow commands: errors and warnings; nothing for passing cases.
     pub fn github(&self) -> String {
-        let mut text = String::new();
-        let mut line = |kind: &str, file: &str, title: &str, words: &str| {
+        // GitHub shows the first ten of a step: what decides a file comes first.
+        let mut lines: [String; 2] = Default::default();
+        let mut line = |decides: bool, kind: &str, file: &str, title: &str, words: &str| {
             let _ = writeln!(
-                text,
+                lines[usize::from(!decides)],
                 "::{kind} file={},title={}::{}",
                 escape_property(file),
                 escape_property(&format!("gearlash {}: {title}", self.command)),
@@ -240,7 +241,7 @@ impl Outcome {
             match file {
                 JudgedFile::Unreadable { file, problems } => {
                     for problem in problems {
-                        line("error", file, "cannot be read", problem);
+                        line(true, "error", file, "cannot be read", problem);
                     }
                 }
                 JudgedFile::Judged(judged) => {
@@ -250,15 +251,16 @@ impl Outcome {
                             Verdict::Warn => "warning",
                             Verdict::Unproven | Verdict::Fail => "error",
                         };
-                        line(kind, &judged.file, &case.name, &case.message);
+                        let decides = case.name == VERDICT;
+                        line(decides, kind, &judged.file, &case.name, &case.message);
                     }
                     for warning in &judged.warnings {
-                        line("warning", &judged.file, "input", warning);
+                        line(false, "warning", &judged.file, "input", warning);
                     }
                 }
             }
         }
-        text
+        lines.concat()
     }
 
     /// Markdown: a heading, and for each file its verdict, a table, and the cases that do not pass.
@@ -280,11 +282,15 @@ impl Outcome {
                 }
                 JudgedFile::Judged(judged) => {
                     let title = escape_markdown(&judged.title);
+                    // The message of a verdict that fails has the changes that help, too.
+                    let mut cases = judged.cases.iter();
+                    let failed = cases.find(|case| case.name == VERDICT && case.fails());
+                    let lines =
+                        failed.map_or(judged.verdict.to_string(), |case| case.message.clone());
                     let _ = writeln!(
                         text,
-                        "\n### {} {title}\n\n{name}\n\n```text\n{}\n```\n",
+                        "\n### {} {title}\n\n{name}\n\n```text\n{lines}\n```\n",
                         mark(judged.passes),
-                        judged.verdict
                     );
                     text += &judged.markdown;
                     let mut note = |kind: &str, words: &str| {

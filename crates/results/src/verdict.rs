@@ -324,8 +324,15 @@ fn status(all: &[Place]) -> [String; 2] {
                 2 => "at neither distance".to_owned(),
                 all => format!("at none of the {all} distances"),
             };
-            let only = only_material(all, &here);
-            let only = only.map_or(String::new(), |material| format!(" ({})", material.words()));
+            let pairs = |places: &[Place]| {
+                distinct(places.iter().map(|place| (place.distance, place.material))).len()
+            };
+            let only = match only_material(all, &here) {
+                Some(material) => format!(" ({})", material.words()),
+                // One material assembles at some of them.
+                None if pairs(&here) < pairs(all) => " with every material".to_owned(),
+                None => String::new(),
+            };
             let phases = some_phases(all, &here);
             [(); 2].map(|()| format!("{words} {at}{only}{phases}."))
         }

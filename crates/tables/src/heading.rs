@@ -192,6 +192,9 @@ fn of_words(name: &str) -> Option<Column> {
             Some(before) if before == quantity => quantity,
             Some(Quantity::Pitch) if quantity.is_pitch() => quantity,
             Some(before) if quantity == Quantity::Pitch && before.is_pitch() => before,
+            // "Rundlauf (Lücke)": of the probe in a space.
+            Some(Quantity::Runout) if quantity == Quantity::Space => Quantity::Runout,
+            Some(Quantity::Space) if quantity == Quantity::Runout => Quantity::Runout,
             Some(_) => return None,
         });
     }
@@ -205,12 +208,23 @@ fn of_words(name: &str) -> Option<Column> {
     meaning_of(side, quantity)
 }
 
-/// The words of `name`: `Zahn-Nr.` and `W_k` are one each, `Fp-links` is two.
+/// Whether a word of `name` is a space between teeth.
+pub fn has_space(name: &str) -> bool {
+    parts(name).any(|word| of_word(word) == Some(Quantity::Space))
+}
+
+/// The words of `name`: `Zahn-Nr.` and `W_k` are one each, `Fp-links` and `fpL` are two.
 fn parts(name: &str) -> impl Iterator<Item = &str> {
-    let separators = |c: char| c.is_whitespace() || "/,:=()[]|".contains(c);
+    let separators = |c: char| c.is_whitespace() || "/,:=()[]|#".contains(c);
     let words = name.split(separators).flat_map(|word| {
         let is_one = word.contains(['-', '_']) && of_word(word).is_some();
         word.split(move |c| matches!(c, '-' | '_') && !is_one)
+    });
+    let words = words.flat_map(|word| {
+        let symbol = word.strip_suffix(['L', 'R']);
+        let symbol = symbol.filter(|symbol| VOCABULARY.symbols.contains_key(*symbol));
+        let (one, other) = word.split_at(symbol.map_or(0, str::len));
+        [one, other]
     });
     words.filter(|part| !part.is_empty())
 }

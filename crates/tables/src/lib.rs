@@ -183,7 +183,9 @@ impl Origin {
             sheet: found.grid.sheet.clone().filter(|_| grids.len() > 1),
             header_row: found.head.line,
             kind: quantities().filter_map(Quantity::pitch_kind).next_back(),
-            by_space: quantities().any(|quantity| quantity == Quantity::Space),
+            by_space: headings
+                .iter()
+                .any(|(heading, _)| heading::has_space(&heading.shown)),
             columns: headings
                 .iter()
                 .map(|(heading, letter)| (heading.shown.clone(), letter.clone()))

@@ -23,6 +23,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Comparisons of two rectangles per unit of effort (tuned).
 const A_UNIT: u64 = 2;
 
+/// Limit of [`Effort`] for one extreme, nodes (tuned: ten seconds at most; gears of 26 and 17 teeth that differ by 0.02 µm take five).
+const MOST_EFFORT: u64 = 30_000_000;
+
 /// A mesh cycle.
 #[derive(Clone)]
 pub(crate) struct OutlineCycle<'t> {
@@ -34,6 +37,8 @@ pub(crate) struct OutlineCycle<'t> {
     pub matings: u64,
     /// Equal teeth, of the locked and the free gear.
     pub classes: [Arc<ToothClasses>; 2],
+    /// One of so many parts of the effort is spent.
+    pub parts_of_effort: u64,
     pub tick: &'t Tick<'t>,
 }
 
@@ -60,6 +65,7 @@ impl OutlineKernel<'_> {
             matings: cycle.matings,
             width: width / radius,
             radius,
+            most_effort: MOST_EFFORT / cycle.parts_of_effort,
             tick: cycle.tick,
         };
         search.extremes(ends).0

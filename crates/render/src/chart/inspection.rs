@@ -55,7 +55,7 @@ pub fn inspection(
     let [total_right, total_left] = both(Inspection::total_cumulative);
     let details = if groups[0].1.iter().any(moved) {
         format!(
-            "{gear} · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm · + along ascending numbers"
+            "{gear} · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm about its own axis · + along ascending numbers"
         )
     } else {
         format!("{gear} · no pitch deviations")

@@ -48,6 +48,9 @@ use table::CycleTable;
 /// ten other centre distances, may use one part in the second (tuned).
 const PARTS_OF_EFFORT: [u64; 2] = [2, 4];
 
+/// Limit of [`Effort`] for one extreme over the face, nodes (tuned: some seconds).
+const MOST_EFFORT: u64 = 10_000_000;
+
 impl ExactKernel {
     /// The extremes of this kernel's `assembly`, over `matings` pitches from `first` on. Each proven bracket is at most `width` mm wide.
     ///
@@ -218,6 +221,7 @@ impl ExactKernel {
             matings: cycle.matings,
             width: width / cycle.per_radian(),
             radius: cycle.per_radian(),
+            most_effort: MOST_EFFORT,
             tick: cycle.effort.tick,
         };
         let (found, used) = search.extremes(of);

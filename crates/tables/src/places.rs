@@ -341,12 +341,16 @@ fn in_unit(head: &Head, column: Column, places: Vec<usize>) -> Vec<usize> {
     }
 }
 
-/// The line below `head` that repeats the header: more than one of its headings is known.
+/// The line below `head` that repeats the header.
 fn repeated_header(head: &Head, lines: &[Line]) -> Option<u64> {
-    let is_again = |at: &usize| {
-        let below = Head::of(lines, *at);
-        !lines[*at].is_comment() && below.places(|heading| heading.meaning.is_some()).len() > 1
-    };
     let mut below = (head.at + 2..lines.len()).take(MAX_ROWS);
-    below.find(is_again).map(|at| lines[at].number)
+    below
+        .find(|at| names_columns(lines, *at))
+        .map(|at| lines[at].number)
+}
+
+/// Whether a line knows more than one of its headings.
+pub fn names_columns(lines: &[Line], at: usize) -> bool {
+    let known = || Head::of(lines, at).places(|heading| heading.meaning.is_some());
+    !lines[at].is_comment() && known().len() > 1
 }

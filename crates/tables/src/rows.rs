@@ -5,12 +5,13 @@ use super::decimal_sign::{Placed, check_decimal_sign};
 use super::grid::{Cell, Grid, Line, letter};
 use super::head::Head;
 use super::heading;
-use super::places::Places;
+use super::places::{Places, names_columns};
 use super::request::{Coverage, Request, Wanted};
 use crate::data_file::DataFile;
 use gearlash::gear::{Flank, Side};
 use gearlash_text::characters::first_of;
 use gearlash_text::written::{Decimal, zero_first};
+use std::cell::LazyCell;
 use std::ops::{RangeBounds, RangeInclusive};
 
 /// Most lines, columns or teeth that a message lists. Tuned: a message of a few lines.
@@ -50,9 +51,12 @@ impl<'a> Found<'a> {
         let places = request.places(&head, &grid.lines)?;
         let used = places.numbers();
         let mut left_out = Vec::new();
+        // Numbers below another header are of a table of their own.
+        let other = LazyCell::new(|| (0..head.at).find(|above| names_columns(&grid.lines, *above)));
         for (at, line) in grid.lines[..head.at].iter().enumerate() {
             let is_number = |place: &usize| line.cell(*place).number().is_some();
-            if used.first().is_some_and(is_number) && used.iter().skip(1).any(is_number) {
+            let has_row = used.first().is_some_and(is_number) && used.iter().skip(1).any(is_number);
+            if has_row && other.is_none_or(|other| at < other) {
                 return file.refuse_at(
                     line.number,
                     format!("has numbers like a row of the table, but stands above its header in line {}", head.line),

@@ -200,6 +200,10 @@ impl Finding {
             | Finding::ProfileOfSomeTeeth { .. }
             | Finding::LeadOfSomeTeeth { .. }
             | Finding::ThicknessField { .. } => true,
+            Finding::EccentricityInPitch(note) => {
+                let same = SAME_ECCENTRICITY * note.in_pitch.um;
+                note.difference_um.is_none_or(|um| um <= same)
+            }
             Finding::WobbleInLeads { apart_um, .. } => {
                 apart_um.is_none_or(|um| um <= MOST_WOBBLE_APART_UM)
             }

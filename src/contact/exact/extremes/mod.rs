@@ -48,9 +48,6 @@ use table::CycleTable;
 /// ten other centre distances, may use one part in the second (tuned).
 const PARTS_OF_EFFORT: [u64; 2] = [2, 4];
 
-/// Limit of [`Effort`] for one extreme over the face, nodes (tuned: some seconds).
-const MOST_EFFORT: u64 = 10_000_000;
-
 impl ExactKernel {
     /// The extremes of this kernel's `assembly`, over `matings` pitches from `first` on. Each proven bracket is at most `width` mm wide.
     ///
@@ -221,7 +218,8 @@ impl ExactKernel {
             matings: cycle.matings,
             width: width / cycle.per_radian(),
             radius: cycle.per_radian(),
-            most_effort: MOST_EFFORT,
+            // No other search follows for these extremes: each may use all that was left before the part was taken.
+            most_effort: cycle.effort.left().saturating_mul(PARTS_OF_EFFORT[0]),
             tick: cycle.effort.tick,
         };
         let (found, used) = search.extremes(of);

@@ -253,6 +253,13 @@ mod tests {
     use super::super::super::shape::turn;
     use super::*;
 
+    /// Source: 1 + 2x + 2x² is least at x = −1/2, or at an end before it.
+    #[test]
+    fn a_parabola_is_least_at_its_vertex_or_an_end() {
+        assert_eq!(least([1.0, 2.0, 4.0], 1.0), 0.5);
+        assert_eq!(least([1.0, -2.0, 4.0], 0.25), 0.625);
+    }
+
     /// Both paths agree with points turned about their axes to the third order. Source: the points turned.
     #[test]
     fn a_path_is_that_of_the_points_turned() {

@@ -202,7 +202,7 @@ impl Finding {
             | Finding::ThicknessField { .. } => true,
             Finding::EccentricityInPitch(note) => {
                 let same = SAME_ECCENTRICITY * note.in_pitch.um;
-                note.difference_um.is_none_or(|um| um <= same)
+                note.is_alone || note.difference_um.is_some_and(|um| um <= same)
             }
             Finding::WobbleInLeads { apart_um, .. } => {
                 apart_um.is_none_or(|um| um <= MOST_WOBBLE_APART_UM)
@@ -513,7 +513,9 @@ pub enum Reversal {
 pub struct EccentricityNote {
     /// From the pitch of both flanks; a first harmonic of the gear's own pitch is indistinguishable from it.
     pub in_pitch: Eccentricity,
-    /// From the runout, if stated.
+    /// Whether no runout is stated.
+    pub is_alone: bool,
+    /// From the runout, if stated with its direction.
     pub stated: Option<Eccentricity>,
     /// Whether the gear has the stated eccentricity; otherwise that of the pitch.
     pub stated_counts: bool,

@@ -304,6 +304,7 @@ fn eccentricity_note(
     let stated = counts.and(runout.stated());
     EccentricityNote {
         in_pitch,
+        is_alone: runout.total_um == 0.0,
         stated,
         stated_counts: counts == Some(EccentricitySource::Runout),
         difference_um: stated.map(|stated| in_pitch.distance_um(&stated, basic_data)),

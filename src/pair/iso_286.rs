@@ -92,7 +92,9 @@ impl DesignatedDistance {
 
 /// A number in digits alone, with a decimal point or a decimal comma.
 fn plain_number(text: &str) -> Option<f64> {
-    let text = text.trim().replace(',', ".");
+    let text = text.trim();
+    let text = text.strip_suffix("mm").map_or(text, str::trim_end);
+    let text = text.replace(',', ".");
     let is_plain = |c: char| c.is_ascii_digit() || c == '.';
     text.chars().all(is_plain).then(|| text.parse().ok())?
 }
@@ -129,7 +131,8 @@ impl FromStr for DesignatedDistance {
 
     /// `30 js7`, `30,0 H7`, `30 ±0.02`, `30 +0.03/0`, with or without spaces and `mm`.
     fn from_str(text: &str) -> Result<DesignatedDistance, GearError> {
-        let text = &text.replace("mm", "");
+        let text = text.trim();
+        let text = text.strip_suffix("mm").unwrap_or(text);
         let read = || {
             let sign = ["±", "+-", "+/-"]
                 .into_iter()

@@ -223,9 +223,12 @@ fn assembly(
                 let lean = if is_worst { wobble.limits()[1] } else { 0.0 };
                 [lean, leaning_tooth(population, member)]
             }),
-            runout: scatter.runout.as_ref().map(|runout| match is_off_axis {
-                true => (0.5 * runout.limits()[1], None),
-                false => (0.0, Some(1.0)),
+            runout: scatter.runout.as_ref().map(|runout| {
+                if is_off_axis {
+                    (0.5 * runout.limits()[1], None)
+                } else {
+                    (0.0, Some(1.0))
+                }
             }),
             ..GearChange::default()
         }

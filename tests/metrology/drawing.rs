@@ -50,7 +50,7 @@ fn what_is_no_field_is_refused() {
         assert_eq!(field, Err(GearError::ThicknessField), "{text}");
     }
     let distances = "|30|js7|30 js4|30 js11|30 k7|30 H11|30 ±|±0.02|30 ±-0.02|30 jS7|30 0.03/0|30/0|30 +0.03/|30 +x/0|\
-                     -30 js7|1e2 js7|30 js+7|30 js7 x|3.0.0 js7|inf js7|30 j s7";
+                     -30 js7|1e2 js7|3mm5 H7|30 js+7|30 js7 x|3.0.0 js7|inf js7|30 j s7";
     for text in distances.split('|') {
         let distance = text.parse::<DesignatedDistance>();
         assert_eq!(distance, Err(GearError::DistanceField), "{text}");

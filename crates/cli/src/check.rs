@@ -148,9 +148,9 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
         paths if paths.iter().any(|path| is_drawing(path)) => Err(not_two_drawings(
             paths,
             if args.map {
-                "drawings of wheel and pinion (--map writes into the folder of -o)"
+                "two drawings, of wheel and pinion (--map writes into the folder of -o)"
             } else {
-                "drawings of wheel and pinion"
+                "two drawings, of wheel and pinion"
             },
         )),
         _ if args.drawn.given() => Err(Error::Usage(format!(

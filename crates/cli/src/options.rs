@@ -14,8 +14,8 @@ use gearlash_drawing::Unit;
 use gearlash_input::outlines::OutlineOptions;
 use gearlash_input::{GearEntry, GearsFile};
 use gearlash_results::text::Screen;
-use gearlash_text::Sources;
 use gearlash_text::numbers::{order_um, power};
+use gearlash_text::{Sources, has_extension};
 use std::path::{Path, PathBuf};
 
 /// `--gear`, `--at`.
@@ -352,13 +352,15 @@ pub(super) fn is_drawing(path: &Path) -> bool {
     gearlash_drawing::Format::of(path).is_some()
 }
 
-/// Usage error of `paths` that are neither `two` drawings nor pair files alone: it names the first drawing.
+/// Usage error of `paths` that are neither `two` drawings nor pair files alone.
 pub(super) fn not_two_drawings(paths: &[PathBuf], two: &str) -> Error {
-    let drawing = paths.iter().find(|path| is_drawing(path));
-    let file = drawing.map_or(Path::new(""), |path| path).display();
-    Error::Usage(format!(
-        "{file} counts as a drawing by its name; give {two}, or pair files alone; gearlash import shows how to use a table"
-    ))
+    let is_table = |path: &&PathBuf| is_drawing(path) && has_extension(path, &["csv", "txt"]);
+    let table = paths.iter().find(is_table);
+    let table = table.map_or(String::new(), |file| {
+        let file = file.display();
+        format!("; {file} counts as one by its name: gearlash import shows how to use a table")
+    });
+    Error::Usage(format!("give {two}, or pair files alone{table}"))
 }
 
 /// `--method` and `--no-certify`.

@@ -13,7 +13,7 @@ use nalgebra::{Point2, Vector2};
 
 const TWO_NUMBERS: &str =
     "write x and y, or x, y and one z, separated by a comma, a semicolon, a tab or blanks";
-const FIRST_POINT: &str = "write x and y of the first point; a table of measurements is no drawing, `gearlash import` reads it";
+const FIRST_POINT: &str = "write x and y, or x, y and one z, separated by a comma, a semicolon, a tab or blanks; `gearlash import` reads tables of measurements";
 
 struct Row<'a> {
     line: usize,
@@ -120,20 +120,6 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
         let z = cells
             .get(2)
             .filter(|z| !rows.is_empty() || heading_unit(z, "z").is_none());
-        if let Some(z) = z {
-            let first = *height.get_or_insert(*z);
-            let value = |text| written(text).map(|number| number.value);
-            if value(z).is_none() {
-                return wrong(format!("z \"{}\" is not a number", cut(z, LONGEST_NAME)));
-            }
-            if value(z) != value(first) {
-                return wrong(format!(
-                    "z is \"{}\", expected one number for all points, \"{}\" as before",
-                    cut(z, LONGEST_NAME),
-                    cut(first, LONGEST_NAME)
-                ));
-            }
-        }
         if rows.len() == MAX_SEGMENTS {
             return Err(DrawingError::too_large("points", MAX_SEGMENTS));
         }
@@ -160,6 +146,20 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
             (x_number, _) => {
                 let cell = if x_number.is_none() { x } else { y };
                 return wrong(format!("\"{}\" is not a number", cut(cell, LONGEST_NAME)));
+            }
+        }
+        if let Some(z) = z {
+            let first = *height.get_or_insert(*z);
+            let value = |text| written(text).map(|number| number.value);
+            if value(z).is_none() {
+                return wrong(format!("z \"{}\" is not a number", cut(z, LONGEST_NAME)));
+            }
+            if value(z) != value(first) {
+                return wrong(format!(
+                    "z is \"{}\", expected one number for all points, \"{}\" as before",
+                    cut(z, LONGEST_NAME),
+                    cut(first, LONGEST_NAME)
+                ));
             }
         }
     }

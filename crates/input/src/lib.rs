@@ -252,9 +252,7 @@ fn refuse_other_kinds(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     let is_xml = text.trim_ascii_start().starts_with(b"<");
     let holds = |tag: &[u8]| is_xml && text.windows(tag.len()).any(|part| part == tag);
     let is_table = has_extension(path, &TABLE_EXTENSIONS) || has_extension(path, &["ods"]);
-    // A pair file has tables in brackets, or is JSON.
-    let is_protocol =
-        has_extension(path, &["txt"]) && !text.iter().any(|byte| b"[{".contains(byte));
+    let is_protocol = has_extension(path, &["txt"]) && !names_gear(text);
     let file = shell_word(path);
     let (reason, help) = if is_rexs(path) || holds(b"<model") {
         let help = format!(
@@ -273,6 +271,19 @@ fn refuse_other_kinds(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
         return Ok(bytes);
     };
     Err(Problem::of_file(reason, help))
+}
+
+/// Whether a text is JSON, or names a table of a pair file or gear file in TOML.
+fn names_gear(text: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(text);
+    let names = |line: &str| {
+        let line = line.trim_start().trim_start_matches('[').trim_start();
+        let rest = ["wheel", "pinion", "gear"]
+            .iter()
+            .find_map(|name| line.strip_prefix(name));
+        rest.is_some_and(|rest| rest.trim_start().starts_with(['.', '=', ']']))
+    };
+    text.trim_start().starts_with('{') || text.lines().any(names)
 }
 
 /// The result of `understand` for a `text`.

@@ -78,7 +78,7 @@ impl Runout {
         {
             return table.refuse(
                 "at",
-                "the readings of the file are numbered by spaces",
+                "the headings of the file name spaces",
                 "write at = \"space\"",
             );
         }

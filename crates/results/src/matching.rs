@@ -94,21 +94,25 @@ fn left_over(result: &MatchResult, kind: usize, name: &str) -> String {
         places[kind] = place?;
         row(result, places)
     });
-    let reason = nearest(result, rows).map(|(row, beyond)| {
-        let outcome = row.found.best.outcome;
-        let mate = plain([&row.pinion, &row.wheel][kind]);
-        let um = |mm: Option<f64>| um_ascii(mm, 2);
-        if beyond > 0.0 {
-            let (least, greatest) = (um(outcome.least), um(outcome.greatest));
+    let rows: Vec<AssignmentRow> = rows.collect();
+    let mate = |row: &AssignmentRow| plain([&row.pinion, &row.wheel][kind]).to_string();
+    let reason = if let Some(row) = rows.iter().find(|row| row.found.best.meets) {
+        format!(" (fits {}, which has another mate)", mate(row))
+    } else {
+        let nearest = nearest(result, rows.into_iter()).filter(|(_, beyond)| *beyond > 0.0);
+        nearest.map_or(String::new(), |(row, beyond)| {
+            let outcome = row.found.best.outcome;
+            let um = |mm: Option<f64>| um_ascii(mm, 2);
             format!(
-                " ({least} to {greatest} µm with {mate}, {} µm beyond the limits)",
+                " ({} to {} µm with {}, {} µm beyond the limits)",
+                um(outcome.least),
+                um(outcome.greatest),
+                mate(&row),
                 um(Some(beyond))
             )
-        } else {
-            format!(" (fits {mate}, which has another mate)")
-        }
-    });
-    plain(name) + &reason.unwrap_or_default()
+        })
+    };
+    plain(name) + &reason
 }
 
 /// The pairs of the assignment.

@@ -116,7 +116,7 @@ fn off_line_note(runs: &[RunTally]) -> String {
     let mut text = String::new();
     if less > 0 {
         text += &format!(
-            "\nIn {less} of {total} poses a tooth corner, fillet or root touches off the line of action: the pair has less backlash there than model 3 says, by over 0.1 µm.\n"
+            "\nIn {less} of {total} poses a tooth corner, fillet or root touches off the line of action: the pair has less backlash there than model 3 says, by more than compare tolerates.\n"
         );
     }
     if alone > 0 {

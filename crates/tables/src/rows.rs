@@ -88,17 +88,24 @@ impl<'a> Found<'a> {
         for line in rows.drain(last.map_or(0, |last| last + 1)..) {
             left_out.push((line.number, line.first().text()));
         }
+        // Of each column whether it has content, and numbers: each cell is looked at once.
+        let mut filled = vec![[false; 2]; head.headings.len()];
+        for line in &rows {
+            for (of, cell) in filled.iter_mut().zip(&line.cells) {
+                of[0] |= *cell != Cell::Empty;
+                of[1] |= cell.number().is_some();
+            }
+        }
         let beside = [places.flank, places.source];
-        let headings = head.headings.iter().enumerate();
-        let columns = headings.filter(|(place, heading)| {
-            let has_content = !heading.shown.is_empty()
-                || rows.iter().any(|line| *line.cell(*place) != Cell::Empty);
-            has_content && !used.contains(place) && !beside.contains(&Some(*place))
+        let headings = head.headings.iter().enumerate().zip(filled);
+        let columns = headings.filter(|((place, heading), [has_content, _])| {
+            let is_there = !heading.shown.is_empty() || *has_content;
+            is_there && !used.contains(place) && !beside.contains(&Some(*place))
         });
-        let columns = columns.map(|(place, _)| UnreadColumn {
+        let columns = columns.map(|((place, _), [_, has_numbers])| UnreadColumn {
             letter: letter(place),
             name: head.shown_one(file, place),
-            has_numbers: rows.iter().any(|line| line.cell(place).number().is_some()),
+            has_numbers,
         });
         let left_out = Unread {
             lines: lines_in_words(file, left_out),

@@ -84,9 +84,10 @@ impl InvoluteArc {
         let (low, high) = (roll - play, roll + play);
         let [l, h] = [low, high].map(|roll| self.support(roll));
         // q' falls past the tip; below the form roll it is at most √(1 + ξ_f²), without a minimum in between.
-        let most = match low < self.form {
-            true => (1.0 + self.form * self.form).sqrt(),
-            false => l[1],
+        let most = if low < self.form {
+            (1.0 + self.form * self.form).sqrt()
+        } else {
+            l[1]
         };
         [l[1].min(h[1]), most, l[2].max(h[2]).max(0.0)]
     }
@@ -245,9 +246,10 @@ impl Separation {
             let newton = (-state.tilt / state.bend.min(LEVEL * sum)).clamp(-0.3, 0.3);
             // At an end of an arc the curvature of `s` jumps, and two such steps can oscillate; the chord of both tilts does not.
             let returns = state.tilt * last.1 < 0.0 && newton.abs() >= last.0.abs();
-            let turned = match returns {
-                true => -last.0 * state.tilt / (state.tilt - last.1),
-                false => newton,
+            let turned = if returns {
+                -last.0 * state.tilt / (state.tilt - last.1)
+            } else {
+                newton
             };
             last = (turned, state.tilt);
             let step = -state.apart / state.turning;

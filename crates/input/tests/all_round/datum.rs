@@ -199,7 +199,7 @@ fn the_file_says_which_eccentricity_counts() {
     let note = study.study.notes[0].eccentricity.unwrap();
     assert!(note.stated_counts && note.stated.unwrap().um == 10.0);
     let words = "That of [runout], 10.000 µm towards tooth 12.50";
-    assert!(study.warnings[0].contains(words), "{:?}", study.warnings);
+    assert!(study.remarks[0].contains(words), "{:?}", study.remarks);
 
     let (keys, _) = sheet("eccentricity = \"pitch\",");
     let study = pair(&(keys.clone() + runout));
@@ -212,7 +212,7 @@ fn the_file_says_which_eccentricity_counts() {
     let off = note.difference_um.unwrap() - bias;
     assert!(off.abs() < 3e-3, "{note:?} {bias}");
     let words = "looks alike; that of [runout], 10.000";
-    assert!(study.warnings[0].contains(words), "{:?}", study.warnings);
+    assert!(study.remarks[0].contains(words), "{:?}", study.remarks);
     // The key changes nothing without a runout: the pitch counts anyway.
     let alone = pair(&keys);
     assert_eq!(wheel(&alone), wheel(&study));

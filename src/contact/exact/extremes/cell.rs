@@ -138,9 +138,10 @@ mod tests {
     fn random(k: u32) -> Option<GearPair> {
         let is_ordinary = k < 60;
         let part = |step: u32| f64::from((k * step + 7 * (k % 97) * k) % 101) / 101.0;
-        let (shifts, most) = match is_ordinary {
-            true => (0.0, 1.2),
-            false => (0.8, 1.5 * part(43)),
+        let (shifts, most) = if is_ordinary {
+            (0.0, 1.2)
+        } else {
+            (0.8, 1.5 * part(43))
         };
         let built = |teeth: u32, face, step: u32| {
             let list = |start: u32| -> Vec<f64> {
@@ -153,9 +154,10 @@ mod tests {
             let deviations = deviations.with_pitch(&list(3), &list(8));
             AsBuilt::new(Gear::nominal(design).ok()?, face, &deviations).ok()
         };
-        let (teeth, farther) = match is_ordinary {
-            true => ([24 + k % 19, 24 + k % 23], 1.6 * part(41)),
-            false => ([7 + k % 41, 7 + k % 37], 3.0 * part(41) - 0.4),
+        let (teeth, farther) = if is_ordinary {
+            ([24 + k % 19, 24 + k % 23], 1.6 * part(41))
+        } else {
+            ([7 + k % 41, 7 + k % 37], 3.0 * part(41) - 0.4)
         };
         let wheel = built(teeth[0], Face::Front, 17)?;
         let pinion = built(teeth[1], Face::Back, 29)?;

@@ -168,9 +168,10 @@ impl CornerPath {
 fn least([a, b, c]: [f64; 3], half: f64) -> f64 {
     let end = a - b.abs() * half + 0.5 * c * half * half;
     let turn = b.abs() / c;
-    match c > 0.0 && turn < half {
-        true => a - 0.5 * b * b / c,
-        false => end,
+    if c > 0.0 && turn < half {
+        a - 0.5 * b * b / c
+    } else {
+        end
     }
 }
 

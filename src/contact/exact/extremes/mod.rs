@@ -218,7 +218,7 @@ impl ExactKernel {
             matings: cycle.matings,
             width: width / cycle.per_radian(),
             radius: cycle.per_radian(),
-            // No other search follows for these extremes: each may use all that was left before the part was taken.
+            // Each extreme may use twice the part: for a verdict some seconds (tuned).
             most_effort: cycle.effort.left().saturating_mul(PARTS_OF_EFFORT[0]),
             tick: cycle.effort.tick,
         };

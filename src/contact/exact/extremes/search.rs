@@ -336,9 +336,10 @@ impl Search<'_> {
         }
         let key = open.peek().map_or(bound, |first| bound.max(first.key));
         let key = key.max(narrow);
-        let doubt = match key.is_finite() {
-            true => Doubt::Effort,
-            false => Doubt::Unbounded,
+        let doubt = if key.is_finite() {
+            Doubt::Effort
+        } else {
+            Doubt::Unbounded
         };
         Ok((self.value(key), Some(doubt)))
     }

@@ -119,9 +119,10 @@ impl SideTable {
                 .map(|(step, part)| (*step, part.beside, part.at_fillets()))
                 .collect();
             for (step, found) in open() {
-                match found.least() < found.beside {
-                    true => table.at_fillets[part].push((*step, *found)),
-                    false => table.plain[part].push((*step, found.beside)),
+                if found.least() < found.beside {
+                    table.at_fillets[part].push((*step, *found))
+                } else {
+                    table.plain[part].push((*step, found.beside))
                 }
             }
         }

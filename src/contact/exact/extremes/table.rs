@@ -120,9 +120,10 @@ impl CycleTable {
             distances,
             sides,
             slack,
-            matings: match cycle.has_equal_matings() {
-                true => cycle.matings.min(1),
-                false => cycle.matings,
+            matings: if cycle.has_equal_matings() {
+                cycle.matings.min(1)
+            } else {
+                cycle.matings
             },
         }
     }

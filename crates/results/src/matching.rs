@@ -95,7 +95,7 @@ fn left_over(result: &MatchResult, kind: usize, name: &str) -> String {
         row(result, places)
     });
     let rows: Vec<AssignmentRow> = rows.collect();
-    let mate = |row: &AssignmentRow| plain([&row.pinion, &row.wheel][kind]).to_string();
+    let mate = |row: &AssignmentRow| plain([&row.pinion, &row.wheel][kind]);
     let reason = if let Some(row) = rows.iter().find(|row| row.found.best.meets) {
         format!(" (fits {}, which has another mate)", mate(row))
     } else {
@@ -192,7 +192,7 @@ pub fn text(result: &MatchResult, screen: &Screen) -> String {
         if !names.is_empty() {
             let each = names.iter().enumerate().map(|(k, name)| match k {
                 ..MOST_REASONS => left_over(result, kind, name),
-                _ => plain(name).into(),
+                _ => plain(name),
             });
             let names: Vec<String> = each.collect();
             text.push('\n');

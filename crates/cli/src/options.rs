@@ -354,7 +354,7 @@ pub(super) fn is_drawing(path: &Path) -> bool {
 
 /// Usage error of `paths` that are neither `two` drawings nor pair files alone.
 pub(super) fn not_two_drawings(paths: &[PathBuf], two: &str) -> Error {
-    let is_table = |path: &&PathBuf| is_drawing(path) && has_extension(path, &["csv", "txt"]);
+    let is_table = |path: &&PathBuf| has_extension(path, &["csv", "txt"]);
     let table = paths.iter().find(is_table);
     let table = table.map_or(String::new(), |file| {
         let file = file.display();

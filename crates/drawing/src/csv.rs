@@ -13,7 +13,7 @@ use nalgebra::{Point2, Vector2};
 
 const TWO_NUMBERS: &str =
     "write x and y, or x, y and one z, separated by a comma, a semicolon, a tab or blanks";
-const FIRST_POINT: &str = "write x and y, or x, y and one z, separated by a comma, a semicolon, a tab or blanks; `gearlash import` reads tables of measurements";
+const TABLES: &str = "; `gearlash import` reads tables of measurements";
 
 struct Row<'a> {
     line: usize,
@@ -90,12 +90,12 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
     let (mut columns, mut height) = (None, None);
     for (index, text) in text.split('\n').enumerate() {
         let (line, text) = (index + 1, text.trim());
-        let help = if rows.is_empty() {
-            FIRST_POINT
-        } else {
-            TWO_NUMBERS
+        // A table of measurements fails before its first point.
+        let more = if rows.is_empty() { TABLES } else { "" };
+        let wrong = |reason: String| {
+            let help = format!("{TWO_NUMBERS}{more}");
+            Err(DrawingError::at(format!("line {line}"), reason, &help))
         };
-        let wrong = |reason: String| Err(DrawingError::at(format!("line {line}"), reason, help));
         if let Some(comment) = text.strip_prefix('#') {
             if let Some(unit) = commented_unit(comment) {
                 record_unit(&mut stated, unit, line)?;

@@ -62,7 +62,7 @@ fn rows(result: &MatchResult) -> impl Iterator<Item = AssignmentRow> {
     places.filter_map(|places| row(result, places))
 }
 
-/// The pair of `rows` nearest to the limits, and how far beyond them it is, mm; `None` where these are of another quantity alone.
+/// The pair of `rows` nearest to the limits, and how far beyond them it is, mm; `None` where it meets them, or these are of another quantity alone.
 fn nearest(
     result: &MatchResult,
     rows: impl Iterator<Item = AssignmentRow>,
@@ -79,7 +79,8 @@ fn nearest(
         Some((row, beyond))
     };
     let each = rows.filter_map(missed);
-    each.min_by(|one, other| one.1.total_cmp(&other.1))
+    let nearest = each.min_by(|one, other| one.1.total_cmp(&other.1));
+    nearest.filter(|(_, beyond)| *beyond > 0.0)
 }
 
 /// Gears left over whose nearest mate is named.
@@ -99,8 +100,7 @@ fn left_over(result: &MatchResult, kind: usize, name: &str) -> String {
     let reason = if let Some(row) = rows.iter().find(|row| row.found.best.meets) {
         format!(" (fits {}, which has another mate)", mate(row))
     } else {
-        let nearest = nearest(result, rows.into_iter()).filter(|(_, beyond)| *beyond > 0.0);
-        nearest.map_or(String::new(), |(row, beyond)| {
+        nearest(result, rows.into_iter()).map_or(String::new(), |(row, beyond)| {
             let outcome = row.found.best.outcome;
             let um = |mm: Option<f64>| um_ascii(mm, 2);
             format!(
@@ -170,8 +170,11 @@ pub fn text(result: &MatchResult, screen: &Screen) -> String {
             stated_distance(result.clearance)
         ));
     }
-    let nearest =
-        nearest(result, rows(result)).filter(|(_, beyond)| pairs.is_empty() && *beyond > 0.0);
+    let nearest = if pairs.is_empty() {
+        nearest(result, rows(result))
+    } else {
+        None
+    };
     if let Some((row, beyond)) = nearest {
         let outcome = row.found.best.outcome;
         let um = |mm: Option<f64>| um_ascii(mm, 2);

@@ -20,7 +20,7 @@ pub fn imported(imported: &Imported, screen: &Screen) -> String {
     for reason in &imported.not_read {
         text += &screen.fold(&format!("Not read: {}\n\n", line(reason)));
     }
-    if imported.tables.iter().any(|table| table.leaves_out_columns) {
+    if imported.tables.iter().any(|table| table.leaves_out_numbers) {
         text += &screen.fold("To read a column that is left out, name it: --only pitch --left B --right C, or --only span --column B.\n\n");
     }
     let _ = writeln!(text, "For a pair file beside {}:", line(&imported.file));

@@ -88,7 +88,7 @@ impl<'a> Found<'a> {
         for line in rows.drain(last.map_or(0, |last| last + 1)..) {
             left_out.push((line.number, line.first().text()));
         }
-        // Of each column whether it has content, and numbers: each cell is looked at once.
+        // Whether each column has content, and numbers. One pass reads each cell once.
         let mut filled = vec![[false; 2]; head.headings.len()];
         for line in &rows {
             for (of, cell) in filled.iter_mut().zip(&line.cells) {

@@ -37,7 +37,7 @@ pub(crate) struct OutlineCycle<'t> {
     pub matings: u64,
     /// Equal teeth, of the locked and the free gear.
     pub classes: [Arc<ToothClasses>; 2],
-    /// One of so many parts of the effort is spent.
+    /// Number of equal parts of the effort. A search may use one.
     pub parts_of_effort: u64,
     pub tick: &'t Tick<'t>,
 }

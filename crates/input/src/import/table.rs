@@ -60,7 +60,7 @@ pub struct ImportedTable {
     pub left_out: Option<String>,
     /// Whether columns of numbers are left out.
     #[serde(skip)]
-    pub leaves_out_columns: bool,
+    pub leaves_out_numbers: bool,
     /// Columns that are part of another table of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub in_other_table: Option<String>,
@@ -183,7 +183,7 @@ impl ImportedTable {
                 Some(origin) => origin.left_out.words(&[]),
                 None => sheet.header.unused().map(str::to_owned),
             },
-            leaves_out_columns: false,
+            leaves_out_numbers: false,
             in_other_table: None,
             unread: origin.map_or_else(Unread::default, |origin| origin.left_out.clone()),
             columns,
@@ -202,7 +202,7 @@ impl ImportedTable {
         let letters = headings.filter_map(|column| Some(&column.heading.as_ref()?.1[..]));
         let letters: Vec<&str> = letters.collect();
         self.left_out = self.unread.words(&letters);
-        self.leaves_out_columns = self.unread.has_numbers(&letters);
+        self.leaves_out_numbers = self.unread.has_numbers(&letters);
         self.in_other_table = self.unread.elsewhere(&letters);
     }
 }

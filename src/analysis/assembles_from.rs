@@ -286,76 +286,102 @@ fn interference(
 /// Width of the bracket, mm. A tip leaves its mate at some speed, so a narrower one has no meaning.
 const MESH_WIDTH: f64 = 1e-5;
 
-/// Limit of steps: bisection of a range of 10 m alone.
+/// Limit of searches of the cycle (one or two are usual).
 const MESH_STEPS: usize = 40;
 
-/// The lost motion at a distance, mm, where the teeth of a mating meet.
-type PoseAt<'a> = &'a dyn Fn(f64, &Mating) -> Result<Option<LostMotion>, Error>;
+/// Poses of a pitch that are examined beside a pose out of mesh, and their limit in all (tuned: some 40 ms, or 0.3 s for drawn gears).
+const POSES_A_PITCH: f64 = 8.0;
+const MOST_POSES_BESIDE: u64 = 8192;
 
-/// The greatest over the whole cycle at a distance, mm.
-type GreatestAt<'a> = &'a dyn Fn(f64) -> Result<Extremes, Error>;
+/// Least step, pitches, to a pose beside one out of mesh (tuned: a tenth of it moves the distance by less than its bracket).
+const LEAST_STEP: f64 = 1e-4;
+
+/// A pair at any centre distance, mm.
+pub(super) struct AtDistance<'a> {
+    /// The lost motion at a distance where the teeth of a mating meet.
+    pub pose: &'a dyn Fn(f64, &Mating) -> Result<Option<LostMotion>, Error>,
+    /// The greatest over the whole cycle at a distance.
+    pub search: &'a dyn Fn(f64) -> Result<Extremes, Error>,
+    /// A mating turned on by a number of pitches.
+    pub onward: &'a dyn Fn(&Mating, f64) -> Mating,
+    /// Pitches of the cycle.
+    pub pitches: u64,
+}
+
+impl AtDistance<'_> {
+    fn is_in_mesh(&self, at: f64, mating: &Mating) -> Result<bool, Error> {
+        let found = (self.pose)(at, mating)?;
+        Ok(found.is_none_or(|found| found.status() != Status::NoContact))
+    }
+
+    /// The first of `lost` turned by each of `pitches` that is out of mesh at the distance `at`.
+    fn beside(
+        &self,
+        at: f64,
+        lost: &Mating,
+        pitches: impl IntoIterator<Item = f64>,
+    ) -> Result<Option<Mating>, Error> {
+        for pitches in pitches {
+            let mating = (self.onward)(lost, pitches);
+            if !self.is_in_mesh(at, &mating)? {
+                return Ok(Some(mating));
+            }
+        }
+        Ok(None)
+    }
+}
 
 /// The distance up to which a pair is in mesh: above the distance `nearest`, mm, below its own one, where a pose is out of mesh according to
 /// `found`. `None` if it is in mesh at its own distance, or out of mesh at `nearest` too. Searches end with the budget `effort`.
 ///
+/// A pose out of mesh gives the distance up to which it is in mesh. Another pose of the cycle that is out of mesh there gives the next
+/// distance. Where no examined pose is, the whole cycle is searched.
+///
 /// # Errors
-/// As `pose` and `search`.
+/// Those of the poses and searches of `pair`.
 pub(super) fn meshes_to(
     [nearest, own]: [f64; 2],
     found: &Extremes,
-    (pose, search): (PoseAt, GreatestAt),
+    pair: &AtDistance,
     effort: &Effort,
 ) -> Result<Option<Threshold>, Error> {
     let Some(mut lost) = found.lost.filter(|_| found.status == Status::NoContact) else {
         return Ok(None);
     };
-    let (mut low, mut high, mut doubt) = (nearest, own, None);
-    let mut apart = vec![lost];
-    let mut at = low;
+    let mut high = own;
     for _ in 0..MESH_STEPS {
-        if !(low < high) {
-            return Ok(None);
-        }
-        if effort.is_nearly_spent() {
-            doubt = doubt.or(Some(Doubt::Effort));
-            break;
-        }
-        if let Some(mating) = first_out_of_mesh(at, &apart, pose)? {
-            (high, lost) = (at, mating);
-        } else {
-            let there = search(at)?;
-            match there.greatest {
-                None => {
-                    high = at;
-                    lost = there.lost.unwrap_or(lost);
-                    apart.extend(there.lost);
-                }
-                Some(greatest) => {
-                    low = at;
-                    doubt = greatest.doubt;
-                }
+        let mut step = 0.5 / POSES_A_PITCH;
+        let mut at = high;
+        let mut next = Some(lost);
+        while at > nearest && step > LEAST_STEP {
+            if let Some(mating) = next {
+                lost = mating;
+                let in_mesh = |at| pair.is_in_mesh(at, &lost);
+                [at, high] = try_bisect(nearest, at, MESH_WIDTH, in_mesh)?;
+                let poses = (POSES_A_PITCH as u64 * pair.pitches).min(MOST_POSES_BESIDE);
+                let everywhere = (1..poses).map(|pose| pose as f64 / POSES_A_PITCH);
+                next = pair.beside(at, &lost, everywhere)?;
+            } else {
+                next = pair.beside(at, &lost, [-step, step])?;
+                step *= 0.5;
             }
         }
-        if high - low <= MESH_WIDTH {
-            break;
-        }
-        at = 0.5 * (low + high);
-    }
-    Ok((high > nearest).then_some(Threshold {
-        low,
-        high,
-        mating: lost,
-        doubt,
-    }))
-}
-
-/// The first of `matings` that is out of mesh at the distance `at`, mm.
-fn first_out_of_mesh(at: f64, matings: &[Mating], pose: PoseAt) -> Result<Option<Mating>, Error> {
-    for mating in matings {
-        let found = pose(at, mating)?;
-        if found.is_some_and(|found| found.status() == Status::NoContact) {
-            return Ok(Some(*mating));
-        }
+        let there = (pair.search)(at)?;
+        let doubt = match (there.greatest, there.lost) {
+            (Some(greatest), _) => greatest.doubt,
+            (None, _) if at <= nearest => return Ok(None),
+            (None, Some(next)) if !effort.is_nearly_spent() => {
+                (lost, high) = (next, at);
+                continue;
+            }
+            (None, _) => Some(Doubt::Effort),
+        };
+        return Ok(Some(Threshold {
+            low: at,
+            high,
+            mating: lost,
+            doubt,
+        }));
     }
     Ok(None)
 }

@@ -1,6 +1,8 @@
 //! The mesh cycles of a study, and the search of each: at its centre distance, and at both ends of the bearing clearance.
 
-use super::assembles_from::{Threshold, assembles_from, assembles_from_of_outlines, meshes_to};
+use super::assembles_from::{
+    AtDistance, Threshold, assembles_from, assembles_from_of_outlines, meshes_to,
+};
 use super::axes::{Axes, Axis, BearingEnds};
 use super::directions::{self, AnyDirection, Directed, Poses, Search, is_open};
 use super::face_loss::FaceLoss;
@@ -19,7 +21,7 @@ use crate::pair::{FaceDeviation, GearPair, Mating, Member, SweepPlan, ToothNumbe
 /// Width of a proven bracket of `j_wt`, mm.
 pub const WIDTH: f64 = PROVEN_WIDTH;
 
-/// Width, mm, of a bracket of the greatest `j_wt` of outlines that proves them in mesh: any finite one does.
+/// Width, mm, of a bracket of the greatest `j_wt` that proves a pair in mesh: any finite one does.
 const IN_MESH: f64 = 0.1;
 
 /// Width, mm, of a bracket of `j_wt` of `assembly` that counts as proven.
@@ -97,7 +99,13 @@ impl CyclePair for OutlinePair {
             };
             let nearest = self.tip_on_root().max(self.least_distance() + WIDTH);
             let between = [nearest, self.center_distance()];
-            to = meshes_to(between, &found, (&pose, &search), &Effort::endless())?;
+            let at_distance = AtDistance {
+                pose: &pose,
+                search: &search,
+                onward: &|mating, pitches| mating.onward(self, pitches),
+                pitches: cycle.distinct,
+            };
+            to = meshes_to(between, &found, &at_distance, &Effort::endless())?;
         }
         Ok(Searched {
             poses: cycle.poses_of(&found, assembles_from),
@@ -650,10 +658,16 @@ impl<'t> Planned<'t> {
         let search = |at| {
             let there = pair.at(at)?;
             let (kernel, ends) = (kernel.at(&there), &[End::Greatest]);
-            kernel.extremes_of(&there, self.over(), WIDTH, effort, ends)
+            kernel.extremes_of(&there, self.over(), IN_MESH, effort, ends)
+        };
+        let at_distance = AtDistance {
+            pose: &pose,
+            search: &search,
+            onward: &|mating, pitches| mating.onward(pair, pitches),
+            pitches: self.distinct,
         };
         let between = [nearest, pair.center_distance()];
-        meshes_to(between, found, (&pose, &search), effort)
+        meshes_to(between, found, &at_distance, effort)
     }
 }
 

@@ -1,11 +1,6 @@
 //! Every check of a pair (design section 7), for each centre distance and material.
 
-mod along_face;
-mod clearance;
 mod context;
-mod interference;
-mod limits;
-mod off_line;
 mod start;
 
 use super::check::{Check, CheckName, Verdict};

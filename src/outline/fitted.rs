@@ -138,52 +138,50 @@ pub struct StandardGear {
 /// A point of a flank: radius and angle from the flank's first point.
 type Polar = (f64, f64);
 
-impl OutlineGear {
-    /// The involute fitted to the flanks; `None` if they are no involutes or have fewer than three points in the middle of their depth.
-    pub fn fitted_involute(&self) -> Option<FittedInvolute> {
-        let depth = self.tip_radius() - self.root_radius();
-        let range = MIDDLE.map(|share| self.root_radius() + share * depth);
-        let teeth = 1..=self.teeth();
-        let halves = teeth.flat_map(|tooth| Side::BOTH.map(|side| self.half(side, tooth)));
-        let mut flanks: Vec<(f64, Vec<Polar>)> = Vec::new();
-        for half in halves {
-            flanks.push(middle(half, range)?);
-        }
-        let radii = flanks
-            .iter()
-            .flat_map(|flank| flank.1.iter().map(|point| point.0));
-        let lowest = radii.fold(f64::INFINITY, f64::min);
-        let (base, error) = base_radius(&flanks, lowest)?;
-        let (mut residual, mut starts): (f64, Vec<f64>) = (0.0, Vec::new());
-        for (first, points) in &flanks {
-            let off = distances(points, base);
-            let mean = off.iter().sum::<f64>() / off.len() as f64;
-            residual = off
-                .iter()
-                .fold(residual, |most, off| most.max((off - mean).abs()));
-            starts.push(first + mean / base);
-        }
-        let [from, to] = range.map(|radius| involute::roll_at(radius, base));
-        let length = 0.5 * base * (to * to - from * from);
-        let limit = CURVED * length * length / (8.0 * base * 0.5 * (from + to));
-        if !(residual <= limit) {
-            return None;
-        }
-        // Both flanks start before the tooth's centre line, the left one in its mirrored frame.
-        let half_angles = starts
-            .chunks(2)
-            .map(|sides| 0.5 * (-sides[0] - sides[1]).rem_euclid(TAU));
-        let half_angle = half_angles.sum::<f64>() / f64::from(self.teeth());
-        let base_radius_error = error * (residual + self.bound());
-        Some(FittedInvolute {
-            base_radius: base,
-            base_radius_error,
-            base_thickness: 2.0 * base * half_angle,
-            residual,
-            limit,
-            standard: standard(f64::from(self.teeth()), base, base_radius_error, half_angle),
-        })
+/// The involute fitted to the flanks of `gear`; `None` if they are no involutes or have fewer than three points in the middle of their depth.
+pub fn fit_involute(gear: &OutlineGear) -> Option<FittedInvolute> {
+    let depth = gear.tip_radius() - gear.root_radius();
+    let range = MIDDLE.map(|share| gear.root_radius() + share * depth);
+    let teeth = 1..=gear.teeth();
+    let halves = teeth.flat_map(|tooth| Side::BOTH.map(|side| gear.half(side, tooth)));
+    let mut flanks: Vec<(f64, Vec<Polar>)> = Vec::new();
+    for half in halves {
+        flanks.push(middle(half, range)?);
     }
+    let radii = flanks
+        .iter()
+        .flat_map(|flank| flank.1.iter().map(|point| point.0));
+    let lowest = radii.fold(f64::INFINITY, f64::min);
+    let (base, error) = base_radius(&flanks, lowest)?;
+    let (mut residual, mut starts): (f64, Vec<f64>) = (0.0, Vec::new());
+    for (first, points) in &flanks {
+        let off = distances(points, base);
+        let mean = off.iter().sum::<f64>() / off.len() as f64;
+        residual = off
+            .iter()
+            .fold(residual, |most, off| most.max((off - mean).abs()));
+        starts.push(first + mean / base);
+    }
+    let [from, to] = range.map(|radius| involute::roll_at(radius, base));
+    let length = 0.5 * base * (to * to - from * from);
+    let limit = CURVED * length * length / (8.0 * base * 0.5 * (from + to));
+    if !(residual <= limit) {
+        return None;
+    }
+    // Both flanks start before the tooth's centre line, the left one in its mirrored frame.
+    let half_angles = starts
+        .chunks(2)
+        .map(|sides| 0.5 * (-sides[0] - sides[1]).rem_euclid(TAU));
+    let half_angle = half_angles.sum::<f64>() / f64::from(gear.teeth());
+    let base_radius_error = error * (residual + gear.bound());
+    Some(FittedInvolute {
+        base_radius: base,
+        base_radius_error,
+        base_thickness: 2.0 * base * half_angle,
+        residual,
+        limit,
+        standard: standard(f64::from(gear.teeth()), base, base_radius_error, half_angle),
+    })
 }
 
 /// Distances of `points` from the involute that starts at angle 0, mm.

@@ -55,11 +55,11 @@ pub struct OutlineGear {
 /// A path as drawn, in the frame of [`OutlineGear::path`], and the flank offset by which the gear differs from it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Drawing {
-    pub(super) path: Arc<[PathSegment]>,
-    pub(super) bound: f64,
+    path: Arc<[PathSegment]>,
+    bound: f64,
     /// Depth of the teeth, mm.
-    pub(super) depth: f64,
-    pub(super) flank_offset: f64,
+    depth: f64,
+    flank_offset: f64,
 }
 
 impl OutlineGear {
@@ -187,6 +187,57 @@ impl OutlineGear {
     /// As [`OutlineGear::with_flank_offset`].
     pub fn thicker(&self, by: f64) -> Result<OutlineGear, OutlineError> {
         self.with_flank_offset(self.flank_offset().unwrap_or(0.0) + 0.5 * by)
+    }
+
+    /// This gear with its drawn outline moved out by `offset`, mm, along its normal (negative: in). It replaces an earlier offset.
+    ///
+    /// # Errors
+    /// [`OutlineError::Offset`]: the moved outline falls apart, keeps less than half the depth of its teeth, or the gear is given by data.
+    #[cfg(feature = "offset")]
+    pub fn with_flank_offset(&self, offset: f64) -> Result<OutlineGear, OutlineError> {
+        /// Steps of 1 mm to which the greatest possible flank offset is rounded down.
+        const STEPS_PER_MM: f64 = 1000.0;
+        self.moved_out(offset).ok_or_else(|| {
+            let [most, _] = crate::numeric::bisect(0.0, offset.abs(), 0.1 / STEPS_PER_MM, |most| {
+                self.moved_out(most.copysign(offset)).is_some()
+            });
+            OutlineError::Offset {
+                offset_mm: offset,
+                teeth: self.teeth(),
+                greatest_mm: (most * STEPS_PER_MM).floor() / STEPS_PER_MM,
+            }
+        })
+    }
+
+    #[cfg(feature = "offset")]
+    fn moved_out(&self, offset: f64) -> Option<OutlineGear> {
+        /// Least depth of moved teeth, as a part of the depth drawn: less are waves of a rim.
+        const LEAST_DEPTH: f64 = 0.5;
+        let drawing = self.drawing.as_ref()?;
+        let (path, error) = super::offset::moved_out(&drawing.path, offset)?;
+        let path: Vec<PathSegment> = match self.face {
+            Face::Front => path,
+            Face::Back => path.iter().map(PathSegment::mirrored).collect(),
+        };
+        let reading = OutlineReading {
+            centre: Point2::origin(),
+            face: self.face,
+            teeth: Some(self.teeth()),
+            first_tooth: Some(in_drawing(self.face, self.turned)),
+            bound: drawing.bound + error,
+        };
+        let gear = OutlineGear::new(&path, &reading).ok()?;
+        if gear.tip_radius - gear.root_radius < LEAST_DEPTH * drawing.depth {
+            return None;
+        }
+        Some(OutlineGear {
+            displacement: self.displacement,
+            drawing: Some(Drawing {
+                flank_offset: offset,
+                ..drawing.clone()
+            }),
+            ..gear
+        })
     }
 
     /// Without the feature `offset` no outline is moved.
@@ -345,7 +396,7 @@ fn off_even_places(directions: &[f64]) -> Vec<f64> {
 }
 
 /// A direction of the picture in the drawing, or of the drawing in the picture, rad.
-pub(super) fn in_drawing(face: Face, angle: f64) -> f64 {
+fn in_drawing(face: Face, angle: f64) -> f64 {
     match face {
         Face::Front => angle,
         Face::Back => PI - angle,

@@ -1,6 +1,6 @@
 //! Gears given by their outline alone: a closed path, drawn or traced, and the teeth found on it.
 //!
-//! An outline has no module, no base circle and no line of action, and none are guessed. [`OutlineGear::fitted_involute`] is a
+//! An outline has no module, no base circle and no line of action, and none are guessed. [`fit_involute`] is a
 //! finding only. An outline gear has half teeth, tooth numbers and an axis, which contact needs ([`crate::contact::OutlineKernel`]).
 //!
 //! `OutlineGear::from` converts a gear given by data, so a pair may combine both. [`OutlineDifference`] compares two outlines of one
@@ -59,7 +59,7 @@ pub use crate::error::OutlineError;
 pub use assembled_pair::AssembledPair;
 pub use change::GearChange;
 pub use difference::{Deviation, OutlineDifference};
-pub use fitted::{FittedCentre, FittedInvolute, StandardGear, fit_centre};
+pub use fitted::{FittedCentre, FittedInvolute, StandardGear, fit_centre, fit_involute};
 pub use gear::{OutlineGear, OutlineReading};
 pub use of_gear::{of_gear, of_section};
 pub use pair::OutlinePair;

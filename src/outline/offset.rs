@@ -6,10 +6,8 @@
 //!
 //! Both operations preserve the distance of two regions: a path within `ε` of another is within `ε` of it when both are moved.
 
-use super::gear::{Drawing, OutlineGear, OutlineReading, in_drawing};
 use super::path::PathSegment;
-use crate::error::OutlineError;
-use crate::gear::{Cubic, Face, PartCurve};
+use crate::gear::{Cubic, PartCurve};
 use crate::numeric::bisect;
 use cavalier_contours::polyline::{
     PlineOffsetOptions, PlineSource, PlineSourceMut, PlineVertex, Polyline,
@@ -25,62 +23,9 @@ const ARCS: f64 = 2e-6;
 /// Positions nearer than this are one, mm: above the rounding of most drawings, a tenth of what results show.
 const SAME: f64 = 1e-7;
 
-/// Steps of 1 mm to which the greatest possible flank offset is rounded down.
-const STEPS_PER_MM: f64 = 1000.0;
-
-/// Least depth of moved teeth, as a part of the depth drawn: less are waves of a rim.
-const LEAST_DEPTH: f64 = 0.5;
-
-impl OutlineGear {
-    /// This gear with its drawn outline moved out by `offset`, mm, along its normal (negative: in). It replaces an earlier offset.
-    ///
-    /// # Errors
-    /// [`OutlineError::Offset`]: the moved outline falls apart, keeps less than half the depth of its teeth, or the gear is given by data.
-    pub fn with_flank_offset(&self, offset: f64) -> Result<OutlineGear, OutlineError> {
-        self.moved_out(offset).ok_or_else(|| {
-            let [most, _] = bisect(0.0, offset.abs(), 0.1 / STEPS_PER_MM, |most| {
-                self.moved_out(most.copysign(offset)).is_some()
-            });
-            OutlineError::Offset {
-                offset_mm: offset,
-                teeth: self.teeth(),
-                greatest_mm: (most * STEPS_PER_MM).floor() / STEPS_PER_MM,
-            }
-        })
-    }
-
-    fn moved_out(&self, offset: f64) -> Option<OutlineGear> {
-        let drawing = self.drawing.as_ref()?;
-        let (path, error) = moved_out(&drawing.path, offset)?;
-        let path: Vec<PathSegment> = match self.face {
-            Face::Front => path,
-            Face::Back => path.iter().map(PathSegment::mirrored).collect(),
-        };
-        let reading = OutlineReading {
-            centre: Point2::origin(),
-            face: self.face,
-            teeth: Some(self.teeth()),
-            first_tooth: Some(in_drawing(self.face, self.turned)),
-            bound: drawing.bound + error,
-        };
-        let gear = OutlineGear::new(&path, &reading).ok()?;
-        if gear.tip_radius - gear.root_radius < LEAST_DEPTH * drawing.depth {
-            return None;
-        }
-        Some(OutlineGear {
-            displacement: self.displacement,
-            drawing: Some(Drawing {
-                flank_offset: offset,
-                ..drawing.clone()
-            }),
-            ..gear
-        })
-    }
-}
-
 /// The closed path of `segments` about the origin moved out by `by`, mm (negative: in), and the error that it adds, mm. `None` if not exactly
 /// one path remains.
-fn moved_out(segments: &[PathSegment], by: f64) -> Option<(Vec<PathSegment>, f64)> {
+pub(super) fn moved_out(segments: &[PathSegment], by: f64) -> Option<(Vec<PathSegment>, f64)> {
     if by == 0.0 {
         return Some((segments.to_vec(), 0.0));
     }

@@ -20,7 +20,7 @@ fn a_drawn_gear_gives_its_module_back() {
         let gear = gear_of(teeth, module, angle, allowance);
         let drawn = of_gear(&AsBuilt::perfect(gear.clone(), Face::Front), 1e-4 * module);
         let found = read(&drawn, Face::Front, None, 0.0);
-        let found = found.fitted_involute().unwrap();
+        let found = fit_involute(&found).unwrap();
         let (base, within) = (gear.base_radius(), 1e-9 * module);
         near(teeth, found.base_radius, base, within);
         near(teeth, found.residual, 0.0, 1e-9);
@@ -33,7 +33,7 @@ fn a_drawn_gear_gives_its_module_back() {
         near(teeth, standard.shift, gear.generating_shift(), 1e-8);
         // An outline from data has curves in place of chords.
         let exact = OutlineGear::from(&AsBuilt::perfect(gear, Face::Front));
-        let exact = exact.fitted_involute().unwrap();
+        let exact = fit_involute(&exact).unwrap();
         near(teeth, exact.base_radius, found.base_radius, within);
     }
 }
@@ -51,7 +51,7 @@ fn the_residual_is_what_the_points_are_off() {
     });
     let moved: Vec<Point2<f64>> = moved.collect();
     let found = read(&polygon(&moved), Face::Front, None, 0.0);
-    let found = found.fitted_involute().unwrap();
+    let found = fit_involute(&found).unwrap();
     assert!((1e-4..4e-4).contains(&found.residual), "{found:?}");
     let error = found.base_radius_error;
     near("base", found.base_radius, gear.base_radius(), error);
@@ -83,7 +83,7 @@ fn other_flanks_are_no_involutes() {
         let ends: Vec<Point2<f64>> = path.iter().map(PathSegment::start).collect();
         for path in [path, polygon(&ends)] {
             let read = read(&path, Face::Front, None, 0.0);
-            assert_eq!(read.fitted_involute(), None, "{bulge}");
+            assert_eq!(fit_involute(&read), None, "{bulge}");
         }
     }
 }

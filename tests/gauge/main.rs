@@ -32,7 +32,9 @@ use gearlash::metrology::{
     Measurements, PitchKind, PitchSense, PitchStatement, ProbeReadings, ReadWith, Runout,
     RunoutStatement, ThicknessStatement, Toleranced,
 };
-use gearlash::outline::{OutlineDifference, OutlineGear, OutlineReading, PathSegment, of_gear};
+use gearlash::outline::{
+    OutlineDifference, OutlineGear, OutlineReading, PathSegment, fit_involute, of_gear,
+};
 use gearlash::pair::{GearPair, Member, Pose};
 use kit::{Make, ends, inv, near, rows, spur, spur_of_angle};
 use made_up::{made_up, scaled};

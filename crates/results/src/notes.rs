@@ -2,7 +2,7 @@
 
 use gearlash::analysis::study::Study;
 use gearlash::metrology::{Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
-use gearlash::outline::{FittedInvolute, OutlineGear, StandardGear};
+use gearlash::outline::{FittedInvolute, OutlineGear, StandardGear, fit_involute};
 use gearlash_input::PairFile;
 use gearlash_text::numbers::{fixed, trimmed, um, within};
 use serde_json::{Map, Value, json};
@@ -71,7 +71,7 @@ fn fitted(file: &PairFile) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> 
     let drawings = gears.zip(&file.drawings);
     let fitted = drawings.filter_map(|((name, gear), drawing)| {
         drawing.as_ref()?;
-        Some((name, gear, gear.fitted_involute()?))
+        Some((name, gear, fit_involute(gear)?))
     });
     fitted.collect()
 }

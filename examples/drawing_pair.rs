@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release --example drawing_pair`
 
+use gearlash::contact::lost_motion_at;
 use gearlash::error::Error;
 use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
 use gearlash::pair::{GearPair, Mating};
@@ -24,7 +25,7 @@ pub fn table() -> Result<String, Error> {
     let mut table = String::new();
     for a in [74.3, 74.35, 74.4, 74.45] {
         let pair = GearPair::new(wheel.clone(), pinion.clone(), a)?;
-        let found = pair.lost_motion(mating)?;
+        let found = lost_motion_at(&pair.clone().into(), mating)?;
         let (j_wt, class) = (found.j_wt().unwrap_or(f64::NAN), found.class(&pair).name());
         table += &format!("{a:6.2} mm  {:8.3} µm  {class}\n", 1e3 * j_wt);
     }

@@ -24,10 +24,11 @@ fn gear(face: Face, mm: f64, total_um: f64, high: f64) -> Result<AsBuilt, Box<dy
 pub fn table() -> Result<String, Box<dyn Error>> {
     let wheel = gear(Face::Front, 50.55, 30.0, 7.0)?;
     let pinion = gear(Face::Back, 50.56, 20.0, 1.0)?;
-    let pair = GearPair::new(wheel, pinion, 132.15)?;
+    let pair = GearPair::new(wheel, pinion, 132.15)?.into();
     let mut table = String::new();
     for tooth in [1, 12, 23, 34] {
-        let found = pair.lost_motion(Mating::at(tooth, tooth, Side::Right))?;
+        let found =
+            gearlash::contact::lost_motion_at(&pair, Mating::at(tooth, tooth, Side::Right))?;
         let um = 1e3 * found.j_wt().ok_or("not in mesh")?;
         table += &format!("teeth {tooth:2}·{tooth:<2}  {um:8.3} µm\n");
     }

@@ -8,6 +8,7 @@
 //! # A pair from drawing data
 //!
 //! ```
+//! use gearlash::contact::lost_motion_at;
 //! use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
 //! use gearlash::pair::{GearPair, Mating};
 //!
@@ -17,7 +18,8 @@
 //! let pinion = AsBuilt::perfect(gear, Face::Back);
 //! // Tooth 11 of the wheel mates with tooth 11 of the pinion at their right flanks.
 //! let mating = Mating::at(11, 11, Side::Right);
-//! let j_wt = GearPair::new(wheel, pinion, 132.1)?.lost_motion(mating)?.j_wt();
+//! let pair = GearPair::new(wheel, pinion, 132.1)?;
+//! let j_wt = lost_motion_at(&pair.into(), mating)?.j_wt();
 //! // Published for this pair.
 //! assert!((j_wt.unwrap() - 0.0730569413863697).abs() < 1e-9);
 //! # Ok::<(), gearlash::error::Error>(())
@@ -26,6 +28,7 @@
 //! # A pair from spans and runout
 //!
 //! ```
+//! use gearlash::contact::lost_motion_at;
 //! use gearlash::gear::{AsBuilt, BasicGearData, Face, GearDesign};
 //! use gearlash::metrology::{Measurements, Runout, RunoutStatement, ThicknessStatement, Toleranced};
 //! use gearlash::pair::{GearPair, Mating};
@@ -44,7 +47,8 @@
 //! let (wheel, pinion) = (gear(Face::Front, 50.55, 30.0)?, gear(Face::Back, 50.56, 20.0)?);
 //! // e = F_r/2.
 //! assert_eq!(wheel.eccentricity(), 0.015);
-//! let j_wt = GearPair::new(wheel, pinion, 132.1)?.lost_motion(Mating::FIRST)?.j_wt();
+//! let pair = GearPair::new(wheel, pinion, 132.1)?;
+//! let j_wt = lost_motion_at(&pair.into(), Mating::FIRST)?.j_wt();
 //! assert!(j_wt > Some(0.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -83,7 +87,7 @@
 //! # let pair = GearPair::new(wheel, pinion, 132.1)?;
 //! # let mating = Mating::FIRST;
 //! let models = gearlash::analytic::evaluate(&pair, &Pose::new(&pair, mating));
-//! let simulated = pair.lost_motion(mating)?.j_wt();
+//! let simulated = gearlash::contact::lost_motion_at(&pair.into(), mating)?.j_wt();
 //! assert!((simulated.unwrap() - models.involute.unwrap()).abs() < 1e-9);
 //! # Ok::<(), gearlash::error::Error>(())
 //! ```
@@ -92,13 +96,13 @@
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
-//! use gearlash::contact::ToothPlace;
+//! use gearlash::contact::{ToothPlace, lost_motion_at};
 //! # use gearlash::pair::{GearPair, Mating};
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
 //! # let pair = GearPair::new(wheel, pinion, 132.1)?;
 //! # let mating = Mating::FIRST;
-//! let pose = pair.lost_motion(mating)?;
+//! let pose = lost_motion_at(&pair.into(), mating)?;
 //! let contacts = pose.proven().ok_or("unproven")?;
 //! let right = contacts.right.ok_or("out of mesh")?;
 //! assert_eq!((right.wheel.tooth, right.wheel.curve), (1, ToothPlace::Involute));
@@ -172,15 +176,16 @@
 //! # use gearlash::pair::{GearPair, Mating};
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
-//! # let pair = GearPair::new(wheel, pinion, 40.1)?;
+//! # let pair = GearPair::new(wheel, pinion, 40.1)?.into();
 //! # let mating = Mating::FIRST;
 //! use gearlash::analysis::study::Material;
+//! use gearlash::contact::lost_motion_at;
 //! use gearlash_render::{Snapshot, snapshot};
 //!
-//! let found = pair.lost_motion(mating)?;
+//! let found = lost_motion_at(&pair, mating)?;
 //! let svg = snapshot(&Snapshot {
 //!     title: "20/20",
-//!     assembly: &pair.clone().into(),
+//!     assembly: &pair,
 //!     pose: &found.pose,
 //!     material: Material::AsMeasured,
 //!     found: found.found.as_ref(),

@@ -72,7 +72,7 @@ fn gear(name: &str, file: &[u8], units: Option<&str>) {
     let Ok(pair_at) = gearlash::outline::OutlinePair::new(wheel.clone(), pinion.clone(), 1.01 * a, pair.study.locked) else {
         return;
     };
-    let pose = AssembledPair::Drawn(pair_at).lost_motion(Mating::FIRST);
+    let pose = gearlash::contact::lost_motion_at(&AssembledPair::Drawn(pair_at), Mating::FIRST);
     let pose = pose.expect("a pose is a result");
     if let Some((j_wt, error)) = pose.backlash.zip(pose.error_bound) {
         assert!(j_wt.is_finite() && error >= 0.0, "{pose:?}");

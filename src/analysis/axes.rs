@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with the normal `n` of its side and the least radius of curvature `ρ` of an involute. The second-order part of leans (see
-//! [`Pose::section`](crate::pair::Pose::section)) is a square of the other sign, so it is greatest at a corner too. The lost motion is `−max f_R − max f_L`.
+//! [`section_at`](crate::pair::section_at)) is a square of the other sign, so it is greatest at a corner too. The lost motion is `−max f_R − max f_L`.
 //!
 //! **Least.** A linear `f` is greatest at a corner of a polygon that holds all displacements. So no place has less lost motion than the worst
 //! corner, but for the squares of both sides. (A corner that meets a corner or a land jams, which is reported as such.) The corners of a

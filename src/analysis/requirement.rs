@@ -1,7 +1,7 @@
 //! Requirements on a pair.
 
 use crate::outline::AssembledPair;
-use crate::pair::{GearPair, Member};
+use crate::pair::{Backlash, GearPair, Member};
 
 /// Ends of an allowed range; `None`: no limit.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -73,7 +73,7 @@ impl Quantity {
     /// Value of the quantity for `assembly` at a pose with the backlash `j_wt`, mm, the least (`is_max`: the greatest) of the cycle. The
     /// radial clearance does not depend on backlash: both gears are off their axes in the worse (better) direction.
     pub fn value(self, assembly: &GearPair, j_wt: f64, is_max: bool) -> f64 {
-        let all = assembly.backlash(j_wt);
+        let all = Backlash::new(assembly, j_wt);
         match self {
             Quantity::OperatingBacklash => j_wt,
             Quantity::ReferenceBacklash => all.j_t,

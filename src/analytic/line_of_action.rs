@@ -30,7 +30,7 @@
 //! Profile deviations of helical teeth count at the rolls of each section, so that `G` is greatest at one of them as well.
 //!
 //! Where axes lean, centres move along the face, and twist and lead are those at the height of the contact along each gear's own axis
-//! ([`Pose::section`]). `G` on the line is a parabola of `b` plus the leads. Rolls and heights are linear. Three sections give them, to the
+//! ([`section_at`](crate::pair::section_at)). `G` on the line is a parabola of `b` plus the leads. Rolls and heights are linear. Three sections give them, to the
 //! second order of the lean. The model leaves out `½ g² ρ`, by which the contact moves along the flank ([`GearPair::left_out`]).
 //!
 //! `C_2` turns with the free gear, and so does `D` with its rotation `φ`: the last line is a fixed point `φ = G(φ)`. With
@@ -257,7 +257,7 @@ impl<'a> OneSide<'a> {
     }
 
     /// Heights of a point on the line over the section at `b`, mm along each gear's own axis, and the turns of the flanks by twist and stretch,
-    /// rad ([`Pose::section`]). The point has these rolls.
+    /// rad ([`section_at`](crate::pair::section_at)). The point has these rolls.
     fn leaning(&self, b: f64, turn: f64, direction: f64, rolls: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let e = Vector2::new(direction.cos(), direction.sin());
         let (mut heights, mut turns) = ([0.0; 2], [0.0; 2]);

@@ -9,7 +9,7 @@ use super::over_face::{FoundOverFace, OverFace};
 use super::polygon::{Certifier, CutGear, PolygonKernel};
 use crate::error::Error;
 use crate::gear::Side;
-use crate::pair::{GearPair, Pose};
+use crate::pair::{GearPair, Pose, section_at};
 
 /// Effort of building a section, nodes, without its polygons (tuned: about 0.5 µs).
 const SECTION: u64 = 2;
@@ -59,7 +59,7 @@ impl CutSections<'_> {
         b: f64,
         effort: &Effort,
     ) -> Result<(Pose, LostMotion), Error> {
-        let (section, here) = pose.section(self.assembly, b);
+        let (section, here) = section_at(self.assembly, pose, b);
         let [wheel, pinion] = self.cut;
         let kernel = PolygonKernel::refined(&section, wheel, pinion);
         effort.spend(SECTION);
@@ -81,7 +81,7 @@ impl CutSections<'_> {
             }
         }
         if let Some(b) = found.jam.filter(|_| lost_motion.solid) {
-            let (section, _) = pose.section(self.assembly, b);
+            let (section, _) = section_at(self.assembly, pose, b);
             let (here, own) = self.in_section(pose, b, effort)?;
             // The sign of the overlap may be uncertain.
             let is_open = own.angle().zip(own.error());
@@ -99,7 +99,7 @@ impl CutSections<'_> {
             let at = contact.map(|contact| contact.section);
             let others = self.places.iter().copied().filter(|&b| Some(b) != at);
             for b in at.into_iter().chain(others) {
-                let (section, here) = pose.section(self.assembly, b);
+                let (section, here) = section_at(self.assembly, pose, b);
                 let [wheel, pinion] = self.cut;
                 let certifier = Certifier::new(PolygonKernel::new(&section, wheel, pinion));
                 effort.spend(SECTION);

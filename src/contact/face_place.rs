@@ -75,7 +75,7 @@ impl FacePlace {
 }
 
 /// Height of a contact on a gear, mm along the axis of its teeth from the measuring plane: `b k + α·(P − C)/k`, as in
-/// [`Pose::section`].
+/// [`section_at`](crate::pair::section_at).
 fn height(assembly: &GearPair, pose: &Pose, contact: &Contact, member: Member) -> f64 {
     let gear = assembly.gear(member);
     let rotation = if member == assembly.locked() {

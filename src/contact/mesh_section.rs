@@ -5,9 +5,10 @@
 
 use super::lost_motion::LostMotion;
 use super::pose_result::PoseResult;
+use super::sweep::lost_motion_at;
 use crate::error::{Error, GearError};
 use crate::outline::AssembledPair;
-use crate::pair::{GearPair, Pose};
+use crate::pair::{GearPair, Pose, section_at};
 use std::f64::consts::TAU;
 
 /// The teeth of a helical pair in one transverse section, at a pose with known contacts over the common face.
@@ -42,9 +43,11 @@ impl MeshSection {
                 to_mm,
             }));
         }
-        let (pair, here) = pose.section(assembly, at);
+        let (pair, here) = section_at(assembly, pose, at);
         let alone = match over_face {
-            Some(_) => pair.lost_motion(*here.mating())?.found.ok(),
+            Some(_) => lost_motion_at(&pair.clone().into(), *here.mating())?
+                .found
+                .ok(),
             None => None,
         };
         let flank = pose.mating().flank;

@@ -50,5 +50,6 @@ pub use pose_result::{
 };
 pub use scene::{FreePlacement, LineOfAction, Scene};
 pub use sweep::{
-    BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, POLYGONS_EVERY, sweep, sweep_blocks,
+    BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, POLYGONS_EVERY, lost_motion_at, sweep,
+    sweep_blocks,
 };

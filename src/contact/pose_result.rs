@@ -25,7 +25,7 @@ pub struct PoseResult {
     pub polygon_difference: Option<PolygonDifference>,
     /// Whether polygons found or checked the contacts.
     pub polygon_checked: bool,
-    /// With [`super::Method::Both`] and [`GearPair::lost_motion`]: the proof of the contacts by directions, if there is one.
+    /// With [`super::Method::Both`] and [`super::lost_motion_at`]: the proof of the contacts by directions, if there is one.
     pub proof: Option<Box<Proof>>,
 }
 

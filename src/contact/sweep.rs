@@ -527,30 +527,18 @@ fn pose_result(
     })
 }
 
-impl AssembledPair {
-    /// Lost motion where the teeth of `mating` meet, by [`Method::Checked`]. For many poses use [`sweep_blocks`].
-    ///
-    /// The result of gears by data keeps its proof by directions.
-    ///
-    /// # Errors
-    /// None for a pose: an unproven one is [`Unproven`] in the result.
-    pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
-        with_solver(self, None, Method::Checked, |here| {
-            let mut result = pose_result(here, None, &mating, 0)?;
-            if let Ok(found) = &result.found {
-                result.proof = here.proof_of(&result.pose, found);
-            }
-            Ok(result)
-        })
-    }
-}
-
-impl GearPair {
-    /// As [`AssembledPair::lost_motion`].
-    ///
-    /// # Errors
-    /// As [`AssembledPair::lost_motion`].
-    pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
-        AssembledPair::from(self.clone()).lost_motion(mating)
-    }
+/// Lost motion of `pair` where the teeth of `mating` meet, by [`Method::Checked`]. For many poses use [`sweep_blocks`].
+///
+/// The result of gears by data keeps its proof by directions.
+///
+/// # Errors
+/// None for a pose: an unproven one is [`Unproven`] in the result.
+pub fn lost_motion_at(pair: &AssembledPair, mating: Mating) -> Result<PoseResult, Error> {
+    with_solver(pair, None, Method::Checked, |here| {
+        let mut result = pose_result(here, None, &mating, 0)?;
+        if let Ok(found) = &result.found {
+            result.proof = here.proof_of(&result.pose, found);
+        }
+        Ok(result)
+    })
 }

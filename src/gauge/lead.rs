@@ -4,7 +4,7 @@
 //! flank, times the base radius, is its lead deviation along the transverse base tangent, plus = more material, 0 in the measuring plane.
 //! About the axis of the teeth a trace shows the lead alone. About the rotation axis it contains wobble, and on helical teeth eccentricity. A
 //! leaning tooth shows in a section its own height `b + t·q`, where `q` leads from the axis of the teeth to the point
-//! ([`crate::pair::Pose::section`]).
+//! ([`crate::pair::section_at`]).
 //!
 //! The evaluation follows ISO 1328-1 with a straight line as design lead. `C_β` is the least-squares parabola, over the whole face.
 

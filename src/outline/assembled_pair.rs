@@ -203,7 +203,7 @@ impl AssembledPair {
 
     /// Backlash in units that need a module or a base circle, of a backlash `j_wt`, mm; `None` without involutes.
     pub fn backlash(&self, j_wt: f64) -> Option<Backlash> {
-        Some(self.data()?.backlash(j_wt))
+        Some(Backlash::new(self.data()?, j_wt))
     }
 
     /// Whether wheel and pinion have what these changes change; beside an outline a gear has less.

@@ -23,6 +23,23 @@ pub struct Backlash {
 }
 
 impl Backlash {
+    /// The circumferential backlash `j_wt`, mm, of `assembly` in all units.
+    pub fn new(assembly: &GearPair, j_wt: f64) -> Backlash {
+        let angle = assembly.operating_pressure_angle();
+        let wheel_radius = assembly.operating_pitch_radius(Member::Wheel);
+        let reference = assembly.gear(Member::Wheel).gear().basic_data();
+        Backlash {
+            j_wt,
+            j_t: j_wt * reference.reference_radius() / wheel_radius,
+            j_bn: j_wt * angle.cos() * reference.base_helix_angle().cos(),
+            j_r: radial_backlash(assembly, j_wt * angle.cos()),
+            pitch_radii: [
+                wheel_radius,
+                assembly.operating_pitch_radius(Member::Pinion),
+            ],
+        }
+    }
+
     /// Base circle backlash `j_bt = φ_j r_b = j_wt r_b/r_w`, mm, along the line of action in the transverse section; `j_bn` for spur gears.
     pub fn j_bt(&self, assembly: &GearPair) -> f64 {
         self.j_wt * assembly.operating_pressure_angle().cos()
@@ -44,30 +61,14 @@ impl Backlash {
     }
 }
 
-impl GearPair {
-    /// The circumferential backlash `j_wt`, mm, of this pair in all units.
-    pub fn backlash(&self, j_wt: f64) -> Backlash {
-        let angle = self.operating_pressure_angle();
-        let wheel_radius = self.operating_pitch_radius(Member::Wheel);
-        let reference = self.gear(Member::Wheel).gear().basic_data();
-        Backlash {
-            j_wt,
-            j_t: j_wt * reference.reference_radius() / wheel_radius,
-            j_bn: j_wt * angle.cos() * reference.base_helix_angle().cos(),
-            j_r: self.radial_backlash(j_wt * angle.cos()),
-            pitch_radii: [wheel_radius, self.operating_pitch_radius(Member::Pinion)],
-        }
-    }
-
-    /// `a − a_0`, mm, for a base circle backlash, mm: `j_bt = (d_b1 + d_b2) (inv α_wt − inv α_w0)` and `a_0 = (r_b1 + r_b2)/cos α_w0`,
-    /// from `d(inv α) = tan² α dα` and `dj_bt/da = 2 sin α_w`.
-    fn radial_backlash(&self, j_bt: f64) -> Option<f64> {
-        let base = |member| self.gear(member).gear().base_radius();
-        let sum = base(Member::Wheel) + base(Member::Pinion);
-        let at_zero = involute::inv(self.operating_pressure_angle()) - j_bt / (2.0 * sum);
-        let roll = involute::roll_of_inv(at_zero);
-        (at_zero > 0.0).then(|| self.center_distance() - involute::radius_at(roll, sum))
-    }
+/// `a − a_0`, mm, for a base circle backlash, mm: `j_bt = (d_b1 + d_b2) (inv α_wt − inv α_w0)` and `a_0 = (r_b1 + r_b2)/cos α_w0`,
+/// from `d(inv α) = tan² α dα` and `dj_bt/da = 2 sin α_w`.
+fn radial_backlash(assembly: &GearPair, j_bt: f64) -> Option<f64> {
+    let base = |member| assembly.gear(member).gear().base_radius();
+    let sum = base(Member::Wheel) + base(Member::Pinion);
+    let at_zero = involute::inv(assembly.operating_pressure_angle()) - j_bt / (2.0 * sum);
+    let roll = involute::roll_of_inv(at_zero);
+    (at_zero > 0.0).then(|| assembly.center_distance() - involute::radius_at(roll, sum))
 }
 
 /// A unit for showing backlash, at any centre distance of two gears.
@@ -119,7 +120,7 @@ mod tests {
         let sum = 50.0 * 20f64.to_radians().cos();
         let pair = GearPair::plain([30, 20], [0.0; 2], sum / 0.9, Member::Wheel);
         let most = 2.0 * sum * (0.19f64.sqrt() / 0.9 - 0.9f64.acos()) / 0.9;
-        assert!(pair.backlash(0.999 * most).j_r.is_some());
-        assert_eq!(pair.backlash(1.001 * most).j_r, None);
+        assert!(Backlash::new(&pair, 0.999 * most).j_r.is_some());
+        assert_eq!(Backlash::new(&pair, 1.001 * most).j_r, None);
     }
 }

@@ -243,8 +243,26 @@ impl GearPair {
         self.most_lean() * self.wheel.reach().max(self.pinion.reach())
     }
 
+    /// Bound on what the heights of leaning axes change the leads of a pair of teeth, mm.
+    pub(crate) fn by_heights(&self) -> f64 {
+        if self.leans() {
+            self.most_height() * self.steepest_leads()
+        } else {
+            0.0
+        }
+    }
+
+    /// Bound on the sum of the rates of two leads, mm per mm.
+    pub(super) fn steepest_leads(&self) -> f64 {
+        let height = self.most_height();
+        let [from, to] = self.face();
+        let face = [from - height, to + height];
+        let rate = |member| self.gear(member).steepest_lead(face);
+        rate(Member::Wheel) + rate(Member::Pinion)
+    }
+
     /// Bound on what sections of leaning axes leave out of each contact, mm along the base tangent; the teeth are tighter by it
-    /// ([`Pose::section`](super::Pose::section)).
+    /// ([`section_at`](super::section_at)).
     pub fn left_out(&self) -> f64 {
         let base = self.wheel.gear().base_radius() + self.pinion.gear().base_radius();
         let off = self.wheel.eccentricity() + self.pinion.eccentricity() + self.most_shift();
@@ -431,7 +449,7 @@ impl GearPair {
     }
 
     /// The transverse section at `b`, mm along the axis, as a plane pair with the tooth numbers of the measuring plane. Leaning axes
-    /// move and stretch sections beside this: see [`Pose::section`](super::Pose::section).
+    /// move and stretch sections beside this: see [`section_at`](super::section_at).
     ///
     /// Helical teeth wind about the axis and the eccentricity does not: relative to the teeth it turns by `−τ(b)`. Leads turn each flank.
     pub fn section(&self, b: f64) -> GearPair {

@@ -18,5 +18,6 @@ pub(crate) use gear_pair::lens_half;
 pub use gear_pair::{FaceDeviation, GearPair, MOST_LEAN, MOST_UNEQUAL, Member};
 pub use iso_286::{DesignatedDistance, ISO_286_SOURCE};
 pub use pose::{Mating, Pose, ToothNumbers};
-pub(crate) use section::{Leaning, LeaningSide};
+pub use section::section_at;
+pub(crate) use section::{Leaning, LeaningSide, beyond_ends};
 pub use sweep_plan::SweepPlan;

@@ -27,53 +27,31 @@ use nalgebra::{Rotation2, Vector2};
 use std::f64::consts::PI;
 
 /// Distance beyond the end of its teeth at which a flank is still in a section, mm: above the effect of flank deviations on the place of the
-/// contact. [`GearPair::beyond_ends`] bounds its effect.
+/// contact. [`beyond_ends`] bounds its effect.
 const AT_END: f64 = 1e-5;
 
 /// Turn back of a flank that is not in a section, as a part of a pitch.
 const TURNED_BACK: f64 = 0.05;
 
-impl Pose {
-    /// The transverse section of `assembly` at `b`, mm along the axis, as a plane pair, and this pose in it.
-    ///
-    /// Where axes are not parallel, the picture is turned so that the section's line of centres is the x axis. Flanks and centres of both
-    /// gears are turned with it, and rotations stay.
-    pub fn section(&self, assembly: &GearPair, b: f64) -> (GearPair, Pose) {
-        let (pair, pose) = (assembly.section(b), self.in_section(assembly, b));
-        if !assembly.leans() {
-            return (pair, pose);
-        }
-        let leaning = Leaning::new(assembly, self, &pose, b);
-        let between = leaning.between();
-        let pair = pair.with_axes_turned(between.norm(), -between.y.atan2(between.x));
-        let [wheel, pinion] = leaning.turns();
-        (pair.with_flanks_turned(wheel, pinion), pose)
+/// The transverse section of `assembly` at `b`, mm along the axis, as a plane pair, and `pose` in it.
+///
+/// Where axes are not parallel, the picture is turned so that the section's line of centres is the x axis. Flanks and centres of both
+/// gears are turned with it, and rotations stay.
+pub fn section_at(assembly: &GearPair, pose: &Pose, b: f64) -> (GearPair, Pose) {
+    let (pair, here) = (assembly.section(b), pose.in_section(assembly, b));
+    if !assembly.leans() {
+        return (pair, here);
     }
+    let leaning = Leaning::new(assembly, pose, &here, b);
+    let between = leaning.between();
+    let pair = pair.with_axes_turned(between.norm(), -between.y.atan2(between.x));
+    let [wheel, pinion] = leaning.turns();
+    (pair.with_flanks_turned(wheel, pinion), here)
 }
 
-impl GearPair {
-    /// Bound on what flanks that a section keeps beyond the ends of their teeth add to a contact, mm along the base tangent.
-    pub(crate) fn beyond_ends(&self) -> f64 {
-        AT_END * (self.steepest_leads() + self.most_lean())
-    }
-
-    /// Bound on what the heights of leaning axes change the leads of a pair of teeth, mm.
-    pub(crate) fn by_heights(&self) -> f64 {
-        if self.leans() {
-            self.most_height() * self.steepest_leads()
-        } else {
-            0.0
-        }
-    }
-
-    /// Bound on the sum of the rates of two leads, mm per mm.
-    fn steepest_leads(&self) -> f64 {
-        let height = self.most_height();
-        let [from, to] = self.face();
-        let face = [from - height, to + height];
-        let rate = |member| self.gear(member).steepest_lead(face);
-        rate(Member::Wheel) + rate(Member::Pinion)
-    }
+/// Bound on what flanks that a section of `assembly` keeps beyond the ends of their teeth add to a contact, mm along the base tangent.
+pub(crate) fn beyond_ends(assembly: &GearPair) -> f64 {
+    AT_END * (assembly.steepest_leads() + assembly.most_lean())
 }
 
 /// Both gears in a section of leaning axes, in the picture of the measuring plane.

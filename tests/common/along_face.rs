@@ -9,7 +9,7 @@ use gearlash::gear::{
     AsBuilt, BasicGearData, EndRelief, Face, Gear, GearDesign, Hand, Lead, Modification, Relief,
     Side, Trace,
 };
-use gearlash::pair::{GearPair, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose, section_at};
 use std::f64::consts::TAU;
 
 /// Points of a measured lead.
@@ -239,7 +239,7 @@ pub fn of_section(
     b: f64,
     method: &impl Fn(&GearPair, &Pose) -> LostMotion,
 ) -> [(f64, f64); 2] {
-    let (section, here) = pose.section(pair, b);
+    let (section, here) = section_at(pair, pose, b);
     let found = method(&section, &here);
     Side::BOTH.map(|side| {
         let held = |one: Contact| (held_back(pair, pose, side, b, &one), one.error);

@@ -3,14 +3,14 @@
 use super::*;
 use crate::helical_pairs::pair_of_the_prototype;
 use gearlash::analysis::curves::{ContactLine, Field, FieldSide, PathLimit, STRETCH_END};
-use gearlash::contact::{ContactClass, ContactKind, MeshSection};
+use gearlash::contact::{ContactClass, ContactKind, MeshSection, lost_motion_at};
 
 fn mating(flank: Side, fraction: f64) -> Mating {
     at_flank(4, 16, flank, fraction)
 }
 
 fn field(pair: &GearPair, mating: Mating) -> Field {
-    Field::of(pair, &pair.lost_motion(mating).unwrap()).unwrap()
+    Field::of(pair, &lost_motion_at(&pair.clone().into(), mating).unwrap()).unwrap()
 }
 
 /// Perfect 27/51 on a face of its own.
@@ -175,9 +175,8 @@ fn a_drawn_section_stands_as_the_whole_face_holds_it() {
     let pair = deviating(Hand::Right);
     let (mut apart, mut together) = (0, 0);
     for k in 0..12 {
-        let pose = pair
-            .lost_motion(mating(Side::Left, f64::from(k) * 0.7))
-            .unwrap();
+        let mating = mating(Side::Left, f64::from(k) * 0.7);
+        let pose = lost_motion_at(&pair.clone().into(), mating).unwrap();
         let found = pose.proven();
         let own = MeshSection::of_contact(&pair, &pose.pose, found);
         let binding = MeshSection::new(&pair, &pose.pose, found, own).unwrap();
@@ -197,7 +196,7 @@ fn a_drawn_section_stands_as_the_whole_face_holds_it() {
         }
     }
     assert!(apart > 5 && together > 5, "{apart} {together}");
-    let pose = pair.lost_motion(mating(Side::Left, 0.0)).unwrap();
+    let pose = lost_motion_at(&pair.clone().into(), mating(Side::Left, 0.0)).unwrap();
     for z in [-24.1, 24.1, f64::NAN] {
         let refused = MeshSection::new(&pair, &pose.pose, pose.proven(), z);
         assert!(refused.unwrap_err().to_string().contains("-24 to 24 mm"));

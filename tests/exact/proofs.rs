@@ -4,7 +4,7 @@ use super::*;
 use crate::along_face::OPEN;
 use crate::clearance;
 use crate::methods::{against_polygons, by_both_methods};
-use gearlash::contact::{Piece, Proof, Prover, Reason, SideProof};
+use gearlash::contact::{Piece, Proof, Prover, Reason, SideProof, lost_motion_at};
 
 /// Proven poses of the campaign, each with what was found and its proof; and how many of other poses there were.
 fn proven(
@@ -290,7 +290,7 @@ fn a_flank_may_close_against_the_far_flank() {
     assert!(overlap(1e-4) <= 0.0 && overlap(-1e-3) > 1e-4);
     let proof = Prover::new(&pair, &kernel).proof(&pose, &exact).unwrap();
     assert_eq!(proof.verify(&pair, &pose), Ok(()));
-    let found = pair.lost_motion(mating).unwrap();
+    let found = lost_motion_at(&pair.clone().into(), mating).unwrap();
     assert_eq!(found.proof.as_deref(), Some(&proof));
     // The flank that closes is of the far half: without it another pair would.
     let mut open = exact;

@@ -115,7 +115,7 @@ fn backlash_of_published_meshes() {
         let j_wt = InvolutePair::of(&pair).circumferential_backlash(distance);
         let j_wt = j_wt.unwrap();
         near(row, j_wt, exact, 1e-9);
-        let backlash = pair.backlash(j_wt);
+        let backlash = gearlash::pair::Backlash::new(&pair, j_wt);
         let data = pair.gear(Member::Wheel).gear().basic_data();
         // j_bn = j_t cos α_n cos β.
         let normal = backlash.j_t * 20f64.to_radians().cos() * data.helix_angle().cos();

@@ -11,7 +11,7 @@ use gearlash::analysis::extremes::{CycleExtremes, extremes, run_count};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::{Piece, RunTally, simulate_by_blocks};
 use gearlash::analysis::verdict::Verdict;
-use gearlash::contact::{ContactClass, ContactKind, Method, PoseResult};
+use gearlash::contact::{ContactClass, ContactKind, Method, PoseResult, lost_motion_at};
 use gearlash::error::go_on;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
@@ -176,7 +176,7 @@ fn least_of(
     let Some((_, material, assembly, mating)) = least else {
         return Ok(None);
     };
-    let pose = assembly.lost_motion(mating)?;
+    let pose = lost_motion_at(&assembly, mating)?;
     Ok(Some((material, assembly, pose)))
 }
 

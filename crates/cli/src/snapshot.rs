@@ -9,7 +9,9 @@ use crate::options::{self, MaterialName, all_proven, material, teeth};
 use crate::output::Target;
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
-use gearlash::contact::{Exaggeration, MeshSection, Method, PoseResult, sweep_blocks};
+use gearlash::contact::{
+    Exaggeration, MeshSection, Method, PoseResult, lost_motion_at, sweep_blocks,
+};
 use gearlash::error::go_on;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
@@ -193,7 +195,7 @@ fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
         Flank::Left => Side::Left,
     };
     let mating = mating(teeth, args.fraction, &assembly, flank)?;
-    let result = assembly.lost_motion(mating)?;
+    let result = lost_motion_at(&assembly, mating)?;
     let file = format!(
         "snapshot_{}_{}_{}_a{}_{}.svg",
         mating.wheel_tooth,

@@ -7,7 +7,7 @@ use crate::pair::{Pair, mating};
 use gearlash::analysis::curves::{self, Followed};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::{Analysis, Plan};
-use gearlash::contact::Method;
+use gearlash::contact::{Method, lost_motion_at};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
 use gearlash_render::chart::{self, Heading};
@@ -31,7 +31,7 @@ pub fn snapshot(
     let (material, assembly) = pair.assembly(distance, material)?;
     let mating = mating(&assembly, teeth, left, fraction)?;
     let drawn = py.detach(|| {
-        let found = assembly.lost_motion(mating)?;
+        let found = lost_motion_at(&assembly, mating)?;
         pose_picture(&pair.study().title, &assembly, material, &found)
     });
     Ok(drawn?)

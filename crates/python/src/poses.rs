@@ -4,7 +4,7 @@ use crate::call::work;
 use crate::error::Outcome;
 use crate::pair::{Pair, mating};
 use gearlash::analysis::compare::compared;
-use gearlash::contact::{Method, PoseResult, sweep_blocks};
+use gearlash::contact::{Method, PoseResult, lost_motion_at, sweep_blocks};
 use gearlash::error::{Error, Tick};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
@@ -29,7 +29,7 @@ pub fn lost_motion(
     let (_, assembly) = pair.assembly(distance, material)?;
     let mating = mating(&assembly, teeth, left, fraction)?;
     let found = py.detach(|| {
-        let pose = assembly.lost_motion(mating)?;
+        let pose = lost_motion_at(&assembly, mating)?;
         let pose = compared(&assembly, pose, pair.study().tolerance_um);
         Ok::<_, Error>(pose_json(&assembly, &pose))
     });

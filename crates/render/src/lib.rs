@@ -2,18 +2,19 @@
 //!
 //! ```
 //! use gearlash::analysis::study::Material;
+//! use gearlash::contact::lost_motion_at;
 //! use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
 //! use gearlash::pair::{GearPair, Mating};
 //! use gearlash_render::{Snapshot, snapshot};
 //!
 //! let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(30, 2.0, 20f64.to_radians())?))?;
 //! let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
-//! let pair = GearPair::new(wheel, pinion, 60.1)?;
+//! let pair = GearPair::new(wheel, pinion, 60.1)?.into();
 //! let mating = Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Right, fraction: 0.25 };
-//! let found = pair.lost_motion(mating)?;
+//! let found = lost_motion_at(&pair, mating)?;
 //! let svg = snapshot(&Snapshot {
 //!     title: "30/30",
-//!     assembly: &pair.clone().into(),
+//!     assembly: &pair,
 //!     pose: &found.pose,
 //!     material: Material::AsMeasured,
 //!     found: found.found.as_ref(),

@@ -9,7 +9,7 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
 use gearlash::analysis::{Analysis, Plan, Progress};
-use gearlash::contact::{Doubt, Method, PoseResult};
+use gearlash::contact::{Doubt, Method, PoseResult, lost_motion_at};
 use gearlash::error::Tick;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
@@ -453,7 +453,7 @@ impl Page {
             flank: if at.left { Side::Left } else { Side::Right },
             fraction: at.fraction,
         };
-        match assembly.lost_motion(mating) {
+        match lost_motion_at(&assembly, mating) {
             Ok(pose) => answer(&pair.study, &pairs, pose).unwrap_or_else(nothing_open),
             Err(error) => failed(error),
         }

@@ -18,7 +18,7 @@ use crate::analytic::SideContact;
 use crate::contact::{Contact, ContactClass, ContactKind, ExactKernel, LostMotion, PoseResult};
 use crate::gear::Side;
 use crate::numeric::wrap_angle;
-use crate::pair::{GearPair, Member, Pose};
+use crate::pair::{GearPair, Member, Pose, section_at};
 
 /// Number of sections besides the ends of contact lines (tuned: a few pixels of a chart each).
 const SPACES: u32 = 160;
@@ -166,7 +166,7 @@ struct SectionAlone {
 
 impl SectionAlone {
     fn new(assembly: &GearPair, pose: &Pose, at: f64) -> SectionAlone {
-        let (pair, here) = pose.section(assembly, at);
+        let (pair, here) = section_at(assembly, pose, at);
         SectionAlone {
             at,
             found: ExactKernel::new(&pair).lost_motion(&here).ok(),

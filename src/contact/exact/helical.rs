@@ -41,7 +41,7 @@ use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::numeric::rank;
-use crate::pair::{GearPair, Member, Pose};
+use crate::pair::{GearPair, Member, Pose, beyond_ends, section_at};
 use edges::Edges;
 use leads::{AlongFace, FaceBounds, MOST_BY_ARMS};
 use place_filter::{GapLimits, PlaceFilter};
@@ -134,7 +134,7 @@ impl Helical {
         let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
         let edges = edges.filter(|_| assembly.is_helical());
         let omitted_error = if assembly.leans() {
-            (assembly.left_out() + assembly.beyond_ends()) / base
+            (assembly.left_out() + beyond_ends(assembly)) / base
         } else if assembly.is_modified() {
             2.0 * LEVEL / base
         } else {
@@ -166,7 +166,7 @@ impl Helical {
         kept: Option<&'a Section>,
     ) -> (Cow<'a, Section>, Pose) {
         if self.assembly.leans() {
-            let (pair, here) = pose.section(&self.assembly, b);
+            let (pair, here) = section_at(&self.assembly, pose, b);
             return (Cow::Owned(self.plane.leaning(&pair)), here);
         }
         let section = match kept {

@@ -1,6 +1,6 @@
 //! Teeth of leaning axes in the frame of a pose: centres, leans, and turns of flanks along the face.
 //!
-//! [`crate::pair::Pose::section`] derives the section of a leaning gear. Here its centres and the turns of its flanks are functions of the
+//! [`crate::pair::section_at`] derives the section of a leaning gear. Here its centres and the turns of its flanks are functions of the
 //! place along the face. The search of the tightest place uses them, and so do the bounds of extremes.
 
 use super::flank_problem::PosedFlanks;

@@ -102,7 +102,7 @@ impl Section {
         }
     }
 
-    /// A section of leaning axes of the pair whose measuring plane this is; [`Pose::section`] made `pair`.
+    /// A section of leaning axes of the pair whose measuring plane this is; [`section_at`](crate::pair::section_at) made `pair`.
     pub fn leaning(&self, pair: &GearPair) -> Section {
         let problems = Side::BOTH.map(|side| FlankProblem::new(pair, side));
         let outer = OuterGears::new(pair, &problems);

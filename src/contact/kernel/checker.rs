@@ -7,7 +7,7 @@
 
 use super::proof::{Piece, Proof, Reason, Separation, SideProof};
 use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
-use crate::pair::{GearPair, Member, Pose};
+use crate::pair::{GearPair, Member, Pose, section_at};
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::f64::consts::FRAC_PI_2;
 
@@ -60,7 +60,7 @@ impl Proof {
                 verify_side(assembly, pose, side)?;
                 continue;
             }
-            let (section, here) = pose.section(assembly, side.section);
+            let (section, here) = section_at(assembly, pose, side.section);
             verify_side(&section, &here, side)?;
         }
         Ok(())
@@ -72,7 +72,7 @@ impl Proof {
     fn verify_play(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
         // From the nominal rotation in each section.
         let until = |side: &SideProof| {
-            let (_, here) = pose.section(assembly, side.section);
+            let (_, here) = section_at(assembly, pose, side.section);
             Some(side.until? - here.free_rotation())
         };
         let of = |side: Side| self.sides.iter().filter(move |proof| proof.side == side);

@@ -288,7 +288,11 @@ pub fn page_mesh_moves_with_the_distance(browser: &Chromium, _: &Site) {
     let study = gearlash_input::read(&path(DRAWING[0])).unwrap().study;
     for [a, shown] in found {
         let (_, pair) = study.pairs(a).unwrap().remove(material as usize);
-        let own = 1e3 * pair.lost_motion(mating).unwrap().backlash.unwrap();
+        let own = 1e3
+            * gearlash::contact::lost_motion_at(&pair, mating)
+                .unwrap()
+                .backlash
+                .unwrap();
         assert!((shown - own).abs() < 1e-6, "{a}: {shown} for {own}");
     }
     tab.assert_silent();

@@ -166,7 +166,7 @@ fn definitions(page: &Page) -> Markup {
     let of = |found: Option<PoseOfRun>| {
         let found = found?;
         let pair = found.run.run.assembly.data()?.clone();
-        let backlash = pair.backlash(found.pose.simulated.backlash?);
+        let backlash = Backlash::new(&pair, found.pose.simulated.backlash?);
         Some((pair, backlash))
     };
     let ends = [of(page.whole.least), of(page.whole.greatest)];

@@ -4,7 +4,7 @@ use super::{last, page, path, silent};
 use gearlash::analysis::requirement::Quantity;
 use gearlash::analysis::study::Study;
 use gearlash::analysis::{Analysis, Plan};
-use gearlash::contact::Method;
+use gearlash::contact::{Method, lost_motion_at};
 use gearlash::error::go_on;
 use gearlash::gear::Side;
 use gearlash::pair::{Mating, Member};
@@ -103,7 +103,7 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
         flank: Side::Left,
         fraction: 0.25,
     };
-    let own = assembly.lost_motion(mating).unwrap().backlash.unwrap() * 1e3;
+    let own = lost_motion_at(&assembly, mating).unwrap().backlash.unwrap() * 1e3;
     assert_eq!(live["j_wt_um"].as_f64(), Some(own));
     let run = &live["mesh"]["runs"][0];
     assert_eq!(run["j_wt_um"][0], live["j_wt_um"]);

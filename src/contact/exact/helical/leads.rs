@@ -12,7 +12,7 @@
 //!
 //! [`deepest`]: super::super::deepest
 //!
-//! Where axes lean, the centres of a section move along the face and its flanks turn by what [`crate::pair::Pose::section`] derives. Both
+//! Where axes lean, the centres of a section move along the face and its flanks turn by what [`crate::pair::section_at`] derives. Both
 //! change smoothly, so their rate is taken from two sections beside each other.
 
 use super::place_filter::TurnedTeeth;

@@ -140,22 +140,24 @@ impl Helical {
         } else {
             0.0
         };
-        let search_free = SearchFreeSections::new(assembly, plane, edges.as_ref()).map(Box::new);
-        let helical = Helical {
+        let search_free = SearchFreeSections::new(assembly, plane, edges.as_ref());
+        let mut helical = Helical {
             bounds: FaceBounds {
                 most_moved,
                 most_lead: Side::BOTH.map(|side| most_lead(assembly, side)),
                 by_heights: assembly.by_heights(),
                 in_fillets,
             },
-            search_free,
+            search_free: None,
             edges,
             omitted_error,
             assembly: assembly.clone(),
             plane: plane.clone(),
             sections,
         };
-        helical.with_one_place()
+        helical.search_free =
+            search_free.map(|search_free| Box::new(search_free.with_one_place(&helical)));
+        helical
     }
 
     /// The section at `b`, mm, at `pose`, and the pose there; `kept` is the one of [`Helical::sections`] there.
@@ -185,7 +187,9 @@ impl Helical {
     ) -> (Cow<'a, Section>, Pose) {
         if kept.is_none() || self.assembly.leans() {
             let here = pose.in_section(&self.assembly, b);
-            if let Some(section) = self.section_in_reach(pose, &here, b) {
+            let search_free = self.search_free.as_ref();
+            let section = search_free.and_then(|own| own.section_in_reach(self, pose, &here, b));
+            if let Some(section) = section {
                 return (Cow::Owned(section), here);
             }
         }
@@ -235,6 +239,13 @@ impl Helical {
         shortest_path(&self.assembly) > 0.0
     }
 
+    /// The teeth of a side of the measuring plane, and the gap at the nominal rotation.
+    fn posed<'a>(&self, problem: &'a FlankProblem, pose: &Pose) -> (PosedFlanks<'a>, f64) {
+        let posed = self.plane.posed(problem, pose);
+        let nominal = reduced(-problem.side.sense() * pose.free_rotation());
+        (posed, reduced(nominal - posed.rotation(0.0)))
+    }
+
     /// The teeth of `posed` over the face. The nominal rotation is at the gap `nominal`.
     fn along_face<'a>(
         &'a self,
@@ -264,6 +275,15 @@ impl Helical {
         let deepest = deepest.flat_map(|edges| edges.deepest(assembly, posed, stands));
         let tie = posed.problem.tie;
         along.places(floor + tie, tie, deepest)
+    }
+
+    /// Both contacts of `pose`, where no section needs a search; `None` where [`Helical::over`] has to find them.
+    pub fn lost_motion_without_search(
+        &self,
+        pose: &Pose,
+        effort: &Effort,
+    ) -> Option<FoundOverFace> {
+        self.search_free.as_ref()?.lost_motion(self, pose, effort)
     }
 
     /// Both contacts of `pose`, as `method` finds them in each section, within the common budget `effort`. If one

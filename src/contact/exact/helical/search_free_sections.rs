@@ -59,100 +59,88 @@ impl SearchFreeSections {
             one_place,
         })
     }
-}
 
-impl Helical {
-    /// This pair with [`SearchFreeSections::one_place`].
-    pub(super) fn with_one_place(mut self) -> Helical {
-        let assembly = &self.assembly;
+    /// This solver of `helical` with [`SearchFreeSections::one_place`].
+    pub fn with_one_place(self, helical: &Helical) -> SearchFreeSections {
+        let assembly = &helical.assembly;
         let has_one_lead = Member::BOTH
             .iter()
             .all(|member| assembly.gear(*member).has_one_lead());
-        let is_asked = has_one_lead && !assembly.is_helical() && !assembly.leans();
-        let Some(search_free) = self.search_free.as_ref().filter(|_| is_asked) else {
+        if !has_one_lead || assembly.is_helical() || assembly.leans() {
             return self;
-        };
-        let found = search_free.sides.each_ref().map(|problem| {
+        }
+        let one_place = self.sides.each_ref().map(|problem| {
             let effort = Effort::of_pose();
             let mut poses = (0..POSES).map(|k| {
                 let pitches = f64::from(k) / f64::from(POSES);
                 Pose::new(assembly, Mating::FIRST.onward(assembly, pitches))
             });
             let places = poses.find_map(|pose| {
-                let (posed, nominal) = self.posed(problem, &pose);
-                let along = self.along_face(&posed, nominal, &effort);
+                let (posed, nominal) = helical.posed(problem, &pose);
+                let along = helical.along_face(&posed, nominal, &effort);
                 along.tightest_on_line()?;
-                Some(self.places_of_leads(&along, &posed, nominal, f64::NEG_INFINITY))
+                Some(helical.places_of_leads(&along, &posed, nominal, f64::NEG_INFINITY))
             });
             let [b] = places?.0[..] else {
                 return None;
             };
-            let plane = self.plane.side(problem.side);
+            let plane = helical.plane.side(problem.side);
             Some((b, plane.turned(&assembly.section(b))))
         });
-        if let Some(search_free) = &mut self.search_free {
-            search_free.one_place = found;
-        }
-        self
+        SearchFreeSections { one_place, ..self }
     }
 
-    /// The teeth of a side of the measuring plane, and the gap at the nominal rotation.
-    pub(super) fn posed<'a>(
+    /// Both contacts of `pose` of `helical`; `None` where [`Helical::over`] has to find them.
+    pub fn lost_motion(
         &self,
-        problem: &'a FlankProblem,
-        pose: &Pose,
-    ) -> (PosedFlanks<'a>, f64) {
-        let posed = self.plane.posed(problem, pose);
-        let nominal = reduced(-problem.side.sense() * pose.free_rotation());
-        (posed, reduced(nominal - posed.rotation(0.0)))
-    }
-
-    /// Both contacts of `pose`; `None` where [`Helical::over`] has to find them.
-    pub fn lost_motion_without_search(
-        &self,
+        helical: &Helical,
         pose: &Pose,
         effort: &Effort,
     ) -> Option<FoundOverFace> {
-        let search_free = self.search_free.as_ref()?;
         let mut over = OverFace::default();
-        for problem in &search_free.sides {
-            self.add_side_without_search(search_free, problem, pose, effort, &mut over)?;
+        for problem in &self.sides {
+            self.add_side(helical, problem, pose, effort, &mut over)?;
         }
-        let found = over.found(pose.free_rotation(), self.plane.free_pitch());
+        let found = over.found(pose.free_rotation(), helical.plane.free_pitch());
         let (angle, bound) = found.lost_motion.angle().zip(found.lost_motion.error())?;
         (angle > bound).then_some(found)
     }
 
     /// The section at `b`, mm, at its pose `here`, with only the teeth in reach; `pose` is that of the measuring plane. `None` if sections are
     /// searched.
-    pub(super) fn section_in_reach(&self, pose: &Pose, here: &Pose, b: f64) -> Option<Section> {
-        let search_free = self.search_free.as_ref()?;
+    pub fn section_in_reach(
+        &self,
+        helical: &Helical,
+        pose: &Pose,
+        here: &Pose,
+        b: f64,
+    ) -> Option<Section> {
         let place = SectionPlace {
-            assembly: &self.assembly,
+            assembly: &helical.assembly,
             whole: pose,
             here,
             b,
         };
-        let side = |problem| SectionSide::new(&self.plane, problem, place, None);
-        let [right, left] = search_free.sides.each_ref().map(side);
+        let side = |problem| SectionSide::new(&helical.plane, problem, place, None);
+        let [right, left] = self.sides.each_ref().map(side);
         let sides = [right?.into_problem(), left?.into_problem()];
-        Some(self.plane.with_sides(sides))
+        Some(helical.plane.with_sides(sides))
     }
 
     /// Adds the contact of one side.
-    fn add_side_without_search(
+    fn add_side(
         &self,
-        search_free: &SearchFreeSections,
+        helical: &Helical,
         problem: &FlankProblem,
         pose: &Pose,
         effort: &Effort,
         over: &mut OverFace,
     ) -> Option<()> {
-        let (assembly, side) = (&self.assembly, problem.side);
+        let (assembly, side) = (&helical.assembly, problem.side);
         let mut take = |b: f64, here: &Pose, contact: Contact| {
             let on = |own: Side| {
                 (own == side).then_some(Contact {
-                    error: contact.error + self.omitted_error,
+                    error: contact.error + helical.omitted_error,
                     ..contact
                 })
             };
@@ -164,20 +152,20 @@ impl Helical {
             over.add(b, here, found);
             over.beyond(side)
         };
-        let (posed, nominal) = self.posed(problem, pose);
-        let along = self.along_face(&posed, nominal, effort);
+        let (posed, nominal) = helical.posed(problem, pose);
+        let along = helical.along_face(&posed, nominal, effort);
         let gap_at = |beyond: f64| nominal - side.sense() * beyond;
-        if let Some((b, there)) = &search_free.one_place[side.index()]
+        if let Some((b, there)) = &self.one_place[side.index()]
             && let Some(tightest) = along.tightest_on_line()
         {
             let here = pose.in_section(assembly, *b);
-            let at = self.plane.posed(there, &here);
-            let contact = self.plane.contact(&at, &search_free.solver, effort)?;
+            let at = helical.plane.posed(there, &here);
+            let contact = helical.plane.contact(&at, &self.solver, effort)?;
             let gap = gap_at(take(*b, &here, contact)?);
             return (gap <= tightest + problem.tie).then_some(());
         }
         // The radius of a far corner is less than one and a half base radii.
-        let moved = 2.0 * self.bounds.most_moved + assembly.most_shift();
+        let moved = 2.0 * helical.bounds.most_moved + assembly.most_shift();
         let mut section = |b: f64| {
             let here = pose.in_section(assembly, b);
             let place = SectionPlace {
@@ -186,30 +174,23 @@ impl Helical {
                 here: &here,
                 b,
             };
-            let at = SectionSide::new(
-                &self.plane,
-                problem,
-                place,
-                Some((&search_free.solver, moved)),
-            )?;
-            let contact = self
-                .plane
-                .contact(&at.posed(), &search_free.solver, effort)?;
+            let at = SectionSide::new(&helical.plane, problem, place, Some((&self.solver, moved)))?;
+            let contact = helical.plane.contact(&at.posed(), &self.solver, effort)?;
             take(b, &here, contact)
         };
         // Fillets are searched only for what exceeds a known contact.
-        let floor = if self.bounds.in_fillets {
+        let floor = if helical.bounds.in_fillets {
             let [from, to] = assembly.face();
             gap_at(section(0f64.clamp(from, to))?)
         } else {
             f64::NEG_INFINITY
         };
-        let (places, tightest) = self.places_of_leads(&along, &posed, nominal, floor);
+        let (places, tightest) = helical.places_of_leads(&along, &posed, nominal, floor);
         for b in places {
             section(b)?;
         }
         // Without a place that is tight, or with a contact tighter than those of `places`, sections are searched.
         let gap = gap_at(over.beyond(side)?);
-        (gap <= tightest + problem.tie + self.omitted_error).then_some(())
+        (gap <= tightest + problem.tie + helical.omitted_error).then_some(())
     }
 }

@@ -7,7 +7,7 @@ mod newcomer;
 
 use gearlash::analytic::LineOfAction;
 use gearlash::contact::{
-    Certifier, ExactKernel, Method, OutlineCertifier, OutlineKernel, Prover, sweep,
+    Certifier, ExactKernel, Method, OutlineCertifier, OutlineKernel, Prover, cycle_extremes, sweep,
 };
 use gearlash::error::go_on;
 use gearlash::gear::Face;
@@ -151,7 +151,7 @@ fn extremes(assembly: &GearPair) -> f64 {
     for _ in 0..ROUNDS_OF_EXTREMES {
         let start = Instant::now();
         let kernel = ExactKernel::new(assembly);
-        let found = kernel.extremes(assembly, first, matings, 1e-6).unwrap();
+        let found = cycle_extremes(&kernel, assembly, first, matings, 1e-6).unwrap();
         least = least.min(start.elapsed().as_secs_f64());
         let ends = [found.least, found.greatest];
         assert!(ends.iter().flatten().filter(|end| end.is_proven()).count() == 2);

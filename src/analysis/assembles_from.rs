@@ -7,7 +7,7 @@
 
 use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, LostMotion, OutlineCycle, OutlineKernel,
-    Status,
+    Status, cycle_extremes_within,
 };
 use crate::error::Error;
 use crate::numeric::try_bisect;
@@ -81,7 +81,7 @@ pub(super) fn assembles_from(
         if let Some(there) = interference(&kernel, &pair, &tight)? {
             return Ok(Some((there, None)));
         }
-        let there = kernel.extremes_of(&pair, over, width, effort, &[End::Least])?;
+        let there = cycle_extremes_within(&kernel, &pair, over, width, effort, &[End::Least])?;
         let least = there.least;
         tight.extend(there.lost.or(least.map(|least| least.mating)));
         // Without a proof the attained value counts.
@@ -229,7 +229,7 @@ pub(super) fn assembles_from_of_outlines(
         let (mut there, mut raised) = (pair.at(high)?, 0);
         let least = loop {
             let width = 0.5 * DISTANCE_WIDTH_DRAWN;
-            let found = kernel.extremes(&there, cycle, &[End::Least], width);
+            let found = cycle.extremes(&kernel, &there, &[End::Least], width);
             if found.status == Status::NoContact {
                 return Ok(None);
             }

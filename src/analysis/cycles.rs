@@ -11,7 +11,7 @@ use super::study::{Run, RunPlan, Study};
 use crate::analytic::InvolutePair;
 use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, PROVEN_WIDTH,
-    PROVEN_WIDTH_DRAWN, Status,
+    PROVEN_WIDTH_DRAWN, Status, cycle_extremes_within,
 };
 use crate::error::{Error, Tick, go_on};
 use crate::gear::{Side, thickness};
@@ -88,14 +88,14 @@ impl CyclePair for OutlinePair {
     fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
         let kernel = OutlineKernel::new(self);
         let over = cycle_of_outlines(self, cycle.over(), cycle.limits());
-        let found = kernel.extremes(self, &over, cycle.ends(), PROVEN_WIDTH_DRAWN);
+        let found = over.extremes(&kernel, self, cycle.ends(), PROVEN_WIDTH_DRAWN);
         let (mut assembles_from, mut to) = (None, None);
         if cycle.alone.is_none() {
             assembles_from = assembles_from_of_outlines(&kernel, self, &over, &found)?;
             let pose = |at, mating: &Mating| Ok(kernel.lost_motion_at(&self.at(at)?, mating).ok());
             let search = |at| {
                 let (there, ends) = (self.at(at)?, &[End::Greatest]);
-                Ok(kernel.extremes(&there, &over, ends, IN_MESH))
+                Ok(over.extremes(&kernel, &there, ends, IN_MESH))
             };
             let nearest = self.tip_on_root().max(self.least_distance() + WIDTH);
             let between = [nearest, self.center_distance()];
@@ -119,7 +119,7 @@ impl CyclePair for OutlinePair {
 
     fn end(&self, cycle: &Planned, end: End, _: &Effort) -> Result<Extremes, Error> {
         let over = cycle_of_outlines(self, cycle.over(), cycle.limits());
-        Ok(OutlineKernel::new(self).extremes(self, &over, &[end], PROVEN_WIDTH_DRAWN))
+        Ok(over.extremes(&OutlineKernel::new(self), self, &[end], PROVEN_WIDTH_DRAWN))
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
@@ -127,7 +127,7 @@ impl CyclePair for OutlinePair {
             cycle_of_outlines(self, over, (1, &go_on)),
             width.max(PROVEN_WIDTH_DRAWN),
         );
-        Ok(OutlineKernel::new(self).extremes(self, &over, &End::BOTH, width))
+        Ok(over.extremes(&OutlineKernel::new(self), self, &End::BOTH, width))
     }
 
     fn deviate(&self) -> [bool; 2] {
@@ -198,7 +198,14 @@ impl CyclePair for GearPair {
         if is_open(self) {
             return Ok(cycle.any_direction(self, effort)?.found);
         }
-        ExactKernel::new(self).extremes_of(self, cycle.over(), WIDTH, effort, &[end])
+        cycle_extremes_within(
+            &ExactKernel::new(self),
+            self,
+            cycle.over(),
+            WIDTH,
+            effort,
+            &[end],
+        )
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
@@ -206,7 +213,14 @@ impl CyclePair for GearPair {
         if is_open(self) {
             Ok(any_direction(self, over, &End::BOTH, width, effort)?.found)
         } else {
-            ExactKernel::new(self).extremes_of(self, over, width, effort, &End::BOTH)
+            cycle_extremes_within(
+                &ExactKernel::new(self),
+                self,
+                over,
+                width,
+                effort,
+                &End::BOTH,
+            )
         }
     }
 
@@ -485,7 +499,8 @@ impl<'t> Planned<'t> {
         let all = if is_open(pair) {
             self.any_direction(pair, effort)?
         } else {
-            let found = ExactKernel::new(pair).extremes_of(
+            let found = cycle_extremes_within(
+                &ExactKernel::new(pair),
                 pair,
                 self.over(),
                 WIDTH,
@@ -658,7 +673,7 @@ impl<'t> Planned<'t> {
         let search = |at| {
             let there = pair.at(at)?;
             let (kernel, ends) = (kernel.at(&there), &[End::Greatest]);
-            kernel.extremes_of(&there, self.over(), IN_MESH, effort, ends)
+            cycle_extremes_within(&kernel, &there, self.over(), IN_MESH, effort, ends)
         };
         let at_distance = AtDistance {
             pose: &pose,
@@ -718,7 +733,7 @@ pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<Planned<'t>
 /// of about `width` mm. They cover all directions of a runout without one.
 ///
 /// # Errors
-/// As [`ExactKernel::extremes`].
+/// As [`cycle_extremes`](crate::contact::cycle_extremes).
 pub fn extremes_of_phase(
     assembly: &AssembledPair,
     phase: u32,
@@ -755,7 +770,7 @@ fn any_direction(
     // The bracket contains that of a search and the effect of the direction.
     let width = 0.4 * width;
     let search: &Search =
-        &|pair, kernel, end| kernel.extremes_of(pair, over, width, effort, &[end]);
+        &|pair, kernel, end| cycle_extremes_within(kernel, pair, over, width, effort, &[end]);
     directions::extremes(pair, ends, search)
 }
 

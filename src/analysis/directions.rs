@@ -5,7 +5,7 @@
 //! helical gears all sections have the same centres.) So over a whole cycle and all directions only `d` counts. The room on either side
 //! grows with `d`, as the mate moves away from its contact. The least backlash is that of gears whose high teeth face the mate at every
 //! pose, and the greatest that of gears whose high teeth point away. These are gears without this eccentricity at the centre distance `a' =
-//! a ∓ Σ e` ([`ExactKernel::extremes`]), with one difference: the free one turns about its axis, `e` behind (or before) its centre. A turn
+//! a ∓ Σ e` ([`cycle_extremes`](crate::contact::cycle_extremes)), with one difference: the free one turns about its axis, `e` behind (or before) its centre. A turn
 //! by `φ` about the axis moves the centre across by `e φ`, which turns the line of centres by `ψ = e φ/a'`. Turned back, the locked gear is
 //! further by `ψ` and the free one by `φ + ψ`. With the free gear's operating pitch radius `r'` at `a'`, the lost motion of the other pair
 //! is

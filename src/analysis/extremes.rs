@@ -1,7 +1,7 @@
 //! The least and the greatest backlash of every run of a study, over its whole mesh cycle and every rotation.
 //!
 //! Teeth of a 17/100 pair meet in 1700 matings; one wheel revolution contains 17 of them. All matings and all rotations between poses
-//! decide whether the pair assembles. [`ExactKernel::extremes`](crate::contact::ExactKernel::extremes) proves the bounds. Its extreme poses
+//! decide whether the pair assembles. [`cycle_extremes`](crate::contact::cycle_extremes) proves the bounds. Its extreme poses
 //! are then simulated like any other, with certificate and formulas. `cycles` lists the cycles and both ends of the bearing clearance;
 //! [`super::verdict`] draws the conclusions. The checks in the verdict use the evidence of poses (`diagnosis::PoseEvidence`), so that poses
 //! need not be kept. `failed_checks` runs only the checks whose outcome is not yet known, `diagnose` all.

@@ -31,8 +31,10 @@ pub(crate) use parry::PolylineShape;
 pub use agreement::MethodAgreement;
 pub use class::{ContactClass, ContactKind, Moment, PoseClass};
 pub use drawn_contact::DrawnContact;
-pub use exact::{Doubt, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN};
-pub(crate) use exact::{End, is_proven};
+pub use exact::{
+    Doubt, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN, cycle_extremes,
+};
+pub(crate) use exact::{End, cycle_extremes_within, is_proven, keeps_to_involutes};
 pub use exaggeration::{Exaggeration, MeasuredOnGear};
 pub use face_place::FacePlace;
 pub use kernel::{Piece, Proof, Prover, Reason, Separation, SideProof, TouchProof};

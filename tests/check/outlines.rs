@@ -156,7 +156,8 @@ impl Inputs {
 fn least_and_greatest(pair: &GearPair) -> [f64; 2] {
     let kernel = ExactKernel::new(pair);
     let matings = cycle::matings(pair);
-    let found = kernel.extremes(pair, Mating::FIRST, matings, 1e-6).unwrap();
+    let found =
+        gearlash::contact::cycle_extremes(&kernel, pair, Mating::FIRST, matings, 1e-6).unwrap();
     [found.least, found.greatest].map(|extreme| extreme.unwrap().low)
 }
 

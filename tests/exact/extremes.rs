@@ -5,7 +5,7 @@ use crate::cycle::{matings, spread};
 use crate::kit;
 use crate::random::{self, Random};
 use crate::random_pair::{Case, case, rough_case};
-use gearlash::contact::{Doubt, Extremes};
+use gearlash::contact::{Doubt, Extremes, cycle_extremes};
 use gearlash::error::GearError;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -27,7 +27,7 @@ pub fn held_from(
     poses: impl Iterator<Item = Pose>,
 ) -> Result<Extremes, String> {
     let kernel = ExactKernel::new(pair);
-    let found = kernel.extremes(pair, first, matings, WIDTH).unwrap();
+    let found = cycle_extremes(&kernel, pair, first, matings, WIDTH).unwrap();
     let radius = pair.operating_pitch_radius(pair.free());
     // Contact lost anywhere along the face leaves no greatest value.
     let bounds_greatest = |doubt: Option<Doubt>| {

@@ -4,7 +4,7 @@ use super::*;
 use crate::along_face::{against_sections, drawn, resolved};
 use crate::cycle::matings;
 use crate::extremes::held;
-use gearlash::contact::{FacePlace, PROVEN_WIDTH};
+use gearlash::contact::{FacePlace, PROVEN_WIDTH, cycle_extremes};
 use gearlash::gear::Lead;
 use serde_json::Value;
 
@@ -240,9 +240,8 @@ fn reference_extremes() {
     let cases = cases("extremes");
     assert_eq!(cases.len(), 7);
     for (case, name, pair) in cases {
-        let found = ExactKernel::new(&pair)
-            .extremes(&pair, Mating::FIRST, matings(&pair), PROVEN_WIDTH)
-            .unwrap();
+        let (kernel, over) = (ExactKernel::new(&pair), matings(&pair));
+        let found = cycle_extremes(&kernel, &pair, Mating::FIRST, over, PROVEN_WIDTH).unwrap();
         // The reference's poses are right to 1e-6 µm, to 5e-6 µm where axes lean, and no denser than its sampling.
         let off = if pair.leans() { 5e-6 } else { 1e-6 };
         for (extreme, end) in [(found.least, "least"), (found.greatest, "greatest")] {

@@ -7,7 +7,7 @@ use crate::helical_pairs::try_drawn;
 use crate::kit::ends;
 use crate::random::{self, Kind, Random};
 use crate::witnesses::listed;
-use gearlash::contact::Extreme;
+use gearlash::contact::{Extreme, cycle_extremes};
 
 /// Poses spread over the stretch by the golden ratio.
 const POSES: u32 = 250;
@@ -59,7 +59,7 @@ fn least(play: impl Fn(f64) -> f64, pitches: f64) -> f64 {
 fn against(number: u64) -> Vec<String> {
     let (pair, first, matings) = drawn(number);
     let kernel = ExactKernel::new(&pair);
-    let found = kernel.extremes(&pair, first, matings, WIDTH).unwrap();
+    let found = cycle_extremes(&kernel, &pair, first, matings, WIDTH).unwrap();
     let radius = pair.operating_pitch_radius(pair.free());
     let at = |mating: Mating| kernel.lost_motion(&Pose::new(&pair, mating)).unwrap();
     let play = |place: f64| at(first.onward(&pair, place)).angle().unwrap() * radius;

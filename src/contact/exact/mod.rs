@@ -48,8 +48,8 @@ mod teeth;
 mod tests;
 mod tightest;
 
-pub use extremes::{Doubt, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN};
-pub(crate) use extremes::{End, is_proven};
+pub use extremes::{Doubt, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN, cycle_extremes};
+pub(crate) use extremes::{End, cycle_extremes_within, is_proven, keeps_to_involutes};
 pub(super) use flank_problem::{FlankProblem, PosedFlanks};
 pub(super) use placed::PlacedHalf;
 pub(super) use section::Section;

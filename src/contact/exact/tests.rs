@@ -1,7 +1,7 @@
 //! Hard pairs: extremes end within their counted effort, and say so.
 
 use super::ExactKernel;
-use super::extremes::End;
+use super::extremes::{End, cycle_extremes, cycle_extremes_within};
 use crate::contact::effort::Effort;
 use crate::error::go_on;
 use crate::gear::{AsBuilt, Deviations, Face, GearDesign, Hand};
@@ -39,7 +39,7 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
         let effort = Effort::of_extremes(&pair, &go_on);
         let matings = u64::from(teeth[0] * teeth[1]);
         let over = (Mating::FIRST, matings);
-        let found = kernel.extremes_of(&pair, over, 1e-6, &effort, &End::BOTH);
+        let found = cycle_extremes_within(&kernel, &pair, over, 1e-6, &effort, &End::BOTH);
         let found = found.unwrap();
         let used = effort.used();
         assert!(2 * effort.left() >= used, "{teeth:?}: {used}");
@@ -47,7 +47,7 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
             assert!(extreme.low <= extreme.high, "{teeth:?}: {extreme:?}");
         }
         // An interrupted search is also reproducible.
-        let again = kernel.extremes(&pair, over.0, matings, 1e-6).unwrap();
+        let again = cycle_extremes(&kernel, &pair, over.0, matings, 1e-6).unwrap();
         assert_eq!(found, again);
     }
 }

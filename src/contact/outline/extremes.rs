@@ -42,31 +42,31 @@ pub(crate) struct OutlineCycle<'t> {
     pub tick: &'t Tick<'t>,
 }
 
-impl OutlineKernel<'_> {
-    /// The extremes `ends` of `pair`, these gears, over a cycle, in brackets of `width` mm where no more effort is needed than a search may
+impl OutlineCycle<'_> {
+    /// The extremes `ends` of `pair`, the gears of `kernel`, over this cycle, in brackets of `width` mm where no more effort is needed than a search may
     /// spend.
     pub(crate) fn extremes(
         &self,
+        kernel: &OutlineKernel,
         pair: &OutlinePair,
-        cycle: &OutlineCycle,
         ends: &[End],
         width: f64,
     ) -> Extremes {
         let radius = pair.operating_pitch_radius(pair.free());
         let cells = OutlineCells {
-            kernel: self,
+            kernel,
             pair,
-            cycle,
+            cycle: self,
             poses: Mutex::default(),
         };
         let search = CycleSearch {
             cells: &cells,
-            distinct: cycle.distinct,
-            matings: cycle.matings,
+            distinct: self.distinct,
+            matings: self.matings,
             width: width / radius,
             radius,
-            most_effort: MOST_EFFORT / cycle.parts_of_effort,
-            tick: cycle.tick,
+            most_effort: MOST_EFFORT / self.parts_of_effort,
+            tick: self.tick,
         };
         search.extremes(ends).0
     }
@@ -117,7 +117,7 @@ impl CycleCells for OutlineCells<'_> {
         let mating = self.mating(pitches);
         let width = half * pair.gear(pair.locked()).pitch();
         let sides = self.sides(pitches, half, wanted, &poses);
-        if ends.contains(&End::Least) && !kernel.may_jam(pair, &mating, width) {
+        if ends.contains(&End::Least) && !self.may_jam(&mating, width) {
             let [right, left] = sides.each_ref().map(|side| {
                 let (line, looked) = side.above(pair, &mating);
                 cell.effort += u64::from(looked) / A_UNIT;
@@ -188,6 +188,15 @@ struct EndPose {
 }
 
 impl OutlineCells<'_> {
+    /// Whether teeth may reach the solid body of the mate in a cell of half width `half`, rad.
+    fn may_jam(&self, mating: &Mating, half: f64) -> bool {
+        let (kernel, pair) = (self.kernel, self.pair);
+        let reach = pair.gear(pair.locked()).reach();
+        // No point turns faster about the locked axis.
+        pair.center_distance() - reach < kernel.solid
+            && kernel.sides[0].reaches_within(pair, mating, kernel.solid + half * reach)
+    }
+
     /// The pose at `pitches`, rounded to [`GRID`].
     fn pose(&self, pitches: f64) -> Arc<EndPose> {
         let place = (pitches * GRID).round();
@@ -264,6 +273,33 @@ struct EndContact {
     touching: ContactInCell,
 }
 
+impl EndContact {
+    /// The contact of `side` in a pose whose locked gear is turned by `away` from the middle of `cell`.
+    fn new(side: &SideKernel, cell: &SideCell, meeting: &SideContact, away: f64) -> EndContact {
+        let ([p, q], normal, _) = side.touching(meeting);
+        // Both points of a contact move equally fast along its normal.
+        let along = |arm: C| normal.re * -arm.im + normal.im * arm.re;
+        let rate = cell.limited(along(p.point - cell.distance) / along(p.point));
+        let gap = meeting.found.gap;
+        let with_line = turn(-rate * away);
+        EndContact {
+            away,
+            gap,
+            rate,
+            touching: ContactInCell {
+                level: gap + (cell.ratio - rate) * away,
+                teeth: meeting.teeth,
+                at: [meeting.found.locked, meeting.found.free],
+                normals: [
+                    normal * with_line,
+                    p.normal * turn(-away),
+                    -q.normal * turn(meeting.nominal + gap) * with_line,
+                ],
+            },
+        }
+    }
+}
+
 impl<'a> SideOverCell<'a> {
     /// The side of a cell about `mating`. Half its width is `half`, rad of the locked gear. Bounds are `width` wide in the end, rad of the free
     /// gear. The contacts come with their distances from the middle, rad of the locked gear.
@@ -300,7 +336,7 @@ impl<'a> SideOverCell<'a> {
         let sense = side.side.sense() * gears[0].face().ascending();
         let contacts = contacts.map(|contact| {
             let (away, meeting) = contact?;
-            Some(side.end_contact(&cell, &meeting, sense * away))
+            Some(EndContact::new(side, &cell, &meeting, sense * away))
         });
         SideOverCell {
             side,
@@ -343,42 +379,5 @@ impl<'a> SideOverCell<'a> {
             Some(self.line(bound, rate))
         });
         lines.collect()
-    }
-}
-
-impl OutlineKernel<'_> {
-    /// Whether teeth may reach the solid body of the mate in a cell of half width `half`, rad.
-    fn may_jam(&self, pair: &OutlinePair, mating: &Mating, half: f64) -> bool {
-        let reach = pair.gear(pair.locked()).reach();
-        // No point turns faster about the locked axis.
-        pair.center_distance() - reach < self.solid
-            && self.sides[0].reaches_within(pair, mating, self.solid + half * reach)
-    }
-}
-
-impl SideKernel<'_> {
-    /// The contact of a pose whose locked gear is turned by `away` from the middle of `cell`.
-    fn end_contact(&self, cell: &SideCell, meeting: &SideContact, away: f64) -> EndContact {
-        let ([p, q], normal, _) = self.touching(meeting);
-        // Both points of a contact move equally fast along its normal.
-        let along = |arm: C| normal.re * -arm.im + normal.im * arm.re;
-        let rate = cell.limited(along(p.point - cell.distance) / along(p.point));
-        let gap = meeting.found.gap;
-        let with_line = turn(-rate * away);
-        EndContact {
-            away,
-            gap,
-            rate,
-            touching: ContactInCell {
-                level: gap + (cell.ratio - rate) * away,
-                teeth: meeting.teeth,
-                at: [meeting.found.locked, meeting.found.free],
-                normals: [
-                    normal * with_line,
-                    p.normal * turn(-away),
-                    -q.normal * turn(meeting.nominal + gap) * with_line,
-                ],
-            },
-        }
     }
 }

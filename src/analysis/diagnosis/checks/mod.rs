@@ -12,7 +12,7 @@ use super::zero_distance::{ZeroDistance, zero_distance};
 use crate::analysis::compare::ComparedRun;
 use crate::analysis::extremes::CycleExtremes;
 use crate::analysis::study::{Material, RunPlan, Study};
-use crate::contact::ExactKernel;
+use crate::contact::{ExactKernel, keeps_to_involutes};
 use crate::error::{Error, Tick};
 use crate::pair::{GearPair, Member};
 use context::{CheckContext, LimitState, SearchedDistances};
@@ -168,7 +168,7 @@ fn groups(
                 starts.search(assembly, material, zero_distance, tick)
             })?),
         };
-        let onset = if !is_whole && ExactKernel::new(assembly).keeps_to_involutes(assembly) {
+        let onset = if !is_whole && keeps_to_involutes(&ExactKernel::new(assembly), assembly) {
             LimitState::Kept
         } else {
             LimitState::Found(cached(&mut onsets, material, || {

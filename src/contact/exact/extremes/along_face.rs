@@ -95,7 +95,7 @@ impl<'a> AlongFaceCells<'a> {
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
         let spread = MeshCycle::new(&kernel, &pair, (cycle.first, 1), &effort);
-        if !kernel.stays_on_involutes_and_fillets(&spread) {
+        if !super::stays_on_involutes_and_fillets(&spread) {
             return None;
         }
         let mut sides = cycle.sides.clone();

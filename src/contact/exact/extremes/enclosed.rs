@@ -21,7 +21,14 @@ pub(super) fn bounds(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<[Cycle
         let (wheel, pinion) = (wheels.0[which].clone(), pinions.0[which].clone());
         let pair = assembly.with_gears(wheel, pinion, assembly.center_distance())?;
         let over = (cycle.first, cycle.matings);
-        ExactKernel::new(&pair).extremes_of(&pair, over, width, cycle.effort, &End::BOTH)
+        super::cycle_extremes_within(
+            &ExactKernel::new(&pair),
+            &pair,
+            over,
+            width,
+            cycle.effort,
+            &End::BOTH,
+        )
     };
     let per_radian = cycle.per_radian();
     let least = if of.contains(&End::Least) {

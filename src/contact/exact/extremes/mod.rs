@@ -48,207 +48,204 @@ use table::CycleTable;
 /// ten other centre distances, may use one part in the second (tuned).
 const PARTS_OF_EFFORT: [u64; 2] = [2, 4];
 
-impl ExactKernel {
-    /// The extremes of this kernel's `assembly`, over `matings` pitches from `first` on. Each proven bracket is at most `width` mm wide.
-    ///
-    /// # Errors
-    /// None for a pair with a kernel: a lost contact is a [`Doubt`].
-    pub fn extremes(
-        &self,
-        assembly: &GearPair,
-        first: Mating,
-        matings: u64,
-        width: f64,
-    ) -> Result<Extremes, Error> {
-        let effort = &Effort::of_extremes(assembly, &go_on);
-        self.extremes_of(assembly, (first, matings), width, effort, &End::BOTH)
-    }
+/// The extremes of the `assembly` of `kernel`, over `matings` pitches from `first` on. Each proven bracket is at most `width` mm wide.
+///
+/// # Errors
+/// None for a pair with a kernel: a lost contact is a [`Doubt`].
+pub fn cycle_extremes(
+    kernel: &ExactKernel,
+    assembly: &GearPair,
+    first: Mating,
+    matings: u64,
+    width: f64,
+) -> Result<Extremes, Error> {
+    let effort = &Effort::of_extremes(assembly, &go_on);
+    cycle_extremes_within(
+        kernel,
+        assembly,
+        (first, matings),
+        width,
+        effort,
+        &End::BOTH,
+    )
+}
 
-    /// Whether a quick test shows that no tip reaches a fillet or a root at any pose of this kernel's `assembly`, or at any greater centre
-    /// distance. Then involutes, their ends and tip lands touch first.
-    pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
-        if assembly.is_modified()
-            || assembly.deviates_along_face()
-            || self.section.never_assembles
-            || self.section.bodies.is_some()
-            || !self.is_direct()
-        {
-            return false;
-        }
-        let first = Mating::FIRST;
-        let effort = Effort::endless();
-        let cycle = MeshCycle::new(self, assembly, (first, 1), &effort);
-        if !self.stays_on_involutes(&cycle) {
-            return false;
-        }
-        let table = CycleTable::new(&cycle);
-        self.stops_before_far_flanks(&cycle, &table, f64::INFINITY) && !table.has_tips_at_fillets()
+/// Whether a quick test shows that no tip reaches a fillet or a root at any pose of the `assembly` of `kernel`, or at any greater centre
+/// distance. Then involutes, their ends and tip lands touch first.
+pub(crate) fn keeps_to_involutes(kernel: &ExactKernel, assembly: &GearPair) -> bool {
+    if assembly.is_modified()
+        || assembly.deviates_along_face()
+        || kernel.section.never_assembles
+        || kernel.section.bodies.is_some()
+        || !kernel.is_direct()
+    {
+        return false;
     }
-
-    /// The extremes `of` a cycle, within a part ([`PARTS_OF_EFFORT`]) of the budget `effort`; other ends are `None`. A search for the least
-    /// alone stops at the first jammed pose, one for the greatest alone at the first pose that is out of mesh.
-    ///
-    /// # Errors
-    /// As [`ExactKernel::extremes`].
-    pub(crate) fn extremes_of(
-        &self,
-        assembly: &GearPair,
-        over: (Mating, u64),
-        width: f64,
-        effort: &Effort,
-        of: &[End],
-    ) -> Result<Extremes, Error> {
-        let parts = match of {
-            [_] => PARTS_OF_EFFORT[1],
-            _ => PARTS_OF_EFFORT[0],
-        };
-        let own = effort.part(parts);
-        let found = self.search_extremes(&MeshCycle::new(self, assembly, over, &own), width, of);
-        effort.spend(own.used());
-        let found = found?;
-        Ok(Extremes {
-            least: found.least.filter(|_| of.contains(&End::Least)),
-            greatest: found.greatest.filter(|_| of.contains(&End::Greatest)),
-            ..found
-        })
+    let effort = Effort::endless();
+    let cycle = MeshCycle::new(kernel, assembly, (Mating::FIRST, 1), &effort);
+    if !stays_on_involutes(&cycle) {
+        return false;
     }
+    let table = CycleTable::new(&cycle);
+    stops_before_far_flanks(&cycle, &table, f64::INFINITY) && !table.has_tips_at_fillets()
+}
 
-    fn search_extremes(
-        &self,
-        cycle: &MeshCycle,
-        width: f64,
-        of: &[End],
-    ) -> Result<Extremes, Error> {
-        let until = match of {
-            [End::Least] => StopAt::Jammed,
-            [End::Greatest] => StopAt::Unmeshed,
-            _ => StopAt::End,
+/// The extremes `of` a cycle, within a part ([`PARTS_OF_EFFORT`]) of the budget `effort`; other ends are `None`. A search for the least
+/// alone stops at the first jammed pose, one for the greatest alone at the first pose that is out of mesh.
+///
+/// # Errors
+/// As [`cycle_extremes`].
+pub(crate) fn cycle_extremes_within(
+    kernel: &ExactKernel,
+    assembly: &GearPair,
+    over: (Mating, u64),
+    width: f64,
+    effort: &Effort,
+    of: &[End],
+) -> Result<Extremes, Error> {
+    let parts = match of {
+        [_] => PARTS_OF_EFFORT[1],
+        _ => PARTS_OF_EFFORT[0],
+    };
+    let own = effort.part(parts);
+    let found = search_extremes(&MeshCycle::new(kernel, assembly, over, &own), width, of);
+    effort.spend(own.used());
+    let found = found?;
+    Ok(Extremes {
+        least: found.least.filter(|_| of.contains(&End::Least)),
+        greatest: found.greatest.filter(|_| of.contains(&End::Greatest)),
+        ..found
+    })
+}
+
+fn search_extremes(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes, Error> {
+    let until = match of {
+        [End::Least] => StopAt::Jammed,
+        [End::Greatest] => StopAt::Unmeshed,
+        _ => StopAt::End,
+    };
+    let mut found = ExaminedPoses::default();
+    if let Some(cells) = AlongFaceCells::new(cycle) {
+        return Ok(of_cells(cycle, &cells, width, of));
+    }
+    if cycle.assembly.is_modified() || cycle.assembly.deviates_along_face() {
+        sample::sample(cycle, &mut found, until)?;
+        let bounds = if cycle.assembly.leans() {
+            [UNKNOWN; 2]
+        } else {
+            enclosed::bounds(cycle, width, of)?
         };
-        let mut found = ExaminedPoses::default();
-        if let Some(cells) = AlongFaceCells::new(cycle) {
-            return Ok(self.of_cells(cycle, &cells, width, of));
-        }
-        if cycle.assembly.is_modified() || cycle.assembly.deviates_along_face() {
-            sample::sample(cycle, &mut found, until)?;
-            let bounds = if cycle.assembly.leans() {
-                [UNKNOWN; 2]
-            } else {
-                enclosed::bounds(cycle, width, of)?
-            };
-            return Ok(found.extremes(cycle, bounds));
-        }
-        // Without a solver flanks are no involutes, or base circles may overlap.
-        let helical = self.helical.as_ref();
-        if self.section.never_assembles
-            || self.section.bodies.is_some()
-            || self.section.solver.is_none()
-            || helical.is_some_and(|helical| !helical.has_line_contact())
-        {
-            sample::sample(cycle, &mut found, until)?;
-            return Ok(found.extremes(cycle, [UNKNOWN; 2]));
-        }
-        let table = CycleTable::new(cycle);
-        let width = width / cycle.per_radian();
-        let search = |which| Search {
-            cycle,
-            table: &table,
-            width: search::PROOF_SHARE * width,
-            equal: search::EQUAL_SHARE * width,
-            which,
-            // A third each for both searches and for the poses that are sampled if the searches do not close. A search for the least alone
-            // samples none.
-            reserved: match which {
-                End::Greatest => cycle.effort.left() / 3 * 2,
-                End::Least if until == StopAt::Jammed => 0,
-                End::Least => cycle.effort.left() / 3,
-            },
-            until,
-        };
-        let mut stays = self.stays_on_involutes(cycle);
-        // Where far flanks are in reach, the greatest may show that the free gear stops before them.
-        let asks_greatest = stays
-            && of.contains(&End::Least)
-            && !self.stops_before_far_flanks(cycle, &table, f64::INFINITY);
-        let wanted = [End::Greatest, End::Least];
-        let wanted = wanted.into_iter().filter(|which| match which {
-            End::Greatest => asks_greatest || of.contains(which),
-            End::Least => stays && of.contains(which),
-        });
-        let searches: Vec<Search> = wanted.map(search).collect();
-        let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
-        let mut ranked = search::rank(&searches, &mut found)?;
-        for (search, ranked) in searches.iter().zip(&mut ranked) {
-            if asks_greatest && search.which == End::Least {
-                let most = found.most(greatest) + width;
-                stays = self.stops_before_far_flanks(cycle, &table, most);
-                if !stays {
-                    continue;
-                }
-            }
-            let proof = search.run(ranked, &mut found)?;
-            match search.which {
-                End::Least => least = proof,
-                End::Greatest => greatest = proof,
+        return Ok(found.extremes(cycle, bounds));
+    }
+    // Without a solver flanks are no involutes, or base circles may overlap.
+    let ExactKernel { section, helical } = cycle.kernel;
+    if section.never_assembles
+        || section.bodies.is_some()
+        || section.solver.is_none()
+        || helical
+            .as_ref()
+            .is_some_and(|helical| !helical.has_line_contact())
+    {
+        sample::sample(cycle, &mut found, until)?;
+        return Ok(found.extremes(cycle, [UNKNOWN; 2]));
+    }
+    let table = CycleTable::new(cycle);
+    let width = width / cycle.per_radian();
+    let search = |which| Search {
+        cycle,
+        table: &table,
+        width: search::PROOF_SHARE * width,
+        equal: search::EQUAL_SHARE * width,
+        which,
+        // A third each for both searches and for the poses that are sampled if the searches do not close. A search for the least alone
+        // samples none.
+        reserved: match which {
+            End::Greatest => cycle.effort.left() / 3 * 2,
+            End::Least if until == StopAt::Jammed => 0,
+            End::Least => cycle.effort.left() / 3,
+        },
+        until,
+    };
+    let mut stays = stays_on_involutes(cycle);
+    // Where far flanks are in reach, the greatest may show that the free gear stops before them.
+    let asks_greatest =
+        stays && of.contains(&End::Least) && !stops_before_far_flanks(cycle, &table, f64::INFINITY);
+    let wanted = [End::Greatest, End::Least];
+    let wanted = wanted.into_iter().filter(|which| match which {
+        End::Greatest => asks_greatest || of.contains(which),
+        End::Least => stays && of.contains(which),
+    });
+    let searches: Vec<Search> = wanted.map(search).collect();
+    let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
+    let mut ranked = search::rank(&searches, &mut found)?;
+    for (search, ranked) in searches.iter().zip(&mut ranked) {
+        if asks_greatest && search.which == End::Least {
+            let most = found.most(greatest) + width;
+            stays = stops_before_far_flanks(cycle, &table, most);
+            if !stays {
+                continue;
             }
         }
-        if !stays && of.contains(&End::Least) {
-            sample::sample(cycle, &mut found, until)?;
+        let proof = search.run(ranked, &mut found)?;
+        match search.which {
+            End::Least => least = proof,
+            End::Greatest => greatest = proof,
         }
-        for (search, ranked) in searches.iter().zip(ranked) {
-            search.report_first_equal(ranked.near, &mut found)?;
-        }
-        Ok(found.extremes(cycle, [least, greatest]))
     }
+    if !stays && of.contains(&End::Least) {
+        sample::sample(cycle, &mut found, until)?;
+    }
+    for (search, ranked) in searches.iter().zip(ranked) {
+        search.report_first_equal(ranked.near, &mut found)?;
+    }
+    Ok(found.extremes(cycle, [least, greatest]))
+}
 
-    /// The extremes `of` a pair with lead deviations, by bounds over cells.
-    fn of_cells(
-        &self,
-        cycle: &MeshCycle,
-        cells: &AlongFaceCells,
-        width: f64,
-        of: &[End],
-    ) -> Extremes {
-        let search = CycleSearch {
-            cells,
-            distinct: if cycle.has_equal_matings() {
-                1
-            } else {
-                cycle.matings
-            },
-            matings: cycle.matings,
-            width: width / cycle.per_radian(),
-            radius: cycle.per_radian(),
-            // Each extreme may use twice the part: for a verdict some seconds (tuned).
-            most_effort: cycle.effort.left().saturating_mul(PARTS_OF_EFFORT[0]),
-            tick: cycle.effort.tick,
-        };
-        let (found, used) = search.extremes(of);
-        cycle.effort.spend(used);
-        found
-    }
+/// The extremes `of` a pair with lead deviations, by bounds over cells.
+fn of_cells(cycle: &MeshCycle, cells: &AlongFaceCells, width: f64, of: &[End]) -> Extremes {
+    let search = CycleSearch {
+        cells,
+        distinct: if cycle.has_equal_matings() {
+            1
+        } else {
+            cycle.matings
+        },
+        matings: cycle.matings,
+        width: width / cycle.per_radian(),
+        radius: cycle.per_radian(),
+        // Each extreme may use twice the part: for a verdict some seconds (tuned).
+        most_effort: cycle.effort.left().saturating_mul(PARTS_OF_EFFORT[0]),
+        tick: cycle.effort.tick,
+    };
+    let (found, used) = search.extremes(of);
+    cycle.effort.spend(used);
+    found
+}
 
-    /// Whether only involutes, their ends and tip lands can touch, and corners on fillets, and pairs of helical teeth have line contact.
-    fn stays_on_involutes_and_fillets(&self, cycle: &MeshCycle) -> bool {
-        let helical = self.helical.as_ref();
-        !self.section.never_assembles
-            && self.section.bodies.is_none()
-            && self.section.solver.is_some()
-            && helical.is_none_or(|helical| helical.has_line_contact())
-            && self.stays_on_involutes(cycle)
-            && (self.section.far_flanks == FarFlanks::Clear
-                || CycleTable::new(cycle).stops_before_far_flanks(cycle, f64::INFINITY))
-    }
+/// Whether only involutes, their ends and tip lands can touch, and corners on fillets, and pairs of helical teeth have line contact.
+fn stays_on_involutes_and_fillets(cycle: &MeshCycle) -> bool {
+    let ExactKernel { section, helical } = cycle.kernel;
+    !section.never_assembles
+        && section.bodies.is_none()
+        && section.solver.is_some()
+        && helical
+            .as_ref()
+            .is_none_or(|helical| helical.has_line_contact())
+        && stays_on_involutes(cycle)
+        && (section.far_flanks == FarFlanks::Clear
+            || CycleTable::new(cycle).stops_before_far_flanks(cycle, f64::INFINITY))
+}
 
-    /// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth, rad.
-    fn stops_before_far_flanks(&self, cycle: &MeshCycle, table: &CycleTable, most: f64) -> bool {
-        self.section.far_flanks == FarFlanks::Clear || table.stops_before_far_flanks(cycle, most)
-    }
+/// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth, rad.
+fn stops_before_far_flanks(cycle: &MeshCycle, table: &CycleTable, most: f64) -> bool {
+    cycle.kernel.section.far_flanks == FarFlanks::Clear
+        || table.stops_before_far_flanks(cycle, most)
+}
 
-    /// Whether of near half teeth only involutes, their ends and tip lands can touch, and corners on fillets, which [`tip_at_fillet`] bounds.
-    fn stays_on_involutes(&self, cycle: &MeshCycle) -> bool {
-        let side = &cycle.sides[0];
-        let problem = side.problem;
-        let forms = problem.locked.shape.form_radius() + problem.free.shape.form_radius();
-        self.is_direct() && forms + side.off[0] + side.off[1] < problem.distance
-    }
+/// Whether of near half teeth only involutes, their ends and tip lands can touch, and corners on fillets, which [`tip_at_fillet`] bounds.
+fn stays_on_involutes(cycle: &MeshCycle) -> bool {
+    let side = &cycle.sides[0];
+    let problem = side.problem;
+    let forms = problem.locked.shape.form_radius() + problem.free.shape.form_radius();
+    cycle.kernel.is_direct() && forms + side.off[0] + side.off[1] < problem.distance
 }

@@ -302,6 +302,7 @@ impl Distances {
 
 #[cfg(test)]
 mod tests {
+    use super::super::keeps_to_involutes;
     use super::super::mesh_cycle::posed_sides;
     use super::super::side_table::steps;
     use super::*;
@@ -380,7 +381,7 @@ mod tests {
                 continue;
             };
             let kernel = ExactKernel::new(&pair);
-            let keeps = kernel.keeps_to_involutes(&pair);
+            let keeps = keeps_to_involutes(&kernel, &pair);
             let on_fillet = (0..300).any(|at| {
                 let mating = Mating::FIRST.onward(&pair, f64::from(at) * 0.237);
                 let found = kernel.lost_motion_at(&pair, mating).unwrap().unwrap();

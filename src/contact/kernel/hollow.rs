@@ -259,379 +259,391 @@ fn least_room(room: f64, slope: f64, m: f64, w: f64) -> f64 {
     m + across * cos - slope.abs() * sin
 }
 
-impl FacingHalves {
-    /// Distance of `mate` from the line through a point of gear `owner` across a normal, both in its own frame; `angle` is the normal's
-    /// direction.
-    #[inline]
-    fn off_line(
-        &self,
-        owner: usize,
-        (point, normal): (C, C),
-        angle: f64,
-        mate: &Convex,
-    ) -> TangentDistance {
-        let other = 1 - owner;
-        let p = self.centres[owner] + self.directions[owner] * point;
-        let n = self.directions[owner] * normal;
-        let own = -n * self.directions[other].conj();
-        let omega = wrapped(wrapped(self.angles[owner] + angle + PI) - self.angles[other]);
-        let support = mate.support(omega, own);
-        let d = self.centres[other] - p;
-        TangentDistance {
-            room: dot(d, n) - support.reach,
-            slope: along(d, n) - support.along,
-            radius: support.radius,
-            omega,
-            arm: match owner {
-                0 => self.least_arm(support, n),
-                _ => along(p, n),
-            },
+/// Distance of `mate` from the line through a point of gear `owner` across a normal, both in its own frame; `angle` is the normal's
+/// direction.
+#[inline]
+fn off_line(
+    at: &FacingHalves,
+    owner: usize,
+    (point, normal): (C, C),
+    angle: f64,
+    mate: &Convex,
+) -> TangentDistance {
+    let other = 1 - owner;
+    let p = at.centres[owner] + at.directions[owner] * point;
+    let n = at.directions[owner] * normal;
+    let own = -n * at.directions[other].conj();
+    let omega = wrapped(wrapped(at.angles[owner] + angle + PI) - at.angles[other]);
+    let support = mate.support(omega, own);
+    let d = at.centres[other] - p;
+    TangentDistance {
+        room: dot(d, n) - support.reach,
+        slope: along(d, n) - support.along,
+        radius: support.radius,
+        omega,
+        arm: match owner {
+            0 => at.least_arm(support, n),
+            _ => along(p, n),
+        },
+    }
+}
+
+/// Distance of `mate` from the tangent at a point of a curve.
+fn off_tangent(
+    at: &FacingHalves,
+    owner: usize,
+    (point, normal): (C, C),
+    mate: &Convex,
+) -> TangentDistance {
+    off_line(at, owner, (point, normal), normal.arg(), mate)
+}
+
+/// A normal of gear `owner` in its own frame, as the direction out of the locked metal.
+pub(super) fn out_of_locked(at: &FacingHalves, owner: usize, normal: C) -> C {
+    let n = at.directions[owner] * normal;
+    if owner == 0 { n } else { -n }
+}
+
+/// Whether the normal of a stretch's chord keeps `mate` off the whole stretch.
+#[inline]
+pub(super) fn is_off_chord(
+    at: &FacingHalves,
+    owner: usize,
+    stretch: &Stretch,
+    mate: &Convex,
+    margin: f64,
+) -> bool {
+    let off = off_chord(at, owner, stretch, mate);
+    stays_off_chord(at, stretch, off, margin)
+}
+
+/// Distance of `mate` from the chord of a stretch.
+#[inline]
+fn off_chord(at: &FacingHalves, owner: usize, stretch: &Stretch, mate: &Convex) -> TangentDistance {
+    let line = (stretch.points[0], stretch.normal);
+    off_line(at, owner, line, stretch.angle, mate)
+}
+
+#[inline]
+fn stays_off_chord(
+    at: &FacingHalves,
+    stretch: &Stretch,
+    off: TangentDistance,
+    margin: f64,
+) -> bool {
+    let sag = if stretch.reaches_no_further(stretch.normal) {
+        0.0
+    } else {
+        stretch.sag
+    };
+    at.stays_apart(off.room - sag, off.arm - sag, margin)
+}
+
+/// Whether `mate` is off the whole hollow curve of gear `owner` by more than `margin` mm. `record` receives each proven stretch.
+/// `directions_tried` counts the examined directions, up to `most`. The first direction for a stretch is its normal or `facing`,
+/// whichever leaves more room.
+pub(super) fn is_off_hollow(
+    at: &FacingHalves,
+    (owner, hollow): (usize, &Hollow),
+    (mate, facing): (&Convex, C),
+    margin: f64,
+    (directions_tried, most): (&mut u32, u32),
+    record: &mut impl FnMut([f64; 2], StretchProof),
+) -> bool {
+    let mut open: Vec<(Stretch, u32)> = Vec::new();
+    // False where a stretch can be neither proven nor cut.
+    let mut examine = |stretch: &Stretch, depth, open: &mut Vec<(Stretch, u32)>| {
+        let proof = off_stretch(
+            at,
+            (owner, hollow),
+            stretch,
+            (mate, facing),
+            margin,
+            directions_tried,
+        );
+        if let Some(proof) = proof {
+            record(stretch.ends, proof);
+            return true;
         }
-    }
-
-    /// Distance of `mate` from the tangent at a point of a curve.
-    fn off_tangent(&self, owner: usize, (point, normal): (C, C), mate: &Convex) -> TangentDistance {
-        self.off_line(owner, (point, normal), normal.arg(), mate)
-    }
-
-    /// A normal of gear `owner` in its own frame, as the direction out of the locked metal.
-    pub fn out_of_locked(&self, owner: usize, normal: C) -> C {
-        let n = self.directions[owner] * normal;
-        if owner == 0 { n } else { -n }
-    }
-
-    /// Whether the normal of a stretch's chord keeps `mate` off the whole stretch.
-    #[inline]
-    pub fn is_off_chord(
-        &self,
-        owner: usize,
-        stretch: &Stretch,
-        mate: &Convex,
-        margin: f64,
-    ) -> bool {
-        let off = self.off_chord(owner, stretch, mate);
-        self.stays_off_chord(stretch, off, margin)
-    }
-
-    /// Distance of `mate` from the chord of a stretch.
-    #[inline]
-    fn off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex) -> TangentDistance {
-        let line = (stretch.points[0], stretch.normal);
-        self.off_line(owner, line, stretch.angle, mate)
-    }
-
-    #[inline]
-    fn stays_off_chord(&self, stretch: &Stretch, off: TangentDistance, margin: f64) -> bool {
-        let sag = if stretch.reaches_no_further(stretch.normal) {
-            0.0
-        } else {
-            stretch.sag
-        };
-        self.stays_apart(off.room - sag, off.arm - sag, margin)
-    }
-
-    /// Whether `mate` is off the whole hollow curve of gear `owner` by more than `margin` mm. `record` receives each proven stretch.
-    /// `directions_tried` counts the examined directions, up to `most`. The first direction for a stretch is its normal or `facing`,
-    /// whichever leaves more room.
-    pub fn is_off_hollow(
-        &self,
-        (owner, hollow): (usize, &Hollow),
-        (mate, facing): (&Convex, C),
-        margin: f64,
-        (directions_tried, most): (&mut u32, u32),
-        record: &mut impl FnMut([f64; 2], StretchProof),
-    ) -> bool {
-        let mut open: Vec<(Stretch, u32)> = Vec::new();
-        // False where a stretch can be neither proven nor cut.
-        let mut examine = |stretch: &Stretch, depth, open: &mut Vec<(Stretch, u32)>| {
-            let proof = self.off_stretch(
-                (owner, hollow),
-                stretch,
-                (mate, facing),
-                margin,
-                directions_tried,
-            );
-            if let Some(proof) = proof {
-                record(stretch.ends, proof);
-                return true;
-            }
-            if depth >= DEEPEST || *directions_tried > most {
-                return false;
-            }
-            let nearest = self.nearest_tangent((owner, hollow), stretch, mate, margin);
-            let parts = hollow.cut(stretch, nearest.map(|(at, _)| at));
-            open.extend(parts.map(|part| (part, depth + 1)));
-            true
-        };
-        for stretch in &hollow.stretches {
-            if !examine(stretch, 0, &mut open) {
-                return false;
-            }
-            while let Some((stretch, depth)) = open.pop() {
-                if !examine(&stretch, depth, &mut open) {
-                    return false;
-                }
-            }
-        }
-        true
-    }
-
-    /// The parameter of the tangent nearest to `mate` within a stretch, and whether that keeps it off.
-    fn nearest_tangent(
-        &self,
-        (owner, hollow): (usize, &Hollow),
-        stretch: &Stretch,
-        mate: &Convex,
-        margin: f64,
-    ) -> Option<(f64, bool)> {
-        let [low, high] = stretch.ends;
-        let radii = stretch.radii?;
-        let turned = along(stretch.normals[1], stretch.normals[0]);
-        if turned == 0.0 {
-            return None;
-        }
-        let mut at = 0.5 * (low + high);
-        for _ in 0..6 {
-            let off = self.off_tangent(owner, hollow.curve.at(at), mate);
-            let bend = 0.5 * (radii[0] + radii[1]) - off.radius - off.room;
-            if !(bend > 0.0) {
-                return None;
-            }
-            let step = off.slope / bend * (high - low) / turned;
-            if step.abs() <= 1e-9 * (high - low) {
-                return Some((at, self.stays_apart(off.room, off.arm, margin)));
-            }
-            at -= step;
-            if !(at >= low && at <= high) {
-                return None;
-            }
-        }
-        let off = self.off_tangent(owner, hollow.curve.at(at), mate);
-        Some((at, self.stays_apart(off.room, off.arm, margin)))
-    }
-
-    /// The proof that `mate` is off a stretch.
-    fn off_stretch(
-        &self,
-        (owner, hollow): (usize, &Hollow),
-        stretch: &Stretch,
-        (mate, facing): (&Convex, C),
-        margin: f64,
-        directions_tried: &mut u32,
-    ) -> Option<StretchProof> {
-        *directions_tried += 1;
-        let normal = self.out_of_locked(owner, stretch.normal);
-        let off = self.off_chord(owner, stretch, mate);
-        if self.stays_off_chord(stretch, off, margin) {
-            return Some(StretchProof::SeparatingDirection(
-                SeparatingDirection::Direction(normal),
-            ));
-        }
-        let chord = Convex::Chord(stretch.points);
-        let (locked, free) = match owner {
-            0 => (&chord, mate),
-            _ => (mate, &chord),
-        };
-        let nu = facing.arg();
-        let across = self.room(locked, free, nu, facing);
-        let sag = self.sag_along(owner, stretch, SeparatingDirection::Direction(facing));
-        if self.stays_apart(across.room - sag, across.arm, margin) {
-            return Some(StretchProof::SeparatingDirection(
-                SeparatingDirection::Direction(facing),
-            ));
-        }
-        if self.is_off_tangents((owner, hollow), stretch, mate, margin) {
-            let (_, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
-            return Some(StretchProof::Tangents(self.out_of_locked(owner, normal)));
-        }
-        // A shorter stretch about the nearest tangent is proven by its tangents.
-        let nearest = self.nearest_tangent((owner, hollow), stretch, mate, margin);
-        if nearest.is_some_and(|(_, stays)| stays) {
-            return None;
-        }
-        let start = if off.room >= across.room {
-            normal.arg()
-        } else {
-            nu
-        };
-        let apart = self.find_separation(locked, free, start, margin, directions_tried)?;
-        let sag = self.sag_along(owner, stretch, apart);
-        let apart = if sag == 0.0 {
-            apart
-        } else {
-            self.find_separation(locked, free, start, margin + sag, directions_tried)?
-        };
-        Some(StretchProof::SeparatingDirection(apart))
-    }
-
-    /// The distance, mm, by which a stretch of gear `owner` can reach further than its chord where this keeps the chord off a mate.
-    fn sag_along(&self, owner: usize, stretch: &Stretch, apart: SeparatingDirection) -> f64 {
-        let back = self.directions[owner].conj();
-        let is_of_chord = match apart {
-            SeparatingDirection::Direction(n) if owner == 1 => {
-                stretch.reaches_no_further(-n * back)
-            }
-            // The disc in which a free chord turns is not that of its curve.
-            SeparatingDirection::OutOfReach(_) if owner == 1 => false,
-            SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n) => {
-                stretch.reaches_no_further(n * back)
-            }
-        };
-        if is_of_chord { 0.0 } else { stretch.sag }
-    }
-
-    /// Whether the tangents of all points of a stretch keep `mate` off.
-    fn is_off_tangents(
-        &self,
-        (owner, hollow): (usize, &Hollow),
-        stretch: &Stretch,
-        mate: &Convex,
-        margin: f64,
-    ) -> bool {
-        // For a chord each end has its own bound: across the chord's normal its support jumps.
-        if let Convex::Chord([a, b]) = mate
-            && a != b
-        {
-            let ends = [*a, *b].map(|end| Convex::Chord([end; 2]));
-            return ends
-                .iter()
-                .all(|end| self.is_off_tangents((owner, hollow), stretch, end, margin));
-        }
-        let (point, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
-        let off = self.off_tangent(owner, (point, normal), mate);
-        let turns = stretch.normals.map(|end| along(end, normal).abs().asin());
-        let play = turns[0].max(turns[1]);
-        let Some(radii) = stretch.radii else {
+        if depth >= DEEPEST || *directions_tried > most {
             return false;
-        };
-        let round = mate.greatest_radius(off.omega, play);
-        let least = least_room(off.room, off.slope, radii[0] - round, play);
-        // The arm turns by at most its point's distance from the axis plus a radius.
-        let (point, radius) = match owner {
-            0 => (
-                mate.farthest(self.centres[1] * self.directions[1].conj()),
-                round,
-            ),
-            _ => (
-                (self.centres[1] + self.directions[1] * point).norm() + radii[1] * play,
-                radii[1],
-            ),
-        };
-        let is_short = stretch.normals.iter().all(|end| dot(*end, normal) > 0.0);
-        let arm = off.arm - play * (point + radius);
-        is_short && play < 0.5 && self.stays_apart(least, arm, margin)
-    }
-
-    /// Whether two hollow curves stay off each other. For any two stretches one must be off the other's chord, by more than its sag where
-    /// the other's curve may reach further than its chord.
-    pub fn is_off_both(
-        &self,
-        ([locked, free], nu): ([&Hollow; 2], f64),
-        margin: f64,
-        (directions_tried, most): (&mut u32, u32),
-        record: &mut impl FnMut([[f64; 2]; 2], usize, StretchProof),
-    ) -> bool {
-        let mut open: Vec<[Stretch; 2]> = Vec::new();
-        for l in &locked.stretches {
-            open.extend(free.stretches.iter().map(|f| [*l, *f]));
         }
-        let n = turn(nu);
-        while let Some([l, f]) = open.pop() {
-            if self.are_off_along([&l, &f], n, margin) {
-                record(
-                    [l.ends, f.ends],
-                    0,
-                    StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)),
-                );
-                continue;
-            }
-            *directions_tried += 1;
-            let chords = [&l, &f].map(|stretch| Convex::Chord(stretch.points));
-            let mut proof = |owner: usize| {
-                let ((hollow, stretch), mate) = match owner {
-                    0 => ((locked, &l), &f),
-                    _ => ((free, &f), &l),
-                };
-                let chord = &chords[1 - owner];
-                let mut off_by = |margin: f64| {
-                    let owner = (owner, hollow);
-                    self.off_stretch(owner, stretch, (chord, n), margin, directions_tried)
-                };
-                let off = off_by(margin)?;
-                if self.holds_for_curve(1 - owner, mate, stretch, off) {
-                    return Some((owner, off));
-                }
-                Some((owner, off_by(margin + mate.sag)?))
-            };
-            if let Some((owner, proof)) = proof(0).or_else(|| proof(1)) {
-                record([l.ends, f.ends], owner, proof);
-                continue;
-            }
-            if *directions_tried > most || open.len() > 400 {
+        let nearest = nearest_tangent(at, (owner, hollow), stretch, mate, margin);
+        let parts = hollow.cut(stretch, nearest.map(|(at, _)| at));
+        open.extend(parts.map(|part| (part, depth + 1)));
+        true
+    };
+    for stretch in &hollow.stretches {
+        if !examine(stretch, 0, &mut open) {
+            return false;
+        }
+        while let Some((stretch, depth)) = open.pop() {
+            if !examine(&stretch, depth, &mut open) {
                 return false;
             }
-            if l.sag > f.sag {
-                open.extend(locked.halves(&l).map(|half| [half, f]));
-            } else {
-                open.extend(free.halves(&f).map(|half| [l, half]));
-            }
-        }
-        true
-    }
-
-    /// Whether one direction keeps a stretch of the locked gear off one of the free gear.
-    fn are_off_along(&self, [locked, free]: [&Stretch; 2], n: C, margin: f64) -> bool {
-        let own = [0, 1].map(|k| n * self.directions[k].conj());
-        let (reach, _) = locked.bound(own[0]);
-        let (back, least) = free.bound(-own[1]);
-        let room = dot(self.centres[1] - self.centres[0], n) - reach - back;
-        self.stays_apart(room, least - along(self.centres[1], n), margin)
-    }
-
-    /// Whether the direction that keeps a chord of gear `owner` off `mate` also keeps the curve off, at any distance from the chord.
-    fn holds_for_curve(
-        &self,
-        owner: usize,
-        stretch: &Stretch,
-        mate: &Stretch,
-        proof: StretchProof,
-    ) -> bool {
-        let back = self.directions[owner].conj();
-        match proof {
-            // It holds between the directions of both ends if it holds for both.
-            StretchProof::Tangents(_) => mate.normals.iter().all(|n| {
-                let own = -(self.directions[1 - owner] * n) * back;
-                stretch.reaches_no_further(own)
-            }),
-            StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)) => {
-                let out = if owner == 0 { n } else { -n };
-                stretch.reaches_no_further(out * back)
-            }
-            // The disc of a chord is not that of the curve.
-            StretchProof::SeparatingDirection(SeparatingDirection::OutOfReach(_)) => false,
         }
     }
+    true
+}
 
-    /// Whether a fillet of the locked gear stays off the disc of this radius, mm, about the free axis.
-    pub fn is_beyond(
-        &self,
-        hollow: &Hollow,
-        radius: f64,
-        margin: f64,
-        (directions_tried, most): (&mut u32, u32),
-        record: &mut impl FnMut([f64; 2], C),
-    ) -> bool {
-        let mut open = hollow.stretches.clone();
-        while let Some(stretch) = open.pop() {
-            let chord = Convex::Chord(stretch.points);
-            match self.beyond(&chord, radius, margin + stretch.sag, directions_tried) {
-                Some(n) => record(stretch.ends, n),
-                None if *directions_tried > most => return false,
-                None => open.extend(hollow.halves(&stretch)),
-            }
-        }
-        true
+/// The parameter of the tangent nearest to `mate` within a stretch, and whether that keeps it off.
+fn nearest_tangent(
+    at: &FacingHalves,
+    (owner, hollow): (usize, &Hollow),
+    stretch: &Stretch,
+    mate: &Convex,
+    margin: f64,
+) -> Option<(f64, bool)> {
+    let [low, high] = stretch.ends;
+    let radii = stretch.radii?;
+    let turned = along(stretch.normals[1], stretch.normals[0]);
+    if turned == 0.0 {
+        return None;
     }
+    let mut t = 0.5 * (low + high);
+    for _ in 0..6 {
+        let off = off_tangent(at, owner, hollow.curve.at(t), mate);
+        let bend = 0.5 * (radii[0] + radii[1]) - off.radius - off.room;
+        if !(bend > 0.0) {
+            return None;
+        }
+        let step = off.slope / bend * (high - low) / turned;
+        if step.abs() <= 1e-9 * (high - low) {
+            return Some((t, at.stays_apart(off.room, off.arm, margin)));
+        }
+        t -= step;
+        if !(t >= low && t <= high) {
+            return None;
+        }
+    }
+    let off = off_tangent(at, owner, hollow.curve.at(t), mate);
+    Some((t, at.stays_apart(off.room, off.arm, margin)))
+}
+
+/// The proof that `mate` is off a stretch.
+fn off_stretch(
+    at: &FacingHalves,
+    (owner, hollow): (usize, &Hollow),
+    stretch: &Stretch,
+    (mate, facing): (&Convex, C),
+    margin: f64,
+    directions_tried: &mut u32,
+) -> Option<StretchProof> {
+    *directions_tried += 1;
+    let normal = out_of_locked(at, owner, stretch.normal);
+    let off = off_chord(at, owner, stretch, mate);
+    if stays_off_chord(at, stretch, off, margin) {
+        return Some(StretchProof::SeparatingDirection(
+            SeparatingDirection::Direction(normal),
+        ));
+    }
+    let chord = Convex::Chord(stretch.points);
+    let (locked, free) = match owner {
+        0 => (&chord, mate),
+        _ => (mate, &chord),
+    };
+    let nu = facing.arg();
+    let across = at.room(locked, free, nu, facing);
+    let sag = sag_along(at, owner, stretch, SeparatingDirection::Direction(facing));
+    if at.stays_apart(across.room - sag, across.arm, margin) {
+        return Some(StretchProof::SeparatingDirection(
+            SeparatingDirection::Direction(facing),
+        ));
+    }
+    if is_off_tangents(at, (owner, hollow), stretch, mate, margin) {
+        let (_, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
+        return Some(StretchProof::Tangents(out_of_locked(at, owner, normal)));
+    }
+    // A shorter stretch about the nearest tangent is proven by its tangents.
+    let nearest = nearest_tangent(at, (owner, hollow), stretch, mate, margin);
+    if nearest.is_some_and(|(_, stays)| stays) {
+        return None;
+    }
+    let start = if off.room >= across.room {
+        normal.arg()
+    } else {
+        nu
+    };
+    let apart = at.find_separation(locked, free, start, margin, directions_tried)?;
+    let sag = sag_along(at, owner, stretch, apart);
+    let apart = if sag == 0.0 {
+        apart
+    } else {
+        at.find_separation(locked, free, start, margin + sag, directions_tried)?
+    };
+    Some(StretchProof::SeparatingDirection(apart))
+}
+
+/// The distance, mm, by which a stretch of gear `owner` can reach further than its chord where this keeps the chord off a mate.
+fn sag_along(
+    at: &FacingHalves,
+    owner: usize,
+    stretch: &Stretch,
+    apart: SeparatingDirection,
+) -> f64 {
+    let back = at.directions[owner].conj();
+    let is_of_chord = match apart {
+        SeparatingDirection::Direction(n) if owner == 1 => stretch.reaches_no_further(-n * back),
+        // The disc in which a free chord turns is not that of its curve.
+        SeparatingDirection::OutOfReach(_) if owner == 1 => false,
+        SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n) => {
+            stretch.reaches_no_further(n * back)
+        }
+    };
+    if is_of_chord { 0.0 } else { stretch.sag }
+}
+
+/// Whether the tangents of all points of a stretch keep `mate` off.
+fn is_off_tangents(
+    at: &FacingHalves,
+    (owner, hollow): (usize, &Hollow),
+    stretch: &Stretch,
+    mate: &Convex,
+    margin: f64,
+) -> bool {
+    // For a chord each end has its own bound: across the chord's normal its support jumps.
+    if let Convex::Chord([a, b]) = mate
+        && a != b
+    {
+        let ends = [*a, *b].map(|end| Convex::Chord([end; 2]));
+        return ends
+            .iter()
+            .all(|end| is_off_tangents(at, (owner, hollow), stretch, end, margin));
+    }
+    let (point, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
+    let off = off_tangent(at, owner, (point, normal), mate);
+    let turns = stretch.normals.map(|end| along(end, normal).abs().asin());
+    let play = turns[0].max(turns[1]);
+    let Some(radii) = stretch.radii else {
+        return false;
+    };
+    let round = mate.greatest_radius(off.omega, play);
+    let least = least_room(off.room, off.slope, radii[0] - round, play);
+    // The arm turns by at most its point's distance from the axis plus a radius.
+    let (point, radius) = match owner {
+        0 => (
+            mate.farthest(at.centres[1] * at.directions[1].conj()),
+            round,
+        ),
+        _ => (
+            (at.centres[1] + at.directions[1] * point).norm() + radii[1] * play,
+            radii[1],
+        ),
+    };
+    let is_short = stretch.normals.iter().all(|end| dot(*end, normal) > 0.0);
+    let arm = off.arm - play * (point + radius);
+    is_short && play < 0.5 && at.stays_apart(least, arm, margin)
+}
+
+/// Whether two hollow curves stay off each other. For any two stretches one must be off the other's chord, by more than its sag where
+/// the other's curve may reach further than its chord.
+pub(super) fn is_off_both(
+    at: &FacingHalves,
+    ([locked, free], nu): ([&Hollow; 2], f64),
+    margin: f64,
+    (directions_tried, most): (&mut u32, u32),
+    record: &mut impl FnMut([[f64; 2]; 2], usize, StretchProof),
+) -> bool {
+    let mut open: Vec<[Stretch; 2]> = Vec::new();
+    for l in &locked.stretches {
+        open.extend(free.stretches.iter().map(|f| [*l, *f]));
+    }
+    let n = turn(nu);
+    while let Some([l, f]) = open.pop() {
+        if are_off_along(at, [&l, &f], n, margin) {
+            record(
+                [l.ends, f.ends],
+                0,
+                StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)),
+            );
+            continue;
+        }
+        *directions_tried += 1;
+        let chords = [&l, &f].map(|stretch| Convex::Chord(stretch.points));
+        let mut proof = |owner: usize| {
+            let ((hollow, stretch), mate) = match owner {
+                0 => ((locked, &l), &f),
+                _ => ((free, &f), &l),
+            };
+            let chord = &chords[1 - owner];
+            let mut off_by = |margin: f64| {
+                let owner = (owner, hollow);
+                off_stretch(at, owner, stretch, (chord, n), margin, directions_tried)
+            };
+            let off = off_by(margin)?;
+            if holds_for_curve(at, 1 - owner, mate, stretch, off) {
+                return Some((owner, off));
+            }
+            Some((owner, off_by(margin + mate.sag)?))
+        };
+        if let Some((owner, proof)) = proof(0).or_else(|| proof(1)) {
+            record([l.ends, f.ends], owner, proof);
+            continue;
+        }
+        if *directions_tried > most || open.len() > 400 {
+            return false;
+        }
+        if l.sag > f.sag {
+            open.extend(locked.halves(&l).map(|half| [half, f]));
+        } else {
+            open.extend(free.halves(&f).map(|half| [l, half]));
+        }
+    }
+    true
+}
+
+/// Whether one direction keeps a stretch of the locked gear off one of the free gear.
+fn are_off_along(at: &FacingHalves, [locked, free]: [&Stretch; 2], n: C, margin: f64) -> bool {
+    let own = [0, 1].map(|k| n * at.directions[k].conj());
+    let (reach, _) = locked.bound(own[0]);
+    let (back, least) = free.bound(-own[1]);
+    let room = dot(at.centres[1] - at.centres[0], n) - reach - back;
+    at.stays_apart(room, least - along(at.centres[1], n), margin)
+}
+
+/// Whether the direction that keeps a chord of gear `owner` off `mate` also keeps the curve off, at any distance from the chord.
+fn holds_for_curve(
+    at: &FacingHalves,
+    owner: usize,
+    stretch: &Stretch,
+    mate: &Stretch,
+    proof: StretchProof,
+) -> bool {
+    let back = at.directions[owner].conj();
+    match proof {
+        // It holds between the directions of both ends if it holds for both.
+        StretchProof::Tangents(_) => mate.normals.iter().all(|n| {
+            let own = -(at.directions[1 - owner] * n) * back;
+            stretch.reaches_no_further(own)
+        }),
+        StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)) => {
+            let out = if owner == 0 { n } else { -n };
+            stretch.reaches_no_further(out * back)
+        }
+        // The disc of a chord is not that of the curve.
+        StretchProof::SeparatingDirection(SeparatingDirection::OutOfReach(_)) => false,
+    }
+}
+
+/// Whether a fillet of the locked gear stays off the disc of this radius, mm, about the free axis.
+pub(super) fn is_beyond(
+    at: &FacingHalves,
+    hollow: &Hollow,
+    radius: f64,
+    margin: f64,
+    (directions_tried, most): (&mut u32, u32),
+    record: &mut impl FnMut([f64; 2], C),
+) -> bool {
+    let mut open = hollow.stretches.clone();
+    while let Some(stretch) = open.pop() {
+        let chord = Convex::Chord(stretch.points);
+        match at.beyond(&chord, radius, margin + stretch.sag, directions_tried) {
+            Some(n) => record(stretch.ends, n),
+            None if *directions_tried > most => return false,
+            None => open.extend(hollow.halves(&stretch)),
+        }
+    }
+    true
 }
 
 #[cfg(test)]
@@ -660,7 +672,8 @@ mod tests {
         directions_tried: &mut u32,
     ) -> bool {
         let before = *directions_tried;
-        at.is_off_hollow(
+        is_off_hollow(
+            at,
             (0, hollow),
             (mate, C::ONE),
             1e-14,
@@ -766,14 +779,14 @@ mod tests {
                                 centres,
                                 ..facing(normal, centre)
                             };
-                            if !at.is_off_tangents((owner, &hollow), stretch, &mate, 1e-14) {
+                            if !is_off_tangents(&at, (owner, &hollow), stretch, &mate, 1e-14) {
                                 continue;
                             }
                             held += 1;
                             let [low, high] = stretch.ends;
                             for k in 0..=100 {
                                 let t = low + (high - low) * f64::from(k) / 100.0;
-                                let off = at.off_tangent(owner, hollow.curve.at(t), &mate);
+                                let off = off_tangent(&at, owner, hollow.curve.at(t), &mate);
                                 assert!(at.stays_apart(off.room, off.arm, 1e-14), "{k}: {off:?}");
                             }
                         }
@@ -920,7 +933,7 @@ mod tests {
                     play: 1e-3,
                     radius: 100.0,
                 };
-                let facing = at.out_of_locked(owner, n);
+                let facing = out_of_locked(&at, owner, n);
                 let chord = [q, q + m * turn(1.3 * part(83) - 2.0) * 0.3];
                 let ends = chord.map(|end| centres[1 - owner] + second * end);
                 let mut check = |both: bool, own: &[(C, C)], mate: &[C], by: usize, proof| {
@@ -931,7 +944,8 @@ mod tests {
                     let is_tangents = matches!(proof, StretchProof::Tangents(_));
                     compared[usize::from(both)][usize::from(is_tangents)] += 1;
                 };
-                at.is_off_hollow(
+                is_off_hollow(
+                    &at,
                     (owner, a),
                     (&Convex::Chord(chord), facing),
                     1e-14,
@@ -941,7 +955,8 @@ mod tests {
                     },
                 );
                 let hollows = if owner == 0 { [a, b] } else { [b, a] };
-                at.is_off_both(
+                is_off_both(
+                    &at,
                     (hollows, facing.arg()),
                     1e-14,
                     (&mut 0, 400),

@@ -17,7 +17,9 @@
 
 use super::convex::{Convex, Support, along};
 use super::facing_halves::{FacingHalves, SeparatingDirection};
-use super::hollow::{Hollow, StretchProof};
+use super::hollow::{
+    Hollow, StretchProof, is_beyond, is_off_both, is_off_chord, is_off_hollow, out_of_locked,
+};
 use super::proof::{Piece, Proof, Reason, Separation, SideProof, TouchProof};
 use crate::contact::Effort;
 use crate::contact::exact::{
@@ -644,9 +646,9 @@ impl<'a> SideProver<'a> {
     ) -> Result<(), NotProven> {
         let margin = self.prover.margin;
         self.directions_tried += 1;
-        if at.is_off_chord(owner, &hollow.whole, mate, margin) {
+        if is_off_chord(at, owner, &hollow.whole, mate, margin) {
             let pieces = ordered(owner, named(hollow.whole.ends), piece);
-            let n = at.out_of_locked(owner, hollow.whole.normal);
+            let n = out_of_locked(at, owner, hollow.whole.normal);
             self.record(step, pieces, Reason::Direction, n);
             return Ok(());
         }
@@ -655,7 +657,14 @@ impl<'a> SideProver<'a> {
         let mut record = |ends, proof| {
             self.record_stretch(step, owner, ordered(owner, named(ends), piece), proof);
         };
-        let is_off = at.is_off_hollow((owner, hollow), (mate, facing), margin, budget, &mut record);
+        let is_off = is_off_hollow(
+            at,
+            (owner, hollow),
+            (mate, facing),
+            margin,
+            budget,
+            &mut record,
+        );
         self.directions_tried = directions_tried;
         if is_off {
             Ok(())
@@ -683,7 +692,7 @@ impl<'a> SideProver<'a> {
         let margin = self.prover.margin;
         // A tip may face the middle of the land, a right angle and more from the direction that keeps the tops apart.
         let (low, high) = pair.placed[owner].range(ProfilePart::Root);
-        let across = pair.at.out_of_locked(owner, turn(-0.5 * (low + high)));
+        let across = out_of_locked(&pair.at, owner, turn(-0.5 * (low + high)));
         let apart = [nu, across.im.atan2(across.re)]
             .into_iter()
             .find_map(|start| {
@@ -743,7 +752,7 @@ impl<'a> SideProver<'a> {
             let pieces = [named(locked), Piece::Fillet(free)];
             self.record_stretch(step, owner, pieces, proof);
         };
-        let is_off = at.is_off_both(hollows, margin, budget, &mut record);
+        let is_off = is_off_both(at, hollows, margin, budget, &mut record);
         self.directions_tried = directions_tried;
         if is_off {
             Ok(())
@@ -769,7 +778,7 @@ impl<'a> SideProver<'a> {
                     let pieces = [Piece::Fillet(ends), Piece::Top];
                     self.record(step, pieces, Reason::OutOfReach, n);
                 };
-                let is_beyond = at.is_beyond(hollow, radius, margin, budget, &mut record);
+                let is_beyond = is_beyond(at, hollow, radius, margin, budget, &mut record);
                 self.directions_tried = directions_tried;
                 if !is_beyond {
                     return Err("a fillet is not shown to be out of reach");

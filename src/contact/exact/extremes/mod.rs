@@ -59,15 +59,8 @@ pub fn cycle_extremes(
     matings: u64,
     width: f64,
 ) -> Result<Extremes, Error> {
-    let effort = &Effort::of_extremes(assembly, &go_on);
-    cycle_extremes_within(
-        kernel,
-        assembly,
-        (first, matings),
-        width,
-        effort,
-        &End::BOTH,
-    )
+    let (over, effort) = ((first, matings), &Effort::of_extremes(assembly, &go_on));
+    cycle_extremes_within(kernel, assembly, over, width, effort, &End::BOTH)
 }
 
 /// Whether a quick test shows that no tip reaches a fillet or a root at any pose of the `assembly` of `kernel`, or at any greater centre

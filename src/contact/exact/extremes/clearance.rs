@@ -21,78 +21,67 @@ impl LinesAtDistances {
     }
 }
 
-impl TipAtFillet {
-    /// Lower bound of the free gear's further turn from the contact of the involutes to the contact of the corner with the fillet, rad;
-    /// negative if the corner may be first. It holds beside the room of the involutes and their ends.
-    ///
-    /// The locked half tooth is within `play` of the angle `at`. The two values are for the two distances of the outlines' centres in
-    /// `lines` ([`LinesAtDistances::new`]); between them the straight line holds. The stretch is
-    /// halved up to `halvings` times if they do not reach `enough`.
-    pub fn clearance(
-        &self,
-        (at, play): (f64, f64),
-        lines: &LinesAtDistances,
-        enough: f64,
-        halvings: u32,
-    ) -> [f64; 2] {
-        let [(low, _), (high, _)] = lines.0;
-        let cut = RefinedStretch {
-            tip: self,
-            lines,
-            bend: if high == low {
-                0.0
-            } else {
-                self.bend(low) * (high - low).powi(2)
-            },
-        };
-        let whole = cut.over(at, play);
-        cut.refined((at, play), whole, enough, halvings)
-    }
-
-    /// Whether the corner stays clear of the fillet of `mate` while the free gear has `room` more to the contact of the involutes. It must
-    /// hold at every distance between those of `lines` and every place of the locked half tooth within `play` of the angle `at`.
-    pub fn stays_clear(
-        &self,
-        mate: &HalfToothShape,
-        (at, play): (f64, f64),
-        LinesAtDistances(lines): &LinesAtDistances,
-        room: f64,
-    ) -> bool {
-        let [(low, _), (high, _)] = *lines;
-        let (locked, free) = (&self.locked, &self.free);
-        let bend = if high == low {
+/// Lower bound of the free gear's further turn from the contact of the involutes to the contact of the corner of `tip` with the fillet, rad;
+/// negative if the corner may be first. It holds beside the room of the involutes and their ends.
+///
+/// The locked half tooth is within `play` of the angle `at`. The two values are for the two distances of the outlines' centres in
+/// `lines` ([`LinesAtDistances::new`]); between them the straight line holds. The stretch is
+/// halved up to `halvings` times if they do not reach `enough`.
+pub(super) fn tip_clearance(
+    tip: &TipAtFillet,
+    (at, play): (f64, f64),
+    lines: &LinesAtDistances,
+    enough: f64,
+    halvings: u32,
+) -> [f64; 2] {
+    let [(low, _), (high, _)] = lines.0;
+    let cut = RefinedStretch {
+        tip,
+        lines,
+        bend: if high == low {
             0.0
         } else {
-            self.bend(low) * (high - low).powi(2)
-        };
-        let rate = -locked.base / free.base;
-        lines.iter().all(|(distance, line)| {
-            let path = |at: f64| {
-                let l = -turn(at);
-                let f = turn(self.gap(at, line) - (room + bend));
-                match self.owner {
-                    Role::Free => {
-                        let centre = C::from(*distance);
-                        CornerPath::of_free(f * free.corner, centre, l, *distance, rate)
-                    }
-                    Role::Locked => {
-                        CornerPath::of_locked(l * locked.corner, C::ZERO, f, *distance, rate)
-                    }
-                }
-            };
-            let margins = (1e-14 * distance, room + bend);
-            is_clear_over((at, play), 1.0, mate, self.deepest, margins, &path)
-        })
-    }
+            tip.bend(low) * (high - low).powi(2)
+        },
+    };
+    let whole = cut.over(at, play);
+    cut.refined((at, play), whole, enough, halvings)
+}
 
-    /// Curvature of `h/ρ` over the distance: of the gap cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
-    pub fn bend(&self, distance: f64) -> f64 {
-        let sum = self.locked.base + self.free.base;
-        let cos = sum / distance;
-        let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        let per_base = 1.0 / self.free.base;
-        cos * cos / (distance * sin) * per_base + (sin * per_base).powi(2)
-    }
+/// Whether the corner of `tip` stays clear of the fillet of `mate` while the free gear has `room` more to the contact of the involutes. It must
+/// hold at every distance between those of `lines` and every place of the locked half tooth within `play` of the angle `at`.
+pub(super) fn stays_clear(
+    tip: &TipAtFillet,
+    mate: &HalfToothShape,
+    (at, play): (f64, f64),
+    LinesAtDistances(lines): &LinesAtDistances,
+    room: f64,
+) -> bool {
+    let [(low, _), (high, _)] = *lines;
+    let (locked, free) = (&tip.locked, &tip.free);
+    let bend = if high == low {
+        0.0
+    } else {
+        tip.bend(low) * (high - low).powi(2)
+    };
+    let rate = -locked.base / free.base;
+    lines.iter().all(|(distance, line)| {
+        let path = |at: f64| {
+            let l = -turn(at);
+            let f = turn(tip.gap(at, line) - (room + bend));
+            match tip.owner {
+                Role::Free => {
+                    let centre = C::from(*distance);
+                    CornerPath::of_free(f * free.corner, centre, l, *distance, rate)
+                }
+                Role::Locked => {
+                    CornerPath::of_locked(l * locked.corner, C::ZERO, f, *distance, rate)
+                }
+            }
+        };
+        let margins = (1e-14 * distance, room + bend);
+        is_clear_over((at, play), 1.0, mate, tip.deepest, margins, &path)
+    })
 }
 
 /// A stretch of the locked gear's turn that is cut where its bound is too weak.
@@ -105,7 +94,7 @@ struct RefinedStretch<'a> {
 }
 
 impl RefinedStretch<'_> {
-    /// [`TipAtFillet::clearance`] with the value `whole` of the uncut stretch, cut at most `halvings` times.
+    /// [`tip_clearance`] with the value `whole` of the uncut stretch, cut at most `halvings` times.
     fn refined(
         &self,
         (at, play): (f64, f64),

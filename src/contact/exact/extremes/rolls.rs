@@ -2,7 +2,7 @@
 
 use super::super::line::Line;
 use super::super::separation::{land_roll, lowest_roll};
-use super::clearance::{HALVINGS, LinesAtDistances};
+use super::clearance::{HALVINGS, LinesAtDistances, stays_clear, tip_clearance};
 use super::mesh_cycle::{CycleSide, PARTS};
 
 /// Part of a turn that is examined together over a face of helical gears (tuned: no tip of 44 standard teeth seems to reach a fillet).
@@ -170,12 +170,12 @@ impl<'a> RollsOnLine<'a> {
             Some(lines) => {
                 let mate = self.side.mate(tip.owner);
                 let beyond = self.side.clearance_for(self.spread + BEYOND);
-                let clearance = |halvings| tip.clearance((at, play), lines, beyond, halvings);
+                let clearance = |halvings| tip_clearance(tip, (at, play), lines, beyond, halvings);
                 let is_beyond = |found: [f64; 2]| found[0].min(found[1]) >= beyond;
                 let found = clearance(HALVINGS_BEFORE_PATH);
                 let found = if is_beyond(found) {
                     found
-                } else if tip.stays_clear(mate, (at, play), lines, beyond) {
+                } else if stays_clear(tip, mate, (at, play), lines, beyond) {
                     [beyond; 2]
                 } else {
                     clearance(HALVINGS)

@@ -2,7 +2,7 @@
 
 use super::super::path::InvolutePair;
 use super::super::separation::{Separation, lowest_roll};
-use super::clearance::{HALVINGS, LinesAtDistances};
+use super::clearance::{HALVINGS, LinesAtDistances, tip_clearance};
 use super::corner_path;
 use super::fillet::{self, BorderTouch, OnFillet};
 use super::mesh_cycle::{CycleSide, FaceEnd, PARTS, PosedSide};
@@ -10,6 +10,7 @@ use super::rolls::PIECE;
 use super::room::{self, LinePiece, PairRoom};
 use super::table::{BesideLine, OpenStep};
 use super::tip_at_fillet::{FARTHEST, TipAtFillet};
+use super::tips_at_fillets_over_face::{InnerTouch, inner_touch};
 use crate::contact::Effort;
 
 /// Effort of the room of a step, nodes (tuned: 4000 cells of an ordinary pair take about 20 ms).
@@ -333,7 +334,7 @@ impl<'a> SideStretch<'a> {
         let clearance = there.map(|at| match &lines {
             Some(lines) => {
                 self.effort.spend(TIP_AT_FILLET);
-                let [a, b] = tip.clearance((at, play), lines, enough, HALVINGS);
+                let [a, b] = tip_clearance(tip, (at, play), lines, enough, HALVINGS);
                 a.min(b)
             }
             None => f64::NEG_INFINITY,
@@ -423,6 +424,66 @@ impl<'a> SideStretch<'a> {
                 places[0].1.max(places[1].1) + off,
             )),
         }
+    }
+
+    /// Adds the rooms of `tip` at `step`, whose endless involutes have `found` at both ends of the stretch; `false` if they are unknown.
+    fn add_tip_over_face(
+        &self,
+        step: OpenStep,
+        tip: &TipAtFillet,
+        found: &[Separation; 2],
+        rooms: &mut Vec<PairRoom>,
+    ) -> bool {
+        let mut own = Vec::new();
+        for face in &self.faces {
+            let ends = self.stretch.map(|at| face.posed.after(at));
+            let there = step.step + face.steps;
+            let places = self.places(&ends, there);
+            if tip.may_be_below_form(places.at, places.play) {
+                let near = self.gaps(&ends, there);
+                let Some(room) = self.on_fillet(&ends, there, tip, near) else {
+                    return false;
+                };
+                own.push(room);
+            }
+        }
+        let ends = [0, 1].map(|k| inner_touch(&self.ends[k], step.step, tip, found[k].gap));
+        match ends {
+            [Some(None), Some(None)] => {}
+            [Some(Some(a)), Some(Some(b))] => {
+                let [from, to] = self.side.turns;
+                let play = (a.turn - b.turn).abs() + self.plays()[0];
+                let (low, high) = (a.turn.min(b.turn), a.turn.max(b.turn));
+                if high + play >= from && low - play <= to {
+                    let slack = self.slack([a, b], found);
+                    let room = [(0, a), (1, b)].map(|(k, touch)| self.ends[k].room(touch.gap));
+                    let lower = PairRoom::straight(room.map(|room| room - slack));
+                    let all = low - play >= from && high + play <= to;
+                    let upper = room.map(|room| room + slack);
+                    own.push(lower.within(all.then_some(upper)));
+                }
+            }
+            _ => return false,
+        }
+        rooms.append(&mut own);
+        true
+    }
+
+    /// Greatest difference of the room from the straight line between both ends, rad.
+    fn slack(&self, touches: [InnerTouch; 2], found: &[Separation; 2]) -> f64 {
+        let [a, b] = touches;
+        let problem = self.side.problem;
+        let angles = [problem.locked.pitch, problem.free.pitch].map(|pitch| pitch * self.width());
+        // The distance is a sine of each eccentricity.
+        let bent: f64 = [0, 1]
+            .map(|k| self.side.off[k] * angles[k] * angles[k] / 8.0)
+            .iter()
+            .sum();
+        let moved = (a.distance - b.distance).abs() + bent;
+        let bend = a.bend.max(b.bend);
+        let slope = a.slope.max(b.slope) + bend * moved;
+        let involutes = self.bend(found).unwrap_or(f64::INFINITY) / 8.0;
+        involutes + bend * moved * moved / 8.0 + slope * bent + self.rounding()
     }
 }
 

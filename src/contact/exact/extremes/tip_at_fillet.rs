@@ -4,7 +4,7 @@
 //! chords are outside the metal. Take a point with a radius between those of a chord's ends. It is clear while it is in front of the
 //! chord's line, and of the lines of all radii that it passes. Let the pair touch on the line of action, or where its extended involutes
 //! would. Let `h` be the distance of the corner from the chord's line there, and `ρ` the radius about the free axis. Then the free gear has
-//! to turn by at least `h/ρ` more until the corner meets the fillet. [`TipAtFillet::clearance`] bounds this.
+//! to turn by at least `h/ρ` more until the corner meets the fillet. [`tip_clearance`](super::clearance::tip_clearance) bounds this.
 //!
 //! Two centred gears with the outlines' centre distance `d` represent any pose. The gap of the involutes is `μ = (Σ α − T − r_bL (λ −
 //! ψ_bL))/r_bF + ψ_bF`. With `i = r_bL/r_bF` and growing `λ`, the acceleration of a free corner in the mate's frame is at most `d + (1 +
@@ -134,6 +134,15 @@ impl TipAtFillet {
             - locked.base * (at - locked.half_base))
             / free.base
             + free.half_base
+    }
+
+    /// Curvature of `h/ρ` over the distance: of the gap cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
+    pub fn bend(&self, distance: f64) -> f64 {
+        let sum = self.locked.base + self.free.base;
+        let cos = sum / distance;
+        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+        let per_base = 1.0 / self.free.base;
+        cos * cos / (distance * sin) * per_base + (sin * per_base).powi(2)
     }
 
     /// The corner at a centre distance with its line of action, while the locked half tooth is within `play` of the angle `at`.

@@ -15,13 +15,9 @@ use super::super::deepest::deepest;
 use super::super::line::Line;
 use super::super::path::InvolutePair;
 use super::super::placed::Role;
-use super::super::separation::Separation;
 use super::super::shape::{C, HalfToothShape};
 use super::super::teeth::reduced;
 use super::mesh_cycle::PosedSide;
-use super::room::PairRoom;
-use super::side_stretch::SideStretch;
-use super::table::OpenStep;
 use super::tip_at_fillet::TipAtFillet;
 
 /// Rounds in which the free gear's own eccentricity converges: each leaves at most a hundredth.
@@ -29,82 +25,20 @@ const ROUNDS: usize = 6;
 
 /// The touch between the ends of the face, at one end of a stretch.
 #[derive(Debug, Clone, Copy)]
-struct InnerTouch {
+pub(super) struct InnerTouch {
     /// Angle of the locked half tooth there relative to the measuring plane, rad.
-    turn: f64,
+    pub turn: f64,
     /// The gap of the touch.
-    gap: f64,
-    distance: f64,
+    pub gap: f64,
+    pub distance: f64,
     /// `|dG/dd|` and a bound of its change with `d`.
-    slope: f64,
-    bend: f64,
-}
-
-impl SideStretch<'_> {
-    /// Adds the rooms of `tip` at `step`, whose endless involutes have `found` at both ends of the stretch; `false` if they are unknown.
-    pub fn add_tip_over_face(
-        &self,
-        step: OpenStep,
-        tip: &TipAtFillet,
-        found: &[Separation; 2],
-        rooms: &mut Vec<PairRoom>,
-    ) -> bool {
-        let mut own = Vec::new();
-        for face in &self.faces {
-            let ends = self.stretch.map(|at| face.posed.after(at));
-            let there = step.step + face.steps;
-            let places = self.places(&ends, there);
-            if tip.may_be_below_form(places.at, places.play) {
-                let near = self.gaps(&ends, there);
-                let Some(room) = self.on_fillet(&ends, there, tip, near) else {
-                    return false;
-                };
-                own.push(room);
-            }
-        }
-        let ends = [0, 1].map(|k| between(&self.ends[k], step.step, tip, found[k].gap));
-        match ends {
-            [Some(None), Some(None)] => {}
-            [Some(Some(a)), Some(Some(b))] => {
-                let [from, to] = self.side.turns;
-                let play = (a.turn - b.turn).abs() + self.plays()[0];
-                let (low, high) = (a.turn.min(b.turn), a.turn.max(b.turn));
-                if high + play >= from && low - play <= to {
-                    let slack = self.slack([a, b], found);
-                    let room = [(0, a), (1, b)].map(|(k, touch)| self.ends[k].room(touch.gap));
-                    let lower = PairRoom::straight(room.map(|room| room - slack));
-                    let all = low - play >= from && high + play <= to;
-                    let upper = room.map(|room| room + slack);
-                    own.push(lower.within(all.then_some(upper)));
-                }
-            }
-            _ => return false,
-        }
-        rooms.append(&mut own);
-        true
-    }
-
-    /// Greatest difference of the room from the straight line between both ends, rad.
-    fn slack(&self, touches: [InnerTouch; 2], found: &[Separation; 2]) -> f64 {
-        let [a, b] = touches;
-        let problem = self.side.problem;
-        let angles = [problem.locked.pitch, problem.free.pitch].map(|pitch| pitch * self.width());
-        // The distance is a sine of each eccentricity.
-        let bent: f64 = [0, 1]
-            .map(|k| self.side.off[k] * angles[k] * angles[k] / 8.0)
-            .iter()
-            .sum();
-        let moved = (a.distance - b.distance).abs() + bent;
-        let bend = a.bend.max(b.bend);
-        let slope = a.slope.max(b.slope) + bend * moved;
-        let involutes = self.bend(found).unwrap_or(f64::INFINITY) / 8.0;
-        involutes + bend * moved * moved / 8.0 + slope * bent + self.rounding()
-    }
+    pub slope: f64,
+    pub bend: f64,
 }
 
 /// The touch of `tip` at `step` for the centres of a pose, searched near the involutes' gap `near`, if there is one; `None` if that is
 /// unknown, or there are several.
-fn between(
+pub(super) fn inner_touch(
     posed: &PosedSide,
     step: i64,
     tip: &TipAtFillet,

@@ -45,7 +45,7 @@ pub use outline::{OutlineCertifier, OutlineKernel};
 pub use outline_contact::{ContactNotConfirmed, SearchExhausted};
 pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
-pub(crate) use pair_at_distance::reach;
+pub(crate) use pair_at_distance::{BRACKET_WIDTH, reach, root_of_play};
 pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use pose_result::{
     FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose,

@@ -1,14 +1,11 @@
 //! The centre distance at which the worst pose of a pair as built has no play.
 
 use crate::analytic::limits;
-use crate::contact::{PairAtDistance, reach};
+use crate::contact::{BRACKET_WIDTH, PairAtDistance, root_of_play};
 use crate::error::{Error, Tick};
 use crate::numeric::{rank, try_bisect};
 use crate::pair::{GearPair, Mating};
 
-/// Width of the bracket of a centre distance, mm: a tenth of the tolerance of a met limit. The rounding of `j_bn` is a
-/// few 1e-13 mm, so the sign at its ends is certain.
-const WIDTH: f64 = 1e-10;
 /// Accuracy of a rotation, pitches: play changes by less than a module per pitch.
 const PITCHES: f64 = 1e-9;
 /// Steps in which the rotation descends, pitches (tuned: as a default sweep).
@@ -21,7 +18,7 @@ const STEPS_BESIDE: usize = 100;
 /// Maximum restarts from a lower pose.
 const ROUNDS: usize = 16;
 /// Play that counts as zero, mm: the remainder of the bracket of a distance.
-const NO_PLAY: f64 = 0.1 * WIDTH;
+const NO_PLAY: f64 = 0.1 * BRACKET_WIDTH;
 
 /// `a_0` of a pair as built, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +59,8 @@ pub fn zero_distance(
     };
     let guess = limits::zero_backlash_distance(assembly);
     let guess = guess.unwrap_or(assembly.center_distance());
-    let Some(bracket) = root(assembly, guess, |distance| least_of(matings, distance))? else {
+    let Some(bracket) = root_of_play(assembly, guess, |distance| least_of(matings, distance))?
+    else {
         return Ok(None);
     };
     let plays = as_assembled.at(bracket[0])?.plays(matings)?;
@@ -74,13 +72,13 @@ pub fn zero_distance(
     let (mut last, mut worst) = (bracket, matings[first]);
     // Continues with a pose whose root is at a greater distance. Returns whether it is greater by more than a bracket's width.
     let go_on = |last: &mut [f64; 2], worst: &mut Mating, one: Mating| -> Result<_, Error> {
-        let next = root(assembly, last[0], |distance| least_of(&[one], distance))?;
+        let next = root_of_play(assembly, last[0], |distance| least_of(&[one], distance))?;
         Ok(next.map(|next| {
             let farther = next[0] - last[0];
             if farther > 0.0 {
                 (*last, *worst) = (next, one);
             }
-            farther > WIDTH
+            farther > BRACKET_WIDTH
         }))
     };
     for _ in 0..ROUNDS {
@@ -117,26 +115,6 @@ pub fn zero_distance(
         pose: matings[first],
         teeth,
     }))
-}
-
-impl PairAtDistance {
-    /// The centre distance, mm, at which the pose of `mating` has no play. The result is a bracket at most 1e-10 mm
-    /// wide with negative play at its first end and none at its second. `guess`, mm, is the start of the search.
-    ///
-    /// The mating defines a pose at every distance ([`crate::pair::Pose`]). `None` without a root between touching base
-    /// circles and tips that pass each other.
-    ///
-    /// # Errors
-    /// A lost contact.
-    pub fn play_free_distance(
-        &self,
-        guess: f64,
-        mating: &Mating,
-    ) -> Result<Option<[f64; 2]>, Error> {
-        root(self.assembly(), guess, |distance| {
-            self.at(distance)?.play(mating)
-        })
-    }
 }
 
 /// Indices of values not above their neighbours in the list, the lowest first.
@@ -245,76 +223,6 @@ fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mati
     Ok((best, start.onward(assembly, place)))
 }
 
-/// Bracket, at most [`WIDTH`] wide, of the sign change of `play`, which rises with the centre distance.
-///
-/// `play` has the slope `2 sin α_wt` while involutes touch. The first steps use that; then the bracket shrinks by
-/// secants, or by halving if they do not halve it.
-fn root(
-    assembly: &GearPair,
-    guess: f64,
-    play: impl Fn(f64) -> Result<f64, Error>,
-) -> Result<Option<[f64; 2]>, Error> {
-    let [nearest, farthest] = reach(assembly);
-    let start = guess.clamp(nearest, farthest);
-    let slope = 2.0 * assembly.at(start)?.operating_pressure_angle().sin();
-    let module = assembly.gear(assembly.free()).gear().basic_data().module();
-    let value = play(start)?;
-    // (distance, play) with play below zero, and not below zero.
-    let (mut low, mut high) = ((nearest, f64::NAN), (farthest, f64::NAN));
-    let mut known = (start, value);
-    let mut stride = if value.is_finite() {
-        value.abs() / slope + 0.4 * WIDTH
-    } else {
-        0.1 * module
-    };
-    while low.1.is_nan() || high.1.is_nan() {
-        let towards = if known.1 < 0.0 {
-            low = known;
-            known.0 + stride
-        } else {
-            high = known;
-            known.0 - stride
-        };
-        if !low.1.is_nan() && !high.1.is_nan() {
-            break;
-        }
-        if !(nearest..=farthest).contains(&towards) {
-            return Ok(None);
-        }
-        known = (towards, play(towards)?);
-        stride *= 2.0;
-    }
-    let mut halve = false;
-    while high.0 - low.0 > WIDTH {
-        let width = high.0 - low.0;
-        let secant = low.0 - low.1 * width / (high.1 - low.1);
-        // Past the root by a part of the requested width, on the far side of the nearer end: that closes the bracket.
-        let nudge = if secant - low.0 < 0.5 * width {
-            0.4 * WIDTH
-        } else {
-            -0.4 * WIDTH
-        };
-        let inside = |x: f64| x > low.0 && x < high.0;
-        let middle = 0.5 * (low.0 + high.0);
-        let next = if halve || !secant.is_finite() || !inside(secant + nudge) {
-            middle
-        } else {
-            secant + nudge
-        };
-        if !inside(next) {
-            break;
-        }
-        let value = play(next)?;
-        if value < 0.0 {
-            low = (next, value);
-        } else {
-            high = (next, value);
-        }
-        halve = high.0 - low.0 > 0.5 * width;
-    }
-    Ok(Some([low.0, high.0]))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -354,14 +262,14 @@ mod tests {
                         0.7 * over + bend * over.max(0.0)
                     })
                 };
-                let [low, high] = root(&pair, guess, play).unwrap().unwrap();
+                let [low, high] = root_of_play(&pair, guess, play).unwrap().unwrap();
                 let case = format!("{name} at {root_at} from {guess}: {low} {high}");
                 assert!(low < root_at && root_at <= high, "{case}");
-                assert!(high - low <= WIDTH, "{case}");
+                assert!(high - low <= BRACKET_WIDTH, "{case}");
             }
         }
         for play in [1.0, -1.0] {
-            assert_eq!(root(&pair, 40.0, |_| Ok(play)).unwrap(), None);
+            assert_eq!(root_of_play(&pair, 40.0, |_| Ok(play)).unwrap(), None);
         }
     }
 }

@@ -146,14 +146,15 @@ impl Population {
         Member::BOTH.map(|member| {
             let share = shares[member as usize];
             let scatter = self.scatters.of(member);
-            scatter.draw(&self.pair, member, share, stream)
+            draw_gear(scatter, &self.pair, member, share, stream)
         })
     }
 
     /// Leads of right and left flanks on top of the pair's in the assembly of `draw`; `None` where none scatter.
     pub fn leads(&self, draw: Draw, member: Member) -> Option<[Lead; 2]> {
         let lead = self.scatters.of(member).lead.as_ref()?;
-        Some(lead.draw(draw.stream(Factor::Lead(member).quantity())))
+        let stream = draw.stream(Factor::Lead(member).quantity());
+        Some(draw_leads(lead, stream))
     }
 
     /// Shares of the thicknesses of wheel and pinion in their distributions.
@@ -181,49 +182,47 @@ impl Population {
     }
 }
 
-impl GearScatter {
-    /// One gear of `pair` in another assembly, with its thickness at `share` of the distribution.
-    fn draw(
-        &self,
-        pair: &AssembledPair,
-        member: Member,
-        share: f64,
-        stream: &dyn Fn(Factor) -> Stream,
-    ) -> GearChange {
-        let teeth = pair.teeth(member);
-        let whole = self.gears.as_ref().map(|gears| {
-            let index = stream(Factor::Gear(member)).uniform() * gears.len() as f64;
-            &gears[(index as usize).min(gears.len() - 1)]
-        });
-        let is_open = whole.map_or(pair.any_direction(member), AsBuilt::any_direction);
-        let eccentricity = whole.map_or(pair.eccentricity(member), AsBuilt::eccentricity);
-        let per_tooth = self.per_tooth.as_ref().map(|scatter| {
-            let mut each = stream(Factor::PerTooth(member));
-            (0..teeth).map(|_| scatter.at(each.uniform())).collect()
-        });
-        let lead = self.lead.as_ref();
-        GearChange {
-            whole: whole.cloned(),
-            thicker: self.thickness.as_ref().map(|scatter| scatter.at(share)),
-            per_tooth: per_tooth.unwrap_or_default(),
-            pitch: self.pitch.map(|sigma| {
-                let mut each = stream(Factor::Pitch(member));
-                single_pitches(sigma, teeth, &mut each)
-            }),
-            leads: lead.map(|lead| lead.draw(stream(Factor::Lead(member)))),
-            wobble: self.wobble.as_ref().map(|scatter| {
-                let mut wobble = stream(Factor::Wobble(member));
-                let lean = scatter.at(wobble.uniform());
-                [lean, any_tooth(teeth, wobble.uniform())]
-            }),
-            runout: (is_open || self.runout.is_some()).then(|| {
-                let mut runout = stream(Factor::Runout(member));
-                let amount = runout.uniform();
-                let scatter = self.runout.as_ref();
-                let eccentricity = scatter.map_or(eccentricity, |scatter| 0.5 * scatter.at(amount));
-                (eccentricity, Some(any_tooth(teeth, runout.uniform())))
-            }),
-        }
+/// One gear of `pair`, whose scatters are `own`, in another assembly, with its thickness at `share` of the distribution.
+fn draw_gear(
+    own: &GearScatter,
+    pair: &AssembledPair,
+    member: Member,
+    share: f64,
+    stream: &dyn Fn(Factor) -> Stream,
+) -> GearChange {
+    let teeth = pair.teeth(member);
+    let whole = own.gears.as_ref().map(|gears| {
+        let index = stream(Factor::Gear(member)).uniform() * gears.len() as f64;
+        &gears[(index as usize).min(gears.len() - 1)]
+    });
+    let is_open = whole.map_or(pair.any_direction(member), AsBuilt::any_direction);
+    let eccentricity = whole.map_or(pair.eccentricity(member), AsBuilt::eccentricity);
+    let per_tooth = own.per_tooth.as_ref().map(|scatter| {
+        let mut each = stream(Factor::PerTooth(member));
+        (0..teeth).map(|_| scatter.at(each.uniform())).collect()
+    });
+    let lead = own.lead.as_ref();
+    GearChange {
+        whole: whole.cloned(),
+        thicker: own.thickness.as_ref().map(|scatter| scatter.at(share)),
+        per_tooth: per_tooth.unwrap_or_default(),
+        pitch: own.pitch.map(|sigma| {
+            let mut each = stream(Factor::Pitch(member));
+            single_pitches(sigma, teeth, &mut each)
+        }),
+        leads: lead.map(|lead| draw_leads(lead, stream(Factor::Lead(member)))),
+        wobble: own.wobble.as_ref().map(|scatter| {
+            let mut wobble = stream(Factor::Wobble(member));
+            let lean = scatter.at(wobble.uniform());
+            [lean, any_tooth(teeth, wobble.uniform())]
+        }),
+        runout: (is_open || own.runout.is_some()).then(|| {
+            let mut runout = stream(Factor::Runout(member));
+            let amount = runout.uniform();
+            let scatter = own.runout.as_ref();
+            let eccentricity = scatter.map_or(eccentricity, |scatter| 0.5 * scatter.at(amount));
+            (eccentricity, Some(any_tooth(teeth, runout.uniform())))
+        }),
     }
 }
 
@@ -232,13 +231,11 @@ fn any_tooth(teeth: u32, share: f64) -> f64 {
     1.0 + f64::from(teeth) * share
 }
 
-impl LeadScatter {
-    /// Leads of right and left flanks.
-    fn draw(&self, mut stream: Stream) -> [Lead; 2] {
-        let mut both = |scatter: &Option<Scatter>| each_at([scatter.as_ref(); 2], &mut stream);
-        let (slopes, crownings) = (both(&self.slope), both(&self.crowning));
-        [0, 1].map(|flank| self.with(slopes[flank], crownings[flank]))
-    }
+/// Leads of right and left flanks.
+fn draw_leads(own: &LeadScatter, mut stream: Stream) -> [Lead; 2] {
+    let mut both = |scatter: &Option<Scatter>| each_at([scatter.as_ref(); 2], &mut stream);
+    let (slopes, crownings) = (both(&own.slope), both(&own.crowning));
+    [0, 1].map(|flank| own.with(slopes[flank], crownings[flank]))
 }
 
 /// One value of each scatter, 0 without one. An absent scatter takes its random number too, so that each keeps its own.

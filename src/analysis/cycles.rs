@@ -14,7 +14,7 @@ use crate::contact::{
     PROVEN_WIDTH_DRAWN, Status, cycle_extremes_within,
 };
 use crate::error::{Error, Tick, go_on};
-use crate::gear::{Side, thickness};
+use crate::gear::{Side, has_different_teeth, thickness};
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{FaceDeviation, GearPair, Mating, Member, SweepPlan, ToothNumbers};
 
@@ -226,7 +226,7 @@ impl CyclePair for GearPair {
 
     /// An eccentricity alone, in any direction, keeps all teeth equal.
     fn deviate(&self) -> [bool; 2] {
-        Member::BOTH.map(|one| self.gear(one).centred().has_different_teeth())
+        Member::BOTH.map(|one| has_different_teeth(&self.gear(one).centred()))
     }
 
     fn effort_of_remedy<'t>(&self, cycle: &Planned<'t>) -> Effort<'t> {

@@ -23,111 +23,112 @@ pub struct EccentricitySeparation {
 /// Most corrections of the eccentricity. Each leaves about `e/r` of the error: an eccentricity of a tenth of the radius needs a dozen.
 const MOST_CORRECTIONS: usize = 50;
 
-impl Pitch {
-    /// Separates datum-axis data of `gear`, one value per tooth and flank, into own pitch and eccentricity.
-    ///
-    /// # Errors
-    /// [`GearError::WrongLength`]; [`GearError::DatumPitch`] when no eccentricity explains the data.
-    pub fn separate_eccentricity(&self, gear: &Gear) -> Result<EccentricitySeparation, GearError> {
-        self.remove_eccentricity(gear, Vector2::zeros(), true)
-    }
+/// Separates datum-axis data `pitch` of `gear`, one value per tooth and flank, into own pitch and eccentricity.
+///
+/// # Errors
+/// [`GearError::WrongLength`]; [`GearError::DatumPitch`] when no eccentricity explains the data.
+pub fn separate_eccentricity(
+    pitch: &Pitch,
+    gear: &Gear,
+) -> Result<EccentricitySeparation, GearError> {
+    remove_eccentricity(pitch, gear, Vector2::zeros(), true)
+}
 
-    /// Datum-axis data of `gear` without the exact effect of a known `eccentricity`, mm, towards `high_tooth`.
-    ///
-    /// The rest, including a first harmonic, is the gear's own pitch.
-    ///
-    /// # Errors
-    /// As [`Pitch::separate_eccentricity`].
-    pub fn without_eccentricity(
-        &self,
-        gear: &Gear,
-        eccentricity: f64,
-        high_tooth: f64,
-    ) -> Result<Pitch, GearError> {
-        let (sin, cos) = ((high_tooth - 1.0) * gear.basic_data().angular_pitch()).sin_cos();
-        let known = eccentricity * Vector2::new(cos, sin);
-        Ok(self.remove_eccentricity(gear, known, false)?.pitch)
-    }
+/// Datum-axis data `pitch` of `gear` without the exact effect of a known `eccentricity`, mm, towards `high_tooth`.
+///
+/// The rest, including a first harmonic, is the gear's own pitch.
+///
+/// # Errors
+/// As [`separate_eccentricity`].
+pub fn without_eccentricity(
+    pitch: &Pitch,
+    gear: &Gear,
+    eccentricity: f64,
+    high_tooth: f64,
+) -> Result<Pitch, GearError> {
+    let (sin, cos) = ((high_tooth - 1.0) * gear.basic_data().angular_pitch()).sin_cos();
+    let known = eccentricity * Vector2::new(cos, sin);
+    Ok(remove_eccentricity(pitch, gear, known, false)?.pitch)
+}
 
-    /// Removes the eccentricity `e` from the data. If `is_sought`, corrects `e` until no sine is left.
-    fn remove_eccentricity(
-        &self,
-        gear: &Gear,
-        mut e: Vector2<f64>,
-        is_sought: bool,
-    ) -> Result<EccentricitySeparation, GearError> {
-        let teeth = gear.basic_data().teeth();
-        for side in Flank::BOTH {
-            let found = self.flank(side).len();
-            if found != teeth as usize {
-                return Err(GearError::WrongLength {
-                    what: "pitch",
-                    found,
-                    teeth,
-                });
-            }
+/// Removes the eccentricity `e` from the data `pitch`. If `is_sought`, corrects `e` until no sine is left.
+fn remove_eccentricity(
+    pitch: &Pitch,
+    gear: &Gear,
+    mut e: Vector2<f64>,
+    is_sought: bool,
+) -> Result<EccentricitySeparation, GearError> {
+    let teeth = gear.basic_data().teeth();
+    for side in Flank::BOTH {
+        let found = pitch.flank(side).len();
+        if found != teeth as usize {
+            return Err(GearError::WrongLength {
+                what: "pitch",
+                found,
+                teeth,
+            });
         }
-        // Rounding of the readings is some ulps of the radius; no correction falls below it.
-        let settled = 1e-13 * gear.basic_data().reference_radius();
-        // The curves of a sheet count from their own means: these are the offsets of the readings.
-        let mut means = [0.0; 2];
-        for _ in 0..MOST_CORRECTIONS {
-            let mut own = [Vec::new(), Vec::new()];
-            let mut correction = Vector2::zeros();
-            let mut drift: f64 = 0.0;
-            for (i, side) in Flank::BOTH.into_iter().enumerate() {
-                let (deviations, left) = self.without(gear, side, e, means[i])?;
-                let mean = deviations.iter().sum::<f64>() / f64::from(teeth);
-                means[i] -= mean;
-                drift = drift.max(mean.abs());
-                correction += left;
-                own[i] = deviations;
-            }
-            if !is_sought {
-                correction = Vector2::zeros();
-            }
-            e += correction;
-            if correction.norm() <= settled && drift <= settled {
-                return Ok(EccentricitySeparation {
-                    pitch: Pitch::from_cumulative(&own[0], &own[1]),
-                    eccentricity: e.norm(),
-                    high_tooth: gear.basic_data().tooth_towards(e.y.atan2(e.x)),
-                });
-            }
-        }
-        Err(GearError::DatumPitch(
-            "no eccentricity explains these datum-axis pitch deviations",
-        ))
     }
+    // Rounding of the readings is some ulps of the radius; no correction falls below it.
+    let settled = 1e-13 * gear.basic_data().reference_radius();
+    // The curves of a sheet count from their own means: these are the offsets of the readings.
+    let mut means = [0.0; 2];
+    for _ in 0..MOST_CORRECTIONS {
+        let mut own = [Vec::new(), Vec::new()];
+        let mut correction = Vector2::zeros();
+        let mut drift: f64 = 0.0;
+        for (i, side) in Flank::BOTH.into_iter().enumerate() {
+            let (deviations, left) = without(pitch, gear, side, e, means[i])?;
+            let mean = deviations.iter().sum::<f64>() / f64::from(teeth);
+            means[i] -= mean;
+            drift = drift.max(mean.abs());
+            correction += left;
+            own[i] = deviations;
+        }
+        if !is_sought {
+            correction = Vector2::zeros();
+        }
+        e += correction;
+        if correction.norm() <= settled && drift <= settled {
+            return Ok(EccentricitySeparation {
+                pitch: Pitch::from_cumulative(&own[0], &own[1]),
+                eccentricity: e.norm(),
+                high_tooth: gear.basic_data().tooth_towards(e.y.atan2(e.x)),
+            });
+        }
+    }
+    Err(GearError::DatumPitch(
+        "no eccentricity explains these datum-axis pitch deviations",
+    ))
+}
 
-    /// The deviations of one flank after removing the eccentricity `e`, and the rest of the sine pattern in them.
-    ///
-    /// The pattern of `e = (e_x, e_y)` is `F = (e_y cos(ψ ∓ α) − e_x sin(ψ ∓ α))/cos α`, right flanks with
-    /// `−α`, left with `+α`. Over equally spaced teeth its normal matrix, both flanks together, is
-    /// `z/cos² α` times unity (z ≥ 3).
-    fn without(
-        &self,
-        gear: &Gear,
-        side: Flank,
-        e: Vector2<f64>,
-        mean: f64,
-    ) -> Result<(Vec<f64>, Vector2<f64>), GearError> {
-        let basic_data = gear.basic_data();
-        let alpha = basic_data.transverse_pressure_angle();
-        // Ascending numbers count positive here: right flanks are ahead of their tooth.
-        let ahead = -side.sense();
-        let half = gear.half_angle_at_roll(alpha.tan());
-        let mut own = Vec::new();
-        let mut left = Vector2::zeros();
-        for (index, reading) in self.flank(side).iter().enumerate() {
-            let place = index as f64 * basic_data.angular_pitch() + ahead * half;
-            let deviation = own_deviation(gear, ahead, place, reading + mean, e)?;
-            let (sin, cos) = (place - ahead * alpha).sin_cos();
-            left += Vector2::new(-sin, cos) * deviation;
-            own.push(deviation);
-        }
-        Ok((own, left * alpha.cos() / f64::from(basic_data.teeth())))
+/// The deviations of one flank after removing the eccentricity `e`, and the rest of the sine pattern in them.
+///
+/// The pattern of `e = (e_x, e_y)` is `F = (e_y cos(ψ ∓ α) − e_x sin(ψ ∓ α))/cos α`, right flanks with
+/// `−α`, left with `+α`. Over equally spaced teeth its normal matrix, both flanks together, is
+/// `z/cos² α` times unity (z ≥ 3).
+fn without(
+    pitch: &Pitch,
+    gear: &Gear,
+    side: Flank,
+    e: Vector2<f64>,
+    mean: f64,
+) -> Result<(Vec<f64>, Vector2<f64>), GearError> {
+    let basic_data = gear.basic_data();
+    let alpha = basic_data.transverse_pressure_angle();
+    // Ascending numbers count positive here: right flanks are ahead of their tooth.
+    let ahead = -side.sense();
+    let half = gear.half_angle_at_roll(alpha.tan());
+    let mut own = Vec::new();
+    let mut left = Vector2::zeros();
+    for (index, reading) in pitch.flank(side).iter().enumerate() {
+        let place = index as f64 * basic_data.angular_pitch() + ahead * half;
+        let deviation = own_deviation(gear, ahead, place, reading + mean, e)?;
+        let (sin, cos) = (place - ahead * alpha).sin_cos();
+        left += Vector2::new(-sin, cos) * deviation;
+        own.push(deviation);
     }
+    Ok((own, left * alpha.cos() / f64::from(basic_data.teeth())))
 }
 
 /// Most steps of either iteration: any possible eccentricity needs a few.

@@ -14,14 +14,12 @@ pub struct Inspection {
     runout: Vec<f64>,
 }
 
-impl AsBuilt {
-    /// Whether the teeth differ: a flank is off its place, the gear is eccentric or wobbles, or profiles or leads differ.
-    pub fn has_different_teeth(&self) -> bool {
-        Inspection::of(self).deviates()
-            || self.wobble() != 0.0
-            || self.has_different_profiles()
-            || !self.has_one_lead()
-    }
+/// Whether the teeth of `gear` differ: a flank is off its place, the gear is eccentric or wobbles, or profiles or leads differ.
+pub fn has_different_teeth(gear: &AsBuilt) -> bool {
+    Inspection::of(gear).deviates()
+        || gear.wobble() != 0.0
+        || gear.has_different_profiles()
+        || !gear.has_one_lead()
 }
 
 impl Inspection {

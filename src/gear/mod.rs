@@ -32,7 +32,7 @@ mod test_gears;
 pub mod thickness;
 
 pub use as_built::{AsBuilt, Deviations};
-pub use datum::EccentricitySeparation;
+pub use datum::{EccentricitySeparation, separate_eccentricity, without_eccentricity};
 pub use design::{BasicGearData, BasicRack, GearDesign, Hand};
 pub use deviation_curve::DeviationCurve;
 pub use din_3967::{DIN_3967_SOURCE, ThicknessField};
@@ -41,7 +41,7 @@ pub use fillet::Fillet;
 pub use gear::Gear;
 pub use grade::{GRADE_SOURCE, GRADES, Grade, GradedQuantity};
 pub use half_tooth::{HalfTooth, Profile, Segment};
-pub use inspection::Inspection;
+pub use inspection::{Inspection, has_different_teeth};
 pub use lead::{EndRelief, Lead};
 pub use modification::{Modification, Relief, Trace};
 pub use part::{Circle, Cubic, Line, ModifiedFlank, Part, PartCurve, ProfilePart};

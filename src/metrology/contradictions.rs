@@ -8,7 +8,7 @@ use super::flank_correlation::{
 use super::pitch_statement::{EccentricitySource, PitchStatement};
 use super::settle::Flanks;
 use super::thickness_statement::ThicknessStatement;
-use crate::gear::{Deviations, Flank, Pitch, Spans, range};
+use crate::gear::{Deviations, Flank, Pitch, Spans, range, separate_eccentricity};
 
 /// Below this probability, opposed flanks count as reversed. Tuned: of unrelated curves, white or random walks, at most 2 in
 /// 4000 were suspected. Curves with common waves up to 5 µm, noise of ±1 µm and one reversed flank: 84 % were found at
@@ -106,8 +106,7 @@ fn looks_reversed(
 ) -> bool {
     let other = measured.clone().read_as_material();
     let other_own = if is_datum {
-        other
-            .separate_eccentricity(flanks.gears.most())
+        separate_eccentricity(&other, flanks.gears.most())
             .ok()
             .map(|parts| parts.pitch)
     } else {
@@ -148,7 +147,7 @@ fn looks_reversed(
 fn eccentricities(measured: &Pitch, flanks: &Flanks) -> Option<[f64; 2]> {
     let note = flanks.eccentricity.as_ref()?;
     let turned = measured.clone().read_as_material();
-    let turned = turned.separate_eccentricity(flanks.gears.most()).ok()?;
+    let turned = separate_eccentricity(&turned, flanks.gears.most()).ok()?;
     Some([1000.0 * turned.eccentricity, note.in_pitch.um])
 }
 
@@ -284,7 +283,7 @@ fn eccentricity_in_own_pitch(
 ) -> Option<Finding> {
     let gear = flanks.gears.most();
     let in_runout = flanks.in_runout.filter(|stated| stated.um > 0.0)?;
-    let found = measured.separate_eccentricity(gear).ok()?;
+    let found = separate_eccentricity(measured, gear).ok()?;
     let in_pitch = Eccentricity {
         um: 1000.0 * found.eccentricity,
         high_tooth: found.high_tooth,
@@ -347,7 +346,7 @@ fn harmonic_beyond_eccentricity(
     let white = z * rest / (2.0 * z - 6.0).max(1.0);
     let stands_out = left > STANDS_OUT.powi(2) / 2.0 * white;
     let exchanged = measured.clone().exchanged();
-    let exchanged = exchanged.separate_eccentricity(flanks.gears.most()).ok();
+    let exchanged = separate_eccentricity(&exchanged, flanks.gears.most()).ok();
     (stands_out && left > NOT_JOINT * all).then(|| Finding::FirstHarmonicNotEccentricity {
         // The amplitude is 2/z times the coefficient, as the root mean square of both flanks.
         left_um: 1000.0 * 2.0 / z * (left / 2.0).sqrt(),

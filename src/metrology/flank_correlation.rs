@@ -42,7 +42,7 @@ pub fn anticorrelation_p_value(pitch: &Pitch) -> f64 {
 /// [`anticorrelation_p_value`] of datum-axis curves of `gear`, whose first harmonic holds an eccentricity of any size.
 ///
 /// Let `u` and `v` be the first harmonics of the right and of the left flanks, each counted from the zero of an eccentricity
-/// (`ψ ∓ α`, see [`Pitch::separate_eccentricity`]). An eccentricity is the same in both: the sum `S = u + v` holds it, and the
+/// (`ψ ∓ α`, see [`separate_eccentricity`](crate::gear::separate_eccentricity)). An eccentricity is the same in both: the sum `S = u + v` holds it, and the
 /// difference `D = u − v` does not. A reversed left flank exchanges `S` and `D`.
 ///
 /// For unrelated flanks without eccentricity `|S|²` and `|D|²` are independent and have one exponential distribution. An

@@ -9,7 +9,10 @@ use super::pitch_statement::{EccentricitySource, PitchStatement};
 use super::runout::{ProbeReadings, ReadingsFit, Runout};
 use super::thickness_statement::{ThicknessStatement, Toleranced};
 use crate::error::GearError;
-use crate::gear::{AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, thickness};
+use crate::gear::{
+    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, separate_eccentricity,
+    thickness, without_eccentricity,
+};
 
 /// A design and one statement of its tooth thickness.
 #[derive(Debug, Clone, Copy)]
@@ -280,14 +283,14 @@ fn separate_pitch(
     counts: Option<EccentricitySource>,
     runout: &Runout,
 ) -> Result<(Pitch, Eccentricity), GearError> {
-    let separated = readings.separate_eccentricity(gear)?;
+    let separated = separate_eccentricity(readings, gear)?;
     let in_pitch = Eccentricity {
         um: 1000.0 * separated.eccentricity,
         high_tooth: separated.high_tooth,
     };
     let pitch = match runout.stated() {
         Some(stated) if counts == Some(EccentricitySource::Runout) => {
-            readings.without_eccentricity(gear, runout.eccentricity(), stated.high_tooth)?
+            without_eccentricity(readings, gear, runout.eccentricity(), stated.high_tooth)?
         }
         _ => separated.pitch,
     };

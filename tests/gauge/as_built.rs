@@ -81,7 +81,7 @@ fn datum_axis_pitch_separates_again() {
     let datum = found.pitch_datum.unwrap();
     // To first order the sine of amplitude e/cos α is in F_p.
     assert!(datum.total(Flank::Right) > 2.0 * 0.04 / ALPHA.cos() * 0.9);
-    let separated = datum.cumulative.separate_eccentricity(part.gear()).unwrap();
+    let separated = separate_eccentricity(&datum.cumulative, part.gear()).unwrap();
     near("eccentricity", separated.eccentricity, 0.04, PICOMETRE);
     near("high tooth", separated.high_tooth, 17.5, 1e-6);
     let own = found.pitch_own.unwrap();

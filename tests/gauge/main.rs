@@ -26,7 +26,7 @@ use gearlash::gauge::{
 use gearlash::gear::{
     AsBuilt, Deviations, Face, Flank, Gear, Hand, Lead, MeasuringBody, Modification, PinReadings,
     Pitch, PitchAxis, Probe, ProfilePart, Readings, Relief, RunoutReadings, Side, Spans, Trace,
-    involute, thickness,
+    involute, separate_eccentricity, thickness,
 };
 use gearlash::metrology::{
     Measurements, PitchKind, PitchSense, PitchStatement, ProbeReadings, ReadWith, Runout,

@@ -1,7 +1,10 @@
 //! Pitch about the datum axis: readings made here by bisection on displaced involutes, apart from the program.
 
 use super::*;
-use gearlash::gear::{BasicGearData, BasicRack, EccentricitySeparation, Gear, GearDesign, Pitch};
+use gearlash::gear::{
+    BasicGearData, BasicRack, EccentricitySeparation, Gear, GearDesign, Pitch,
+    separate_eccentricity,
+};
 use nalgebra::{Complex, DVector, Dyn, OMatrix, RowVector4, U4};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -68,9 +71,8 @@ impl Drawn {
                 .map(|(i, own)| self.read(i, ahead, *own, e))
                 .collect()
         };
-        Pitch::from_cumulative(&sheet(&own[0], 1.0), &sheet(&own[1], -1.0))
-            .separate_eccentricity(&self.gear())
-            .unwrap()
+        let pitch = Pitch::from_cumulative(&sheet(&own[0], 1.0), &sheet(&own[1], -1.0));
+        separate_eccentricity(&pitch, &self.gear()).unwrap()
     }
 
     /// The direction found, rad.

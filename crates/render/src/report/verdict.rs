@@ -10,6 +10,7 @@ use gearlash::analysis::extremes::{BearingEnd, RunExtreme};
 use gearlash::analysis::outcome::{Outcome, PoseOfRun};
 use gearlash::analysis::phases::phase;
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
+use gearlash::gear::has_different_teeth;
 use gearlash::pair::{GearPair, Member, SweepPlan};
 use gearlash_results::text::check::titles;
 use gearlash_results::verdict::{VerdictLines, uncut};
@@ -242,7 +243,7 @@ fn other_poses(page: &Page) -> Markup {
 
 /// Whether the teeth of wheel and pinion differ.
 fn differ(pair: &GearPair) -> [bool; 2] {
-    Member::BOTH.map(|member| pair.gear(member).has_different_teeth())
+    Member::BOTH.map(|member| has_different_teeth(pair.gear(member)))
 }
 
 fn phases(page: &Page) -> Markup {

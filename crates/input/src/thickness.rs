@@ -1,8 +1,8 @@
 //! `[thickness]`: lists and tables of its statements beside the number of teeth, and their measurements for metrology.
 
 use super::spec::{
-    BandSpec, CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, OverPinsSpec, STATEMENTS,
-    StatementSpec, TableFileSpec, ThicknessSpec,
+    CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, OverPinsSpec, STATEMENTS, StatementSpec,
+    TableFileSpec, ThicknessSpec,
 };
 use gearlash::gear::{Deviations, GearDesign, MeasuringBody, thickness};
 use gearlash::metrology::{self, ThicknessStatement, Toleranced};
@@ -281,23 +281,6 @@ impl StatementSpec {
     }
 }
 
-impl ThicknessSpec {
-    /// Converts allowances stated in the transverse section to normal ones; `cos` is their ratio.
-    pub fn allowances_in_normal_section(&mut self, cos: f64) {
-        let second = self.cross_check.as_mut().map(|check| &mut check.statement);
-        for statement in [&mut self.statement].into_iter().chain(second) {
-            let normal = statement.allowance_um.map(|stated| match stated {
-                Either::One(um) => Either::One(um * cos),
-                Either::Other(BandSpec { min, max }) => Either::Other(BandSpec {
-                    min: min * cos,
-                    max: max * cos,
-                }),
-            });
-            statement.allowance_um = normal;
-        }
-    }
-}
-
 impl CrossCheckSpec {
     pub(crate) fn measured(&self) -> metrology::CrossCheck {
         metrology::CrossCheck {
@@ -333,19 +316,6 @@ impl LengthSpec {
                 Some(places.zip(mm.iter().copied()).collect())
             }
             _ => None,
-        }
-    }
-}
-
-impl Either<f64, BandSpec> {
-    /// One value, or the least and the greatest.
-    pub(crate) fn toleranced(self) -> Toleranced<f64> {
-        match self {
-            Either::One(value) => Toleranced::Single(value),
-            Either::Other(BandSpec { min, max }) => Toleranced::Band {
-                least: min,
-                most: max,
-            },
         }
     }
 }

@@ -61,6 +61,21 @@ impl ThicknessSpec {
         let second = self.cross_check.iter().map(|check| &check.statement);
         [&self.statement].into_iter().chain(second)
     }
+
+    /// Converts allowances stated in the transverse section to normal ones; `cos` is their ratio.
+    pub fn allowances_in_normal_section(&mut self, cos: f64) {
+        let second = self.cross_check.as_mut().map(|check| &mut check.statement);
+        for statement in [&mut self.statement].into_iter().chain(second) {
+            let normal = statement.allowance_um.map(|stated| match stated {
+                Either::One(um) => Either::One(um * cos),
+                Either::Other(BandSpec { min, max }) => Either::Other(BandSpec {
+                    min: min * cos,
+                    max: max * cos,
+                }),
+            });
+            statement.allowance_um = normal;
+        }
+    }
 }
 
 /// One statement of the mean thickness: one of its keys.

@@ -1,6 +1,7 @@
 //! Values that can be written in more than one way.
 
 use super::rules::exactly_one;
+use gearlash::metrology::Toleranced;
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
@@ -48,6 +49,19 @@ pub struct BandSpec {
     /// Thickest.
     #[serde(alias = "upper")]
     pub max: f64,
+}
+
+impl Either<f64, BandSpec> {
+    /// One value, or the least and the greatest.
+    pub(crate) fn toleranced(self) -> Toleranced<f64> {
+        match self {
+            Either::One(value) => Toleranced::Single(value),
+            Either::Other(BandSpec { min, max }) => Toleranced::Band {
+                least: min,
+                most: max,
+            },
+        }
+    }
 }
 
 /// Least and most material, or upper and lower allowance as a drawing writes them.

@@ -15,7 +15,6 @@ mod head;
 mod header;
 mod heading;
 mod p40;
-mod places;
 mod protocol;
 mod request;
 mod rows;

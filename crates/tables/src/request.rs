@@ -1,11 +1,14 @@
-//! A request for a table: its file and columns; and the header that it finds in one of the file's grids.
+//! A request for a table: its file and columns; the header that it finds in one of the file's grids, and the places of the columns there:
+//! one each, or an error that lists the candidates.
 
-use super::choice::Choice;
+use super::choice::{Choice, TOOTH};
 use super::column::{self, Column, Quantity};
-use super::grid::{Grid, MAX_CELLS, MAX_NAMED};
-use super::head::Head;
+use super::grid::{Grid, Line, MAX_CELLS, MAX_NAMED, MAX_ROWS, letter};
+use super::head::{Head, Heading};
 use crate::data_file::DataFile;
-use gearlash_text::Problem;
+use gearlash::metrology::PitchKind;
+use gearlash_text::{Node, Problem};
+use std::fmt::Display;
 
 /// Columns and rows that a reader needs.
 #[derive(Debug, Clone, Copy)]
@@ -76,6 +79,26 @@ impl Wanted<'_> {
     /// Whether each row is of one tooth.
     pub fn is_by_tooth(&self) -> bool {
         matches!(self.coverage, Coverage::EveryTooth | Coverage::SomeTeeth)
+    }
+}
+
+/// Places of the columns in a header.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Places {
+    pub tooth: Option<usize>,
+    /// The name of the flank, beside points of traces.
+    pub flank: Option<usize>,
+    /// Where a result of a rig comes from.
+    pub source: Option<usize>,
+    /// The wanted columns, in their order.
+    pub values: Vec<(Column, usize)>,
+}
+
+impl Places {
+    /// The columns that hold numbers, the tooth first.
+    pub fn numbers(&self) -> Vec<usize> {
+        let values = self.values.iter().map(|(_, place)| *place);
+        self.tooth.into_iter().chain(values).collect()
     }
 }
 
@@ -242,4 +265,329 @@ impl Request<'_> {
             }
         }
     }
+
+    /// The places of the tooth and the wanted columns in `head`, one of `lines`.
+    pub fn places(&self, head: &Head, lines: &[Line]) -> Option<Places> {
+        if self.wanted.is_points() {
+            return self.places_of_points(head);
+        }
+        let tooth = if self.wanted.is_by_tooth() {
+            self.keep(self.tooth(head, lines).map(Some))
+        } else {
+            Some(None)
+        };
+        let is_source = |heading: &Heading| heading.quantity() == Some(Quantity::Source);
+        let source = head.places(is_source).first().copied();
+        let columns = self.wanted.columns;
+        let is_missing = |column: &&Column| self.is_missing(head, **column);
+        let missing = columns.iter().filter(is_missing).count();
+        let again = (missing > 0)
+            .then(|| repeated_header(head, lines))
+            .flatten();
+        if let Some(line) = again {
+            return self.file.refuse_at(
+                line,
+                format!(
+                    "names columns again, as line {} does: a table in two blocks, one below the other, is not read",
+                    head.line
+                ),
+                "put the blocks side by side: a row a tooth, with a column for each flank",
+            );
+        }
+        if columns.len() > 1 && missing == columns.len() {
+            let names: Vec<&str> = columns.iter().map(|column| column.name()).collect();
+            let keys = columns.iter();
+            let keys: Vec<String> = keys
+                .map(|column| format!("{} = \"…\"", column.key()))
+                .collect();
+            let reason = format!(
+                "columns {} are missing; the columns are {}",
+                names.join(" and "),
+                head.shown(self.file, &head.all())
+            );
+            let help = format!(
+                "name them there, or say which they are, by heading or letter: {}",
+                keys.join(", ")
+            );
+            return self.refuse(head, reason, help);
+        }
+        let values = columns.iter().map(|column| {
+            let places = dedup_equal(head, lines, head.places_of(*column, self.choice));
+            let place = self.one(head, *column, &in_unit(head, *column, places));
+            Some((*column, self.keep(place)?))
+        });
+        // All problems are reported, not only the first.
+        let values: Vec<Option<_>> = values.collect();
+        let values = values.into_iter().collect::<Option<Vec<_>>>()?;
+        let places = Places {
+            tooth: tooth?,
+            flank: None,
+            source: source.filter(|_| self.wanted.is_results()),
+            values,
+        };
+        self.keep(self.check_same_kind(head, &places))?;
+        self.keep(self.check_distinct(head, &places))?;
+        Some(places)
+    }
+
+    fn keep<T>(&self, result: Result<T, Problem>) -> Option<T> {
+        self.file.reading().keep(result)
+    }
+
+    fn refuse<T>(&self, head: &Head, reason: String, help: impl Display) -> Option<T> {
+        let problem = head.problem(self.file, reason, help);
+        self.file.reading().refuse(problem)
+    }
+
+    /// Points can have a tooth and a flank, and have one column of their place.
+    fn places_of_points(&self, head: &Head) -> Option<Places> {
+        let optional = |name: &str, places: Vec<usize>| match *places {
+            [] => Some(None),
+            [place] => Some(Some(place)),
+            _ => {
+                let several = self.several(head, name, TOOTH, &places);
+                self.file.reading().refuse(several)
+            }
+        };
+        let tooth = optional("tooth", head.teeth(&[], self.choice));
+        let is_flank = |heading: &Heading| heading.quantity() == Some(Quantity::Flank);
+        let flank = optional("flank", head.places(is_flank));
+        let columns = self
+            .wanted
+            .places_of_points()
+            .iter()
+            .copied()
+            .map(Column::of);
+        let places = columns.map(|column| (column, head.places_of(column, self.choice)));
+        let places: Vec<(Column, Vec<usize>)> = places.collect();
+        let there = || places.iter().filter(|(_, at)| !at.is_empty());
+        if there().count() > 1 {
+            let reason = "columns roll length and diameter, allowed is one of them".to_owned();
+            return self.refuse(head, reason, "remove one: they say the same");
+        }
+        let (by, at) = there().next().or(places.first())?;
+        let column = Column::of(Quantity::Deviation);
+        let deviation = head.places_of(column, self.choice);
+        let at = self.keep(self.one(head, *by, at));
+        let deviation = self.keep(self.one(head, column, &deviation));
+        let values = vec![(*by, at?), (column, deviation?)];
+        Some(Places {
+            tooth: tooth?,
+            flank: flank?,
+            source: None,
+            values,
+        })
+    }
+
+    fn tooth(&self, head: &Head, lines: &[Line]) -> Result<usize, Problem> {
+        let places = head.teeth(self.wanted.columns, self.choice);
+        let places = dedup_equal(head, lines, places);
+        match places[..] {
+            [] => Err(self.missing(head, "tooth", TOOTH)),
+            [place] => self.check_unit(head, place, None).map(|()| place),
+            _ => Err(self.several(head, "tooth", TOOTH, &places)),
+        }
+    }
+
+    fn one(&self, head: &Head, column: Column, places: &[usize]) -> Result<usize, Problem> {
+        let place = match *places {
+            [place] => place,
+            [] => {
+                let is_named = self.choice.column(column.key()).is_some();
+                let other = head.places_of(column.of_other_kind(), self.choice);
+                return Err(match (column.kind(), other.first()) {
+                    (Some(kind), Some(place)) if !is_named => self.contradicts(head, *place, kind),
+                    _ => self.missing(head, column.name(), column.key()),
+                });
+            }
+            _ => return Err(self.several(head, column.name(), column.key(), places)),
+        };
+        let heading = &head.headings[place];
+        if heading
+            .meaning
+            .is_some_and(|meaning| !column.may_be_named(meaning))
+        {
+            let reason = format!(
+                "the heading of column {} says something else than {}",
+                head.shown_one(self.file, place),
+                column.name()
+            );
+            let help = match column.kind() {
+                Some(_) => {
+                    "name the column of that flank; where the gear was seen from its other face, say so with reference_face"
+                }
+                None => "name the column that holds it, or correct the heading",
+            };
+            return Err(head.problem(self.file, reason, help));
+        }
+        let stated = heading.quantity().and_then(Quantity::pitch_kind);
+        match column.kind() {
+            Some(kind) if stated.is_some_and(|stated| stated != kind) => {
+                Err(self.contradicts(head, place, kind))
+            }
+            _ => self.check_unit(head, place, Some(column)).map(|()| place),
+        }
+    }
+
+    /// Whether `head` has no column that can be `column` or its other kind, and none is named.
+    fn is_missing(&self, head: &Head, column: Column) -> bool {
+        let none = |column| head.places_of(column, self.choice).is_empty();
+        let is_named = self.choice.column(column.key()).is_some();
+        !is_named && none(column) && none(column.of_other_kind())
+    }
+
+    /// Checks that no column is read as two quantities.
+    fn check_distinct(&self, head: &Head, places: &Places) -> Result<(), Problem> {
+        let tooth = places.tooth.map(|place| ("tooth", TOOTH, place));
+        let mut read: Vec<_> = tooth.into_iter().collect();
+        for (column, place) in &places.values {
+            let (name, key) = (column.name(), column.key());
+            if let Some((other, other_key, _)) = read.iter().find(|(.., taken)| taken == place) {
+                let shown = head.shown_one(self.file, *place);
+                let reason = format!("column {shown} is read as {other} and as {name}");
+                let help = format!("name two columns: {other_key} = \"…\", {key} = \"…\"");
+                return Err(head.problem(self.file, reason, help));
+            }
+            read.push((name, key, *place));
+        }
+        Ok(())
+    }
+
+    /// Checks that all columns of pitch state their kind or none does. A column without a kind beside one with it can be of the
+    /// other kind, unless the pair file names it.
+    fn check_same_kind(&self, head: &Head, places: &Places) -> Result<(), Problem> {
+        let states = |place: usize| {
+            let quantity = head.headings[place].quantity();
+            quantity.and_then(Quantity::pitch_kind).is_some()
+        };
+        let mut values = places.values.iter();
+        let unsaid = values.find(|(column, place)| {
+            column.kind().is_some() && self.choice.column(column.key()).is_none() && !states(*place)
+        });
+        let Some((column, place)) =
+            unsaid.filter(|_| places.values.iter().any(|(_, place)| states(*place)))
+        else {
+            return Ok(());
+        };
+        let shown = head.shown_one(self.file, *place);
+        let (key, letter) = (column.key(), letter(*place));
+        let reason =
+            format!("column {shown} does not say whether it is fp or Fp, the other flank's does");
+        let help = format!("say so in its heading, or name it: {key} = \"{letter}\"");
+        Err(head.problem(self.file, reason, help))
+    }
+
+    /// The problem of a column of the other kind than `kind`.
+    fn contradicts(&self, head: &Head, place: usize, kind: PitchKind) -> Problem {
+        let (stated, other_kind, key) = match kind {
+            PitchKind::Single => ("single", "cumulative pitch deviations, Fp", "cumulative"),
+            PitchKind::Cumulative => ("cumulative", "single pitch deviations, fp", "single"),
+        };
+        let shown = head.shown_one(self.file, place);
+        let reason = format!("column {shown} is of {other_kind}, wanted is kind = \"{stated}\"");
+        let help = format!(
+            "write kind = \"{key}\", or name the column of the other kind: left = \"…\", right = \"…\""
+        );
+        head.problem(self.file, reason, help)
+    }
+
+    fn missing(&self, head: &Head, name: &str, key: &str) -> Problem {
+        let of_three = |heading: &Heading| heading.quantity() == Some(Quantity::OverThreePins);
+        if let Some(place) = head.places(of_three).first()
+            && name == Column::of(Quantity::OverPins).name()
+        {
+            let shown = head.shown_one(self.file, *place);
+            return head.problem(
+                self.file,
+                format!("column {shown} is a dimension over three pins, allowed is one over two"),
+                "give the dimensions over two pins (gearlash gauge writes them beside those over three), or the span",
+            );
+        }
+        let columns = head.shown(self.file, &head.all());
+        let reason = match self.choice.column(key) {
+            Some(column) => {
+                let column = Node::Text(column.to_owned()).shown();
+                format!("there is no column {key} = {column}; the columns are {columns}")
+            }
+            None => format!("column {name} is missing; the columns are {columns}"),
+        };
+        let help = match key {
+            "" => "name it there".to_owned(),
+            _ => format!("name it there, or say which it is, by heading or letter: {key} = \"…\""),
+        };
+        head.problem(self.file, reason, help)
+    }
+
+    fn several(&self, head: &Head, name: &str, key: &str, places: &[usize]) -> Problem {
+        let letters = places
+            .iter()
+            .map(|place| format!("{key} = \"{}\"", letter(*place)));
+        let letters: Vec<String> = letters.collect();
+        let (count, shown) = (places.len(), head.shown(self.file, places));
+        let reason = format!("{count} columns may be {name}: {shown}");
+        let help = match key {
+            "" => "keep one of them".to_owned(),
+            _ => format!("say which, by letter or heading: {}", letters.join(" or ")),
+        };
+        head.problem(self.file, reason, help)
+    }
+
+    /// Checks that the unit at `place`, where one is stated, is that of `column`; a tooth has none.
+    fn check_unit(&self, head: &Head, place: usize, column: Option<Column>) -> Result<(), Problem> {
+        let needed = column.map(Column::unit);
+        let unit = head.headings[place].unit;
+        let Some(unit) = unit.filter(|unit| Some(*unit) != needed) else {
+            return Ok(());
+        };
+        let shown = head.shown_one(self.file, place);
+        let (reason, help) = match needed {
+            Some(needed) => (
+                format!("column {shown} is in {unit}, allowed is {needed}"),
+                format!("convert its values to {needed} and write that unit in its heading"),
+            ),
+            None => (
+                format!("column {shown} has a unit, a tooth number has none"),
+                "remove the unit from its heading".to_owned(),
+            ),
+        };
+        Err(head.problem(self.file, reason, help))
+    }
+}
+
+/// The first of `places` where all have equal cells, else all.
+fn dedup_equal(head: &Head, lines: &[Line], mut places: Vec<usize>) -> Vec<usize> {
+    let rows = &lines[head.at + 1..];
+    let is_equal = |place: &usize| {
+        rows.iter()
+            .all(|row| row.cell(*place) == row.cell(places[0]))
+    };
+    if places.iter().all(is_equal) {
+        places.truncate(1);
+    }
+    places
+}
+
+/// The one of `places` with the unit of `column`, where all others have a different unit.
+fn in_unit(head: &Head, column: Column, places: Vec<usize>) -> Vec<usize> {
+    let unit = |place: &usize| head.headings[*place].unit;
+    let good = |place: &&usize| unit(place) == Some(column.unit());
+    let all_say = places.iter().all(|place| unit(place).is_some());
+    match places.iter().filter(good).collect::<Vec<_>>()[..] {
+        [only] if all_say => vec![*only],
+        _ => places,
+    }
+}
+
+/// The line below `head` that repeats the header.
+fn repeated_header(head: &Head, lines: &[Line]) -> Option<u64> {
+    let mut below = (head.at + 2..lines.len()).take(MAX_ROWS);
+    below
+        .find(|at| names_columns(lines, *at))
+        .map(|at| lines[at].number)
+}
+
+/// Whether a line knows more than one of its headings.
+pub fn names_columns(lines: &[Line], at: usize) -> bool {
+    let known = || Head::of(lines, at).places(|heading| heading.meaning.is_some());
+    !lines[at].is_comment() && known().len() > 1
 }

@@ -198,14 +198,8 @@ impl CyclePair for GearPair {
         if is_open(self) {
             return Ok(cycle.any_direction(self, effort)?.found);
         }
-        cycle_extremes_within(
-            &ExactKernel::new(self),
-            self,
-            cycle.over(),
-            WIDTH,
-            effort,
-            &[end],
-        )
+        let (kernel, over) = (&ExactKernel::new(self), cycle.over());
+        cycle_extremes_within(kernel, self, over, WIDTH, effort, &[end])
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
@@ -213,14 +207,8 @@ impl CyclePair for GearPair {
         if is_open(self) {
             Ok(any_direction(self, over, &End::BOTH, width, effort)?.found)
         } else {
-            cycle_extremes_within(
-                &ExactKernel::new(self),
-                self,
-                over,
-                width,
-                effort,
-                &End::BOTH,
-            )
+            let kernel = &ExactKernel::new(self);
+            cycle_extremes_within(kernel, self, over, width, effort, &End::BOTH)
         }
     }
 
@@ -499,14 +487,8 @@ impl<'t> Planned<'t> {
         let all = if is_open(pair) {
             self.any_direction(pair, effort)?
         } else {
-            let found = cycle_extremes_within(
-                &ExactKernel::new(pair),
-                pair,
-                self.over(),
-                WIDTH,
-                effort,
-                self.ends(),
-            )?;
+            let (kernel, over) = (&ExactKernel::new(pair), self.over());
+            let found = cycle_extremes_within(kernel, pair, over, WIDTH, effort, self.ends())?;
             AnyDirection {
                 poses: Poses::default(),
                 ends: [Some((pair.clone(), found)), Some((pair.clone(), found))],

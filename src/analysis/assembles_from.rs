@@ -229,7 +229,7 @@ pub(super) fn assembles_from_of_outlines(
         let (mut there, mut raised) = (pair.at(high)?, 0);
         let least = loop {
             let width = 0.5 * DISTANCE_WIDTH_DRAWN;
-            let found = cycle.extremes(&kernel, &there, &[End::Least], width);
+            let found = cycle.extremes(kernel, &there, &[End::Least], width);
             if found.status == Status::NoContact {
                 return Ok(None);
             }

@@ -453,7 +453,7 @@ impl Page {
             flank: if at.left { Side::Left } else { Side::Right },
             fraction: at.fraction,
         };
-        match lost_motion_at(&assembly, mating) {
+        match lost_motion_at(assembly, mating) {
             Ok(pose) => answer(&pair.study, &pairs, pose).unwrap_or_else(nothing_open),
             Err(error) => failed(error),
         }

@@ -43,8 +43,8 @@ pub(crate) struct OutlineCycle<'t> {
 }
 
 impl OutlineCycle<'_> {
-    /// The extremes `ends` of `pair`, the gears of `kernel`, over this cycle, in brackets of `width` mm where no more effort is needed than a search may
-    /// spend.
+    /// The extremes `ends` of `pair`, the gears of `kernel`, over this cycle, in brackets of `width` mm where no more effort is needed than a
+    /// search may spend.
     pub(crate) fn extremes(
         &self,
         kernel: &OutlineKernel,
@@ -102,7 +102,7 @@ impl CycleCells for OutlineCells<'_> {
     }
 
     fn examine(&self, pitches: f64, half: f64, ends: &[End], wanted: f64) -> Cell {
-        let (kernel, pair) = (self.kernel, self.pair);
+        let pair = self.pair;
         let mut cell = Cell::unknown(pitches, half);
         let from = self.pose(pitches - half);
         cell.known = from.pitches;

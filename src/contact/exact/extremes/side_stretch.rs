@@ -469,7 +469,7 @@ impl<'a> SideStretch<'a> {
         true
     }
 
-    /// Greatest difference of the room from the straight line between both ends, rad.
+    /// Greatest difference of the room of [`InnerTouch`]es from the straight line between both ends, rad.
     fn slack(&self, touches: [InnerTouch; 2], found: &[Separation; 2]) -> f64 {
         let [a, b] = touches;
         let problem = self.side.problem;

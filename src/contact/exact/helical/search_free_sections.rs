@@ -3,11 +3,11 @@
 //! Every contact of such a pair is on the line of action or at a corner ([`super::super::search_free_proof`]). So [`super::leads`] knows the
 //! places of all that can be tightest. Where the gears interfere, one section alone can jam. [`Helical::over`] finds these poses.
 
-use super::{Edges, Helical, reduced};
+use super::{Edges, Helical};
 use crate::contact::Effort;
 use crate::contact::body::FarFlanks;
 use crate::contact::exact::direct::DirectSolver;
-use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
+use crate::contact::exact::flank_problem::FlankProblem;
 use crate::contact::exact::section::Section;
 use crate::contact::exact::section_side::{SectionPlace, SectionSide};
 use crate::contact::lost_motion::{Contact, LostMotion};

@@ -296,10 +296,12 @@ const MOST_POSES_BESIDE: u64 = 8192;
 /// Least step, pitches, to a pose beside one out of mesh (tuned: a tenth of it moves the distance by less than its bracket).
 const LEAST_STEP: f64 = 1e-4;
 
+/// The lost motion at a distance, mm, where the teeth of a mating meet.
+type PoseAt<'a> = &'a dyn Fn(f64, &Mating) -> Result<Option<LostMotion>, Error>;
+
 /// A pair at any centre distance, mm.
 pub(super) struct AtDistance<'a> {
-    /// The lost motion at a distance where the teeth of a mating meet.
-    pub pose: &'a dyn Fn(f64, &Mating) -> Result<Option<LostMotion>, Error>,
+    pub pose: PoseAt<'a>,
     /// The greatest over the whole cycle at a distance.
     pub search: &'a dyn Fn(f64) -> Result<Extremes, Error>,
     /// A mating turned on by a number of pitches.

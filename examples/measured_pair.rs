@@ -1,7 +1,7 @@
 //! A pair from two inspection sheets: spans, runouts and their high teeth.
-//!
 //! `cargo run --release --example measured_pair`
 
+use gearlash::contact::lost_motion_at;
 use gearlash::gear::{AsBuilt, BasicGearData, Face, GearDesign, Side};
 use gearlash::metrology::{Measurements, Runout, RunoutStatement, ThicknessStatement, Toleranced};
 use gearlash::pair::{GearPair, Mating};
@@ -9,15 +9,15 @@ use std::error::Error;
 
 fn gear(face: Face, mm: f64, total_um: f64, high: f64) -> Result<AsBuilt, Box<dyn Error>> {
     let design = GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?);
-    let (teeth, mm, high_tooth) = (6, Toleranced::Single(mm), Some(high));
     let mut sheet = Measurements::nominal(design, face);
+    let (teeth, mm) = (6, Toleranced::Single(mm));
     sheet.thickness = ThicknessStatement::Span { teeth, mm };
     sheet.runout = RunoutStatement::Total(Runout {
         total_um,
-        high_tooth,
+        high_tooth: Some(high),
     });
-    let measured = sheet.measure().map_err(|errors| errors[0].clone())?;
-    Ok(measured.as_built.most().clone())
+    let measured = sheet.measure().map_err(|errors| errors[0].clone());
+    Ok(measured?.as_built.most().clone())
 }
 
 /// Prints the backlash at four matings.
@@ -27,8 +27,7 @@ pub fn table() -> Result<String, Box<dyn Error>> {
     let pair = GearPair::new(wheel, pinion, 132.15)?.into();
     let mut table = String::new();
     for tooth in [1, 12, 23, 34] {
-        let found =
-            gearlash::contact::lost_motion_at(&pair, Mating::at(tooth, tooth, Side::Right))?;
+        let found = lost_motion_at(&pair, Mating::at(tooth, tooth, Side::Right))?;
         let um = 1e3 * found.j_wt().ok_or("not in mesh")?;
         table += &format!("teeth {tooth:2}·{tooth:<2}  {um:8.3} µm\n");
     }

@@ -218,7 +218,7 @@ struct RexsArgs {
     /// Stage of a gearbox model, by its id
     #[arg(long, value_name = "ID", allow_negative_numbers = true)]
     stage: Option<i32>,
-    /// Also write the pair file, - for standard output alone
+    /// Pair file of a gearbox model, - for standard output alone
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }

@@ -59,13 +59,20 @@ pub(super) fn check_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Prints the names of the files that were read for `pairs`, one a line.
+/// Prints the names of the files that were read for `pairs`, one per line. The first pair that cannot be read is the error, after the others.
 pub(super) fn print_inputs(
     pairs: impl IntoIterator<Item = Result<PairFile, InputError>>,
 ) -> Result<u8, Error> {
-    let mut lines = String::new();
+    let (mut lines, mut failed) = (String::new(), None);
     for pair in pairs {
-        for name in pair?.sources.names() {
+        let pair = match pair {
+            Ok(pair) => pair,
+            Err(error) => {
+                failed = failed.or(Some(error));
+                continue;
+            }
+        };
+        for name in pair.sources.names() {
             let text = name.to_str().filter(|text| plain(text) == **text);
             let Some(text) = text else {
                 let name = plain(&name.to_string_lossy()).to_string();
@@ -76,7 +83,7 @@ pub(super) fn print_inputs(
         }
     }
     print(&lines)?;
-    Ok(0)
+    failed.map_or(Ok(0), |error| Err(error.into()))
 }
 
 /// Limit of the poses of a command.

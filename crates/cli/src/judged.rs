@@ -92,6 +92,10 @@ fn judged_file(
     Ok(JudgedFile::Unreadable {
         file: path.display().to_string(),
         problems: error.lines(),
+        lines: match &error {
+            Error::Input(error) => error.lines_of_problems(),
+            _ => Vec::new(),
+        },
     })
 }
 

@@ -264,9 +264,9 @@ pub(super) struct DrawnArgs {
     /// Unit of drawings that state none; of two drawings A,B
     #[arg(long, value_name = "UNIT", value_delimiter = ',', value_parser = Unit::NAMED.map(|(name, _)| name))]
     units: Vec<String>,
-    /// Axes of drawings: of the circle through the tips, or of the one circle inside [default: 0,0]
-    #[arg(long, value_name = "HOW", value_parser = ["fit", "bore"])]
-    center: Option<String>,
+    /// Axes of drawings: of the circle through the tips, or of the one inside; of two drawings A,B [default: 0,0]
+    #[arg(long, value_name = "HOW", value_delimiter = ',', value_parser = ["fit", "bore"])]
+    center: Vec<String>,
     /// DXF layer to read; of two drawings A,B
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     layer: Vec<String>,
@@ -292,7 +292,7 @@ impl DrawnArgs {
     /// Whether any of them is given.
     pub(super) fn given(&self) -> bool {
         !self.units.is_empty()
-            || self.center.is_some()
+            || !self.center.is_empty()
             || !self.layer.is_empty()
             || !self.id.is_empty()
             || !self.number.is_empty()
@@ -304,6 +304,7 @@ impl DrawnArgs {
     pub(super) fn options<const N: usize>(&self) -> Result<[OutlineOptions<'_>; N], Error> {
         let counts = [
             ("--units", self.units.len()),
+            ("--center", self.center.len()),
             ("--layer", self.layer.len()),
             ("--id", self.id.len()),
             ("--number", self.number.len()),
@@ -318,7 +319,7 @@ impl DrawnArgs {
         }
         let options = std::array::from_fn(|k| OutlineOptions {
             units: value_of(&self.units, k).map(String::as_str),
-            center: self.center.as_deref(),
+            center: value_of(&self.center, k).map(String::as_str),
             layer: value_of(&self.layer, k).map(String::as_str),
             id: value_of(&self.id, k).map(String::as_str),
             number: value_of(&self.number, k).copied(),

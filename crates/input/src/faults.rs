@@ -192,14 +192,25 @@ impl Fault<'_> {
         let tip_given = tip_key == "tip_diameter_mm";
         let (reason, key, help) = match error {
             // Rounded down, so that the printed value fits.
-            GearError::TipRoundTooLarge { most, .. } if most >= 0.0 => return table.problem(
-                "rack.root_radius",
-                format!("too large for the tool's tip, allowed is up to {} modules with this dedendum and pressure angle", ascii(most, 6)),
-                format!(
-                    "reduce it to {} or less, or reduce rack.dedendum",
-                    ascii((1e4 * most).floor() / 1e4, 4)
-                ),
-            ),
+            GearError::TipRoundTooLarge { most, .. } if most >= 0.0 => {
+                let is_stated = table.has("rack.root_radius");
+                let (which, verb) = if is_stated {
+                    ("", "reduce it to")
+                } else {
+                    ("the default is ", "state rack.root_radius =")
+                };
+                return table.problem(
+                    "rack.root_radius",
+                    format!(
+                        "{which}too large for the tool's tip, allowed is up to {} modules with this dedendum and pressure angle",
+                        ascii(most, 6)
+                    ),
+                    format!(
+                        "{verb} {} or less, or reduce rack.dedendum",
+                        ascii((1e4 * most).floor() / 1e4, 4)
+                    ),
+                );
+            }
             GearError::TipRoundTooLarge { .. } => return table.problem(
                 "rack.root_radius",
                 "no round is small enough: with this dedendum and pressure angle the tool's tip is pointed",

@@ -127,11 +127,8 @@ fn excessive_backlash(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) ->
     };
     let data = wheel.basic_data();
     let base = wheel.base_radius() + pinion.base_radius();
-    let nominal = |gear: &Gear| gear.design().nominal_base_thickness();
-    let is_thick = |gear: &Gear| gear.base_thickness() > nominal(gear) + ROUNDING_MM;
-    let thickness = |gear: &Gear| gear.base_thickness().max(nominal(gear));
-    let inv_0 = (thickness(wheel) + thickness(pinion) - data.base_pitch()) / (2.0 * base);
     let at = inv_of_roll(roll_at(least, base));
+    let inv_0 = inv_without_backlash([wheel, pinion]);
     let backlash = 2.0 * base * (at - inv_0) / data.transverse_pressure_angle().cos();
     let teeth = if is_thick(wheel) || is_thick(pinion) {
         "the stated"
@@ -145,6 +142,23 @@ fn excessive_backlash(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) ->
         data.module(),
         "the distance, the teeth and the module",
     )
+}
+
+/// Whether the teeth are stated thicker than nominal ones.
+fn is_thick(gear: &Gear) -> bool {
+    gear.base_thickness() > gear.design().nominal_base_thickness() + ROUNDING_MM
+}
+
+/// `inv α` of the operating pressure angle without backlash. Thin teeth count as nominal ones.
+fn inv_without_backlash(gears: [&Gear; 2]) -> f64 {
+    let thickness = |gear: &Gear| {
+        let nominal = gear.design().nominal_base_thickness();
+        gear.base_thickness().max(nominal)
+    };
+    let [wheel, pinion] = gears;
+    let base = wheel.base_radius() + pinion.base_radius();
+    let pitch = wheel.basic_data().base_pitch();
+    (thickness(wheel) + thickness(pinion) - pitch) / (2.0 * base)
 }
 
 /// A warning of `backlash`, mm, at the centre distance `a`, mm, that is more than usual for `module`, mm; it says what to `check`.
@@ -184,6 +198,17 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
         let near = |a: &&f64| (**a - mm).abs() <= within * module;
         mm.is_finite() && distances.iter().any(|a| near(&a))
     };
+    let gears = [wheel, pinion].map(|part| Some(part.as_built.as_ref()?.most().gear()));
+    if let [Some(wheel), Some(pinion)] = gears
+        && (is_thick(wheel) || is_thick(pinion))
+    {
+        // Thick teeth need a greater distance than nominal ones.
+        let base = wheel.base_radius() + pinion.base_radius();
+        let own = base * roll_of_inv(inv_without_backlash([wheel, pinion])).hypot(1.0);
+        if suits(own, MIN_DIFFERENCE) {
+            return None;
+        }
+    }
     let (stated, a) = (without_backlash(angle, x_1 + x_2), *distances.first()?);
     let off = format!(
         "assembly.center_distance_mm: {a} mm is {} mm off {} mm, the zero-backlash distance of the stated pair with nominal teeth",

@@ -159,7 +159,7 @@ fn complete_readings(
             format!(
                 "missing, expected one number a reading: there are {readings} for {teeth} teeth"
             ),
-            format!("add `{key}`: {help}"),
+            format!("add `{key}`: {help}; or state min_mm and max_mm"),
         );
     };
     if listed.len() != readings {

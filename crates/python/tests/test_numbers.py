@@ -114,7 +114,7 @@ def test_a_pair_with_drawn_gears_is_a_pair(fixtures) -> None:
     # A drawing has no base circle.
     assert np.isnan(poses.j_bn_um).all() and pair.lost_motion(1, 1).j_bn_um is None
     checked = pair.check()
-    assert checked.assembles is False and not checked.checks
+    assert checked.assembles is False and not checked.passed and not checked.checks
     remedy, *offsets = checked.record["remedies"]
     assert len(offsets) == 3
     assert remedy["what"] == "center_distance_mm"
@@ -131,7 +131,8 @@ def test_verdict_extremes_and_checks_are_those_of_check(fixtures) -> None:
     pair = gearlash.read(path)
     checked = pair.check()
     assert checked.record == {**result, "file": path.stem}
-    assert checked.verdict == result["verdict"]["text"]
+    assert checked.verdict == result["verdict"]["text"] and checked.passed == result["passed"]
+    assert repr(checked) == f"Checked({checked.verdict})"
     assert [run.record for run in pair.extremes().runs] == result["extremes"]
     assert {check.id for check in checked.checks} == {check["id"] for check in result["checks"]}
 

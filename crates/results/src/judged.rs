@@ -90,6 +90,8 @@ pub enum JudgedFile {
         file: String,
         /// All its problems.
         problems: Vec<String>,
+        /// The line of each problem in the file, from 1, where one is known.
+        lines: Vec<Option<usize>>,
     },
 }
 
@@ -213,7 +215,7 @@ impl Outcome {
     pub fn json(&self) -> serde_json::Result<String> {
         let files = self.files.iter().map(|file| match file {
             JudgedFile::Judged(judged) => judged.json.clone(),
-            JudgedFile::Unreadable { file, problems } => {
+            JudgedFile::Unreadable { file, problems, .. } => {
                 json!({ "file": file, "error": problems.join("\n") })
             }
         });
@@ -228,23 +230,31 @@ impl Outcome {
     pub fn github(&self) -> String {
         // GitHub shows some ten errors of a step: what decides a file comes first.
         let mut lines: [String; 2] = Default::default();
-        let mut line = |decides: bool, kind: &str, file: &str, title: &str, words: &str| {
+        let mut line = |decides: bool, kind: &str, place: &str, title: &str, words: &str| {
             let _ = writeln!(
                 lines[usize::from(!decides)],
-                "::{kind} file={},title={}::{}",
-                escape_property(file),
+                "::{kind} file={place},title={}::{}",
                 escape_property(&format!("gearlash {}: {title}", self.command)),
                 escape(words)
             );
         };
         for file in &self.files {
             match file {
-                JudgedFile::Unreadable { file, problems } => {
-                    for problem in problems {
-                        line(true, "error", file, "cannot be read", problem);
+                JudgedFile::Unreadable {
+                    file,
+                    problems,
+                    lines,
+                } => {
+                    for (k, problem) in problems.iter().enumerate() {
+                        let number = lines.get(k).copied().flatten();
+                        let number =
+                            number.map_or(String::new(), |number| format!(",line={number}"));
+                        let place = escape_property(file) + &number;
+                        line(true, "error", &place, "cannot be read", problem);
                     }
                 }
                 JudgedFile::Judged(judged) => {
+                    let place = &escape_property(&judged.file);
                     for case in &judged.cases {
                         let kind = match case.verdict {
                             Verdict::Pass => continue,
@@ -252,10 +262,10 @@ impl Outcome {
                             Verdict::Unproven | Verdict::Fail => "error",
                         };
                         let decides = case.name == VERDICT;
-                        line(decides, kind, &judged.file, &case.name, &case.message);
+                        line(decides, kind, place, &case.name, &case.message);
                     }
                     for warning in &judged.warnings {
-                        line(false, "warning", &judged.file, "input", warning);
+                        line(false, "warning", place, "input", warning);
                     }
                 }
             }

@@ -20,8 +20,14 @@ pub fn imported(imported: &Imported, screen: &Screen) -> String {
     for reason in &imported.not_read {
         text += &screen.fold(&format!("Not read: {}\n\n", line(reason)));
     }
-    if imported.tables.iter().any(|table| table.leaves_out_numbers) {
-        text += &screen.fold("To read a column that is left out, name it: --only pitch --left B --right C, or --only span --column B.\n\n");
+    let mut left_out = imported
+        .tables
+        .iter()
+        .filter_map(|table| table.left_out_numbers.as_ref());
+    if let Some(letter) = left_out.next() {
+        text += &screen.fold(&format!(
+            "To read a column that is left out, name it: --only runout --column {letter}. Pitch has two: --only pitch --left {letter} --right …\n\n"
+        ));
     }
     let _ = writeln!(text, "For a pair file beside {}:", line(&imported.file));
     // Not folded, because users copy it.

@@ -43,6 +43,16 @@ pub struct Head {
 }
 
 impl Head {
+    /// Factor from the values at `place`, in the unit of their heading, to those of `column`: 1000 for mm in place of µm.
+    pub fn to_unit_of(&self, column: Column, place: usize) -> f64 {
+        let unit = self.headings.get(place).and_then(|heading| heading.unit);
+        if column.unit() == "µm" && unit == Some("mm") {
+            1000.0
+        } else {
+            1.0
+        }
+    }
+
     /// The line at place `at` of `lines`, read as a header.
     pub fn of(lines: &[Line], at: usize) -> Head {
         let line = &lines[at];

@@ -230,7 +230,9 @@ fn parts(name: &str) -> impl Iterator<Item = &str> {
 }
 
 fn of_word(word: &str) -> Option<Quantity> {
-    let symbol = VOCABULARY.symbols.get(word.trim_end_matches('.'));
+    // "F_r" is Fr.
+    let symbol = word.trim_end_matches('.').replace('_', "");
+    let symbol = VOCABULARY.symbols.get(&symbol);
     let plain = plain(word);
     let letters = plain.trim_end_matches(|c: char| c.is_ascii_digit());
     let known = |word: &str| VOCABULARY.quantities.get(word);

@@ -436,6 +436,17 @@ impl Request<'_> {
         !is_named && none(column) && none(column.of_other_kind())
     }
 
+    /// Whether the line `at` is the header of a table without any of the wanted columns. A row of numbers is none.
+    pub fn begins_other_table(&self, lines: &[Line], at: usize) -> bool {
+        let is_missing = |head: &Head| {
+            let mut columns = self.wanted.columns.iter();
+            columns.all(|column| self.is_missing(head, *column))
+        };
+        lines[at].first().number().is_none()
+            && names_columns(lines, at)
+            && is_missing(&Head::of(lines, at))
+    }
+
     /// Checks that no column is read as two quantities.
     fn check_distinct(&self, head: &Head, places: &Places) -> Result<(), Problem> {
         let tooth = places.tooth.map(|place| ("tooth", TOOTH, place));
@@ -536,6 +547,9 @@ impl Request<'_> {
     fn check_unit(&self, head: &Head, place: usize, column: Option<Column>) -> Result<(), Problem> {
         let needed = column.map(Column::unit);
         let unit = head.headings[place].unit;
+        if column.is_some_and(|column| head.to_unit_of(column, place) != 1.0) {
+            return Ok(());
+        }
         let Some(unit) = unit.filter(|unit| Some(*unit) != needed) else {
             return Ok(());
         };

@@ -67,7 +67,13 @@ impl<'a> Found<'a> {
             }
         }
         let mut rows = Vec::new();
-        for line in &grid.lines[head.at + 1 + usize::from(head.has_units)..] {
+        let below = &grid.lines[head.at + 1 + usize::from(head.has_units)..];
+        let next = (grid.lines.len() - below.len()..grid.lines.len())
+            .find(|at| request.begins_other_table(&grid.lines, *at));
+        let (below, of_others) =
+            below.split_at(next.map_or(below.len(), |at| at + below.len() - grid.lines.len()));
+        left_out.extend(of_others.iter().map(|line| (line.number, "")));
+        for line in below {
             if grid.sheet.is_none() && line.cells.iter().any(Cell::is_torn) {
                 return file.refuse_at(
                     line.number,
@@ -224,9 +230,10 @@ impl<'a> Found<'a> {
                 continue;
             }
             let number = cell.number();
-            match number.filter(|number| limits.range.contains(&number.value)) {
+            let factor = self.head.to_unit_of(*column, *place);
+            match number.filter(|number| limits.range.contains(&(factor * number.value))) {
                 Some(number) => {
-                    values.push(number.value);
+                    values.push(factor * number.value);
                     numbers.push((line.number, *column, number));
                 }
                 None => wrong(column.name(), cell, limits.allowed),
@@ -306,10 +313,12 @@ impl Unread {
         (!words.is_empty()).then(|| words.join("; "))
     }
 
-    /// Whether there are columns of numbers without the letters `elsewhere`.
-    pub fn has_numbers(&self, elsewhere: &[&str]) -> bool {
+    /// The letter of the first column of numbers; those with the letters `elsewhere` do not count.
+    pub fn numbers(&self, elsewhere: &[&str]) -> Option<String> {
         let mut columns = self.columns.iter();
-        columns.any(|column| column.has_numbers && !elsewhere.contains(&&column.letter[..]))
+        let found =
+            columns.find(|column| column.has_numbers && !elsewhere.contains(&&column.letter[..]));
+        found.map(|column| column.letter.clone())
     }
 
     /// The columns with the letters `elsewhere`, as [`Unread::words`].

@@ -82,6 +82,13 @@ impl InputError {
         problems.map(line).collect()
     }
 
+    /// The line of each problem in a TOML file, from 1, where its place is known.
+    pub fn lines_of_problems(&self) -> Vec<Option<usize>> {
+        let line = |span: Range<usize>| 1 + self.text[..span.start].matches('\n').count();
+        let spans = self.spans().into_iter();
+        spans.map(|span| span.map(line)).collect()
+    }
+
     /// The place of each problem in a TOML file, in bytes of its text; `None` for a problem without one, and in JSON.
     pub fn spans(&self) -> Vec<Option<Range<usize>>> {
         let keys = self.problems.iter().map(|problem| problem.key.as_str());

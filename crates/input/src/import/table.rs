@@ -58,9 +58,9 @@ pub struct ImportedTable {
     /// Parts of the file that are not part of the table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<String>,
-    /// Whether columns of numbers are left out.
+    /// The letter of the first column of numbers that is left out.
     #[serde(skip)]
-    pub leaves_out_numbers: bool,
+    pub left_out_numbers: Option<String>,
     /// Columns that are part of another table of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub in_other_table: Option<String>,
@@ -183,7 +183,7 @@ impl ImportedTable {
                 Some(origin) => origin.left_out.words(&[]),
                 None => sheet.header.unused().map(str::to_owned),
             },
-            leaves_out_numbers: false,
+            left_out_numbers: None,
             in_other_table: None,
             unread: origin.map_or_else(Unread::default, |origin| origin.left_out.clone()),
             columns,
@@ -202,7 +202,7 @@ impl ImportedTable {
         let letters = headings.filter_map(|column| Some(&column.heading.as_ref()?.1[..]));
         let letters: Vec<&str> = letters.collect();
         self.left_out = self.unread.words(&letters);
-        self.leaves_out_numbers = self.unread.has_numbers(&letters);
+        self.left_out_numbers = self.unread.numbers(&letters);
         self.in_other_table = self.unread.elsewhere(&letters);
     }
 }

@@ -132,7 +132,7 @@ pub struct SpanSpec {
     /// The measured length.
     #[serde(flatten)]
     pub length: LengthSpec,
-    /// First tooth of each reading; default: 1, 2, ….
+    /// First tooth of each reading; default for all teeth: 1, 2, ….
     #[schemars(inner(range(min = 1)))]
     pub first_tooth: Option<Vec<u32>>,
     /// Take thickness by tooth from spans all round where they determine it; default: true without `[pitch]`, whose flanks state it.
@@ -142,11 +142,11 @@ pub struct SpanSpec {
     pub table: Option<TableFileSpec>,
 }
 
-/// A measured length: one value, one a place, or the least and the greatest.
+/// A measured length: one value, a list, or the least and the greatest.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LengthSpec {
-    /// Measured: one value, or one a place.
+    /// Measured: one value, or a list.
     #[schemars(transform = length(), transform = list_length(1, None))]
     pub mm: Option<Either<f64, Vec<f64>>>,
     /// Least measured.
@@ -189,7 +189,7 @@ pub struct OverPinsSpec {
     /// The measured length.
     #[serde(flatten)]
     pub length: LengthSpec,
-    /// Tooth before the space of each reading, opposite to which the other pin lies; default: 1, 2, ….
+    /// Tooth before the space of each reading; the other pin lies opposite; default for all teeth: 1, 2, ….
     #[schemars(inner(range(min = 1)))]
     pub space: Option<Vec<u32>>,
     /// Readings all round from a table.

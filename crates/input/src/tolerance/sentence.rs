@@ -71,6 +71,11 @@ pub fn shares(result: &ToleranceResult) -> String {
     let mut text = share(&statistics.below, &below);
     if let Some(most) = in_words(about.max_mm, &about.others, true) {
         text += &format!(", {}", share(&statistics.above, &format!("above {most}")));
+        // An assembly can miss both limits.
+        let both = statistics.below.count + statistics.above.count;
+        if let Some(both @ 1..) = both.checked_sub(statistics.outside.count) {
+            text += &format!(", {both} of {} both", statistics.total);
+        }
     }
     text
 }

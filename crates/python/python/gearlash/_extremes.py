@@ -89,6 +89,9 @@ class Extremes(Table):
 
     runs: tuple[RunExtremes, ...]
 
+    def __repr__(self) -> str:
+        return f"Extremes({len(self.runs)} runs)"
+
     @property
     def least(self) -> Extreme | None:
         """The least of all runs; ``None`` where one is jammed."""
@@ -154,6 +157,14 @@ class Checked:
     checks: tuple[Check, ...]
     record: dict[str, Any] = field(repr=False, compare=False)
     """The file's entry in ``gearlash check --format json``."""
+
+    def __repr__(self) -> str:
+        return f"Checked({self.verdict})"
+
+    @property
+    def passed(self) -> bool:
+        """Whether ``gearlash check`` exits with 0: the pair assembles, meets its limits and passes every check."""
+        return bool(self.record["passed"])
 
     @classmethod
     def of(cls, record: dict[str, Any]) -> "Checked":

@@ -17,7 +17,7 @@ use crate::pair::{GearPair, Mating, Member};
 /// Width of the bracket, mm.
 const DISTANCE_WIDTH: f64 = 1e-6;
 
-/// Limit of steps (about ten are usual; bisection alone would need this many).
+/// Limit of steps (about ten are usual, about thirty by bisection alone).
 const STEPS: usize = 60;
 
 /// A centre distance at which a pair begins or ceases to work over its whole mesh cycle.

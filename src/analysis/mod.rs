@@ -164,7 +164,7 @@ pub struct Analysis<'a> {
     pub extremes: CycleExtremes,
     /// Curves over the centre distance: of the binding pose, then of the measured matings.
     pub over_distance: Vec<OverDistance>,
-    /// Backlash of a drawn pair over the centre distance.
+    /// Maps of a drawn pair's backlash over mesh cycle and centre distance, one for each material.
     pub maps: Vec<BacklashMap>,
     /// The extremes over parts of the common face; empty for a pair whose sections are all equal.
     pub widths: Vec<AtWidth>,
@@ -174,7 +174,7 @@ pub struct Analysis<'a> {
     pub measured: Vec<MeasuredMating>,
     /// Every check.
     pub diagnosis: Diagnosis,
-    /// Ids of the checks that fail, of every check. Without checks, of those that the extremes need.
+    /// The checks that fail. A plan without checks makes only those that the extremes need.
     pub failed_checks: Vec<CheckName>,
     /// Single changes that make the pair fit; empty for a pair that fits.
     pub remedies: Remedies,

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::outline::PlacedGear;
 use crate::pair::Member;
 
-/// Steps of 1 mm to which the distance is rounded up.
+/// Steps per mm to which the distance is rounded up.
 const STEPS_PER_MM: f64 = 1000.0;
 
 /// A centre distance without play, or as near to it as tips and roots allow.

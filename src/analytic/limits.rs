@@ -1,4 +1,4 @@
-//! Limits of a pair from its parameters alone (design section 7), for mean teeth on centred axes.
+//! Limits of a pair from its parameters alone, for mean teeth on centred axes.
 //!
 //! Margins are positive if the limit is met. Lengths are mm.
 
@@ -118,7 +118,7 @@ pub fn overlap_ratio(assembly: &GearPair) -> f64 {
 
 /// Least generating shift `x_E` without undercut, modules: `h_fP* − ρ_fP* (1 − sin α_n) − z sin² α_t/(2 cos β)`.
 ///
-/// It solves `r sin α − (h_0/sin α + ρ) ≥ 0` (design section 4) for the shift.
+/// It solves `r sin α − (h_0/sin α + ρ) ≥ 0` for the shift.
 pub fn least_shift_without_undercut(basic_data: &BasicGearData, rack: &BasicRack) -> f64 {
     let sin = basic_data.pressure_angle().sin();
     let transverse = basic_data.transverse_pressure_angle().sin();

@@ -1,4 +1,5 @@
-//! Backlash by formula: the three models of design section 5, and the limits of a pair.
+//! Backlash by formula: the three models of docs/explanation/models.md, and the limits of a pair. `K (n)` is formula n of the study that
+//! docs/explanation/study.md reproduces.
 //!
 //! They share only gears, deviations and poses with the simulation. Each gives the circumferential backlash `j_wt` (mm, negative:
 //! interference), or `None` without a value.

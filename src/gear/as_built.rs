@@ -103,7 +103,7 @@ impl AsBuilt {
     /// A `gear` with `deviations`, its reference face turned to `face`.
     ///
     /// A thickness `δ_s` turns each flank outwards by `δ_s/(2 r)`. A pitch deviation `F` turns it by `F/r` along ascending
-    /// numbers. The fillet turns with its flank about the geometric centre (design section 4). A lead turns it further in each section.
+    /// numbers. The fillet turns with its flank about the geometric centre. A lead turns it further in each section.
     ///
     /// # Errors
     /// Lists without one value per tooth; a pitch deviation of half a pitch; a runout of the tooth depth or more; a high tooth outside

@@ -1,7 +1,7 @@
 //! Pitch measured about the datum axis: finding and removing the eccentricity it contains.
 //!
 //! The data locate every flank on the measuring (reference) circle about the datum axis. An eccentricity appears as a sine in
-//! the curves of both flanks (design section 6). The eccentricity is the one whose *exact* removal leaves no such sine in the
+//! the curves of both flanks. The eccentricity is the one whose *exact* removal leaves no such sine in the
 //! gear's own pitch deviation, both flanks jointly. A first harmonic of the gear's own pitch has the same shape. The data
 //! cannot distinguish the two, and all of it counts as eccentricity.
 

@@ -62,7 +62,7 @@ pub struct Gear {
 impl Gear {
     /// A gear of `design` whose teeth have the mean transverse `base_thickness` `s_bt`, mm.
     ///
-    /// The thickness determines the generating shift `x_E = x + (s_n − s_n,nominal)/(2 m_n tan α_n)` (design section 4), and so
+    /// The thickness determines the generating shift `x_E = x + (s_n − s_n,nominal)/(2 m_n tan α_n)`, and so
     /// root circle and fillet. The tip circle follows `x` or the given tip diameter.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! Pitch deviation of both flanks as cumulative curves.
 //!
 //! A pitch curve is cumulative (index deviation `F`), in mm at the reference circle, positive along ascending tooth numbers, about
-//! its own mean (design section 3). `right` and `left` are the gear's *own* flanks.
+//! its own mean. `right` and `left` are the gear's *own* flanks.
 
 use super::Flank;
 

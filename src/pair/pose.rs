@@ -1,4 +1,4 @@
-//! Mating teeth, and the rotations of both gears that follow (design section 3).
+//! Mating teeth, and the rotations of both gears that follow.
 
 use super::{GearPair, Member};
 use crate::gear::{Face, Side};
@@ -102,7 +102,7 @@ pub trait ToothNumbers {
     fn teeth(&self, member: Member) -> u32;
     /// The face of a gear towards the viewer.
     fn shown_face(&self, member: Member) -> Face;
-    /// The fixed gear.
+    /// The locked gear.
     fn locked(&self) -> Member;
 
     /// The tooth of a gear `steps` places counter-clockwise of `tooth`.

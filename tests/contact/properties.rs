@@ -67,7 +67,7 @@ proptest! {
         same(&one, &outcome(&case, 10.0))?;
     }
 
-    /// Design section 5: where the contact is involute on involute, model 3 is exact; elsewhere a real pair
+    /// Where the contact is involute on involute, model 3 is exact; elsewhere a real pair
     /// has less backlash than it says, never more.
     #[test]
     fn model_3_is_right_on_the_line_and_never_exceeded(case in any_case()) {

@@ -4,7 +4,7 @@ use super::*;
 use crate::kit::locked;
 use crate::random::{self, PERFECT, Random};
 
-/// `j_wt = j_bn/cos α_wt` of perfect gears in involute contact, `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm (design section 2).
+/// `j_wt = j_bn/cos α_wt` of perfect gears in involute contact, `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm.
 pub fn closed_form(assembly: &GearPair) -> f64 {
     let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member).gear());
     let sum = wheel.base_radius() + pinion.base_radius();

@@ -38,7 +38,7 @@ fn tables_5_and_6() {
     assert_eq!(counts, [9, 63, 0]);
 }
 
-/// Table 2, 86/21 by dimension over pins, unrounded in design section 8.
+/// Table 2 of the study, 86/21 by dimension over pins, unrounded.
 #[test]
 fn table_2_backlash_at_three_centre_distances() {
     let runs = run(&kit::study("fixtures/karba_86x21.toml"));
@@ -104,8 +104,7 @@ fn tightest(assembly: &GearPair, pose: &Pose, side: Side) -> (SideContact, f64) 
     (all[0], next - ahead(&all[0]))
 }
 
-/// fixtures/reference/lost_motion: equal wherever both sides touch involute on involute. Elsewhere the simulation may lie below model 3, never above
-/// (design section 5).
+/// fixtures/reference/lost_motion: equal wherever both sides touch involute on involute. Elsewhere the simulation may lie below model 3, never above.
 #[test]
 fn model_3_is_the_reference_on_the_line_of_action_and_never_below_it() {
     let (mut poses, mut named, mut below) = (0, 0, 0);

@@ -70,7 +70,7 @@ proptest! {
         prop_assert!((by(mating).unwrap() - by(turned).unwrap()).abs() < 2e-11);
     }
 
-    /// Design section 2: j_bt = (d_b1 + d_b2)(inv α_wt − inv α_w0), j_r = a − a_0, dj_bt/da = 2 sin α_wt.
+    /// j_bt = (d_b1 + d_b2)(inv α_wt − inv α_w0), j_r = a − a_0, dj_bt/da = 2 sin α_wt.
     #[test]
     fn identities_of_the_normal_backlash(case in case()) {
         let assembly = case.assemble(1.0);

@@ -80,7 +80,7 @@ impl Drawn {
         (found.high_tooth - 1.0) * TAU / f64::from(self.z)
     }
 
-    /// `own` without anything of the runout pattern (design section 6: sin and cos of `ψ − α` on right, `ψ + α` on left
+    /// `own` without anything of the runout pattern (sin and cos of `ψ − α` on right, `ψ + α` on left
     /// flanks), both flanks together, nor mean of a flank: less its projection on them over all 2z values.
     fn without_pattern(&self, own: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
         let alpha = ALPHA_DEG.to_radians();

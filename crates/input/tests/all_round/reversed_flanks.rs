@@ -64,7 +64,7 @@ pub(super) fn pitch(sense: &str, right: &[f64], left: &[f64]) -> String {
 
 const GEARS: usize = 4000;
 
-/// Datum-axis readings of flanks with the own pitch `own`, µm: the pattern of design section 6, F = −e sin(ψ ∓ α)/cos α, added to it,
+/// Datum-axis readings of flanks with the own pitch `own`, µm: the pattern F = −e sin(ψ ∓ α)/cos α, added to it,
 /// rounded to 0.1 µm as sheets are. Teeth of half a pitch, so a flank stands π/(2z) from its tooth's centre.
 pub(super) fn about_datum(own: [Vec<f64>; 2], e: f64, to: f64) -> [Vec<f64>; 2] {
     let alpha = 20f64.to_radians();

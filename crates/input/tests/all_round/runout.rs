@@ -239,7 +239,7 @@ fn datum_pitch_stated_as_own_takes_the_eccentricity_of_readings() {
         ..Made::random(44, &mut TestRunner::deterministic())
     };
     let readings = even.by_ball(5.25);
-    // F = −e sin(ψ ∓ α)/cos α, design section 6; teeth of half a pitch.
+    // F = −e sin(ψ ∓ α)/cos α; teeth of half a pitch.
     let own = [1.0, -1.0].map(|ahead: f64| {
         let flank = |i: usize| {
             let psi = (i as f64 + 1.0 - even.high) * even.step() + ahead * even.step() / 4.0;

@@ -97,7 +97,7 @@ fn turning_gears_as_svg() {
     insta::assert_snapshot!(draw_turning(&nominal()));
 }
 
-/// A tooth 30 µm thicker by its mean and 20 µm by itself has each flank 25 µm out (design section 4: half
+/// A tooth 30 µm thicker by its mean and 20 µm by itself has each flank 25 µm out (half
 /// to each side), eccentricity is as given; all of it times the factor.
 #[test]
 fn every_flank_moves_by_its_deviation_times_the_factor() {

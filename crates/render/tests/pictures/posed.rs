@@ -143,7 +143,7 @@ pub fn find(title: &str) -> Posed {
     all.find(|posed| posed.title == title).unwrap()
 }
 
-/// `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm (design section 5, model 2).
+/// `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm.
 pub fn j_bn(assembly: &GearPair) -> f64 {
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m).gear());
     wheel.basic_data().base_pitch() - wheel.base_thickness() - pinion.base_thickness()

@@ -83,7 +83,7 @@ impl AssembledPair {
         self.data().is_some_and(GearPair::is_helical)
     }
 
-    /// Whether transverse sections differ along the face: helical teeth, or lead deviations.
+    /// Whether transverse sections differ along the face: helical teeth, lead deviations, or leaning axes.
     pub fn varies_along_face(&self) -> bool {
         self.data().is_some_and(GearPair::varies_along_face)
     }
@@ -206,7 +206,7 @@ impl AssembledPair {
         Some(Backlash::new(self.data()?, j_wt))
     }
 
-    /// Whether wheel and pinion have what these changes change; beside an outline a gear has less.
+    /// Whether both gears can be changed like this. In a pair with a drawn gear fewer changes are possible.
     pub fn allows(&self, changes: &[GearChange; 2]) -> bool {
         let is_possible =
             |member, pair: &OutlinePair| changes[member as usize].is_possible(pair.gear(member));

@@ -52,7 +52,7 @@ impl GearChange {
         Ok(if leans { gear.section_at(place) } else { gear })
     }
 
-    /// Whether `gear` can change so: a drawn one in thickness, and either kind in a runout of a known direction. An outline has nothing else.
+    /// Whether this change is possible for `gear` of a pair with a drawn gear: the thickness of a drawn one, and a runout of known direction.
     pub(super) fn is_possible(&self, gear: &OutlineGear) -> bool {
         let outline = GearChange {
             thicker: self.thicker.filter(|_| gear.flank_offset().is_some()),

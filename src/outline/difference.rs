@@ -8,7 +8,7 @@
 //! points of A's chords: along a chord the distance from an edge of B is convex, so its greater end bounds it.
 
 use super::gear::OutlineGear;
-use super::polygon::{Boundary, Near};
+use super::polygon::{Boundary, NearestPoint};
 use crate::error::OutlineError;
 use crate::numeric::wrap_angle;
 use crate::parallel;
@@ -19,7 +19,7 @@ use std::f64::consts::{PI, TAU};
 /// of the mean is less than 1e-4 of the arc's height.
 const PIECES: u32 = 1000;
 
-/// Least total number of pieces for many teeth: a large gear takes some seconds.
+/// Limit of the total number of pieces: a large gear takes some seconds.
 const MOST_PIECES: u32 = 1_000_000;
 
 /// Pieces per tooth for the choice of the turn. Tuned: a tooth 0.5 µm thicker is found among 80 drawn with chords of 1 µm.
@@ -74,7 +74,7 @@ pub struct OutlineDifference {
 #[derive(Clone, Copy)]
 struct ComparedPoint {
     point: Point2<f64>,
-    near: Near,
+    near: NearestPoint,
 }
 
 /// The middle of a piece of A's chords.
@@ -85,35 +85,37 @@ struct Midpoint {
     share: f64,
 }
 
-struct Both {
+/// The polygons of A and B.
+struct Boundaries {
     a: Boundary,
     b: Boundary,
 }
 
 impl OutlineDifference {
-    /// Deviations of `b` from `a`, with curves replaced by chords within `chord` mm (> 0).
+    /// Deviations of `b` from `a`, with curves replaced by chords within `chordal_error` mm (> 0).
     ///
     /// # Errors
     /// [`OutlineError::OtherGear`]: the numbers of teeth differ.
     pub fn new(
         a: &OutlineGear,
         b: &OutlineGear,
-        chord: f64,
+        chordal_error: f64,
     ) -> Result<OutlineDifference, OutlineError> {
         let teeth = [a.teeth(), b.teeth()];
         if teeth[0] != teeth[1] {
             return Err(OutlineError::OtherGear { teeth });
         }
         let [z, _] = teeth;
-        let drawn = |gear: &OutlineGear| Boundary::new(gear.points(gear.drawn_direction(), chord));
-        let both = Both {
+        let drawn =
+            |gear: &OutlineGear| Boundary::new(gear.points(gear.drawn_direction(), chordal_error));
+        let both = Boundaries {
             a: drawn(a),
             b: drawn(b),
         };
         let first = a.drawn_direction() - b.drawn_direction();
         let turn = |k: u32| wrap_angle(first + f64::from(k) * a.pitch());
-        let (near, _) = both.settle(&both.points(z * CHOOSING), turn(0));
-        let squares = both.by_whole_teeth(a, near);
+        let (near, _) = both.fit_turn(&both.points(z * CHOOSING), turn(0));
+        let squares = both.mean_squares_of_turns(a, near);
         let least = squares.iter().copied().fold(f64::INFINITY, f64::min);
         let alike = |k: &u32| squares[*k as usize].sqrt() <= least.sqrt() + EQUAL_FIT;
         let alike: Vec<u32> = (0..z).filter(alike).collect();
@@ -121,7 +123,7 @@ impl OutlineDifference {
         let chosen = chosen.min_by(|j, k| turn(*j).abs().total_cmp(&turn(*k).abs()));
         let chosen = turn(chosen.unwrap_or(0)) + near - turn(0);
         let points = both.points((z * PIECES).min(MOST_PIECES));
-        let (rotation, square) = both.settle(&points, chosen);
+        let (rotation, square) = both.fit_turn(&points, chosen);
         let tooth_of = |point: Point2<f64>, direction: f64| {
             let on = (point.y.atan2(point.x) - direction) * a.face().ascending();
             (on / a.pitch()).round().rem_euclid(f64::from(z)) as u32 % z + 1
@@ -133,7 +135,7 @@ impl OutlineDifference {
             tooth: tooth_of(sample.point, a.drawn_direction()),
         };
         let along: Vec<Deviation> = parallel::map(points.iter(), |at| {
-            deviation(at.edge, both.sample(at.point, rotation))
+            deviation(at.edge, both.compare_point(at.point, rotation))
         });
         let shares = points
             .iter()
@@ -141,10 +143,10 @@ impl OutlineDifference {
             .map(|(at, found)| at.share * found.beyond);
         let mean = shares.sum();
         let corners: Vec<ComparedPoint> = parallel::map(both.a.corners().iter(), |point| {
-            both.sample(*point, rotation)
+            both.compare_point(*point, rotation)
         });
         let [greatest, least] = [1.0, -1.0].map(|sign| {
-            let (edge, sample) = both.farthest(&corners, rotation, sign, chord);
+            let (edge, sample) = both.farthest(&corners, rotation, sign, chordal_error);
             deviation(edge, sample)
         });
         let towards = Rotation2::new(rotation) * Vector2::new(1.0, 0.0);
@@ -158,13 +160,13 @@ impl OutlineDifference {
             root_mean_square: square.sqrt(),
             greatest,
             least,
-            bound: a.bound() + b.bound() + 3.0 * chord,
+            bound: a.bound() + b.bound() + 3.0 * chordal_error,
             along,
         })
     }
 }
 
-impl Both {
+impl Boundaries {
     /// Midpoints of at least `count` pieces of A. No piece crosses a corner.
     fn points(&self, count: u32) -> Vec<Midpoint> {
         let edges = 0..self.a.corners().len();
@@ -190,7 +192,7 @@ impl Both {
     ///
     /// The points of tooth 1 of A are rotated to each other tooth, where A and B have the distances `a_j` and `b_j`. After a turn by k
     /// teeth the deviation is `b_(j−k) − a_j`. Its mean square depends on `k` only by the sum of the products `a_j b_(j−k)`.
-    fn by_whole_teeth(&self, a: &OutlineGear, turn: f64) -> Vec<f64> {
+    fn mean_squares_of_turns(&self, a: &OutlineGear, turn: f64) -> Vec<f64> {
         let z = a.teeth() as usize;
         let half_pitch = 0.5 * a.pitch();
         let (sin, cos) = a.drawn_direction().sin_cos();
@@ -207,7 +209,7 @@ impl Both {
             let of = |at: &Midpoint| {
                 let point = there * at.point;
                 let weight = (at.share / (all * z as f64)).sqrt();
-                let off = [self.a.nearest(point), self.sample(point, turn).near];
+                let off = [self.a.nearest(point), self.compare_point(point, turn).near];
                 off.map(|near| weight * near.signed)
             };
             points.iter().map(of).collect::<Vec<[f64; 2]>>()
@@ -227,7 +229,7 @@ impl Both {
     }
 
     /// The point of B, turned by `turn`, nearest to a point of A.
-    fn sample(&self, point: Point2<f64>, turn: f64) -> ComparedPoint {
+    fn compare_point(&self, point: Point2<f64>, turn: f64) -> ComparedPoint {
         ComparedPoint {
             point,
             near: self.b.nearest(Rotation2::new(-turn) * point),
@@ -235,17 +237,17 @@ impl Both {
     }
 
     /// The turn near `turn` with the least mean square of the deviations at `points`, and that mean square (Gauss–Newton).
-    fn settle(&self, points: &[Midpoint], turn: f64) -> (f64, f64) {
+    fn fit_turn(&self, points: &[Midpoint], turn: f64) -> (f64, f64) {
         let (mut best, mut turn) = ((turn, f64::INFINITY), turn);
         for _ in 0..STEPS {
             let (mut square, mut product, mut arms) = (0.0, 0.0, 0.0);
             for at in points {
-                let Near {
+                let NearestPoint {
                     point,
                     signed,
                     normal,
                     ..
-                } = self.sample(at.point, turn).near;
+                } = self.compare_point(at.point, turn).near;
                 // A turn by δ moves the metal by δ times the arm of its normal.
                 let arm = point.coords.perp(&normal);
                 square += at.share * signed * signed;
@@ -286,7 +288,7 @@ impl Both {
         // Without a crossing, the two nearest points are a corner of one outline and a point of the other.
         for corner in self.b.corners() {
             let near = self.a.nearest(Rotation2::new(turn) * corner);
-            look(near.edge, self.sample(near.point, turn));
+            look(near.edge, self.compare_point(near.point, turn));
         }
         let count = corners.len();
         let mut open: Vec<(usize, [ComparedPoint; 2])> = (0..count)
@@ -306,7 +308,7 @@ impl Both {
             if most <= known + tolerance || known < 0.0 || length <= tolerance {
                 continue;
             }
-            let middle = self.sample(from.point + 0.5 * (to.point - from.point), turn);
+            let middle = self.compare_point(from.point + 0.5 * (to.point - from.point), turn);
             look(edge, middle);
             open.push((edge, [from, middle]));
             open.push((edge, [middle, to]));

@@ -13,7 +13,7 @@ use super::gear::OutlineGear;
 use super::half::HalfOutline;
 use super::path::{ClosedPath, PathSegment};
 use super::polygon;
-use super::teeth::find;
+use super::teeth::find_teeth;
 use crate::error::OutlineError;
 use crate::gear::{PartCurve, Side, involute};
 use nalgebra::{Complex, Matrix3, Point2, Vector3};
@@ -42,14 +42,14 @@ pub fn fit_centre(segments: &[PathSegment]) -> Result<FittedCentre, OutlineError
     };
     for _ in 0..CENTRE_ROUNDS {
         let path = ClosedPath::new(segments, fitted.centre)?;
-        let tips: Vec<Point2<f64>> = find(&path)?.iter().map(|tooth| tooth.tip).collect();
-        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+        let tips: Vec<Point2<f64>> = find_teeth(&path)?.iter().map(|tooth| tooth.tip).collect();
+        let (mut matrix, mut sum) = (Matrix3::zeros(), Vector3::zeros());
         for tip in &tips {
             let row = Vector3::new(tip.x, tip.y, 1.0);
-            normal += row * row.transpose();
-            right -= row * tip.coords.norm_squared();
+            matrix += row * row.transpose();
+            sum -= row * tip.coords.norm_squared();
         }
-        let Some(solved) = normal.lu().solve(&right) else {
+        let Some(solved) = matrix.lu().solve(&sum) else {
             return Ok(fitted);
         };
         let off = Point2::new(-0.5 * solved.x, -0.5 * solved.y);

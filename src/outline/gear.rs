@@ -2,7 +2,7 @@
 
 use super::half::HalfOutline;
 use super::path::{ClosedPath, PathSegment};
-use super::teeth::{FoundTooth, find};
+use super::teeth::{FoundTooth, find_teeth};
 use super::tooth_classes::ToothClasses;
 use crate::error::OutlineError;
 use crate::gear::{Face, Side};
@@ -39,9 +39,9 @@ pub struct OutlineGear {
     pub(super) face: Face,
     /// Right half teeth and left ones (mirrored), tooth 1 first.
     pub(super) halves: [Arc<[HalfOutline]>; 2],
-    /// The whole path about the geometric centre, turned by `turned` from tooth 1 on +x.
+    /// The whole path about the geometric centre, turned by `drawn_direction` from tooth 1 on +x.
     pub(super) path: Arc<[PathSegment]>,
-    pub(super) turned: f64,
+    pub(super) drawn_direction: f64,
     pub(super) tip_radius: f64,
     pub(super) root_radius: f64,
     pub(super) displacement: Complex<f64>,
@@ -83,7 +83,7 @@ impl OutlineGear {
             }
         };
         let path = ClosedPath::new(drawn, centre)?;
-        let found = find(&path)?;
+        let found = find_teeth(&path)?;
         let radii = path.radii();
         let middle = 0.5 * (radii.0 + radii.1);
         let directions: Vec<f64> = found.iter().map(|tooth| direction(tooth, middle)).collect();
@@ -142,7 +142,7 @@ impl OutlineGear {
                 flank_offset: 0.0,
             }),
             path,
-            turned: directions[first],
+            drawn_direction: directions[first],
             halves,
             tip_radius: radii.1,
             root_radius: radii.0,
@@ -195,7 +195,7 @@ impl OutlineGear {
     /// [`OutlineError::Offset`]: the moved outline falls apart, keeps less than half the depth of its teeth, or the gear is given by data.
     #[cfg(feature = "offset")]
     pub fn with_flank_offset(&self, offset: f64) -> Result<OutlineGear, OutlineError> {
-        /// Steps of 1 mm to which the greatest possible flank offset is rounded down.
+        /// Steps per mm to which the greatest possible flank offset is rounded down.
         const STEPS_PER_MM: f64 = 1000.0;
         self.moved_out(offset).ok_or_else(|| {
             let [most, _] = crate::numeric::bisect(0.0, offset.abs(), 0.1 / STEPS_PER_MM, |most| {
@@ -214,7 +214,7 @@ impl OutlineGear {
         /// Least depth of moved teeth, as a part of the depth drawn: less are waves of a rim.
         const LEAST_DEPTH: f64 = 0.5;
         let drawing = self.drawing.as_ref()?;
-        let (path, error) = super::offset::moved_out(&drawing.path, offset)?;
+        let (path, error) = super::offset::offset_path(&drawing.path, offset)?;
         let path: Vec<PathSegment> = match self.face {
             Face::Front => path,
             Face::Back => path.iter().map(PathSegment::mirrored).collect(),
@@ -223,7 +223,7 @@ impl OutlineGear {
             centre: Point2::origin(),
             face: self.face,
             teeth: Some(self.teeth()),
-            first_tooth: Some(in_drawing(self.face, self.turned)),
+            first_tooth: Some(in_drawing(self.face, self.drawn_direction)),
             bound: drawing.bound + error,
         };
         let gear = OutlineGear::new(&path, &reading).ok()?;
@@ -255,7 +255,7 @@ impl OutlineGear {
 
     /// Direction of tooth 1 in the picture as drawn, about the geometric centre, rad counter-clockwise from +x.
     pub fn drawn_direction(&self) -> f64 {
-        self.turned
+        self.drawn_direction
     }
 
     /// Teeth `z`.
@@ -336,12 +336,13 @@ impl OutlineGear {
 
     /// Points along the closed outline about the axis, with tooth 1 in the direction `tooth_1`, rad.
     ///
-    /// Chords are within `chord` mm of the curves; the path of a gear given by data consists of chords already.
-    pub fn points(&self, tooth_1: f64, chord: f64) -> Vec<Point2<f64>> {
-        let turn = UnitComplex::new(tooth_1 - self.turned);
+    /// Chords are within `chordal_error` mm of the curves; the path of a gear given by data consists of chords already.
+    pub fn points(&self, tooth_1: f64, chordal_error: f64) -> Vec<Point2<f64>> {
+        let turn = UnitComplex::new(tooth_1 - self.drawn_direction);
         let displaced = self.displacement * Complex::from_polar(1.0, tooth_1);
         let axis = Vector2::new(displaced.re, displaced.im);
-        let each = self.path.iter().flat_map(|segment| segment.chords(chord));
+        let segments = self.path.iter();
+        let each = segments.flat_map(|segment| segment.chords(chordal_error));
         each.map(|point| turn * point + axis).collect()
     }
 

@@ -42,7 +42,7 @@ impl HalfPiece {
     }
 
     /// Bounds of the square of the radius on a straight piece or an arc, mm²; `None` for other curves.
-    fn squares(&self) -> Option<[f64; 2]> {
+    fn squared_radius_bounds(&self) -> Option<[f64; 2]> {
         if let PartCurve::Circle(circle) = &self.curve {
             return Some(circle.radii().map(|radius| radius * radius));
         }
@@ -98,13 +98,13 @@ impl HalfOutline {
 
     /// Angle at which the half tooth, from the tip, first passes `radius`, mm, inwards: rad, in the frame of its side.
     pub(super) fn angle_at(&self, radius: f64) -> Option<f64> {
-        let (piece, t) = self.passes(radius)?;
+        let (piece, t) = self.first_passage(radius)?;
         Some(self.pieces[piece].point(t).arg())
     }
 
     /// The pieces from the tip down to the first passage through `radius`, mm, inwards; all pieces without a passage.
     pub(crate) fn down_to(&self, radius: f64) -> Vec<HalfPiece> {
-        let Some((last, t)) = self.passes(radius) else {
+        let Some((last, t)) = self.first_passage(radius) else {
             return self.pieces.clone();
         };
         let mut pieces = self.pieces[..=last].to_vec();
@@ -113,11 +113,11 @@ impl HalfOutline {
     }
 
     /// Piece and parameter of the first passage through `radius`, mm, inwards.
-    fn passes(&self, radius: f64) -> Option<(usize, f64)> {
+    fn first_passage(&self, radius: f64) -> Option<(usize, f64)> {
         let mut reached = false;
         for (index, piece) in self.pieces.iter().enumerate() {
             let [from, to] = piece.ends;
-            if let Some([least, most]) = piece.squares() {
+            if let Some([least, most]) = piece.squared_radius_bounds() {
                 let square = radius * radius;
                 if !reached && most < square * (1.0 - ROUNDING) {
                     continue;

@@ -126,7 +126,7 @@ impl From<&AsBuilt> for OutlineGear {
         let gear = OutlineGear {
             face: built.face(),
             path: path.map(|segment| segment.moved(-off)).collect(),
-            turned: FRAC_PI_2,
+            drawn_direction: FRAC_PI_2,
             halves,
             tip_radius: gear.tip_radius(),
             root_radius: gear.root_radius(),

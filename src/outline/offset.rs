@@ -25,7 +25,7 @@ const SAME: f64 = 1e-7;
 
 /// The closed path of `segments` about the origin moved out by `by`, mm (negative: in), and the error that it adds, mm. `None` if not exactly
 /// one path remains.
-pub(super) fn moved_out(segments: &[PathSegment], by: f64) -> Option<(Vec<PathSegment>, f64)> {
+pub(super) fn offset_path(segments: &[PathSegment], by: f64) -> Option<(Vec<PathSegment>, f64)> {
     if by == 0.0 {
         return Some((segments.to_vec(), 0.0));
     }
@@ -202,7 +202,7 @@ mod tests {
         };
         let path: Vec<PathSegment> = (0..6).map(curve).collect();
         for by in [0.3, -0.3] {
-            let (moved, error) = moved_out(&path, by).unwrap();
+            let (moved, error) = offset_path(&path, by).unwrap();
             assert!((1e-7..=ARCS + SAME).contains(&error), "{error}");
             assert!(moved.len() < 900, "{}", moved.len());
             let chords = moved.iter().flat_map(|segment| segment.chords(1e-7));

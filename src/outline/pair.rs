@@ -17,7 +17,7 @@ pub struct OutlinePair {
 }
 
 impl OutlinePair {
-    /// Two gears at `center_distance` `a`, mm, with the gear `locked` fixed.
+    /// Two gears at `center_distance` `a`, mm, with `locked` as the locked gear.
     ///
     /// # Errors
     /// [`OutlineError::TooNear`]: a gear reaches the other's axis.
@@ -80,7 +80,7 @@ impl OutlinePair {
         self.center_distance
     }
 
-    /// The fixed gear.
+    /// The locked gear.
     pub fn locked(&self) -> Member {
         self.locked
     }
@@ -129,10 +129,10 @@ impl OutlinePair {
         member.axis(self.center_distance)
     }
 
-    /// The closed outline of a gear at `rotation`, rad, in the picture: chords within `chord` mm.
-    pub fn outline(&self, member: Member, rotation: f64, chord: f64) -> Vec<Point2<f64>> {
+    /// The closed outline of a gear at `rotation`, rad, in the picture: chords within `chordal_error` mm.
+    pub fn outline(&self, member: Member, rotation: f64, chordal_error: f64) -> Vec<Point2<f64>> {
         let tooth_1 = member.mate_direction() + rotation;
-        let points = self.gear(member).points(tooth_1, chord);
+        let points = self.gear(member).points(tooth_1, chordal_error);
         let axis = self.axis(member);
         points.iter().map(|point| axis + point.coords).collect()
     }

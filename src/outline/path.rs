@@ -197,7 +197,7 @@ pub(super) struct PathPart {
 
 /// A point of the path with its part and parameter.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Mark {
+pub(super) struct PathPoint {
     pub part: usize,
     pub t: f64,
     pub point: Point2<f64>,
@@ -208,7 +208,7 @@ pub(super) struct Mark {
 pub(super) struct ClosedPath {
     pub parts: Vec<PathPart>,
     /// Points along the path. Each chord from a point to the next (cyclically) lies on the part of its first point.
-    pub marks: Vec<Mark>,
+    pub marks: Vec<PathPoint>,
 }
 
 impl ClosedPath {
@@ -260,7 +260,7 @@ impl ClosedPath {
             let part = path.parts.len();
             for t in cuts(&curve, ends) {
                 let point = curve.point(t);
-                path.marks.push(Mark { part, t, point });
+                path.marks.push(PathPoint { part, t, point });
             }
             path.parts.push(PathPart { curve, ends });
         }
@@ -269,7 +269,7 @@ impl ClosedPath {
 
     /// The chord from a mark to the next: the parameters of its ends.
     pub fn chord(&self, mark: usize) -> [f64; 2] {
-        let Mark { part, t, .. } = self.marks[mark];
+        let PathPoint { part, t, .. } = self.marks[mark];
         match self.marks.get(mark + 1) {
             Some(next) if next.part == part => [t, next.t],
             _ => [t, self.parts[part].ends[1]],

@@ -47,7 +47,7 @@ pub(super) struct Boundary {
 
 /// The point of a polygon nearest to a given point.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Near {
+pub(super) struct NearestPoint {
     /// Index of the edge, by its first corner.
     pub edge: usize,
     pub point: Point2<f64>,
@@ -112,7 +112,7 @@ impl Boundary {
     }
 
     /// The point nearest to `point`.
-    pub fn nearest(&self, point: Point2<f64>) -> Near {
+    pub fn nearest(&self, point: Point2<f64>) -> NearestPoint {
         let mut best = (f64::INFINITY, 0);
         self.search(1, 0, self.corners.len(), point, &mut best);
         let (_, edge) = best;
@@ -132,7 +132,7 @@ impl Boundary {
             (true, true) => (-distance, off / distance),
             (true, false) => (distance, -off / distance),
         };
-        Near {
+        NearestPoint {
             edge,
             point: foot,
             signed,

@@ -12,13 +12,13 @@ use crate::numeric::bisect;
 use nalgebra::{Complex, Point2};
 
 /// Share of the depth of a tip or root region.
-const REGION: f64 = 0.05;
+const REGION_SHARE: f64 = 0.05;
 
 /// Share of the depth in which a contact counts as on the tip or root.
-const NAMED: f64 = 0.01;
+const TIP_OR_ROOT_SHARE: f64 = 0.01;
 
 /// Least turn of an edge, rad. Tuned: decimals of a file turn tangent curves by less.
-const EDGE: f64 = 1e-6;
+const LEAST_EDGE_TURN: f64 = 1e-6;
 
 /// A tooth's two halves, in the frame of the path.
 #[derive(Debug)]
@@ -36,7 +36,7 @@ struct Place {
 }
 
 /// The teeth of `path`, counter-clockwise.
-pub(super) fn find(path: &ClosedPath) -> Result<Vec<FoundTooth>, OutlineError> {
+pub(super) fn find_teeth(path: &ClosedPath) -> Result<Vec<FoundTooth>, OutlineError> {
     let radii: Vec<f64> = path
         .marks
         .iter()
@@ -81,17 +81,17 @@ pub(super) fn find(path: &ClosedPath) -> Result<Vec<FoundTooth>, OutlineError> {
             tip_diameter_mm: 2.0 * most,
         });
     }
-    let walk = Walk { path, radii };
+    let path_radii = PathRadii { path, radii };
     let regions: Vec<Region> = runs
         .iter()
         .enumerate()
-        .map(|(k, run)| walk.region(run, k % 2 == 1, REGION * 3.0 * third))
+        .map(|(k, run)| path_radii.region(run, k % 2 == 1, REGION_SHARE * 3.0 * third))
         .collect();
     let roots: Vec<&Region> = regions.iter().step_by(2).collect();
     let tips = regions.iter().skip(1).step_by(2);
     Ok(tips
         .enumerate()
-        .map(|(k, tip)| walk.tooth(roots[k], tip, roots[(k + 1) % found]))
+        .map(|(k, tip)| path_radii.tooth(roots[k], tip, roots[(k + 1) % found]))
         .collect())
 }
 
@@ -105,12 +105,12 @@ struct Region {
     limit: f64,
 }
 
-struct Walk<'a> {
+struct PathRadii<'a> {
     path: &'a ClosedPath,
     radii: Vec<f64>,
 }
 
-impl Walk<'_> {
+impl PathRadii<'_> {
     fn region(&self, run: &[usize], is_tip: bool, height: f64) -> Region {
         let sign = if is_tip { 1.0 } else { -1.0 };
         let top = run
@@ -128,7 +128,7 @@ impl Walk<'_> {
             middle: self.halfway(from, to),
             from,
             to,
-            limit: sign * (top - NAMED / REGION * height),
+            limit: sign * (top - TIP_OR_ROOT_SHARE / REGION_SHARE * height),
         }
     }
 
@@ -167,15 +167,15 @@ impl Walk<'_> {
             let curve = &self.path.parts[self.path.marks[chord].part].curve;
             (curve.point(end) - curve.point(start)).norm()
         };
-        let mut left = 0.5 * stretches.iter().map(length).sum::<f64>();
+        let mut to_go = 0.5 * stretches.iter().map(length).sum::<f64>();
         for stretch in &stretches {
             let there = length(stretch);
             let &(chord, [start, end]) = stretch;
-            if left <= there && there > 0.0 {
-                let t = start + (end - start) * left / there;
+            if to_go <= there && there > 0.0 {
+                let t = start + (end - start) * to_go / there;
                 return Place { chord, t };
             }
-            left -= there;
+            to_go -= there;
         }
         from
     }
@@ -210,7 +210,7 @@ impl Walk<'_> {
                 tip_limit: tip.limit,
                 root_limit: root.limit,
             };
-            half.mark_corners(EDGE);
+            half.mark_corners(LEAST_EDGE_TURN);
             half
         });
         let Place { chord, t } = tip.middle;

@@ -15,7 +15,7 @@ pub(crate) struct ToothClasses {
     /// The first tooth that each tooth equals, at even places.
     first: Vec<u32>,
     /// Bound on the distance between two teeth of a class, mm.
-    pub apart: f64,
+    pub difference_bound: f64,
 }
 
 impl ToothClasses {
@@ -29,7 +29,7 @@ impl ToothClasses {
                 let half = |tooth: u32| &halves[side.index()][tooth as usize - 1];
                 // The left side is mirrored.
                 let turn = Complex::from_polar(1.0, -side.sense() * between);
-                apart(half(one), half(other), turn)
+                half_difference(half(one), half(other), turn)
             });
             let [right, left] = sides;
             Some(right?.max(left?))
@@ -39,17 +39,17 @@ impl ToothClasses {
         let first = (1..=halves[0].len() as u32).map(|tooth| {
             let mut known = firsts.iter();
             let known = known.find_map(|&first| Some((first, equal(first, tooth)?)));
-            let (first, apart) = known.unwrap_or((tooth, 0.0));
+            let (first, difference) = known.unwrap_or((tooth, 0.0));
             if first == tooth {
                 firsts.push(tooth);
             }
-            most = most.max(apart);
+            most = most.max(difference);
             first
         });
         ToothClasses {
             first: first.collect(),
             // Both are that far from the first one.
-            apart: 2.0 * most,
+            difference_bound: 2.0 * most,
         }
     }
 
@@ -57,7 +57,7 @@ impl ToothClasses {
     pub(super) fn each(teeth: u32) -> ToothClasses {
         ToothClasses {
             first: (1..=teeth).collect(),
-            apart: 0.0,
+            difference_bound: 0.0,
         }
     }
 
@@ -73,14 +73,14 @@ impl ToothClasses {
 }
 
 /// A bound on the distance between a half tooth turned by `turn` and another one, up to [`EQUAL`]; `None` where they are not equal.
-fn apart(one: &HalfOutline, other: &HalfOutline, turn: Complex<f64>) -> Option<f64> {
+fn half_difference(one: &HalfOutline, other: &HalfOutline, turn: Complex<f64>) -> Option<f64> {
     if one.pieces.len() != other.pieces.len() {
         return None;
     }
     let mut pieces = one.pieces.iter().zip(&other.pieces);
     pieces.try_fold(0.0, |most: f64, (one, other)| {
-        let apart = pieces_apart(one, other, turn)?;
-        (apart <= EQUAL).then(|| most.max(apart))
+        let difference = piece_difference(one, other, turn)?;
+        (difference <= EQUAL).then(|| most.max(difference))
     })
 }
 
@@ -89,7 +89,7 @@ fn is_short_arc(piece: &HalfPiece) -> bool {
     matches!(piece.curve, PartCurve::Circle(_)) && high - low <= FRAC_PI_2
 }
 
-fn pieces_apart(one: &HalfPiece, other: &HalfPiece, turn: Complex<f64>) -> Option<f64> {
+fn piece_difference(one: &HalfPiece, other: &HalfPiece, turn: Complex<f64>) -> Option<f64> {
     if one.corners != other.corners {
         return None;
     }

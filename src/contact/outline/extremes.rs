@@ -318,7 +318,7 @@ impl<'a> SideOverCell<'a> {
             direction: C::ONE,
         };
         let gears = [side.locked.gear, side.free.gear];
-        let apart = cells.cycle.classes.iter().map(|of| of.apart);
+        let apart = cells.cycle.classes.iter().map(|of| of.difference_bound);
         let ratio = -gears[1].pitch() / gears[0].pitch();
         let cell = SideCell {
             teeth: [&side.locked, &side.free],

@@ -117,7 +117,7 @@
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
 //! use gearlash::analysis::{Analysis, Plan};
-//! use gearlash::analysis::diagnosis::Verdict;
+//! use gearlash::analysis::diagnosis::CheckVerdict;
 //! use gearlash::contact::Method;
 //! use gearlash::analysis::study::Study;
 //!
@@ -125,7 +125,7 @@
 //! let study = Study::of_pair("too near", &GearPair::new(wheel, pinion, 39.5)?, 4);
 //! let plan = Plan::new(&study, Method::Exact { certify: true }).with_checks();
 //! let analysis = Analysis::silently(&plan)?;
-//! assert_eq!(analysis.diagnosis.verdict(), Verdict::Fail);
+//! assert_eq!(analysis.diagnosis.verdict(), CheckVerdict::Fail);
 //! # Ok::<(), gearlash::error::Error>(())
 //! ```
 //!

@@ -6,7 +6,7 @@ use std::convert::Infallible;
 use std::f64::consts::TAU;
 
 /// Golden section: the part of a bracket that one step keeps, `(√5 − 1)/2`.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
+pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Halves the bracket `[inside, outside]` of a place where `holds` changes from true to false.
 ///

@@ -13,7 +13,7 @@ use gearlash::error::go_on;
 use gearlash::gear::Face;
 use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, of_gear};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use gearlash::population::{Draw, Run};
+use gearlash::population::{Draw, SampleKind};
 use gears::{
     AlongFace, along_face, cut, drawing, helical, modified, pair, poses, traced, wide_face,
     with_runouts,
@@ -164,8 +164,11 @@ fn assembly() -> f64 {
     let population = drawing();
     let all = fastest(|| {
         for number in 1..=100 {
-            let (seed, run) = (1, Run::Population);
-            let draw = Draw { seed, run, number };
+            let draw = Draw {
+                seed: 1,
+                sample: SampleKind::Population,
+                number,
+            };
             black_box(population.assembly(draw).unwrap().outcome().unwrap());
         }
     });

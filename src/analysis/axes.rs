@@ -22,7 +22,7 @@
 //! A displacement across the line of centres turns it. That is another pose of the cycle, but for the turn of the lean, of the second order.
 
 use crate::error::GearError;
-use crate::pair::{FaceDeviation, GearPair, Member, lens_half};
+use crate::pair::{FaceDeviation, GearPair, Member, overlap_half_angle};
 use std::f64::consts::PI;
 
 /// Bearings of both gears together, whose clearance differs from one end of the shafts to the other.
@@ -42,7 +42,7 @@ impl BearingEnds {
     }
 
     /// Clearance at `b`, mm.
-    pub fn at(&self, b: f64) -> f64 {
+    pub fn clearance_at(&self, b: f64) -> f64 {
         let [one, other] = self.weights(b);
         one.abs() * self.clearance[0] + other.abs() * self.clearance[1]
     }
@@ -81,9 +81,9 @@ impl Axis {
 /// The places of the pinion's axis that a pair leaves open.
 #[derive(Debug, Clone)]
 pub(super) struct Axes {
-    /// Corners of polygons that hold all of them; none where those are possible.
+    /// Corners of polygons that contain every place; empty if they are `possible` themselves.
     pub corners: Vec<Axis>,
-    /// Some that are possible.
+    /// Possible places, among them those expected to be worst.
     pub possible: Vec<Axis>,
     misalignment: [f64; 2],
     bearings: Option<BearingEnds>,
@@ -188,11 +188,12 @@ impl Axes {
     /// Bound on the displacement of an axis at `b`, mm.
     fn reach(&self, b: f64) -> f64 {
         let [x, y] = self.misalignment;
-        b.abs() * x.hypot(y) + self.bearings.map_or(0.0, |bearings| bearings.at(b))
+        let clearance = self.bearings.map_or(0.0, |ends| ends.clearance_at(b));
+        b.abs() * x.hypot(y) + clearance
     }
 
     /// The place on the face whose section can move least; the reach is linear between these.
-    fn stillest(&self, [from, to]: [f64; 2]) -> f64 {
+    fn least_moved_section(&self, [from, to]: [f64; 2]) -> f64 {
         let bearings = self.bearings.map_or([0.0; 2], |bearings| bearings.at);
         let places = [0.0, bearings[0], bearings[1], from, to].map(|b| b.clamp(from, to));
         let least = |one: f64, other: f64| {
@@ -207,7 +208,7 @@ impl Axes {
 
     /// The section of `pair` whose axes can move least, with the axes as far apart as they can move.
     pub fn section(&self, pair: &GearPair) -> Result<GearPair, GearError> {
-        let b = self.stillest(pair.face());
+        let b = self.least_moved_section(pair.face());
         let [x, y] = pair.lean().map(|lean| lean * b);
         let distance = (pair.center_distance() + x).hypot(y) + self.reach(b);
         // The teeth of gears that lean miss each other in a single section.
@@ -217,7 +218,7 @@ impl Axes {
     }
 
     /// Bound on the further lost motion of a section of `pair` by the heights of its contacts, mm along the base tangent.
-    pub fn by_heights(&self, pair: &GearPair) -> f64 {
+    pub fn contact_height_bound(&self, pair: &GearPair) -> f64 {
         let [x, y] = self.misalignment;
         let tilt = self.bearings.map_or(0.0, |bearings| {
             let [one, other] = bearings.at;
@@ -227,11 +228,11 @@ impl Axes {
         let [wheel, pinion] = gears.map(|gear| gear.reach());
         let [from, to] = pair.face();
         let nearest =
-            pair.center_distance() - (self.reach(from).max(self.reach(to)) + pair.most_shift());
-        let half = lens_half(wheel, pinion, nearest).unwrap_or(0.0);
+            pair.center_distance() - (self.reach(from).max(self.reach(to)) + pair.shift_bound());
+        let half = overlap_half_angle(wheel, pinion, nearest).unwrap_or(0.0);
         let across = 2.0 * wheel * half.min(0.5 * PI).sin();
         let apart = across.hypot((wheel + pinion - nearest).max(0.0));
-        let wound = gears[0].gear().basic_data().base_helix_angle().tan();
+        let tan_base_helix = gears[0].gear().basic_data().base_helix_angle().tan();
         // The pinion's shaft leans from the wheel's, and both toothings from their shafts.
         let shaft = pair.lean()[0].hypot(pair.lean()[1]) + x.hypot(y) + tilt;
         let leans = [gears[0].wobble(), gears[1].wobble() + shaft];
@@ -241,11 +242,11 @@ impl Axes {
             // Leads at other heights on both sides, and the stretch of a section, half of the lean's square on each.
             height * (2.0 * steepest + leans[k])
         });
-        wound * (leans[0] + leans[1]) * apart + by_gear[0] + by_gear[1]
+        tan_base_helix * (leans[0] + leans[1]) * apart + by_gear[0] + by_gear[1]
     }
 
     /// Bound on the squares of both sides, mm along the base tangent.
-    pub fn squares(&self, pair: &GearPair) -> f64 {
+    pub fn second_order_bound(&self, pair: &GearPair) -> f64 {
         let [from, to] = pair.face();
         let reach = self.reach(from).max(self.reach(to));
         let radii = Member::BOTH.map(|member| {

@@ -16,10 +16,10 @@ pub const BACKLASH_MAP_ROWS: u32 = 60;
 /// Limit of columns, for the same reason.
 const MOST_COLUMNS: u64 = 120;
 /// Poses per mating, and limit of poses per row (tuned: a few seconds per map). Longer cycles are sampled more thinly.
-const EACH: u64 = 2;
+const POSES_PER_MATING: u64 = 2;
 const MOST_IN_ROW: u64 = 1200;
 /// Margin above and below the range, in parts of the lesser tooth depth.
-const ROOM: f64 = 0.05;
+const MARGIN: f64 = 0.05;
 
 /// A grid of poses of one material.
 #[derive(Debug, Clone)]
@@ -92,7 +92,8 @@ impl BacklashMap {
             few if few <= MOST_COLUMNS => few * (MOST_COLUMNS / few),
             _ => MOST_COLUMNS,
         };
-        let in_cell = (EACH * run.matings).min(MOST_IN_ROW).div_ceil(columns);
+        let in_row = (POSES_PER_MATING * run.matings).min(MOST_IN_ROW);
+        let in_cell = in_row.div_ceil(columns);
         let apart = run.matings as f64 / (columns * in_cell) as f64;
         let kernel = OutlineKernel::new(pair);
         let rows = parallel::map(distances.iter().copied(), |distance| {
@@ -115,10 +116,10 @@ impl BacklashMap {
                     }
                 });
                 // A jammed pose has no value.
-                let room = |cell: &BacklashCell| cell.backlash.unwrap_or(f64::NEG_INFINITY);
+                let backlash = |cell: &BacklashCell| cell.backlash.unwrap_or(f64::NEG_INFINITY);
                 poses.min_by(|a, b| {
                     let statuses = order(a.status).cmp(&order(b.status));
-                    statuses.then(room(a).total_cmp(&room(b)))
+                    statuses.then(backlash(a).total_cmp(&backlash(b)))
                 })
             });
             let cells: Vec<BacklashCell> = cells.collect();
@@ -141,22 +142,18 @@ impl BacklashMap {
 /// Centre distances of the rows, mm, and the marked ones.
 fn shown(pair: &OutlinePair, assembles_from: Option<f64>) -> (Vec<f64>, Vec<Limit>) {
     let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
-    let limit = |name: &str, distance: f64| Limit {
-        name: name.to_owned(),
-        distance,
-    };
     let mut limits = vec![
-        limit("a of the pair", pair.center_distance()),
-        limit("a tip on a root circle", pair.tip_on_root()),
+        Limit::new("a of the pair", pair.center_distance()),
+        Limit::new("a tip on a root circle", pair.tip_on_root()),
     ];
-    limits.extend(assembles_from.map(|from| limit("assembles from here on", from)));
+    limits.extend(assembles_from.map(|from| Limit::new("assembles from here on", from)));
     limits.sort_by_cached_key(|limit| rank(limit.distance));
     let depth = [wheel, pinion].map(|gear| gear.tip_radius() - gear.root_radius());
-    let room = ROOM * f64::min(depth[0], depth[1]);
+    let margin = MARGIN * f64::min(depth[0], depth[1]);
     let ends = |pick: fn(f64, f64) -> f64| limits.iter().map(|limit| limit.distance).reduce(pick);
     let a = pair.center_distance();
-    let low = (ends(f64::min).unwrap_or(a) - room).max(pair.least_distance());
-    let high = ends(f64::max).unwrap_or(a) + room;
+    let low = (ends(f64::min).unwrap_or(a) - margin).max(pair.least_distance());
+    let high = ends(f64::max).unwrap_or(a) + margin;
     let rows = f64::from(BACKLASH_MAP_ROWS);
     let row = |row: u32| low + (high - low) * (f64::from(row) + 0.5) / rows;
     ((0..BACKLASH_MAP_ROWS).map(row).collect(), limits)

@@ -5,7 +5,7 @@
 //! tilt of the normals. If a tip corner, an undercut edge or a fillet touches, a real pair has less backlash than the formula says. That is
 //! a separate finding: the formula does not apply to this pair.
 
-use crate::analysis::study::{Run, Study};
+use crate::analysis::study::Run;
 use crate::analytic::{Analytic, evaluate};
 use crate::contact::{ContactClass, ContactKind, LostMotion, PoseResult, Status};
 use crate::gear::Side;
@@ -16,7 +16,7 @@ use crate::pair::GearPair;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum Verdict {
+pub enum PoseVerdict {
     /// Within tolerance + error bound.
     Agrees,
     /// Nothing to compare: the pose is jammed or out of mesh, and the formula finds no contact either; or a gear is drawn.
@@ -32,15 +32,15 @@ pub enum Verdict {
     Unproven,
 }
 
-impl Verdict {
+impl PoseVerdict {
     /// All, in the order of their definition.
-    pub const ALL: [Verdict; 6] = [
-        Verdict::Agrees,
-        Verdict::Nothing,
-        Verdict::OffLine,
-        Verdict::Below,
-        Verdict::Above,
-        Verdict::Unproven,
+    pub const ALL: [PoseVerdict; 6] = [
+        PoseVerdict::Agrees,
+        PoseVerdict::Nothing,
+        PoseVerdict::OffLine,
+        PoseVerdict::Below,
+        PoseVerdict::Above,
+        PoseVerdict::Unproven,
     ];
 }
 
@@ -57,7 +57,7 @@ pub struct ComparedPose {
     /// Model 3, line of action.
     pub line_of_action: Option<f64>,
     /// The verdict on the pose.
-    pub verdict: Verdict,
+    pub verdict: PoseVerdict,
 }
 
 impl From<PoseResult> for ComparedPose {
@@ -65,8 +65,8 @@ impl From<PoseResult> for ComparedPose {
     fn from(simulated: PoseResult) -> ComparedPose {
         ComparedPose {
             verdict: match simulated.found {
-                Ok(_) => Verdict::Nothing,
-                Err(_) => Verdict::Unproven,
+                Ok(_) => PoseVerdict::Nothing,
+                Err(_) => PoseVerdict::Unproven,
             },
             michalec: None,
             involute: None,
@@ -138,35 +138,30 @@ pub fn compared(assembly: &AssembledPair, result: PoseResult, tolerance_um: f64)
     pose
 }
 
-/// The tolerance in force: that of the command line, otherwise that of the pair file.
-pub fn tolerance_um(study: &Study, given: Option<f64>) -> f64 {
-    given.unwrap_or(study.tolerance_um)
-}
-
-fn judge(assembly: &GearPair, pose: &ComparedPose, tolerance: f64) -> Verdict {
+fn judge(assembly: &GearPair, pose: &ComparedPose, tolerance: f64) -> PoseVerdict {
     let result = &pose.simulated;
     let Ok(found) = &result.found else {
-        return Verdict::Unproven;
+        return PoseVerdict::Unproven;
     };
     let simulated = result.backlash.zip(result.error_bound);
     match (simulated, pose.line_of_action) {
         (Some((simulated, bound)), Some(formula)) => {
             let difference = simulated - formula;
             if difference.abs() <= tolerance + bound {
-                Verdict::Agrees
+                PoseVerdict::Agrees
             } else if difference > 0.0 {
-                Verdict::Above
+                PoseVerdict::Above
             } else if touches_off_line(assembly, found) || assembly.is_modified() {
-                Verdict::OffLine
+                PoseVerdict::OffLine
             } else {
-                Verdict::Below
+                PoseVerdict::Below
             }
         }
         // The formula finds no pair of involutes within reach: something else touches.
-        (Some(_), None) => Verdict::OffLine,
-        (None, Some(_)) if found.status() == Status::Jammed => Verdict::OffLine,
-        (None, Some(_)) => Verdict::Above,
-        (None, None) => Verdict::Nothing,
+        (Some(_), None) => PoseVerdict::OffLine,
+        (None, Some(_)) if found.status() == Status::Jammed => PoseVerdict::OffLine,
+        (None, Some(_)) => PoseVerdict::Above,
+        (None, None) => PoseVerdict::Nothing,
     }
 }
 

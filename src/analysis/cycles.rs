@@ -4,7 +4,7 @@ use super::assembles_from::{
     AtDistance, Threshold, assembles_from, assembles_from_of_outlines, meshes_to,
 };
 use super::axes::{Axes, Axis, BearingEnds};
-use super::directions::{self, AnyDirection, Directed, Poses, Search, is_open};
+use super::directions::{self, AnyDirection, PosedPair, Poses, Search, has_open_runout};
 use super::face_loss::FaceLoss;
 use super::phases::{phase, phase_count};
 use super::study::{Run, RunPlan, Study};
@@ -35,24 +35,24 @@ pub(super) trait CyclePair {
     fn width(&self) -> f64;
 
     /// The search of `cycle`, over all leans of the axes that are open.
-    fn search(&self, cycle: &Planned) -> Result<Searched, Error>;
+    fn search(&self, cycle: &CyclePlan) -> Result<CycleResult, Error>;
 
-    /// [`Planned::at_ends`] of bearings that let axes lean; `None` where they stay parallel.
-    fn in_bearings(&self, _: &Planned) -> Result<Option<[SearchedEnd; 2]>, Error> {
+    /// [`CyclePlan::at_clearance_ends`] of bearings that let axes lean; `None` where they stay parallel.
+    fn in_bearings(&self, _: &CyclePlan) -> Result<Option<[SearchedEnd; 2]>, Error> {
         Ok(None)
     }
 
     /// One end of `cycle` for this pair, in place of the pair of the cycle.
-    fn end(&self, cycle: &Planned, end: End, effort: &Effort) -> Result<Extremes, Error>;
+    fn extremes_at(&self, cycle: &CyclePlan, end: End, effort: &Effort) -> Result<Extremes, Error>;
 
-    /// The extremes over these matings and all directions of a runout without one, in brackets of about `width` mm.
+    /// The extremes over these matings, in brackets of about `width` mm. If the direction of a runout is unknown, they cover all directions.
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error>;
 
     /// Whether wheel and pinion have unlike teeth.
-    fn deviate(&self) -> [bool; 2];
+    fn have_unlike_teeth(&self) -> [bool; 2];
 
-    /// [`Planned::effort_of_remedy`].
-    fn effort_of_remedy<'t>(&self, cycle: &Planned<'t>) -> Effort<'t>;
+    /// [`CyclePlan::effort_of_remedy`].
+    fn effort_of_remedy<'t>(&self, cycle: &CyclePlan<'t>) -> Effort<'t>;
 
     /// How its teeth get thinner; `None` if only one gear's can.
     fn thinned_teeth(&self) -> Option<ThinnedTeeth>;
@@ -85,10 +85,10 @@ impl CyclePair for OutlinePair {
         PROVEN_WIDTH_DRAWN
     }
 
-    fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
+    fn search(&self, cycle: &CyclePlan) -> Result<CycleResult, Error> {
         let kernel = OutlineKernel::new(self);
         let over = cycle_of_outlines(self, cycle.over(), cycle.limits());
-        let found = over.extremes(&kernel, self, cycle.ends(), PROVEN_WIDTH_DRAWN);
+        let found = over.extremes(&kernel, self, cycle.wanted(), PROVEN_WIDTH_DRAWN);
         let (mut assembles_from, mut to) = (None, None);
         if cycle.alone.is_none() {
             assembles_from = assembles_from_of_outlines(&kernel, self, &over, &found)?;
@@ -107,7 +107,7 @@ impl CyclePair for OutlinePair {
             };
             to = meshes_to(between, &found, &at_distance, &Effort::endless())?;
         }
-        Ok(Searched {
+        Ok(CycleResult {
             poses: cycle.poses_of(&found, assembles_from),
             found,
             assembles_from,
@@ -117,7 +117,7 @@ impl CyclePair for OutlinePair {
         })
     }
 
-    fn end(&self, cycle: &Planned, end: End, _: &Effort) -> Result<Extremes, Error> {
+    fn extremes_at(&self, cycle: &CyclePlan, end: End, _: &Effort) -> Result<Extremes, Error> {
         let over = cycle_of_outlines(self, cycle.over(), cycle.limits());
         Ok(over.extremes(&OutlineKernel::new(self), self, &[end], PROVEN_WIDTH_DRAWN))
     }
@@ -130,12 +130,12 @@ impl CyclePair for OutlinePair {
         Ok(over.extremes(&OutlineKernel::new(self), self, &End::BOTH, width))
     }
 
-    fn deviate(&self) -> [bool; 2] {
+    fn have_unlike_teeth(&self) -> [bool; 2] {
         Member::BOTH.map(|member| !self.gear(member).tooth_classes().is_one())
     }
 
     /// Each search has its own.
-    fn effort_of_remedy<'t>(&self, _: &Planned<'t>) -> Effort<'t> {
+    fn effort_of_remedy<'t>(&self, _: &CyclePlan<'t>) -> Effort<'t> {
         Effort::endless()
     }
 
@@ -157,7 +157,7 @@ impl CyclePair for GearPair {
         PROVEN_WIDTH
     }
 
-    fn search(&self, cycle: &Planned) -> Result<Searched, Error> {
+    fn search(&self, cycle: &CyclePlan) -> Result<CycleResult, Error> {
         if cycle.open_lean != [0.0; 2] {
             return cycle.over_axes(&Axes::new(self, cycle.open_lean, None), self);
         }
@@ -166,28 +166,28 @@ impl CyclePair for GearPair {
         Ok(searched)
     }
 
-    fn in_bearings(&self, cycle: &Planned) -> Result<Option<[SearchedEnd; 2]>, Error> {
+    fn in_bearings(&self, cycle: &CyclePlan) -> Result<Option<[SearchedEnd; 2]>, Error> {
         if cycle.bearing_ends.is_none() {
             return Ok(None);
         }
         let axes = Axes::new(self, cycle.open_lean, cycle.bearing_ends);
         let searched = cycle.over_axes(&axes, self)?;
-        let ends = End::BOTH.map(|end| searched.end(&cycle.run.assembly, end));
+        let ends = End::BOTH.map(|end| searched.clearance_end(&cycle.run.assembly, end));
         Ok(Some(ends))
     }
 
-    fn end(&self, cycle: &Planned, end: End, effort: &Effort) -> Result<Extremes, Error> {
+    fn extremes_at(&self, cycle: &CyclePlan, end: End, effort: &Effort) -> Result<Extremes, Error> {
         if cycle.open_lean != [0.0; 2] {
             let ends: &[End] = match end {
                 End::Least => &[End::Least],
                 End::Greatest => &[End::Greatest],
             };
             let whole = Effort::of_extremes(self, cycle.tick).left();
-            let parts = AXES * whole / (effort.left() / PARTS_OF_REST).max(1);
-            let there = Planned {
+            let divisor = AXES * whole / (effort.left() / PARTS_OF_REST).max(1);
+            let there = CyclePlan {
                 alone: Some(Alone {
                     ends,
-                    parts: parts.max(1),
+                    divisor: divisor.max(1),
                 }),
                 ..cycle.with(self.clone().into())
             };
@@ -195,7 +195,7 @@ impl CyclePair for GearPair {
             effort.spend(searched.effort);
             return Ok(searched.found);
         }
-        if is_open(self) {
+        if has_open_runout(self) {
             return Ok(cycle.any_direction(self, effort)?.found);
         }
         let (kernel, over) = (&ExactKernel::new(self), cycle.over());
@@ -204,7 +204,7 @@ impl CyclePair for GearPair {
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
         let effort = &Effort::of_extremes(self, &go_on);
-        if is_open(self) {
+        if has_open_runout(self) {
             Ok(any_direction(self, over, &End::BOTH, width, effort)?.found)
         } else {
             let kernel = &ExactKernel::new(self);
@@ -213,11 +213,11 @@ impl CyclePair for GearPair {
     }
 
     /// An eccentricity alone, in any direction, keeps all teeth equal.
-    fn deviate(&self) -> [bool; 2] {
+    fn have_unlike_teeth(&self) -> [bool; 2] {
         Member::BOTH.map(|one| has_different_teeth(&self.gear(one).centred()))
     }
 
-    fn effort_of_remedy<'t>(&self, cycle: &Planned<'t>) -> Effort<'t> {
+    fn effort_of_remedy<'t>(&self, cycle: &CyclePlan<'t>) -> Effort<'t> {
         let places = if cycle.open_lean == [0.0; 2] { 1 } else { AXES };
         let one = Effort::of_extremes(self, cycle.tick).left();
         Effort::new(places * one, cycle.tick)
@@ -258,13 +258,13 @@ const PARTS_OF_REST: u64 = 4;
 
 /// A run and the start of its cycle.
 #[derive(Clone)]
-pub(super) struct Planned<'t> {
+pub(super) struct CyclePlan<'t> {
     pub run: Run,
     first: Mating,
     /// Number of distinct matings.
     distinct: u64,
     /// Whether the pair has several distinct assembly phases.
-    differ: bool,
+    has_distinct_phases: bool,
     /// Number of phases of the same pair that are searched; they share the effort of one pair.
     phases: u64,
     /// Its assembly phase, if several are searched.
@@ -284,11 +284,11 @@ pub(super) struct Alone {
     /// The extremes that are searched.
     pub ends: &'static [End],
     /// Divisor of the effort.
-    pub parts: u64,
+    pub divisor: u64,
 }
 
 /// Extremes of a cycle.
-pub(super) struct Searched {
+pub(super) struct CycleResult {
     /// Units of effort used.
     pub effort: u64,
     pub found: Extremes,
@@ -305,7 +305,7 @@ pub(super) struct SearchedEnd {
     pub status: Status,
     pub extreme: Option<Extreme>,
     /// The pose of that extreme.
-    pub pose: Option<Directed>,
+    pub pose: Option<PosedPair>,
 }
 
 /// The status that says more of the worst pose.
@@ -321,9 +321,9 @@ pub(super) fn worse(one: Status, other: Status) -> Status {
     if rank(other) > rank(one) { other } else { one }
 }
 
-impl Searched {
+impl CycleResult {
     /// One end of the bearing clearance of `pair`.
-    fn end(&self, pair: &AssembledPair, end: End) -> SearchedEnd {
+    fn clearance_end(&self, pair: &AssembledPair, end: End) -> SearchedEnd {
         let pose = self.poses[end as usize].clone();
         let assembly = pose.as_ref().map_or(pair, |pose| &pose.assembly);
         SearchedEnd {
@@ -335,39 +335,39 @@ impl Searched {
     }
 }
 
-impl<'t> Planned<'t> {
+impl<'t> CyclePlan<'t> {
     /// Wheel and pinion tooth that name its assembly phase; `None` if the pair has only one, or all are equal.
-    pub fn covers(&self) -> Option<(u32, u32)> {
-        self.differ
+    pub fn own_phase(&self) -> Option<(u32, u32)> {
+        self.has_distinct_phases
             .then_some((self.first.wheel_tooth, self.first.pinion_tooth))
     }
 
     /// The extremes, over all leans of the axes that are open.
-    pub fn search(&self) -> Result<Searched, Error> {
+    pub fn search(&self) -> Result<CycleResult, Error> {
         let searched = cycle_pair(&self.run.assembly).search(self)?;
         // A search that was stopped has less effort.
         Error::if_stopped((self.tick)(0))?;
         Ok(searched)
     }
 
-    /// The extremes of `pair` over all places of its axes. [`super::axes`] says why they are.
-    fn over_axes(&self, axes: &Axes, pair: &GearPair) -> Result<Searched, Error> {
+    /// The extremes of `pair` over all places of its axes. The bounds are derived in [`super::axes`].
+    fn over_axes(&self, axes: &Axes, pair: &GearPair) -> Result<CycleResult, Error> {
         let here = |axis: &Axis| {
             let there = axis.of(pair)?;
-            self.stated(there.clone()).search_as_stated(&there)
+            self.as_stated(there.clone()).search_as_stated(&there)
         };
         let all = |list: &[Axis]| {
             list.iter()
                 .map(here)
-                .collect::<Result<Vec<Searched>, Error>>()
+                .collect::<Result<Vec<CycleResult>, Error>>()
         };
         let (possible, corners) = (all(&axes.possible)?, all(&axes.corners)?);
-        let slack = axes.squares(pair) / pair.operating_pressure_angle().cos();
+        let slack = axes.second_order_bound(pair) / pair.operating_pressure_angle().cos();
         let every = || possible.iter().chain(&corners);
         let status = every()
             .map(|one| one.found.status)
             .fold(Status::Clear, worse);
-        let is_lost = |one: &&Searched| one.found.lost.is_some() && one.found.status == status;
+        let is_lost = |one: &&CycleResult| one.found.lost.is_some() && one.found.status == status;
         let lost = possible.iter().find(is_lost);
         let lost = lost.and_then(|one| one.poses[2].clone());
         let best = |end: End, hidden: Status| {
@@ -392,7 +392,7 @@ impl<'t> Planned<'t> {
         let possible_ends = |end: End| {
             possible
                 .iter()
-                .filter_map(move |one: &Searched| one.found.at(end))
+                .filter_map(move |one: &CycleResult| one.found.at(end))
         };
         let high = possible_ends(End::Least).map(|least| least.high);
         let least = least.map(|extreme| Extreme {
@@ -418,7 +418,7 @@ impl<'t> Planned<'t> {
         };
         let from = possible.iter().filter_map(|one| one.assembles_from);
         let to = possible.iter().filter_map(|one| one.meshes_to);
-        let value = |one: &Searched| one.found.least.map_or(f64::INFINITY, |least| least.found);
+        let value = |one: &CycleResult| one.found.least.map_or(f64::INFINITY, |least| least.found);
         let tightest = possible
             .iter()
             .zip(&axes.possible)
@@ -426,11 +426,11 @@ impl<'t> Planned<'t> {
         let face_loss = match tightest {
             Some((one, axis)) => {
                 let pair = axis.of(pair)?;
-                self.stated(pair.clone()).face_loss(&pair, &one.found)?
+                self.as_stated(pair.clone()).face_loss(&pair, &one.found)?
             }
             None => None,
         };
-        Ok(Searched {
+        Ok(CycleResult {
             effort: every().map(|one| one.effort).sum(),
             face_loss,
             found: Extremes {
@@ -451,19 +451,19 @@ impl<'t> Planned<'t> {
         let section = axes.section(pair)?;
         let radii = [pair, &section].map(|pair| pair.operating_pitch_radius(pair.free()));
         let effort = self.effort(&section);
-        let cycle = self.stated(section);
-        let found = cycle.end(&cycle.run.assembly, End::Greatest, &effort)?;
+        let cycle = self.as_stated(section);
+        let found = cycle.extremes_at(&cycle.run.assembly, End::Greatest, &effort)?;
         let high = found
             .greatest
             .map_or(f64::INFINITY, |greatest| greatest.high);
-        let more = axes.by_heights(pair) / pair.operating_pressure_angle().cos();
+        let more = axes.contact_height_bound(pair) / pair.operating_pressure_angle().cos();
         // The lost motion of a section at a greater distance is that at a lesser radius.
         Ok(high * (radii[0] / radii[1]).max(1.0) + more)
     }
 
     /// This cycle of another pair with the same teeth, whose axes are where it states them.
-    fn stated(&self, pair: GearPair) -> Planned<'t> {
-        Planned {
+    fn as_stated(&self, pair: GearPair) -> CyclePlan<'t> {
+        CyclePlan {
             open_lean: [0.0; 2],
             bearing_ends: None,
             ..self.with(pair.into())
@@ -471,8 +471,8 @@ impl<'t> Planned<'t> {
     }
 
     /// This cycle of another pair with the same teeth.
-    fn with(&self, assembly: AssembledPair) -> Planned<'t> {
-        Planned {
+    fn with(&self, assembly: AssembledPair) -> CyclePlan<'t> {
+        CyclePlan {
             run: Run {
                 assembly,
                 ..self.run.clone()
@@ -482,13 +482,13 @@ impl<'t> Planned<'t> {
     }
 
     /// The search with the axes where `pair` states them, without the losses along the face.
-    fn search_as_stated(&self, pair: &GearPair) -> Result<Searched, Error> {
+    fn search_as_stated(&self, pair: &GearPair) -> Result<CycleResult, Error> {
         let effort = &self.effort(pair);
-        let all = if is_open(pair) {
+        let all = if has_open_runout(pair) {
             self.any_direction(pair, effort)?
         } else {
             let (kernel, over) = (&ExactKernel::new(pair), self.over());
-            let found = cycle_extremes_within(kernel, pair, over, WIDTH, effort, self.ends())?;
+            let found = cycle_extremes_within(kernel, pair, over, WIDTH, effort, self.wanted())?;
             AnyDirection {
                 poses: Poses::default(),
                 ends: [Some((pair.clone(), found)), Some((pair.clone(), found))],
@@ -506,8 +506,8 @@ impl<'t> Planned<'t> {
             Ok::<_, Error>(to.map(|to| to.farther(-all.off)))
         });
         let assembles_from = from.transpose()?.flatten();
-        Ok(Searched {
-            poses: if is_open(pair) {
+        Ok(CycleResult {
+            poses: if has_open_runout(pair) {
                 all.poses
             } else {
                 self.poses_of(&all.found, assembles_from)
@@ -532,7 +532,7 @@ impl<'t> Planned<'t> {
         let without = |kinds: &[FaceDeviation]| {
             let pair = pair.without(kinds);
             let effort = &self.effort(&pair);
-            Ok(held(&self.end(&pair.into(), End::Least, effort)?))
+            Ok(held(&self.extremes_at(&pair.into(), End::Least, effort)?))
         };
         FaceLoss::new(|kind| pair.has(kind), held(found), without).map(Some)
     }
@@ -542,7 +542,7 @@ impl<'t> Planned<'t> {
         let [least, greatest] = End::BOTH.map(|end| found.at(end).map(|extreme| extreme.mating));
         let matings = [least, greatest, found.lost, from.map(|from| from.mating)];
         matings.map(|mating| {
-            Some(Directed {
+            Some(PosedPair {
                 assembly: self.run.assembly.clone(),
                 mating: mating?,
             })
@@ -551,24 +551,24 @@ impl<'t> Planned<'t> {
 
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them further apart by it. Backlash grows with the distance,
     /// so no pose in between has less or more.
-    pub fn at_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
+    pub fn at_clearance_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
         if let Some(ends) = cycle_pair(&self.run.assembly).in_bearings(self)? {
             return Ok(ends);
         }
         Ok([
-            self.at_end(-clearance, End::Least)?,
-            self.at_end(clearance, End::Greatest)?,
+            self.at_clearance_end(-clearance, End::Least)?,
+            self.at_clearance_end(clearance, End::Greatest)?,
         ])
     }
 
-    fn at_end(&self, farther: f64, end: End) -> Result<SearchedEnd, Error> {
+    fn at_clearance_end(&self, farther: f64, end: End) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
-        let (ends, parts) = (self.ends(), self.parts());
-        let there = Planned {
-            alone: Some(Alone { ends, parts }),
+        let (ends, divisor) = (self.wanted(), self.effort_divisor());
+        let there = CyclePlan {
+            alone: Some(Alone { ends, divisor }),
             ..self.with(assembly.at(assembly.center_distance() + farther)?)
         };
-        let end = there.search()?.end(&there.run.assembly, end);
+        let end = there.search()?.clearance_end(&there.run.assembly, end);
         if self.open_lean != [0.0; 2] {
             return Ok(end);
         }
@@ -578,8 +578,13 @@ impl<'t> Planned<'t> {
     }
 
     /// The extremes of `pair` over the cycle and over all open leans of its axes. The one that is not asked for may be missing.
-    pub fn end(&self, pair: &AssembledPair, end: End, effort: &Effort) -> Result<Extremes, Error> {
-        cycle_pair(pair).end(self, end, effort)
+    pub fn extremes_at(
+        &self,
+        pair: &AssembledPair,
+        end: End,
+        effort: &Effort,
+    ) -> Result<Extremes, Error> {
+        cycle_pair(pair).extremes_at(self, end, effort)
     }
 
     /// Effort of a change that meets the requirements: as much as one verdict may take.
@@ -589,17 +594,17 @@ impl<'t> Planned<'t> {
 
     /// Effort of the search of `assembly`.
     fn effort(&self, assembly: &GearPair) -> Effort<'t> {
-        Effort::of_extremes(assembly, self.tick).part(self.phases * self.parts())
+        Effort::of_extremes(assembly, self.tick).part(self.phases * self.effort_divisor())
     }
 
-    /// [`Alone::parts`]; 1 for a whole search.
-    fn parts(&self) -> u64 {
-        self.alone.map_or(1, |alone| alone.parts)
+    /// [`Alone::divisor`]; 1 for a whole search.
+    fn effort_divisor(&self) -> u64 {
+        self.alone.map_or(1, |alone| alone.divisor)
     }
 
     /// The parts of the effort of which each search may use one, and the tick that ends it.
     fn limits(&self) -> (u64, &'t Tick<'t>) {
-        (self.parts(), self.tick)
+        (self.effort_divisor(), self.tick)
     }
 
     /// The first mating of the cycle, and the number of distinct ones.
@@ -608,13 +613,13 @@ impl<'t> Planned<'t> {
     }
 
     /// The extremes to search.
-    fn ends(&self) -> &'static [End] {
+    fn wanted(&self) -> &'static [End] {
         self.alone.map_or(&End::BOTH, |alone| alone.ends)
     }
 
     /// The extremes of `pair` over the cycle and all directions of its runout.
     fn any_direction(&self, pair: &GearPair, effort: &Effort) -> Result<AnyDirection, Error> {
-        any_direction(pair, self.over(), self.ends(), WIDTH, effort)
+        any_direction(pair, self.over(), self.wanted(), WIDTH, effort)
     }
 
     /// The distance from which `pair`, with the result `found`, assembles.
@@ -669,8 +674,8 @@ impl<'t> Planned<'t> {
 }
 
 /// Every centre distance and material in every assembly phase of the study: those of its listed matings, or all.
-pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<Planned<'t>>, Error> {
-    let mut plans: Vec<Planned> = Vec::new();
+pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<CyclePlan<'t>>, Error> {
+    let mut plans: Vec<CyclePlan> = Vec::new();
     for RunPlan { run, matings } in study.runs()? {
         let mut phases: Vec<u32> = if study.all_phases {
             (1..=phase_count(&run.assembly)).collect()
@@ -682,8 +687,8 @@ pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<Planned<'t>
         phases.dedup();
         // Against perfect teeth the mating tooth does not matter.
         let distinct = distinct(&run.assembly);
-        let differ = phase_count(&run.assembly) > 1 && phases_differ(&run.assembly);
-        if !differ {
+        let has_distinct_phases = phase_count(&run.assembly) > 1 && phases_differ(&run.assembly);
+        if !has_distinct_phases {
             phases.truncate(1);
         }
         // A run of one phase among all has the others beside it.
@@ -694,12 +699,12 @@ pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<Planned<'t>
         for pinion_tooth in phases {
             let first = first_of_phase(pinion_tooth);
             let own = (count > 1).then_some((first.wheel_tooth, first.pinion_tooth));
-            plans.push(Planned {
+            plans.push(CyclePlan {
                 phase: run.phase.or(own),
                 run: run.clone(),
                 first,
                 distinct,
-                differ,
+                has_distinct_phases,
                 phases: count,
                 open_lean: study.open_lean,
                 bearing_ends: study.bearing_ends,
@@ -712,7 +717,7 @@ pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<Planned<'t>
 }
 
 /// The extremes of one pair over the mesh cycle on which the right flank of wheel tooth 1 meets that of pinion tooth `phase`, in brackets
-/// of about `width` mm. They cover all directions of a runout without one.
+/// of about `width` mm. If the direction of a runout is unknown, they cover all directions.
 ///
 /// # Errors
 /// As [`cycle_extremes`](crate::contact::cycle_extremes).
@@ -769,13 +774,13 @@ pub(super) fn hunting_pitches(assembly: &impl ToothNumbers) -> u64 {
 
 /// Whether the extremes over the cycle depend on the assembly phase. They do not if all teeth of one gear are equal.
 pub(crate) fn phases_differ(assembly: &AssembledPair) -> bool {
-    cycle_pair(assembly).deviate() == [true, true]
+    cycle_pair(assembly).have_unlike_teeth() == [true, true]
 }
 
 /// Number of distinct matings; after them every deviation of both gears recurs.
 pub(super) fn distinct(assembly: &AssembledPair) -> u64 {
     let teeth = |member| u64::from(assembly.teeth(member));
-    match cycle_pair(assembly).deviate() {
+    match cycle_pair(assembly).have_unlike_teeth() {
         [true, true] => hunting_pitches(assembly),
         [true, false] => teeth(Member::Wheel),
         [false, true] => teeth(Member::Pinion),

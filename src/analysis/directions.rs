@@ -45,13 +45,13 @@ pub(super) type Search<'a> = dyn Fn(&GearPair, &ExactKernel, End) -> Result<Extr
 
 /// A pose, and its pair with its high teeth at the worst place.
 #[derive(Debug, Clone)]
-pub(super) struct Directed {
+pub(super) struct PosedPair {
     pub assembly: AssembledPair,
     pub mating: Mating,
 }
 
 /// The least, the greatest and the lost pose of a cycle, and the binding one at the distance from which the pair assembles.
-pub(super) type Poses = [Option<Directed>; 4];
+pub(super) type Poses = [Option<PosedPair>; 4];
 
 /// Extremes over all directions.
 pub(super) struct AnyDirection {
@@ -65,7 +65,7 @@ pub(super) struct AnyDirection {
 }
 
 /// Whether a gear has a runout without a direction.
-pub(super) fn is_open(assembly: &GearPair) -> bool {
+pub(super) fn has_open_runout(assembly: &GearPair) -> bool {
     let gears = Member::BOTH.map(|member| assembly.gear(member));
     gears.iter().any(|gear| open_eccentricity(gear) > 0.0)
 }
@@ -109,7 +109,7 @@ pub(super) fn extremes(
         .as_ref()
         .and_then(|end| Some(end.directed(end.found.lost?, None)));
     let lost = lost.transpose()?;
-    let pose = |(assembly, mating): &(GearPair, Mating)| Directed {
+    let pose = |(assembly, mating): &(GearPair, Mating)| PosedPair {
         assembly: assembly.clone().into(),
         mating: *mating,
     };
@@ -278,7 +278,7 @@ impl<'a> Facing<'a> {
     }
 
     /// Turn of the line of centres, rad, while the free gear turns by `turn` about its axis.
-    fn on(&self, turn: f64) -> f64 {
+    fn line_turn(&self, turn: f64) -> f64 {
         self.off * turn / self.centred.center_distance()
     }
 
@@ -289,12 +289,12 @@ impl<'a> Facing<'a> {
             let gear: &AsBuilt = self.centred.gear(member);
             f64::from(gear.gear().basic_data().teeth())
         };
-        let on = self.on(turn);
+        let line_turn = self.line_turn(turn);
         let gear = |member| {
             let by = if member == locked {
-                on
+                line_turn
             } else {
-                -on * teeth(locked) / teeth(free)
+                -line_turn * teeth(locked) / teeth(free)
             };
             self.centred.gear(member).with_side_turned(Side::Left, by)
         };
@@ -319,7 +319,7 @@ impl<'a> Facing<'a> {
         let beside = (there - here + PI).rem_euclid(TAU) - PI;
         // Half of the turn of the line of centres between the contacts: at the right one it is back by that.
         let turn = contacts.map_or(0.0, |[right, left]| left - right);
-        let beside = beside + 0.5 * self.on(turn);
+        let beside = beside + 0.5 * self.line_turn(turn);
         let pitch = locked.gear().basic_data().angular_pitch();
         let mating = mating.onward(assembly, -locked.face().ascending() * beside / pitch);
         let pose = Pose::new(assembly, mating);

@@ -9,9 +9,9 @@
 use super::assembles_from::Threshold;
 use super::compare::{ComparedPose, ComparedRun};
 use super::cycles::{
-    Alone, Planned, Searched, SearchedEnd, distinct, hunting_pitches, plans, worse,
+    Alone, CyclePlan, CycleResult, SearchedEnd, distinct, hunting_pitches, plans, worse,
 };
-use super::directions::Directed;
+use super::directions::PosedPair;
 use super::face_loss::FaceLoss;
 use super::phases::phase_count;
 use super::simulate::simulate_plans;
@@ -33,10 +33,10 @@ pub struct RunExtremes {
     pub material: Material,
     /// The pair as assembled.
     pub assembly: AssembledPair,
-    /// Wheel and pinion tooth that name the assembly phase, if the study has several.
+    /// The assembly phase by the same teeth as `own_phase`, if the study has several: for headings.
     pub phase: Option<(u32, u32)>,
-    /// Wheel and pinion tooth that name the assembly phase; `None` if the pair has only one, or all are equal.
-    pub covers: Option<(u32, u32)>,
+    /// Wheel and pinion tooth that name the phase that the extremes hold for; `None` if they hold for every phase.
+    pub own_phase: Option<(u32, u32)>,
     /// Matings of the cycle: lcm(z_1, z_2).
     pub matings: u64,
     /// The status of its worst pose.
@@ -54,18 +54,18 @@ pub struct RunExtremes {
     /// Loss of the least by deviations along the face; `None` for a pair without any.
     pub face_loss: Option<FaceLoss>,
     /// Extremes with the axes moved together and apart by the bearing clearance; `None` without clearance.
-    pub bearings: Option<BearingPlay>,
+    pub bearings: Option<BearingExtremes>,
 }
 
 /// A pair whose axes move in their bearings.
 #[derive(Debug, Clone)]
-pub struct BearingPlay {
+pub struct BearingExtremes {
     /// `c`, mm: radial clearance of both bearings together.
     pub clearance: f64,
     /// The gears pressed together.
     pub pressed: BearingEnd,
     /// The gears pulled apart.
-    pub apart: BearingEnd,
+    pub pulled_apart: BearingEnd,
 }
 
 /// One end of the bearing clearance.
@@ -91,7 +91,7 @@ pub struct CycleExtremes {
 impl CycleExtremes {
     /// The greatest loss by deviations along the face of the runs at a centre distance, mm, of a material; `None` without any.
     pub fn face_loss(&self, center_distance: f64, material: Material) -> Option<FaceLoss> {
-        let here = |run: &&RunExtremes| run.place() == (center_distance, material);
+        let here = |run: &&RunExtremes| run.group_key() == (center_distance, material);
         let runs = self.each.iter().filter(here);
         let losses = runs.filter_map(|run| run.face_loss);
         losses.reduce(|one, other| if other.all > one.all { other } else { one })
@@ -178,10 +178,10 @@ impl RunExtreme {
 
 impl RunExtremes {
     fn new(
-        planned: &Planned,
-        searched: &Searched,
+        planned: &CyclePlan,
+        searched: &CycleResult,
         poses: &mut impl Iterator<Item = PairPose>,
-        bearings: Option<BearingPlay>,
+        bearings: Option<BearingExtremes>,
     ) -> RunExtremes {
         let found = &searched.found;
         let of_each = searched.poses.each_ref();
@@ -191,7 +191,7 @@ impl RunExtremes {
             material: planned.run.material,
             assembly: planned.run.assembly.clone(),
             phase: planned.phase,
-            covers: planned.covers(),
+            own_phase: planned.own_phase(),
             matings: hunting_pitches(&planned.run.assembly),
             status: found.status,
             least: found.least.zip(least).map(one),
@@ -205,7 +205,7 @@ impl RunExtremes {
     }
 
     /// Its centre distance, mm, and its material.
-    pub(super) fn place(&self) -> (f64, Material) {
+    pub(super) fn group_key(&self) -> (f64, Material) {
         (self.assembly.center_distance(), self.material)
     }
 
@@ -218,10 +218,10 @@ impl RunExtremes {
     }
 
     /// The least with the axes pressed together, or the greatest with them pulled apart, and their pair. Without bearing clearance, as [`RunExtremes::at`].
-    pub(super) fn with_play(&self, end: End) -> (&AssembledPair, Option<&RunExtreme>) {
+    pub(super) fn with_clearance(&self, end: End) -> (&AssembledPair, Option<&RunExtreme>) {
         let moved = self.bearings.as_ref().map(|play| match end {
             End::Least => &play.pressed,
-            End::Greatest => &play.apart,
+            End::Greatest => &play.pulled_apart,
         });
         match moved {
             Some(moved) => (&moved.assembly, moved.extreme.as_ref()),
@@ -278,15 +278,15 @@ pub fn extremes(study: &Study, method: Method, tick: &Tick) -> Result<CycleExtre
 /// that of the thickest gears, and the greatest that of the thinnest. Thicker teeth contain thinner ones, so no thickness between has less or
 /// more.
 ///
-/// The effort is that of [`extremes`] divided by `parts`. The distances from which a pair assembles and up to which it is in mesh are left
+/// The effort is that of [`extremes`] divided by `divisor`. The distances from which a pair assembles and up to which it is in mesh are left
 /// out, and so are losses along the face.
 ///
 /// # Errors
 /// As [`super::simulate::simulate`].
-pub fn band(
+pub fn extremes_alone(
     study: &Study,
     method: Method,
-    parts: u64,
+    divisor: u64,
     tick: &Tick,
 ) -> Result<CycleExtremes, Error> {
     let mut plans = plans(study, tick)?;
@@ -298,7 +298,7 @@ pub fn band(
             Material::Least if is_band => &[End::Greatest],
             _ => &End::BOTH,
         };
-        plan.alone = Some(Alone { ends, parts });
+        plan.alone = Some(Alone { ends, divisor });
     }
     let CycleExtremes { mut each, runs } = of_plans(study, plans, method, tick)?;
     if is_band {
@@ -316,7 +316,7 @@ pub fn band(
 
 fn of_plans(
     study: &Study,
-    plans: Vec<Planned>,
+    plans: Vec<CyclePlan>,
     method: Method,
     tick: &Tick,
 ) -> Result<CycleExtremes, Error> {
@@ -324,15 +324,15 @@ fn of_plans(
         Error::if_stopped(tick(1))?;
         let plan = &plans[index as usize];
         let clearance = study.bearing_clearance;
-        let ends = (clearance > 0.0).then(|| plan.at_ends(clearance));
+        let ends = (clearance > 0.0).then(|| plan.at_clearance_ends(clearance));
         Ok((plan.search()?, ends.transpose()?))
     });
     let found = found
         .into_iter()
-        .collect::<Result<Vec<(Searched, Option<[SearchedEnd; 2]>)>, Error>>()?;
+        .collect::<Result<Vec<(CycleResult, Option<[SearchedEnd; 2]>)>, Error>>()?;
     let all = || plans.iter().zip(&found);
     let own = all().flat_map(|(planned, (searched, _))| {
-        let poses: Vec<&Directed> = searched.poses.iter().flatten().collect();
+        let poses: Vec<&PosedPair> = searched.poses.iter().flatten().collect();
         // Those of one pair share a run.
         let runs = poses.chunk_by(|one, other| one.assembly == other.assembly);
         runs.map(|poses| pose_plan(planned, poses))
@@ -354,10 +354,10 @@ fn of_plans(
     let runs_at_ends = simulated(&without_play, at_ends.collect())?;
     let (mut own, mut at_ends) = (poses(&runs), poses(&runs_at_ends));
     let each = all().map(|(planned, (searched, ends))| {
-        let bearings = ends.as_ref().map(|[near, far]| BearingPlay {
+        let bearings = ends.as_ref().map(|[near, far]| BearingExtremes {
             clearance: study.bearing_clearance,
             pressed: BearingEnd::new(near, &mut at_ends),
-            apart: BearingEnd::new(far, &mut at_ends),
+            pulled_apart: BearingEnd::new(far, &mut at_ends),
         });
         RunExtremes::new(planned, searched, &mut own, bearings)
     });
@@ -367,7 +367,7 @@ fn of_plans(
 }
 
 /// The `poses` of one pair in the run of `planned`.
-fn pose_plan(planned: &Planned, poses: &[&Directed]) -> RunPlan {
+fn pose_plan(planned: &CyclePlan, poses: &[&PosedPair]) -> RunPlan {
     RunPlan {
         run: Run {
             assembly: poses[0].assembly.clone(),
@@ -399,7 +399,7 @@ impl CoveredPhases {
     pub fn of<'a>(runs: impl IntoIterator<Item = &'a RunExtremes>) -> CoveredPhases {
         let (mut phases, mut all) = (Vec::new(), 1);
         for run in runs {
-            if let Some(phase) = run.covers {
+            if let Some(phase) = run.own_phase {
                 phases.push(phase);
                 all = phase_count(&run.assembly) as usize;
             }

@@ -163,7 +163,7 @@ pub fn bands(
     let is_wanted = |pose: &&ComparedPose| wanted(pose.simulated.pose.mating());
     Bands::of(study, |material| {
         let here = (center_distance, material);
-        let run = runs.iter().find(|run| run.run.place() == here);
+        let run = runs.iter().find(|run| run.run.group_key() == here);
         let mut means = Means::default();
         let poses = run.into_iter().flat_map(|run| &run.poses);
         for pose in poses.filter(is_wanted) {

@@ -1,7 +1,7 @@
 //! Outcome of a study: the least and the greatest backlash at each centre distance, the binding teeth, and the
 //! differences from the formulas. Lengths in mm, as `j_wt`.
 
-use crate::analysis::compare::{ComparedPose, ComparedRun, Verdict, touches_off_line};
+use crate::analysis::compare::{ComparedPose, ComparedRun, PoseVerdict, touches_off_line};
 use crate::analysis::study::Material;
 use crate::contact::{PoseResult, Status, first_least, worst_pose};
 
@@ -26,7 +26,7 @@ pub struct Outcome<'a> {
     /// Number of jammed poses: a tip is in a root.
     pub jammed: usize,
     /// Number of poses out of mesh.
-    pub apart: usize,
+    pub out_of_mesh: usize,
     /// Number of unproven poses, whose values do not count.
     pub unproven: usize,
     /// Number of poses that are unproven at `a − c`, and at `a + c`.
@@ -111,7 +111,7 @@ impl<'a> Outcome<'a> {
             interfering: count(&PoseResult::interferes),
             touching: count(&PoseResult::just_touches),
             jammed: count(&is(Status::Jammed)),
-            apart: count(&is(Status::NoContact)),
+            out_of_mesh: count(&is(Status::NoContact)),
             unproven: count(&is(Status::Unproven)),
             unproven_ends: [0, 1].map(|end| count(&|pose| pose.is_end_unproven(end))),
             worst: worst_pose(all().map(|found| (found, &found.pose.simulated))),
@@ -222,13 +222,13 @@ impl Agreement {
             count.poses += 1;
             count.both += usize::from(pose.has_both());
             *match (simulated, pose.line_of_action.is_some(), pose.verdict) {
-                (_, _, Verdict::Unproven) => &mut count.unproven,
-                (true, true, Verdict::OffLine) => &mut count.off_line,
-                (true, true, Verdict::Below) => &mut count.below,
-                (true, true, Verdict::Above) => &mut count.above,
+                (_, _, PoseVerdict::Unproven) => &mut count.unproven,
+                (true, true, PoseVerdict::OffLine) => &mut count.off_line,
+                (true, true, PoseVerdict::Below) => &mut count.below,
+                (true, true, PoseVerdict::Above) => &mut count.above,
                 (true, true, _) => &mut count.agree,
                 (true, false, _) => &mut count.simulated_alone,
-                (false, true, Verdict::Above) => &mut count.apart,
+                (false, true, PoseVerdict::Above) => &mut count.apart,
                 (false, true, _) => &mut count.jammed,
                 (false, false, _) => &mut count.neither,
             } += 1;

@@ -15,7 +15,7 @@ pub struct PhaseGroup<'a> {
 }
 
 /// Number of assembly phases of a pair.
-pub(super) fn phase_count(assembly: &impl ToothNumbers) -> u32 {
+pub(crate) fn phase_count(assembly: &impl ToothNumbers) -> u32 {
     let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
     SweepPlan::phase_count(wheel, pinion)
 }

@@ -6,7 +6,7 @@
 //! there is no remedy. The thickness of drawn gears is changed by their flank offset alone.
 
 use super::assembles_from::threshold;
-use super::cycles::{DRAWN_SLOPE, Planned, ThinnedTeeth, cycle_pair, plans, proven_width};
+use super::cycles::{CyclePlan, DRAWN_SLOPE, ThinnedTeeth, cycle_pair, plans, proven_width};
 use super::extremes::RunExtremes;
 use super::requirement::{Limits, Quantity};
 use super::study::{Material, Study};
@@ -153,14 +153,14 @@ pub fn remedies(
     stated: [StatedGear; 2],
     tick: &Tick,
 ) -> Result<Remedies, Error> {
-    let jams = |run: &RunExtremes| run.assembles() == Some(false);
-    // A jam misses every limit, and is too tight.
-    let fails = |is_max: bool| {
+    let fails_to_assemble = |run: &RunExtremes| run.assembles() == Some(false);
+    // A pair that does not assemble misses every limit, and is too tight.
+    let misses = |is_max: bool| {
         let mut unmet = verdict.unmet.iter();
         unmet.any(|unmet| unmet.is_max == is_max && unmet.found.is_some())
     };
-    let too_tight = verdict.runs.iter().any(jams) || fails(false);
-    let too_loose = fails(true);
+    let too_tight = verdict.runs.iter().any(fails_to_assemble) || misses(false);
+    let too_loose = misses(true);
     let out_of_mesh = |run: &RunExtremes| run.status == Status::NoContact;
     let none = |reason| Remedies {
         changes: Vec::new(),
@@ -222,13 +222,13 @@ pub fn remedies(
 /// The limits that the spread of `runs` exceeds: of all runs of a band, which move together, else of those at one distance.
 fn spread(study: &Study, runs: &[RunExtremes]) -> Option<NoRemedy> {
     let value = |quantity: Quantity, run: &RunExtremes, end: End| {
-        let (assembly, extreme) = run.with_play(end);
+        let (assembly, extreme) = run.with_clearance(end);
         let found = quantity.bracket(assembly, [extreme?.found(); 2], end == End::Greatest)?;
         Some(found[0])
     };
     let is_together = |one: &RunExtremes, other: &RunExtremes| {
         let distance = |run: &RunExtremes| run.assembly.center_distance();
-        study.band.is_some() || distance(one) == distance(other)
+        study.distance_band.is_some() || distance(one) == distance(other)
     };
     let of = |(quantity, limits): &(Quantity, Limits), first: &RunExtremes| {
         let limits = [limits.min?, limits.max?];
@@ -265,7 +265,7 @@ fn worst(runs: &[RunExtremes], too_tight: bool) -> Option<usize> {
 struct Search<'a> {
     study: &'a Study,
     /// Every centre distance, material and phase.
-    plans: &'a [Planned<'a>],
+    plans: &'a [CyclePlan<'a>],
     /// The index of the worst run, and its pair.
     worst: usize,
     pair: &'a AssembledPair,
@@ -280,9 +280,9 @@ impl<'a> Search<'a> {
     fn distance(&self, effort: &Effort) -> Result<Option<Remedy>, Error> {
         let own = self.pair.center_distance();
         // All distances of a band move together; the one distance replaces a list.
-        let moved = |planned: &Planned, at: f64| {
+        let changed = |planned: &CyclePlan, at: f64| {
             let pair = &planned.run.assembly;
-            let from = match self.study.band {
+            let from = match self.study.distance_band {
                 Some(_) => pair.center_distance(),
                 None => own,
             };
@@ -297,15 +297,15 @@ impl<'a> Search<'a> {
             let angle = pair.operating_pressure_angle();
             angle.map_or(DRAWN_SLOPE, |angle| 2.0 * angle.tan())
         };
-        let Some([fails, fits]) = self.between([own, end], &moved, &slope, effort)? else {
+        let Some([fails, fits]) = self.between([own, end], &changed, &slope, effort)? else {
             return Ok(None);
         };
         let listed = &self.study.center_distances;
-        let (origin, shown) = match self.study.band {
+        let (origin, shown) = match self.study.distance_band {
             Some(_) => (own, listed[listed.len() / 2] - own),
             None => (0.0, 0.0),
         };
-        let Some(found) = self.rounded(origin, fits, STEP, &moved, effort)? else {
+        let Some(found) = self.rounded(origin, fits, STEP, &changed, effort)? else {
             return Ok(None);
         };
         let bracket = [fails.min(fits), fails.max(fits)];
@@ -326,7 +326,7 @@ impl<'a> Search<'a> {
         effort: &Effort,
     ) -> Result<Vec<Remedy>, Error> {
         let own = [0, 1].map(|k| -teeth.material[k] / self.stated[k].scale);
-        let moved = |planned: &Planned, at: f64| {
+        let changed = |planned: &CyclePlan, at: f64| {
             let change = |member: Member| {
                 let reduced = own[member as usize] - at;
                 let thicker = teeth.thickness * (self.scale(member) * reduced);
@@ -350,7 +350,7 @@ impl<'a> Search<'a> {
             let teeth = cycle_pair(pair).thinned_teeth();
             teeth.map_or(f64::NAN, |teeth| scales().sum::<f64>() * teeth.slope)
         };
-        let Some([fails, fits]) = self.between(range, &moved, &slope, effort)? else {
+        let Some([fails, fits]) = self.between(range, &changed, &slope, effort)? else {
             return Ok(Vec::new());
         };
         let mut remedies = Vec::new();
@@ -363,7 +363,7 @@ impl<'a> Search<'a> {
             (!by_offset, Change::ThicknessAllowance, 1.0),
         ];
         for (_, what, unit) in units.into_iter().filter(|(is_stated, ..)| *is_stated) {
-            let found = self.rounded(0.0, fits, STEP * unit, &moved, effort)?;
+            let found = self.rounded(0.0, fits, STEP * unit, &changed, effort)?;
             let bracket = [-fails.max(fits), -fails.min(fits)];
             remedies.extend(found.map(|found| Remedy {
                 what,
@@ -384,7 +384,7 @@ impl<'a> Search<'a> {
     fn between(
         &self,
         [own, end]: [f64; 2],
-        moved: &dyn Fn(&Planned, f64) -> Option<AssembledPair>,
+        changed: &dyn Fn(&CyclePlan, f64) -> Option<AssembledPair>,
         slope: &dyn Fn(&AssembledPair) -> f64,
         effort: &Effort,
     ) -> Result<Option<[f64; 2]>, Error> {
@@ -392,13 +392,13 @@ impl<'a> Search<'a> {
         // Places count from the present one, towards the end.
         let place = |by: f64| own + self.sign * by;
         let value = |by: f64| -> Result<Option<(f64, ())>, Error> {
-            let Some(pair) = moved(worst, place(by)) else {
+            let Some(pair) = changed(worst, place(by)) else {
                 return Ok(None);
             };
-            let room = possible(self.room(worst, &pair, effort))?;
-            Ok(room.map(|room| (room, ())))
+            let margin = none_if_impossible(self.margin(worst, &pair, effort))?;
+            Ok(margin.map(|margin| (margin, ())))
         };
-        let slope = |by: f64| moved(worst, place(by)).map_or(f64::NAN, |pair| slope(&pair));
+        let slope = |by: f64| changed(worst, place(by)).map_or(f64::NAN, |pair| slope(&pair));
         let Some((now, ())) = value(0.0)?.filter(|(now, ())| *now < 0.0) else {
             return Ok(None);
         };
@@ -413,13 +413,13 @@ impl<'a> Search<'a> {
         origin: f64,
         fits: f64,
         step: f64,
-        moved: &dyn Fn(&Planned, f64) -> Option<AssembledPair>,
+        changed: &dyn Fn(&CyclePlan, f64) -> Option<AssembledPair>,
         effort: &Effort,
     ) -> Result<Option<f64>, Error> {
         let steps = (self.sign * (fits - origin) - NEAR) / step;
         for more in 0..2 {
             let at = origin + self.sign * (steps.ceil() + f64::from(more)) * step;
-            if self.all_fit(at, moved, effort)? {
+            if self.all_fit(at, changed, effort)? {
                 return Ok(Some(at));
             }
         }
@@ -430,11 +430,11 @@ impl<'a> Search<'a> {
     fn all_fit(
         &self,
         at: f64,
-        moved: &dyn Fn(&Planned, f64) -> Option<AssembledPair>,
+        changed: &dyn Fn(&CyclePlan, f64) -> Option<AssembledPair>,
         effort: &Effort,
     ) -> Result<bool, Error> {
         for planned in self.plans {
-            let Some(pair) = moved(planned, at) else {
+            let Some(pair) = changed(planned, at) else {
                 return Ok(false);
             };
             // Thicker teeth contain thinner ones: the thickest have the least backlash, the thinnest the greatest.
@@ -444,7 +444,7 @@ impl<'a> Search<'a> {
                 } else {
                     Material::Least
                 };
-                let is_other = |plan: &Planned| plan.run.material != decisive;
+                let is_other = |plan: &CyclePlan| plan.run.material != decisive;
                 !is_other(planned) || self.plans.iter().all(is_other)
             };
             for sign in [self.sign, -self.sign].into_iter().filter(decides) {
@@ -452,8 +452,8 @@ impl<'a> Search<'a> {
                 if effort.is_nearly_spent() {
                     return Ok(false);
                 }
-                let room = possible(search.room(planned, &pair, effort))?;
-                if room.is_none_or(|room| room < 0.0) {
+                let margin = none_if_impossible(search.margin(planned, &pair, effort))?;
+                if margin.is_none_or(|margin| margin < 0.0) {
                     return Ok(false);
                 }
             }
@@ -463,7 +463,12 @@ impl<'a> Search<'a> {
 
     /// Backlash of `pair` above the required least, mm of `j_wt`; for a pair that is too loose, below the allowed
     /// greatest. −∞ if no bound is known.
-    fn room(&self, planned: &Planned, pair: &AssembledPair, effort: &Effort) -> Result<f64, Error> {
+    fn margin(
+        &self,
+        planned: &CyclePlan,
+        pair: &AssembledPair,
+        effort: &Effort,
+    ) -> Result<f64, Error> {
         let is_max = self.sign < 0.0;
         let limits = self.study.requirements.iter();
         let limit = |limits: &Limits| if is_max { limits.max } else { limits.min };
@@ -472,7 +477,7 @@ impl<'a> Search<'a> {
             .collect();
         let bound = |pair: &AssembledPair| -> Result<f64, Error> {
             let end = if is_max { End::Greatest } else { End::Least };
-            let found = planned.end(pair, end, effort)?.at(end);
+            let found = planned.extremes_at(pair, end, effort)?.at(end);
             Ok(found.map_or(
                 f64::NEG_INFINITY,
                 |end| if is_max { -end.high } else { end.low },
@@ -480,9 +485,9 @@ impl<'a> Search<'a> {
         };
         // Without a requirement, zero as in `RunExtremes::assembles`.
         let least = if is_max { f64::INFINITY } else { bound(pair)? };
-        let mut room = least + proven_width(pair);
-        if limits.is_empty() || room == f64::NEG_INFINITY {
-            return Ok(room);
+        let mut margin = least + proven_width(pair);
+        if limits.is_empty() || margin == f64::NEG_INFINITY {
+            return Ok(margin);
         }
         let play = self.study.bearing_clearance;
         let Ok(moved) = pair.at(pair.center_distance() - self.sign * play) else {
@@ -508,17 +513,17 @@ impl<'a> Search<'a> {
             } else {
                 1.0
             };
-            room = room.min(self.sign * (value(j_wt) - limit) / per_mm);
+            margin = margin.min(self.sign * (value(j_wt) - limit) / per_mm);
         }
-        Ok(room)
+        Ok(margin)
     }
 }
 
 /// `None` for gears that an eccentricity in the worst direction leaves without a tooth.
-fn possible(room: Result<f64, Error>) -> Result<Option<f64>, Error> {
-    match room {
+fn none_if_impossible(margin: Result<f64, Error>) -> Result<Option<f64>, Error> {
+    match margin {
         Err(Error::Gear(_)) => Ok(None),
-        room => room.map(Some),
+        margin => margin.map(Some),
     }
 }
 

@@ -77,7 +77,7 @@ pub(super) fn each_block<E: From<Error>>(
         let gears = study.materials.iter().find(|gears| gears.0 == material);
         gears.map(|(_, wheel, pinion)| match method {
             Method::Exact { .. } | Method::Checked => CutPair::for_certificates(wheel, pinion),
-            Method::Polygon | Method::Both => CutPair::new(wheel, pinion, study.chord),
+            Method::Polygon | Method::Both => CutPair::new(wheel, pinion, study.chordal_error),
         })
     };
     let cuts = [Material::Most, Material::Least, Material::AsMeasured].map(|m| (m, cut(m)));

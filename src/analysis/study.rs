@@ -88,7 +88,7 @@ pub struct Study {
     pub center_distances: Vec<f64>,
     /// Least and greatest distance, mm, if [`Study::center_distances`] samples a tolerance band. Backlash grows with
     /// the distance: the least is at the low end of the band, the greatest at the high end.
-    pub band: Option<[f64; 2]>,
+    pub distance_band: Option<[f64; 2]>,
     /// `c`, mm: radial clearance of both bearings together, in the measuring plane.
     pub bearing_clearance: f64,
     /// The poses of every run; `None`: exactly the rows of `measured`.
@@ -98,7 +98,7 @@ pub struct Study {
     /// Measured rows in the order of their file; empty when there is none.
     pub measured: Vec<MeasuredRow>,
     /// Chordal error of the polygons, mm.
-    pub chord: f64,
+    pub chordal_error: f64,
     /// Tolerance of a comparison, µm of `j_wt`.
     pub tolerance_um: f64,
     /// Whether contact off the line of action passes a comparison.
@@ -124,7 +124,7 @@ pub struct Run {
 
 impl Run {
     /// Its centre distance, mm, and its material.
-    pub(super) fn place(&self) -> (f64, Material) {
+    pub(super) fn group_key(&self) -> (f64, Material) {
         (self.assembly.center_distance(), self.material)
     }
 }
@@ -201,12 +201,12 @@ impl Study {
             open_lean: [0.0; 2],
             bearing_ends: None,
             center_distances,
-            band: None,
+            distance_band: None,
             bearing_clearance: 0.0,
             sweep: None,
             all_phases: false,
             measured: Vec::new(),
-            chord: 1e-5,
+            chordal_error: 1e-5,
             tolerance_um: 0.1,
             allow_off_line_contact: false,
             requirements: Requirements::new(),
@@ -322,7 +322,7 @@ impl Study {
         )
     }
 
-    /// This study at other, separate centre distances, mm, without [`Study::band`].
+    /// This study at other, separate centre distances, mm, without [`Study::distance_band`].
     ///
     /// # Errors
     /// As [`Study::pairs`], at a distance or, with bearing clearance, at `a − c`;
@@ -335,7 +335,7 @@ impl Study {
             self.pairs(a - self.bearing_clearance)?;
         }
         self.center_distances = center_distances;
-        self.band = None;
+        self.distance_band = None;
         Ok(self)
     }
 

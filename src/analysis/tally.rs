@@ -3,7 +3,7 @@
 //! A pose takes half a kilobyte of memory and 4 kB of result, and runs have up to ten million. So poses are processed
 //! block by block ([`simulate_by_blocks`]), and memory does not grow with their number.
 
-use crate::analysis::compare::{ComparedPose, ComparedRun, Summary, Verdict};
+use crate::analysis::compare::{ComparedPose, ComparedRun, PoseVerdict, Summary};
 use crate::analysis::diagnosis::PoseEvidence;
 use crate::analysis::simulate::each_block;
 use crate::analysis::study::{Material, Run, Study};
@@ -38,7 +38,7 @@ pub struct RunTally {
     /// Number of jammed poses: a tip is in a root.
     pub jammed: usize,
     /// Number of poses out of mesh.
-    pub apart: usize,
+    pub out_of_mesh: usize,
     /// Number of unproven poses, including the ends of the bearing clearance.
     pub unproven: usize,
     /// The first unproven poses.
@@ -49,7 +49,7 @@ pub struct RunTally {
     pub agreement: MethodAgreement,
     /// The contacts of the poses and their cost; `None` for a drawn pair, which has no formula.
     pub evidence: Option<PoseEvidence>,
-    verdicts: [usize; Verdict::ALL.len()],
+    verdicts: [usize; PoseVerdict::ALL.len()],
     valued: usize,
     /// Without the mean.
     summary: Summary,
@@ -75,12 +75,12 @@ impl RunTally {
             compared_off_line: 0,
             interfering: 0,
             jammed: 0,
-            apart: 0,
+            out_of_mesh: 0,
             unproven: 0,
             first_unproven: Vec::new(),
             listed: Vec::new(),
             agreement: MethodAgreement::default(),
-            verdicts: [0; Verdict::ALL.len()],
+            verdicts: [0; PoseVerdict::ALL.len()],
             valued: 0,
             summary: Summary::default(),
             sum: -0.0,
@@ -101,12 +101,13 @@ impl RunTally {
         let result = &pose.simulated;
         self.poses += 1;
         self.compared += usize::from(pose.has_both());
-        self.compared_off_line += usize::from(pose.has_both() && pose.verdict == Verdict::OffLine);
+        self.compared_off_line +=
+            usize::from(pose.has_both() && pose.verdict == PoseVerdict::OffLine);
         self.verdicts[pose.verdict as usize] += 1;
         self.interfering += usize::from(result.interferes());
         match result.status() {
             Status::Jammed => self.jammed += 1,
-            Status::NoContact => self.apart += 1,
+            Status::NoContact => self.out_of_mesh += 1,
             Status::Clear | Status::Interference | Status::Unproven => {}
         }
         if result.is_unproven() {
@@ -148,7 +149,7 @@ impl RunTally {
             self.valued += 1;
         }
         let summary = &mut self.summary;
-        summary.unproven += usize::from(pose.verdict == Verdict::Unproven);
+        summary.unproven += usize::from(pose.verdict == PoseVerdict::Unproven);
         for end in [0, 1] {
             summary.unproven_ends[end] += usize::from(result.is_end_unproven(end));
         }
@@ -164,7 +165,7 @@ impl RunTally {
     }
 
     /// Number of poses with this verdict.
-    pub fn count(&self, verdict: Verdict) -> usize {
+    pub fn count(&self, verdict: PoseVerdict) -> usize {
         self.verdicts[verdict as usize]
     }
 
@@ -182,14 +183,14 @@ impl RunTally {
 
     /// Whether some proven pose disagrees with the formula, or is off the line if that is not allowed.
     pub fn disagrees(&self, allow_off_line: bool) -> bool {
-        let off_line = !allow_off_line && self.count(Verdict::OffLine) > 0;
-        off_line || self.count(Verdict::Below) + self.count(Verdict::Above) > 0
+        let off_line = !allow_off_line && self.count(PoseVerdict::OffLine) > 0;
+        off_line || self.count(PoseVerdict::Below) + self.count(PoseVerdict::Above) > 0
     }
 
     /// Whether every pose is proven to have backlash of zero or more.
     pub fn assembles(&self) -> bool {
-        let fails = self.interfering + self.jammed + self.apart > 0;
-        self.poses > 0 && self.count(Verdict::Unproven) == 0 && !fails
+        let fails = self.interfering + self.jammed + self.out_of_mesh > 0;
+        self.poses > 0 && self.count(PoseVerdict::Unproven) == 0 && !fails
     }
 
     /// Variation of backlash over the run, greatest minus least, mm; `None` if a pose has no backlash.
@@ -246,7 +247,7 @@ impl KeepLimits {
 
 /// The tallies of whole `runs`.
 pub fn tally(runs: &[ComparedRun]) -> Vec<RunTally> {
-    let Ok(tallies) = whole(runs, &mut |_| Ok::<(), Infallible>(()));
+    let Ok(tallies) = tally_by_blocks(runs, &mut |_| Ok::<(), Infallible>(()));
     tallies
 }
 
@@ -265,7 +266,7 @@ pub enum Piece<'a> {
 type Take<'a, E> = dyn FnMut(Piece) -> Result<(), E> + 'a;
 
 /// [`simulate_by_blocks`] for `runs` that already exist.
-pub fn whole<E>(runs: &[ComparedRun], take: &mut Take<E>) -> Result<Vec<RunTally>, E> {
+pub fn tally_by_blocks<E>(runs: &[ComparedRun], take: &mut Take<E>) -> Result<Vec<RunTally>, E> {
     let poses: usize = runs.iter().map(|run| run.poses.len()).sum();
     let keep = KeepLimits::new(poses as u64, MOST_UNPROVEN);
     let mut done = Vec::with_capacity(runs.len());

@@ -2,7 +2,7 @@
 
 use super::assembles_from::Threshold;
 use super::compare::ComparedPose;
-use super::diagnosis::{self, CheckName};
+use super::diagnosis::{CheckName, CheckVerdict};
 use super::extremes::{RunExtreme, RunExtremes, WIDTH};
 use super::requirement::{Quantity, Requirements};
 use super::study::Study;
@@ -25,14 +25,14 @@ pub struct Unmet {
     /// Whether the whole bracket misses the limit. Otherwise a part of it does, or the bracket is not proven to hold.
     pub is_missed: bool,
     /// Whether the value includes the bearing clearance.
-    pub with_play: bool,
+    pub with_clearance: bool,
 }
 
 /// Whether the pair keeps all its limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum Requirement {
+pub enum RequirementOutcome {
     /// There is no limit.
     None,
     /// Each whole bracket keeps its limit.
@@ -43,32 +43,32 @@ pub enum Requirement {
     NotProven,
 }
 
-impl Requirement {
+impl RequirementOutcome {
     /// The outcome of the limits `required`, of which `unmet` are not met.
-    fn of(required: &Requirements, unmet: &[Unmet]) -> Requirement {
+    fn of(required: &Requirements, unmet: &[Unmet]) -> RequirementOutcome {
         if required.is_empty() {
-            Requirement::None
+            RequirementOutcome::None
         } else if unmet.is_empty() {
-            Requirement::Met
+            RequirementOutcome::Met
         } else if unmet.iter().any(|unmet| unmet.is_missed) {
-            Requirement::NotMet
+            RequirementOutcome::NotMet
         } else {
-            Requirement::NotProven
+            RequirementOutcome::NotProven
         }
     }
 
     /// Whether there is no limit, or all limits are met.
     pub fn is_kept(self) -> bool {
-        matches!(self, Requirement::None | Requirement::Met)
+        matches!(self, RequirementOutcome::None | RequirementOutcome::Met)
     }
 
     /// Its name in results.
     pub fn name(self) -> &'static str {
         match self {
-            Requirement::None => "none",
-            Requirement::Met => "met",
-            Requirement::NotMet => "not_met",
-            Requirement::NotProven => "not_proven",
+            RequirementOutcome::None => "none",
+            RequirementOutcome::Met => "met",
+            RequirementOutcome::NotMet => "not_met",
+            RequirementOutcome::NotProven => "not_proven",
         }
     }
 }
@@ -79,7 +79,7 @@ pub struct Verdict<'a> {
     /// The extremes of each centre distance, material and assembly phase.
     pub runs: &'a [RunExtremes],
     /// Whether the pair keeps all its limits.
-    pub requirement: Requirement,
+    pub requirement: RequirementOutcome,
     /// The limits that it does not keep, each with its worst value; the worst limit first.
     pub unmet: Vec<Unmet>,
     /// The gear whose lost motion is limited, if any.
@@ -104,7 +104,7 @@ impl<'a> Verdict<'a> {
         let is_within = || uncertainty.is_none() || unmet(required, runs, uncertainty).is_empty();
         Verdict {
             runs,
-            requirement: Requirement::of(required, &missed),
+            requirement: RequirementOutcome::of(required, &missed),
             is_kept_within_uncertainty: missed.is_empty() && is_within(),
             unmet: missed,
             lost_motion_of: lost_motion_of(required),
@@ -141,17 +141,17 @@ impl<'a> Verdict<'a> {
     /// Whether the pair passes: it meets its limits, or, without limits, it is proven to assemble. Checks are judged separately.
     pub fn passes(&self) -> bool {
         match self.requirement {
-            Requirement::None => self.assembles() == Some(true),
+            RequirementOutcome::None => self.assembles() == Some(true),
             requirement => requirement.is_kept(),
         }
     }
 
     /// The verdict for a heading, from assembly and limits. Checks are judged separately.
-    pub fn state(&self) -> diagnosis::Verdict {
+    pub fn state(&self) -> CheckVerdict {
         match (self.assembles(), self.requirement) {
-            (Some(false), _) | (_, Requirement::NotMet) => diagnosis::Verdict::Fail,
-            (None, _) | (_, Requirement::NotProven) => diagnosis::Verdict::Unproven,
-            (Some(true), _) => diagnosis::Verdict::Pass,
+            (Some(false), _) | (_, RequirementOutcome::NotMet) => CheckVerdict::Fail,
+            (None, _) | (_, RequirementOutcome::NotProven) => CheckVerdict::Unproven,
+            (Some(true), _) => CheckVerdict::Pass,
         }
     }
 
@@ -179,7 +179,7 @@ impl<'a> Verdict<'a> {
 
     /// The run with the greatest backlash when the axes are pulled apart.
     pub fn greatest_apart(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
-        let apart = |run: &'a RunExtremes| run.bearings.as_ref()?.apart.extreme.as_ref();
+        let apart = |run: &'a RunExtremes| run.bearings.as_ref()?.pulled_apart.extreme.as_ref();
         self.foremost(1.0, apart)
     }
 
@@ -275,7 +275,7 @@ fn unmet_by(
     (limit, is_max): (f64, bool),
     uncertainty: Option<Uncertainty>,
 ) -> Option<(Unmet, f64)> {
-    let (assembly, extreme) = run.with_play(if is_max { End::Greatest } else { End::Least });
+    let (assembly, extreme) = run.with_clearance(if is_max { End::Greatest } else { End::Least });
     // The radial clearance needs no contact.
     let extreme = extreme.filter(|_| quantity != Quantity::RadialClearance);
     let j_wt = match quantity {
@@ -301,7 +301,7 @@ fn unmet_by(
         is_max,
         found,
         is_missed: is_attained && least > 0.0,
-        with_play: run.bearings.is_some(),
+        with_clearance: run.bearings.is_some(),
     };
     (!(holds && most <= 0.0)).then_some((unmet, most))
 }

@@ -20,6 +20,9 @@
 //! ξ_1 = arg E_1 + ψ_b1 − θ_1,   ξ_2 = (Σ − r_b1 ξ_1)/r_b2,   θ_2 = arg E_1 + ψ_b2 − ξ_2.
 //! ```
 //!
+//! `C_2` turns with the free gear, and so does `D` with its rotation `φ`: the last line is a fixed point `φ = G(φ)`. With
+//! `G' = Im(conj(E_1) dD/dφ)/r_b2` and `|dD/dφ| = e_2`, `|G'| ≤ e_2/r_b2`.
+//!
 //! A profile deviation `δ` moves the point along the normal, `P = C + r_b E (1 − iξ) − iEδ(ξ)`. To first order the normal stays, and
 //! `Σ = r_b1 ξ_1 + δ_1 + r_b2 ξ_2 + δ_2` with the deviations at the two points. The tilt of the normal, `δ'/(r_b ξ)`, moves the
 //! contact along the flanks; its effect is of second order and neglected.
@@ -31,10 +34,7 @@
 //!
 //! Where axes lean, centres move along the face, and twist and lead are those at the height of the contact along each gear's own axis
 //! ([`section_at`](crate::pair::section_at)). `G` on the line is a parabola of `b` plus the leads. Rolls and heights are linear. Three sections give them, to the
-//! second order of the lean. The model leaves out `½ g² ρ`, by which the contact moves along the flank ([`GearPair::left_out`]).
-//!
-//! `C_2` turns with the free gear, and so does `D` with its rotation `φ`: the last line is a fixed point `φ = G(φ)`. With
-//! `G' = Im(conj(E_1) dD/dφ)/r_b2` and `|dD/dφ| = e_2`, `|G'| ≤ e_2/r_b2`.
+//! second order of the lean. The model leaves out `½ g² ρ`, by which the contact moves along the flank ([`GearPair::section_error_bound`]).
 
 use crate::gear::{AsBuilt, DeviationCurve, ProfilePart, Side};
 use crate::numeric::{bisect, rank, wrap_angle};
@@ -99,7 +99,7 @@ pub(super) struct OneSide<'a> {
 struct Facing<'a> {
     teeth: FacingTeeth<'a>,
     /// Their profile deviations.
-    flanks: [Option<&'a DeviationCurve>; 2],
+    profiles: [Option<&'a DeviationCurve>; 2],
     /// Angle of the locked tooth, and of the free one at the nominal rotation, rad, with their deviations in the measuring plane.
     angles: [f64; 2],
 }
@@ -206,7 +206,7 @@ impl<'a> OneSide<'a> {
     fn window(&self) -> RangeInclusive<f64> {
         let gear = self.locked.gear();
         let distance = self.between.norm();
-        let e = self.free.eccentricity() + self.assembly.most_shift();
+        let e = self.free.eccentricity() + self.assembly.shift_bound();
         let direction = self.between.y.atan2(self.between.x) + gear.half_base_angle();
         let swing = (e / distance).min(1.0).asin();
         let slack = if self.locked.is_modified() {
@@ -215,11 +215,17 @@ impl<'a> OneSide<'a> {
         } else {
             END * gear.tip_roll()
         };
-        let slack = slack + self.assembly.most_height() * gear.basic_data().twist().abs();
+        let slack = slack + self.assembly.height_bound() * gear.basic_data().twist().abs();
         let low = direction - swing + self.tangent(distance - e).0 - gear.tip_roll();
         let high = direction + swing + self.tangent(distance + e).0 - gear.form_roll();
         // θ_1 + s lies in the range, for s over the face.
         low - slack - self.face[1]..=high + slack - self.face[0]
+    }
+
+    /// Whether a pair with these arms, mm, touches on both involutes.
+    fn is_on_involutes(&self, [locked_arm, free_arm]: [f64; 2]) -> bool {
+        on_involute(self.locked, locked_arm / self.locked.gear().base_radius())
+            && on_involute(self.free, free_arm / self.free.gear().base_radius())
     }
 
     /// The stretch of the face, mm, over which a pair with these arms in the measuring plane is on the line, for gears with leads.
@@ -227,9 +233,7 @@ impl<'a> OneSide<'a> {
         let twist = self.mirror * self.locked.gear().basic_data().twist();
         let face = self.assembly.face();
         if twist == 0.0 {
-            let on = on_involute(self.locked, locked_arm / self.locked.gear().base_radius())
-                && on_involute(self.free, free_arm / self.free.gear().base_radius());
-            return on.then_some(face);
+            return self.is_on_involutes([locked_arm, free_arm]).then_some(face);
         }
         let [from, to] = self.turns_on_involutes(locked_arm, free_arm)?;
         let mut ends = [from, to].map(|turn| (turn / twist).clamp(face[0], face[1]));
@@ -240,8 +244,8 @@ impl<'a> OneSide<'a> {
     /// Where both leads and `smooth`, mm in powers of the place, add most over a stretch of the face, mm.
     fn tightest_place(teeth: &FacingTeeth, stretch: [f64; 2], smooth: [f64; 3]) -> f64 {
         let [at_0, slope, bend] = smooth;
-        let value = |b: f64| teeth.lead(b) + (at_0 + b * (slope + b * bend));
-        let rate = |b: f64| teeth.rate(b) + (slope + 2.0 * b * bend);
+        let value = |b: f64| teeth.lead_sum(b) + (at_0 + b * (slope + b * bend));
+        let rate = |b: f64| teeth.lead_rate_sum(b) + (slope + 2.0 * b * bend);
         let mut places = teeth.knots(stretch, |k, height| teeth.section_of(k, height));
         places.extend(tops(&places, rate));
         // The nearest to the measuring plane comes first.
@@ -290,8 +294,8 @@ impl<'a> OneSide<'a> {
         };
         let mut rate = self.free.eccentricity() / bases[1];
         if leans {
-            let wound = self.assembly.most_height() * free.basic_data().twist().abs();
-            rate += wound + self.assembly.most_shift() / bases[1];
+            let wound = self.assembly.height_bound() * free.basic_data().twist().abs();
+            rate += wound + self.assembly.shift_bound() / bases[1];
         }
         // φ = G(φ): the error after a step is at most its length times rate/(1 − rate). Stop when that is below 1e-16 rad or when
         // steps no longer shrink. The rest is rounding, unless the base circles overlap on the way: G need not contract there, and a
@@ -302,13 +306,13 @@ impl<'a> OneSide<'a> {
             let line = self.line(turn, b);
             let locked_angle = facing.angles[0] + turns[0] - moved;
             let locked_roll = line.direction + locked.half_base_angle() - locked_angle;
-            let locked_arm = bases[0] * locked_roll + deviation(facing.flanks[0], locked_roll);
+            let locked_arm = bases[0] * locked_roll + deviation(facing.profiles[0], locked_roll);
             let free_arm = line.length - locked_arm;
             let mut free_roll = free_arm / bases[1];
-            if facing.flanks[1].is_some() {
+            if facing.profiles[1].is_some() {
                 // The iteration contracts: a deviation's slope is far less than the base radius.
                 for _ in 0..DEVIATION_STEPS {
-                    free_roll = (free_arm - deviation(facing.flanks[1], free_roll)) / bases[1];
+                    free_roll = (free_arm - deviation(facing.profiles[1], free_roll)) / bases[1];
                 }
             }
             let nominal = facing.angles[1] + turns[1];
@@ -397,7 +401,7 @@ impl<'a> OneSide<'a> {
             let (low, high) = profile.range(ProfilePart::Involute);
             let ends = [place(low), place(high)];
             (from, to) = (from.max(ends[0].min(ends[1])), to.min(ends[0].max(ends[1])));
-            let knots = facing.flanks[k].map_or(&[][..], DeviationCurve::knots);
+            let knots = facing.profiles[k].map_or(&[][..], DeviationCurve::knots);
             own.extend(knots.iter().map(|roll| place(*roll)));
         }
         if !(from <= to) {
@@ -407,8 +411,8 @@ impl<'a> OneSide<'a> {
         places.extend(own.into_iter().filter(|b| *b > from && *b < to));
         places.sort_unstable_by(f64::total_cmp);
         let slope = |b: f64| {
-            let along = |k: usize| facing.flanks[k].map_or(0.0, |flank| flank.slope(roll(k, b)));
-            facing.teeth.rate(b) - twists[0] * along(0) - twists[1] * along(1)
+            let along = |k: usize| facing.profiles[k].map_or(0.0, |flank| flank.slope(roll(k, b)));
+            facing.teeth.lead_rate_sum(b) - twists[0] * along(0) - twists[1] * along(1)
         };
         places.extend(tops(&places, slope));
         let found = places.into_iter().map(|b| {
@@ -447,9 +451,9 @@ impl<'a> OneSide<'a> {
     /// The section nearest to the measuring plane in which a pair with these arms there is on the line, mm, and the twist of its locked tooth.
     fn nearest_section(&self, [locked_arm, free_arm]: [f64; 2]) -> Option<(f64, f64)> {
         if self.face == [0.0; 2] {
-            let on = on_involute(self.locked, locked_arm / self.locked.gear().base_radius())
-                && on_involute(self.free, free_arm / self.free.gear().base_radius());
-            return on.then_some((0.0, 0.0));
+            return self
+                .is_on_involutes([locked_arm, free_arm])
+                .then_some((0.0, 0.0));
         }
         let [from, to] = self.turns_on_involutes(locked_arm, free_arm)?;
         let turned = 0f64.max(from).min(to);
@@ -500,7 +504,7 @@ impl<'a> OneSide<'a> {
         let teeth = [(self.locked, locked_tooth), (self.free, free_tooth)];
         let facing = Facing {
             teeth: FacingTeeth::new(self.side, teeth),
-            flanks: teeth.map(|(gear, tooth)| gear.modification(self.side, tooth)),
+            profiles: teeth.map(|(gear, tooth)| gear.modification(self.side, tooth)),
             angles: [theta, nominal],
         };
         // The leads' part of G, and the rounds in which it settles: the stretch on the line moves with it.

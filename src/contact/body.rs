@@ -54,7 +54,7 @@ impl FarFlanks {
     pub fn of(assembly: &GearPair) -> FarFlanks {
         let [locked, free] =
             [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
-        let off = locked.eccentricity() + free.eccentricity() + assembly.most_shift();
+        let off = locked.eccentricity() + free.eccentricity() + assembly.shift_bound();
         let nearest = assembly.center_distance() - off;
         let [bases, tips] = [
             [locked, free].map(|gear| gear.gear().base_radius()),

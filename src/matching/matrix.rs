@@ -5,40 +5,40 @@ use crate::error::{Error, GearError, Tick};
 use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
 use crate::parallel;
-use crate::population::{Assembly, Outcome, OutcomeKind, Requirement, Standing};
+use crate::population::{Assembly, AssemblyLimits, Outcome, OutcomeKind, Standing};
 use pathfinding::kuhn_munkres::kuhn_munkres;
 use pathfinding::matrix::Matrix as Weights;
 
 /// Greatest distinguished distance from the target, mm: more than teeth differ.
 const FARTHEST: f64 = 100.0;
 
-/// Greatest value of [`Fit::steps`].
-pub(super) const MOST_STEPS: i64 = (FARTHEST / WIDTH) as i64;
+/// Greatest value of [`Fit::off_in_widths`].
+pub(super) const MOST_WIDTHS: i64 = (FARTHEST / WIDTH) as i64;
 
-/// The assembly of the gears, and its requirement.
+/// How the gears are assembled, and what is required.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Terms {
+pub struct PairConditions {
     /// Least and greatest centre distance, mm: the least backlash is found at the first, the greatest at the second.
     pub center_distances: [f64; 2],
     /// Radial play of both bearings together, mm.
     pub clearance: f64,
-    /// The fixed gear.
+    /// The locked gear.
     pub locked: Member,
     /// The common face of helical gears, mm ([`GearPair::with_face`]); `[0, 0]` for spur gears.
     pub face: [f64; 2],
     /// Lean of the pinion's axis, mm per mm ([`GearPair::with_lean`]).
     pub lean: [f64; 2],
     /// The requirement for each pair over its whole mesh cycle.
-    pub requirement: Requirement,
-    /// The target backlash, mm; `None`: see [`Terms::wanted`].
+    pub requirement: AssemblyLimits,
+    /// The target backlash, mm; `None`: see [`PairConditions::target_backlash`].
     pub target: Option<f64>,
 }
 
-impl Terms {
+impl PairConditions {
     /// The target backlash, mm.
     ///
     /// Without a stated target it is the middle of the required range, a lower limit alone, half of an upper limit alone, or 0.
-    pub fn wanted(&self) -> f64 {
+    pub fn target_backlash(&self) -> f64 {
         let limits = (self.requirement.min(), self.requirement.max());
         self.target.unwrap_or(match limits {
             (Some(min), Some(max)) => 0.5 * (min + max),
@@ -68,7 +68,7 @@ pub struct PairFit {
     /// The best phase: one that meets the requirement, if any, and nearest to the target.
     pub best: Fit,
     /// Number of assembly phases that meet the requirement.
-    pub meeting: u32,
+    pub phases_that_meet: u32,
 }
 
 /// Every wheel with every pinion.
@@ -93,10 +93,10 @@ impl Matrix {
     pub fn new(
         wheels: &[AsBuilt],
         pinions: &[AsBuilt],
-        terms: &Terms,
+        conditions: &PairConditions,
         tick: &Tick,
     ) -> Result<Matrix, Error> {
-        let cells = Matrix::cells(wheels, pinions, terms, tick)?;
+        let cells = Matrix::cells(wheels, pinions, conditions, tick)?;
         Ok(Matrix::of_cells(wheels, pinions, cells)?)
     }
 
@@ -107,7 +107,7 @@ impl Matrix {
     pub fn cells(
         wheels: &[AsBuilt],
         pinions: &[AsBuilt],
-        terms: &Terms,
+        conditions: &PairConditions,
         tick: &Tick,
     ) -> Result<Vec<PairFit>, Error> {
         let phases = phase_count(wheels, pinions)?;
@@ -115,7 +115,7 @@ impl Matrix {
         let gears = wheels.iter().flat_map(pairs);
         let cells = parallel::map(gears, |(wheel, pinion)| {
             Error::if_stopped(tick(1))?;
-            PairFit::new(wheel, pinion, phases, terms)
+            PairFit::new(wheel, pinion, phases, conditions)
         });
         cells.into_iter().collect()
     }
@@ -196,34 +196,38 @@ impl PairFit {
         wheel: &AsBuilt,
         pinion: &AsBuilt,
         phases: u32,
-        terms: &Terms,
+        conditions: &PairConditions,
     ) -> Result<PairFit, Error> {
-        let pairs = ends(terms).map(|distance| {
-            GearPair::with_locked(wheel.clone(), pinion.clone(), distance, terms.locked)?
-                .with_face(terms.face)?
-                .with_lean(terms.lean)
+        let pairs = ends(conditions).map(|distance| {
+            GearPair::with_locked(wheel.clone(), pinion.clone(), distance, conditions.locked)?
+                .with_face(conditions.face)?
+                .with_lean(conditions.lean)
         });
         let pairs = pairs.collect::<Result<Vec<GearPair>, GearError>>()?;
         let mut best: Option<Fit> = None;
-        let mut meeting = 0;
+        let mut phases_that_meet = 0;
         for pinion_tooth in 1..=phases {
-            let fit = Fit::new(&pairs, pinion_tooth, terms)?;
-            meeting += u32::from(fit.meets);
-            let is_better =
-                best.is_none_or(|best| (fit.meets, best.steps()) > (best.meets, fit.steps()));
+            let fit = Fit::new(&pairs, pinion_tooth, conditions)?;
+            phases_that_meet += u32::from(fit.meets);
+            let is_better = best.is_none_or(|best| {
+                (fit.meets, best.off_in_widths()) > (best.meets, fit.off_in_widths())
+            });
             if is_better {
                 best = Some(fit);
             }
         }
         // Any two numbers of teeth have at least one phase.
         let best = best.unwrap_or(Fit::NONE);
-        Ok(PairFit { best, meeting })
+        Ok(PairFit {
+            best,
+            phases_that_meet,
+        })
     }
 }
 
 impl Fit {
     /// Distance from the target in widths of the brackets: nearer values are equal, and so are values above [`FARTHEST`].
-    pub(super) fn steps(&self) -> i64 {
+    pub(super) fn off_in_widths(&self) -> i64 {
         (self.off.min(FARTHEST) / WIDTH).round() as i64
     }
 
@@ -240,11 +244,15 @@ impl Fit {
     };
 
     /// The fit of the pair at the least and, if different, at the greatest distance.
-    fn new(pairs: &[GearPair], pinion_tooth: u32, terms: &Terms) -> Result<Fit, Error> {
+    fn new(
+        pairs: &[GearPair],
+        pinion_tooth: u32,
+        conditions: &PairConditions,
+    ) -> Result<Fit, Error> {
         let mut found: Option<Outcome> = None;
         let assembly = |pair: &GearPair| Assembly {
             pair: pair.clone().into(),
-            clearance: terms.clearance,
+            clearance: conditions.clearance,
             phase: pinion_tooth,
         };
         for pair in pairs {
@@ -262,9 +270,10 @@ impl Fit {
             let [_, far] = assembly(pairs.last()?).ends()?;
             Some([near, far])
         };
-        let standing = terms.requirement.standing_of(&outcome, ends);
+        let standing = conditions.requirement.standing_of(&outcome, ends);
         let meets = outcome.is_proven && keeps(&outcome, &standing);
-        Ok(Fit::of(pinion_tooth, outcome, meets, terms.wanted()))
+        let target = conditions.target_backlash();
+        Ok(Fit::of(pinion_tooth, outcome, meets, target))
     }
 
     /// The fit of an `outcome` in the phase of `pinion_tooth` with the target backlash `wanted`, mm.
@@ -283,8 +292,8 @@ impl Fit {
 }
 
 /// The least distance and, if different, the greatest.
-fn ends(terms: &Terms) -> impl Iterator<Item = f64> {
-    let [near, far] = terms.center_distances;
+fn ends(conditions: &PairConditions) -> impl Iterator<Item = f64> {
+    let [near, far] = conditions.center_distances;
     std::iter::once(near).chain((far != near).then_some(far))
 }
 
@@ -325,12 +334,12 @@ impl Matrix {
 
     fn meets(&self, wheel: usize, pinion: usize) -> bool {
         self.pair_fit(wheel, pinion)
-            .is_some_and(|meeting| meeting.best.meets)
+            .is_some_and(|fit| fit.best.meets)
     }
 
-    fn steps(&self, wheel: usize, pinion: usize) -> i64 {
-        let meeting = self.pair_fit(wheel, pinion);
-        meeting.map_or(MOST_STEPS, |meeting| meeting.best.steps())
+    fn off_in_widths(&self, wheel: usize, pinion: usize) -> i64 {
+        let fit = self.pair_fit(wheel, pinion);
+        fit.map_or(MOST_WIDTHS, |fit| fit.best.off_in_widths())
     }
 
     /// The optimal assignment: one more pair weighs more than all distances together.
@@ -339,10 +348,10 @@ impl Matrix {
         if self.most() == 0 {
             return Vec::new();
         }
-        let one = MOST_STEPS * (self.most() as i64 + 1);
+        let one = MOST_WIDTHS * (self.most() as i64 + 1);
         let weight = |wheel: usize, pinion: usize| {
             if self.meets(wheel, pinion) {
-                one - self.steps(wheel, pinion)
+                one - self.off_in_widths(wheel, pinion)
             } else {
                 0
             }
@@ -364,7 +373,8 @@ impl Matrix {
         let mut places: Vec<(usize, usize)> = places
             .filter(|(wheel, pinion)| self.meets(*wheel, *pinion))
             .collect();
-        places.sort_by_key(|(wheel, pinion)| (self.steps(*wheel, *pinion), *wheel, *pinion));
+        places
+            .sort_by_key(|(wheel, pinion)| (self.off_in_widths(*wheel, *pinion), *wheel, *pinion));
         let mut free = [vec![true; wheels], vec![true; pinions]];
         places.retain(|(wheel, pinion)| {
             let both = free[0][*wheel] && free[1][*pinion];
@@ -439,7 +449,7 @@ impl Matrix {
                     .iter()
                     .filter_map(|pinion| self.pair_fit(wheel, *pinion))
                 {
-                    meeting += u64::from(found.meeting);
+                    meeting += u64::from(found.phases_that_meet);
                     meets += u64::from(found.best.meets);
                 }
             }
@@ -479,7 +489,7 @@ mod tests {
                 meets: off.is_some(),
                 off: off.map_or(1.0, |um| 1e-3 * f64::from(um)),
             },
-            meeting: u32::from(off.is_some()),
+            phases_that_meet: u32::from(off.is_some()),
         };
         Matrix {
             wheels,
@@ -499,7 +509,7 @@ mod tests {
             .filter(|pinion| free & 1 << pinion != 0 && matrix.meets(wheel, *pinion))
             .map(|pinion| {
                 let (pairs, off) = brute(matrix, wheel + 1, free & !(1 << pinion));
-                (pairs + 1, off - matrix.steps(wheel, pinion))
+                (pairs + 1, off - matrix.off_in_widths(wheel, pinion))
             });
         let without = brute(matrix, wheel + 1, free);
         meeting.fold(without, |one, other| one.max(other))
@@ -517,7 +527,7 @@ mod tests {
         ) {
             let matrix = matrix(wheels, pinions, &off[..wheels * pinions]);
             let found = matrix.assign();
-            let sum: i64 = found.pairs.iter().map(|(w, p)| matrix.steps(*w, *p)).sum();
+            let sum: i64 = found.pairs.iter().map(|(w, p)| matrix.off_in_widths(*w, *p)).sum();
             prop_assert_eq!((found.pairs.len(), -sum), brute(&matrix, 0, u32::MAX));
             prop_assert!(found.is_best);
         }

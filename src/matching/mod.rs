@@ -9,29 +9,31 @@
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
-//! use gearlash::matching::{Matrix, Terms};
+//! use gearlash::matching::{Matrix, PairConditions};
 //! use gearlash::pair::Member;
-//! use gearlash::population::Requirement;
+//! use gearlash::population::AssemblyLimits;
 //! use gearlash::error::go_on;
 //!
 //! let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! let wheels = [0.002, 0.006].map(|e| AsBuilt::perfect(gear.clone(), Face::Front).with_runout(e, 1.0));
 //! let pinions = [0.002, 0.006].map(|e| AsBuilt::perfect(gear.clone(), Face::Back).with_runout(e, 1.0));
 //! let [wheels, pinions] = [wheels, pinions].map(|gears| gears.into_iter().collect::<Result<Vec<_>, _>>());
-//! let terms = Terms {
+//! let conditions = PairConditions {
 //!     center_distances: [40.1; 2],
 //!     clearance: 0.0,
 //!     locked: Member::Wheel,
 //!     face: [0.0; 2],
 //!     lean: [0.0; 2],
-//!     requirement: Requirement::new(Some(0.064), None),
+//!     requirement: AssemblyLimits::new(Some(0.064), None),
 //!     target: None,
 //! };
-//! let matrix = Matrix::new(&wheels?, &pinions?, &terms, &go_on)?;
+//! let matrix = Matrix::new(&wheels?, &pinions?, &conditions, &go_on)?;
 //! assert_eq!(matrix.assign().pairs.len(), 2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod matrix;
 
-pub use matrix::{Assignment, Expected, Fit, MOST_CLASSES, MOST_EXACT, Matrix, PairFit, Terms};
+pub use matrix::{
+    Assignment, Expected, Fit, MOST_CLASSES, MOST_EXACT, Matrix, PairConditions, PairFit,
+};

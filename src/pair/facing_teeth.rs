@@ -43,7 +43,7 @@ impl<'a> FacingTeeth<'a> {
     }
 
     /// Lead of each tooth at `b`, less that in the measuring plane, mm, and its rate, mm per mm.
-    pub fn jets(&self, b: f64) -> [[f64; 2]; 2] {
+    pub fn leads_and_rates(&self, b: f64) -> [[f64; 2]; 2] {
         [0, 1].map(|k| {
             let (gear, tooth) = self.teeth[k];
             let [lead, rate] = gear.lead_jet(self.side, tooth, self.height(k, b));
@@ -53,28 +53,28 @@ impl<'a> FacingTeeth<'a> {
 
     /// Leads of both teeth at `b`, less those in the measuring plane, mm.
     pub fn leads(&self, b: f64) -> [f64; 2] {
-        self.jets(b).map(|[lead, _]| lead)
+        self.leads_and_rates(b).map(|[lead, _]| lead)
     }
 
     /// Sum of both leads at `b`, less that in the measuring plane, mm: what they add along the base tangent.
-    pub fn lead(&self, b: f64) -> f64 {
+    pub fn lead_sum(&self, b: f64) -> f64 {
         let [locked, free] = self.leads(b);
         locked + free
     }
 
     /// Rates of both leads at `b`, mm per mm.
-    pub fn rates(&self, b: f64) -> [f64; 2] {
-        self.jets(b).map(|[_, rate]| rate)
+    pub fn lead_rates(&self, b: f64) -> [f64; 2] {
+        self.leads_and_rates(b).map(|[_, rate]| rate)
     }
 
     /// Rate of the sum of both leads at `b`, mm per mm.
-    pub fn rate(&self, b: f64) -> f64 {
-        let [locked, free] = self.rates(b);
+    pub fn lead_rate_sum(&self, b: f64) -> f64 {
+        let [locked, free] = self.lead_rates(b);
         locked + free
     }
 
     /// Bound of the sum of both leads over `face`, less that in the measuring plane, mm.
-    pub fn greatest_lead(&self, face: [f64; 2]) -> f64 {
+    pub fn lead_sum_bound(&self, face: [f64; 2]) -> f64 {
         let [locked, free] = [0, 1].map(|k| {
             let (gear, tooth) = self.teeth[k];
             let face = face.map(|b| self.height(k, b));
@@ -84,7 +84,7 @@ impl<'a> FacingTeeth<'a> {
     }
 
     /// Least and greatest second derivative of each lead between two places, mm per mm².
-    pub fn bends(&self, ends: [f64; 2]) -> [[f64; 2]; 2] {
+    pub fn second_derivative_bounds(&self, ends: [f64; 2]) -> [[f64; 2]; 2] {
         [0, 1].map(|k| {
             let (gear, tooth) = self.teeth[k];
             let rate = self.heights[k][1];

@@ -1,4 +1,4 @@
-//! Two gears at a centre distance, one of them fixed.
+//! Two gears at a centre distance, one of them locked.
 
 use crate::error::GearError;
 use crate::gear::{AsBuilt, involute};
@@ -78,14 +78,14 @@ impl FaceDeviation {
 }
 
 /// Greatest relative difference of the modules of two mating gears: that of a hot plastic gear (1e-4/K, 200 K) and a steel gear.
-pub const MOST_UNEQUAL: f64 = 0.02;
+pub const MOST_MODULE_DIFFERENCE: f64 = 0.02;
 
 /// Greatest lean of the axes, mm per mm.
 pub const MOST_LEAN: f64 = 2e-2;
 
 /// Half the angle, at the centre of a circle of this radius, of its overlap with a circle of radius `other` that is
 /// `distance` away. `None` without overlap, also for circles that touch in a point.
-pub(crate) fn lens_half(radius: f64, other: f64, distance: f64) -> Option<f64> {
+pub(crate) fn overlap_half_angle(radius: f64, other: f64, distance: f64) -> Option<f64> {
     if radius + other <= distance {
         return None;
     }
@@ -116,7 +116,7 @@ pub struct GearPair {
 }
 
 impl GearPair {
-    /// Two gears at `center_distance` `a`, mm, with the wheel fixed.
+    /// Two gears at `center_distance` `a`, mm, with the wheel locked.
     ///
     /// # Errors
     /// As [`GearPair::with_locked`].
@@ -128,11 +128,12 @@ impl GearPair {
         GearPair::with_locked(wheel, pinion, center_distance, Member::Wheel)
     }
 
-    /// Two gears at `center_distance` `a`, mm, with the gear `locked` fixed.
+    /// Two gears at `center_distance` `a`, mm, with `locked` as the locked gear.
     ///
     /// # Errors
-    /// Unequal pressure or helix angles; modules that differ by more than [`MOST_UNEQUAL`]; overlapping base circles
-    /// (`a ≤ r_b1 + r_b2`), without an operating pressure angle. Helical gears of one hand or with profile deviations.
+    /// Unequal pressure or helix angles; modules that differ by more than [`MOST_MODULE_DIFFERENCE`]; overlapping base circles
+    /// (`a ≤ r_b1 + r_b2`), without an operating pressure angle. Helical gears of one hand.
+    /// Teeth with profile deviations that lean on their shaft.
     pub fn with_locked(
         wheel: AsBuilt,
         pinion: AsBuilt,
@@ -141,7 +142,7 @@ impl GearPair {
     ) -> Result<GearPair, GearError> {
         let (w, p) = (*wheel.gear().basic_data(), *pinion.gear().basic_data());
         // A share of the greater module, plus the rounding of both.
-        let most = (MOST_UNEQUAL + 4.0 * f64::EPSILON) * w.module().max(p.module());
+        let most = (MOST_MODULE_DIFFERENCE + 4.0 * f64::EPSILON) * w.module().max(p.module());
         for (what, wheel, pinion, most) in [
             ("module (mm)", w.module(), p.module(), most),
             (
@@ -191,7 +192,7 @@ impl GearPair {
         GearError::require(
             !(self.is_modified() && self.leans()),
             "lean of the axes (mm per mm) of gears whose profiles deviate",
-            self.most_lean(),
+            self.lean_bound(),
             "0: sections of leaning axes are not worked out for such teeth",
         )?;
         Ok(self)
@@ -207,7 +208,7 @@ impl GearPair {
             lean: [in_plane, out_of_plane],
             ..self
         };
-        let lean = pair.most_lean();
+        let lean = pair.lean_bound();
         GearError::require(
             lean <= MOST_LEAN,
             "lean of the axes (mm per mm)",
@@ -228,25 +229,25 @@ impl GearPair {
     }
 
     /// Bound on the angle between the axes of both toothings, mm per mm.
-    pub fn most_lean(&self) -> f64 {
+    pub fn lean_bound(&self) -> f64 {
         self.lean[0].hypot(self.lean[1]) + self.wheel.wobble() + self.pinion.wobble()
     }
 
     /// Bound on the move of the outlines' centres against each other by leaning axes, mm, over the face from the measuring plane.
-    pub(crate) fn most_shift(&self) -> f64 {
+    pub(crate) fn shift_bound(&self) -> f64 {
         let [from, to] = self.face();
-        self.most_lean() * from.abs().max(to.abs())
+        self.lean_bound() * from.abs().max(to.abs())
     }
 
     /// Bound on the height of a point of a tooth over its section, mm along the leaning axis of its gear.
-    pub(crate) fn most_height(&self) -> f64 {
-        self.most_lean() * self.wheel.reach().max(self.pinion.reach())
+    pub(crate) fn height_bound(&self) -> f64 {
+        self.lean_bound() * self.wheel.reach().max(self.pinion.reach())
     }
 
     /// Bound on what the heights of leaning axes change the leads of a pair of teeth, mm.
-    pub(crate) fn by_heights(&self) -> f64 {
+    pub(crate) fn lead_change_bound(&self) -> f64 {
         if self.leans() {
-            self.most_height() * self.steepest_leads()
+            self.height_bound() * self.steepest_leads()
         } else {
             0.0
         }
@@ -254,7 +255,7 @@ impl GearPair {
 
     /// Bound on the sum of the rates of two leads, mm per mm.
     pub(super) fn steepest_leads(&self) -> f64 {
-        let height = self.most_height();
+        let height = self.height_bound();
         let [from, to] = self.face();
         let face = [from - height, to + height];
         let rate = |member| self.gear(member).steepest_lead(face);
@@ -263,12 +264,12 @@ impl GearPair {
 
     /// Bound on what sections of leaning axes leave out of each contact, mm along the base tangent; the teeth are tighter by it
     /// ([`section_at`](super::section_at)).
-    pub fn left_out(&self) -> f64 {
+    pub fn section_error_bound(&self) -> f64 {
         let base = self.wheel.gear().base_radius() + self.pinion.gear().base_radius();
-        let off = self.wheel.eccentricity() + self.pinion.eccentricity() + self.most_shift();
+        let off = self.wheel.eccentricity() + self.pinion.eccentricity() + self.shift_bound();
         let distance = self.center_distance + off;
         let tangent = (distance * distance - base * base).max(0.0).sqrt();
-        let slope = self.wheel.gear().basic_data().base_helix_angle().tan() * self.most_lean();
+        let slope = self.wheel.gear().basic_data().base_helix_angle().tan() * self.lean_bound();
         // Half as much again for the third order.
         1.5 * 0.5 * slope * slope * tangent / 4.0
     }
@@ -397,7 +398,7 @@ impl GearPair {
         self.with_gears(self.wheel.clone(), self.pinion.clone(), center_distance)
     }
 
-    /// Other gears with this pair's locked gear and common face, at a centre distance, mm.
+    /// Other gears at a centre distance, mm, with this pair's faces, lean and locked member.
     ///
     /// # Errors
     /// As [`GearPair::with_locked`].
@@ -433,7 +434,7 @@ impl GearPair {
         self.center_distance
     }
 
-    /// The fixed gear.
+    /// The locked gear.
     pub fn locked(&self) -> Member {
         self.locked
     }
@@ -519,5 +520,24 @@ impl GearPair {
     /// If the pitch point lies beyond the tip, the value is that of the extended undisturbed flank.
     pub fn operating_half_angle(&self, member: Member) -> f64 {
         self.gear(member).gear().half_base_angle() - involute::inv(self.operating_pressure_angle())
+    }
+}
+
+#[cfg(test)]
+impl GearPair {
+    /// Plain gears of module 2 with these eccentricities.
+    pub(crate) fn plain(
+        teeth: [u32; 2],
+        eccentricities: [f64; 2],
+        distance: f64,
+        locked: Member,
+    ) -> GearPair {
+        use crate::gear::{Deviations, Face, GearDesign};
+        let gear = |kind: usize, face| {
+            let deviations = Deviations::off_axis(eccentricities[kind], 2.5);
+            GearDesign::plain(teeth[kind], 2.0).built(face, &deviations)
+        };
+        let (wheel, pinion) = (gear(0, Face::Front), gear(1, Face::Back));
+        GearPair::with_locked(wheel, pinion, distance, locked).unwrap()
     }
 }

@@ -9,15 +9,13 @@ mod iso_286;
 mod pose;
 mod section;
 mod sweep_plan;
-#[cfg(test)]
-mod test_pairs;
 
 pub use backlash::{Backlash, BacklashUnit, arcmin};
 pub(crate) use facing_teeth::FacingTeeth;
-pub(crate) use gear_pair::lens_half;
-pub use gear_pair::{FaceDeviation, GearPair, MOST_LEAN, MOST_UNEQUAL, Member};
+pub(crate) use gear_pair::overlap_half_angle;
+pub use gear_pair::{FaceDeviation, GearPair, MOST_LEAN, MOST_MODULE_DIFFERENCE, Member};
 pub use iso_286::{DesignatedDistance, ISO_286_SOURCE};
 pub use pose::{Mating, Pose, ToothNumbers};
 pub use section::section_at;
-pub(crate) use section::{Leaning, LeaningSide, beyond_ends};
+pub(crate) use section::{Leaning, LeaningSide, beyond_ends_bound};
 pub use sweep_plan::SweepPlan;

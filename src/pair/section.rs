@@ -18,16 +18,16 @@
 //! at which the pair of the flank touches.
 //!
 //! The point of contact moves along the flank because `h` changes along it, with the slope `g = tan β_b (α_2 − α_1)·τ̂`. Each side is tighter
-//! by `½ g² ρ` along the base tangent, with `ρ ≤ T/4`: [`GearPair::left_out`].
+//! by `½ g² ρ` along the base tangent, with `ρ ≤ T/4`: [`GearPair::section_error_bound`].
 
-use super::{GearPair, Member, Pose, lens_half};
+use super::{GearPair, Member, Pose, overlap_half_angle};
 use crate::gear::Side;
 use crate::numeric::wrap_angle;
 use nalgebra::{Rotation2, Vector2};
 use std::f64::consts::PI;
 
 /// Distance beyond the end of its teeth at which a flank is still in a section, mm: above the effect of flank deviations on the place of the
-/// contact. [`beyond_ends`] bounds its effect.
+/// contact. [`beyond_ends_bound`] bounds its effect.
 const AT_END: f64 = 1e-5;
 
 /// Turn back of a flank that is not in a section, as a part of a pitch.
@@ -50,8 +50,8 @@ pub fn section_at(assembly: &GearPair, pose: &Pose, b: f64) -> (GearPair, Pose) 
 }
 
 /// Bound on what flanks that a section of `assembly` keeps beyond the ends of their teeth add to a contact, mm along the base tangent.
-pub(crate) fn beyond_ends(assembly: &GearPair) -> f64 {
-    AT_END * (assembly.steepest_leads() + assembly.most_lean())
+pub(crate) fn beyond_ends_bound(assembly: &GearPair) -> f64 {
+    AT_END * (assembly.steepest_leads() + assembly.lean_bound())
 }
 
 /// Both gears in a section of leaning axes, in the picture of the measuring plane.
@@ -90,13 +90,14 @@ struct Dimensions {
 type Turns = [Vec<f64>; 2];
 
 impl<'a> Leaning<'a> {
-    /// The section of `assembly` at `b`, mm, with the gears at `whole`, which is `pose` in the section.
-    pub fn new(assembly: &'a GearPair, whole: &Pose, pose: &'a Pose, b: f64) -> Leaning<'a> {
+    /// The section of `assembly` at `b`, mm. The pose is `in_plane` in the measuring plane and `pose` in the section.
+    pub fn new(assembly: &'a GearPair, in_plane: &Pose, pose: &'a Pose, b: f64) -> Leaning<'a> {
         let lean = Vector2::from(assembly.lean());
         let shafts = [Vector2::zeros(), lean];
         let axes = Member::BOTH.map(|member| assembly.axis(member).coords);
         let axes = [axes[0], axes[1] + b * lean];
-        let tooth_1 = |member| whole.rotation(assembly, member) + assembly.mate_direction(member);
+        let tooth_1 =
+            |member| in_plane.rotation(assembly, member) + assembly.mate_direction(member);
         let own = Member::BOTH.map(|member| assembly.gear(member).lean(tooth_1(member)));
         let centres = Member::BOTH.map(|member| {
             let plane = assembly.gear(member).displacement(tooth_1(member));
@@ -180,7 +181,7 @@ impl<'a> Leaning<'a> {
                 .gear()
                 .basic_data()
                 .angular_pitch();
-            let half = lens_half(own, mate, distance).unwrap_or(0.0);
+            let half = overlap_half_angle(own, mate, distance).unwrap_or(0.0);
             (half / pitch).ceil() as i64
         });
         // The flank and the far corner of a tooth are less than a pitch apart.
@@ -216,10 +217,10 @@ impl<'a> Leaning<'a> {
             free_moves: self.displacement(free) != Vector2::zeros()
                 || self.leans[free as usize] != self.shafts[free as usize],
         };
-        touching.set_line();
+        touching.update_line_of_action();
         if touching.free_moves {
             touching.turn_free();
-            touching.set_line();
+            touching.update_line_of_action();
         }
         touching
     }
@@ -252,7 +253,7 @@ impl LeaningSide<'_> {
         [self.leaning.assembly.locked(), self.leaning.assembly.free()]
     }
 
-    fn set_line(&mut self) {
+    fn update_line_of_action(&mut self) {
         let [locked, free] = self
             .members()
             .map(|member| self.leaning.centres[member as usize]);
@@ -291,7 +292,7 @@ impl LeaningSide<'_> {
     }
 
     /// Roll of the free flank on the line, rad, whose mate has the roll `roll`.
-    fn mate(&self, roll: f64) -> f64 {
+    fn mate_roll(&self, roll: f64) -> f64 {
         (self.length - self.bases[0] * roll) / self.bases[1]
     }
 
@@ -305,7 +306,7 @@ impl LeaningSide<'_> {
             + pair.gear(free).tooth_angle(f64::from(facing))
             + leaning.flank(free, self.side, facing);
         // θ_T = θ_0 − s ξ on either gear.
-        let wanted = self.tangent + PI + self.side.sense() * self.mate(roll);
+        let wanted = self.tangent + PI + self.side.sense() * self.mate_roll(roll);
         wrap_angle(wanted - flank)
     }
 
@@ -319,7 +320,7 @@ impl LeaningSide<'_> {
             leaning.pose.facing_tooth(pair, side, step),
         ];
         let roll = self.roll(step);
-        let mate = self.mate(roll);
+        let mate_roll = self.mate_roll(roll);
         if self.free_moves {
             // Pairs touch at rotations that differ by deviations.
             leaning.turn_free_slightly(self.free_turn(step, roll) - self.free_turned);
@@ -341,7 +342,7 @@ impl LeaningSide<'_> {
         let point = match corner(roll, [least, most], rolls) {
             None => at(locked, 0, 0.0, roll),
             Some((0, end)) => at(locked, 0, roll - end, end),
-            Some((_, end)) => at(free, 1, mate - end, end),
+            Some((_, end)) => at(free, 1, mate_roll - end, end),
         };
         [
             leaning.turn_of(locked, side, numbers[0], point, normal),

@@ -146,12 +146,7 @@ impl SweepPlan {
                 start,
             } => {
                 let steps = u64::from(steps_per_pitch);
-                let first = Mating {
-                    wheel_tooth: start.0,
-                    pinion_tooth: start.1,
-                    flank: Side::Right,
-                    fraction: 0.0,
-                };
+                let first = Mating::at(start.0, start.1, Side::Right);
                 (0..pitches * steps)
                     .map(|step| Mating {
                         fraction: (step % steps) as f64 / steps as f64,

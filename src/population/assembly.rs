@@ -83,10 +83,10 @@ impl Assembly {
         }
     }
 
-    /// Its extremes. With bearing clearance the axes are as near as possible for the least, and as far apart as possible for the greatest.
+    /// Its proven extremes. With bearing clearance the axes are as near as possible for the least, and as far apart as possible for the greatest.
     ///
     /// # Errors
-    /// The proven extremes of the assembly. Only a stopped calculation is an error: a pose that fails is an outcome.
+    /// Only a stopped calculation is an error: a pose that fails is an outcome.
     pub fn outcome(&self) -> Result<Outcome, Error> {
         let at = |farther: f64| {
             let pair = if farther == 0.0 {
@@ -100,7 +100,7 @@ impl Assembly {
             at(-self.clearance).and_then(|near| {
                 let far = at(self.clearance)?;
                 Ok(Extremes {
-                    status: worse(near.status, far.status),
+                    status: status_of_ends(near.status, far.status),
                     greatest: far.greatest,
                     ..near
                 })
@@ -122,7 +122,7 @@ impl Assembly {
 }
 
 /// Jammed when the axes are near; otherwise out of mesh when they are far; otherwise as when they are near.
-fn worse(near: Status, far: Status) -> Status {
+fn status_of_ends(near: Status, far: Status) -> Status {
     match (near, far) {
         (Status::Jammed, _) => Status::Jammed,
         (_, Status::NoContact) => Status::NoContact,

@@ -2,8 +2,8 @@
 //!
 //! Sobol's indices of independent quantities `x_1 … x_k` are shares of the variance `V` of `f`. The first-order index is the share of the
 //! mean of `f` at a given `x_i`: the effect of `x_i` alone. The total index is the share that is left on average with all but `x_i` given:
-//! the effect including interactions. Both come from two independent samples `A` and `B` of all quantities and, for each `i`, the sample
-//! `AB_i`, which is `A` except for `x_i` from `B` (Saltelli et al. 2010):
+//! the effect including interactions. Both come from two independent samples `A` and `B` of all quantities, and one sample `AB_i` for
+//! each `i`. `AB_i` is `A` except for `x_i` from `B` (Saltelli et al. 2010):
 //!
 //! ```text
 //! V_i  = E[f(B) (f(AB_i) − f(A))]       B and AB_i share x_i alone: E[f(B) f(AB_i)] = E²[f] + V_i; B and A nothing: E[f(B) f(A)] = E²[f]
@@ -11,21 +11,21 @@
 //! ```
 //!
 //! `f(B)` is taken about the mean of all, which keeps the expectation of `V_i` and reduces its scatter. The standard errors are those of
-//! the jackknife over [`GROUPS`] groups of rows. All sums are integers, so they do not depend on the order of the rows.
+//! the jackknife over [`JACKKNIFE_GROUPS`] groups of rows. All sums are integers, so they do not depend on the order of the rows.
 
 use super::factor::Factor;
 use super::members::Population;
 use super::sample::chunks;
 use super::spread::{Overflow, tenths};
-use super::stream::{Draw, Run};
+use super::stream::{Draw, SampleKind};
 use crate::error::{Error, Tick};
 use crate::parallel;
 
 /// Number of groups of rows for the standard errors: row `j` belongs to group `j` modulo this.
-pub const GROUPS: usize = 32;
+pub const JACKKNIFE_GROUPS: usize = 32;
 
 /// Rows per core and tick.
-pub const ROWS_CHUNK: u64 = 8;
+pub const ROWS_PER_TICK: u64 = 8;
 
 /// Rows in memory at a time (tuned: enough for many threads, about 100 kB).
 const BLOCK: u64 = 1024;
@@ -47,7 +47,7 @@ struct GroupSums {
     /// Rows in which every assembly has the extreme.
     rows: u64,
     /// Other rows.
-    left_out: u64,
+    unused_rows: u64,
     /// `Σ f(A)`, `Σ f(B)`, `Σ f(A)²`, `Σ f(B)²`, `Σ f(A) f(B)`.
     samples: [i128; 5],
     /// `Σ f(AB_i)`, `Σ f(AB_i)²`, `Σ f(B) f(AB_i)`, `Σ f(A) f(AB_i)` of each quantity.
@@ -80,7 +80,7 @@ pub struct Contributions {
     /// Rows used.
     pub rows: u64,
     /// Rows not used, because an assembly has no such extreme.
-    pub left_out: u64,
+    pub unused_rows: u64,
     /// In the order of [`Population::factors`]; empty if nothing varies or too few rows are left.
     pub each: Vec<Contribution>,
 }
@@ -98,7 +98,7 @@ impl GroupSums {
 
     fn add(&mut self, other: &GroupSums) -> Result<(), Overflow> {
         self.rows += other.rows;
-        self.left_out += other.left_out;
+        self.unused_rows += other.unused_rows;
         for (sum, other) in self.beside(other) {
             *sum = sum.checked_add(*other).ok_or(Overflow)?;
         }
@@ -106,9 +106,9 @@ impl GroupSums {
     }
 
     /// Adds a row: `f` of A, of B and of each `AB_i`.
-    fn count(&mut self, row: Option<(i64, i64, Vec<i64>)>) -> Result<(), Overflow> {
+    fn add_row(&mut self, row: Option<(i64, i64, Vec<i64>)>) -> Result<(), Overflow> {
         let Some((a, b, mixed)) = row else {
-            self.left_out += 1;
+            self.unused_rows += 1;
             return Ok(());
         };
         // No product of two i64 exceeds i128.
@@ -118,7 +118,7 @@ impl GroupSums {
             .map(|&ab| [i128::from(ab), times(ab, ab), times(b, ab), times(a, ab)]);
         self.add(&GroupSums {
             rows: 1,
-            left_out: 0,
+            unused_rows: 0,
             samples: [a.into(), b.into(), times(a, a), times(b, b), times(a, b)],
             factors: each.collect(),
         })
@@ -168,7 +168,7 @@ impl Contributions {
         let fits = groups.iter().all(|group| all.add(group).is_ok());
         let none = Contributions {
             rows: all.rows,
-            left_out: all.left_out,
+            unused_rows: all.unused_rows,
             each: Vec::new(),
         };
         let filled = groups.iter().all(|group| group.rows > 0);
@@ -216,10 +216,10 @@ struct Evaluated {
 impl Evaluated {
     /// Row `number` of both samples.
     fn new(population: &Population, seed: u64, number: u64) -> Result<Evaluated, Error> {
-        let both = |run: &dyn Fn(Factor) -> Run| -> Result<LeastAndGreatest, Error> {
+        let both = |sample: &dyn Fn(Factor) -> SampleKind| -> Result<LeastAndGreatest, Error> {
             let draw = |factor| Draw {
                 seed,
-                run: run(factor),
+                sample: sample(factor),
                 number,
             };
             match population.assembled(&draw) {
@@ -233,15 +233,15 @@ impl Evaluated {
         let mixed = population.factors().iter().map(|&one| {
             both(&|factor| {
                 if factor == one {
-                    Run::Second
+                    SampleKind::Second
                 } else {
-                    Run::First
+                    SampleKind::First
                 }
             })
         });
         Ok(Evaluated {
-            a: both(&|_| Run::First)?,
-            b: both(&|_| Run::Second)?,
+            a: both(&|_| SampleKind::First)?,
+            b: both(&|_| SampleKind::Second)?,
             mixed: mixed.collect::<Result<_, Error>>()?,
         })
     }
@@ -254,7 +254,7 @@ impl Evaluated {
 }
 
 /// The contributions to the least and to the greatest `j_wt`, from the first `rows` of both samples with `seed`. A row has two assemblies
-/// and one for each quantity. `tick` is called once every [`ROWS_CHUNK`] rows, from any thread; a break ends the work.
+/// and one for each quantity. `tick` is called once every [`ROWS_PER_TICK`] rows, from any thread; a break ends the work.
 ///
 /// # Errors
 /// [`ContributionsError`].
@@ -269,9 +269,9 @@ pub fn contributions(
         factors: vec![[0; 4]; factors.len()],
         ..GroupSums::default()
     };
-    let mut sums = [vec![group.clone(); GROUPS], vec![group; GROUPS]];
+    let mut sums = [(); 2].map(|()| vec![group.clone(); JACKKNIFE_GROUPS]);
     for block in chunks(&(1..rows + 1), BLOCK) {
-        let evaluated = parallel::map(chunks(&block, ROWS_CHUNK), |chunk| {
+        let evaluated = parallel::map(chunks(&block, ROWS_PER_TICK), |chunk| {
             Error::if_stopped(tick(1))?;
             let rows = chunk.map(|number| Evaluated::new(population, seed, number));
             rows.collect::<Result<Vec<Evaluated>, Error>>()
@@ -279,7 +279,7 @@ pub fn contributions(
         let evaluated = evaluated.into_iter().collect::<Result<Vec<_>, Error>>()?;
         for (number, row) in block.zip(evaluated.iter().flatten()) {
             for (end, groups) in sums.iter_mut().enumerate() {
-                groups[(number % GROUPS as u64) as usize].count(row.of_extreme(end))?;
+                groups[(number % JACKKNIFE_GROUPS as u64) as usize].add_row(row.of_extreme(end))?;
             }
         }
     }

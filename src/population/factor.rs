@@ -25,8 +25,8 @@ pub enum Factor {
     CenterDistance,
     /// Deviations of the axes from parallel, in and out of their plane.
     Misalignment,
-    /// Play of the bearings.
-    BearingPlay,
+    /// Clearance of the bearings.
+    BearingClearance,
     /// Assembly phase.
     Phase,
 }
@@ -51,12 +51,12 @@ impl Factor {
         Factor::Gear(Member::Pinion),
         Factor::CenterDistance,
         Factor::Misalignment,
-        Factor::BearingPlay,
+        Factor::BearingClearance,
         Factor::Phase,
     ];
 
     /// The number of its random stream. It must never change: a seed would give another population.
-    pub(super) fn quantity(self) -> u32 {
+    pub(super) fn stream_number(self) -> u32 {
         let of = |first, member| first + 8 * u32::from(member == Member::Pinion);
         match self {
             Factor::Thickness(member) => of(0, member),
@@ -67,7 +67,7 @@ impl Factor {
             Factor::Lead(member) => of(5, member),
             Factor::Wobble(member) => of(6, member),
             Factor::CenterDistance => 16,
-            Factor::BearingPlay => 17,
+            Factor::BearingClearance => 17,
             Factor::Phase => 18,
             Factor::Thicknesses => 19,
             Factor::Misalignment => 20,
@@ -94,7 +94,7 @@ impl Factor {
             Factor::Thicknesses => "thickness of both gears",
             Factor::CenterDistance => "centre distance",
             Factor::Misalignment => "misalignment of the axes",
-            Factor::BearingPlay => "play of the bearings",
+            Factor::BearingClearance => "play of the bearings",
             Factor::Phase => "assembly phase",
         }
     }

@@ -4,8 +4,9 @@ use super::assembly::Assembly;
 use super::factor::Factor;
 use super::members::Population;
 use super::scatter::Scatter;
-use super::scatters::{GearScatter, LeadScatter, phase_count};
+use super::scatters::{GearScatter, LeadScatter};
 use crate::analysis::extremes::phases_differ;
+use crate::analysis::phases::phase_count;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Face, Flank, Lead};
 use crate::outline::{AssembledPair, GearChange};
@@ -29,7 +30,7 @@ pub struct LimitCases {
 }
 
 /// The quantities that have limits.
-const EACH: [Factor; 15] = [
+const LIMITED_FACTORS: [Factor; 15] = [
     Factor::Thickness(Member::Wheel),
     Factor::Thickness(Member::Pinion),
     Factor::Runout(Member::Wheel),
@@ -39,7 +40,7 @@ const EACH: [Factor; 15] = [
     Factor::PerTooth(Member::Wheel),
     Factor::PerTooth(Member::Pinion),
     Factor::CenterDistance,
-    Factor::BearingPlay,
+    Factor::BearingClearance,
     Factor::Lead(Member::Wheel),
     Factor::Lead(Member::Pinion),
     Factor::Wobble(Member::Wheel),
@@ -63,14 +64,15 @@ enum Towards {
     More,
 }
 
-/// The limit cases of `population`; `None` if whole gears are drawn at random, which have no limits, or if the runout of a gear given by a
-/// drawing scatters, whose worst direction is not searched.
+/// The limit cases of `population`. `None` if whole gears are drawn at random, which have no limits. `None` also if the runout of a gear
+/// given by a drawing scatters: its worst direction is not searched.
 ///
 /// An assembly phase has no limits. If it scatters, each case covers all gcd(z_1, z_2) phases. Its least and its
 /// greatest can come from different phases.
 ///
 /// Leads and axes take backlash in either sense. Their limits tighten either flank at either end of the face. The extremes are the least and the
-/// greatest of these cases, and of slopes and axes at their means. Teeth with wobble lean against each other where wheel tooth 1 meets its mate.
+/// greatest of these cases, and of slopes and axes at their means. Wobbling teeth are assumed to lean against each other where wheel tooth 1 meets
+/// its mate.
 ///
 /// Distributions without an end are cut at their limits ([`Scatter::limits`]). A runout is in its worst direction. Pitch is a list of
 /// numbers that close on the circle. The flanks in contact are [`PITCH_LIMIT_SIGMAS`] standard deviations of a cumulative deviation out, or
@@ -105,7 +107,7 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
     let mut thickness = [[Some(0.0); 2]; 2];
     let varies = |one: &Factor| scatters.varies(*one, population.pair());
     // Each with all others at their mean.
-    for alone in EACH.into_iter().filter(varies) {
+    for alone in LIMITED_FACTORS.into_iter().filter(varies) {
         let moved = both(&|one| one == alone)?;
         for end in 0..2 {
             let change = moved[end].zip(mean[end]).map(|(moved, mean)| moved - mean);
@@ -146,7 +148,7 @@ fn case(
 ) -> Result<(Option<f64>, Option<f64>), Error> {
     let scatters = population.scatters();
     let of_face = |one: &Factor| matches!(one, Factor::Lead(_) | Factor::Misalignment);
-    let mut of_face = EACH.into_iter().filter(of_face);
+    let mut of_face = LIMITED_FACTORS.into_iter().filter(of_face);
     let varies = |one| scatters.varies(one, population.pair());
     let count = if of_face.any(|one| varies(one) && at_limit(one)) {
         FACE_ENDS.len()
@@ -235,7 +237,7 @@ fn assembly(
     };
     let farther = of(&scatters.center_distance, Factor::CenterDistance, more);
     let distance = pair.center_distance() + farther.unwrap_or(0.0);
-    let play = of(&scatters.bearing_play, Factor::BearingPlay, 1);
+    let play = of(&scatters.bearing_clearance, Factor::BearingClearance, 1);
     // Axes that are nearer at the far end tighten it on both flanks, those with the pinion's far end at +y on right flanks.
     let senses = [-ends[0], ends[0]];
     let leaning = [0, 1].map(|k| match &scatters.lean[k] {

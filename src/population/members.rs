@@ -3,10 +3,9 @@
 use super::assembly::Assembly;
 use super::factor::Factor;
 use super::scatter::{Scatter, normal_share, standard_normal};
-use super::scatters::{
-    GearScatter, LeadScatter, PopulationError, Scatters, not_negative, phase_count,
-};
-use super::stream::{Draw, Run, Stream};
+use super::scatters::{GearScatter, LeadScatter, PopulationError, Scatters, not_negative};
+use super::stream::{Draw, SampleKind, Stream};
+use crate::analysis::phases::phase_count;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Lead, Pitch};
 use crate::outline::{AssembledPair, GearChange};
@@ -48,17 +47,17 @@ impl Population {
             Some(scatter) => not_negative(what, scatter),
             None => Ok(()),
         };
-        nonnegative("the play of the bearings", &scatters.bearing_play)?;
+        nonnegative("the play of the bearings", &scatters.bearing_clearance)?;
         let correlation = scatters.thickness_correlation;
         if !(-1.0..=1.0).contains(&correlation) {
             return Err(PopulationError::Correlation(correlation));
         }
         let first = Draw {
             seed: 0,
-            run: Run::Population,
+            sample: SampleKind::Population,
             number: 1,
         };
-        if !pair.allows(&population.changes(&|factor| first.stream(factor.quantity()))) {
+        if !pair.allows(&population.changes(&|factor| first.stream(factor.stream_number()))) {
             return Err(PopulationError::Drawn);
         }
         let [near, far] = pair.face();
@@ -113,14 +112,14 @@ impl Population {
 
     /// The assembly whose quantities have separate draws.
     pub(super) fn assembled(&self, of: &dyn Fn(Factor) -> Draw) -> Result<Assembly, Error> {
-        let stream = |factor: Factor| of(factor).stream(factor.quantity());
+        let stream = |factor: Factor| of(factor).stream(factor.stream_number());
         let one = |scatter: &Option<Scatter>, factor: Factor| {
             let scatter = scatter.as_ref()?;
             Some(scatter.at(stream(factor).uniform()))
         };
         let farther = one(&self.scatters.center_distance, Factor::CenterDistance).unwrap_or(0.0);
         let distance = self.pair.center_distance() + farther;
-        let play = one(&self.scatters.bearing_play, Factor::BearingPlay);
+        let play = one(&self.scatters.bearing_clearance, Factor::BearingClearance);
         let phases = f64::from(phase_count(&self.pair));
         let phase = if self.scatters.phase {
             (stream(Factor::Phase).uniform() * phases) as u32 + 1
@@ -153,7 +152,7 @@ impl Population {
     /// Leads of right and left flanks on top of the pair's in the assembly of `draw`; `None` where none scatter.
     pub fn leads(&self, draw: Draw, member: Member) -> Option<[Lead; 2]> {
         let lead = self.scatters.of(member).lead.as_ref()?;
-        let stream = draw.stream(Factor::Lead(member).quantity());
+        let stream = draw.stream(Factor::Lead(member).stream_number());
         Some(draw_leads(lead, stream))
     }
 

@@ -15,7 +15,7 @@ const OTHERS: [Quantity; 6] = Quantity::BESIDE_OPERATING_BACKLASH;
 /// judged as by [`Verdict`](crate::analysis::verdict::Verdict): with bearing clearance the axes are pressed together
 /// for the least and apart for the greatest.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Requirement {
+pub struct AssemblyLimits {
     backlash: Limits,
     others: [Limits; OTHERS.len()],
 }
@@ -32,23 +32,23 @@ pub struct Standing {
     pub(super) margin: Option<i64>,
 }
 
-impl Requirement {
+impl AssemblyLimits {
     /// `j_wt` at least `min` and at most `max`, mm. Without a `min` the pair must assemble.
-    pub fn new(min: Option<f64>, max: Option<f64>) -> Requirement {
-        Requirement {
+    pub fn new(min: Option<f64>, max: Option<f64>) -> AssemblyLimits {
+        AssemblyLimits {
             backlash: Limits { min, max },
             others: [Limits::default(); OTHERS.len()],
         }
     }
 
     /// All limits in `required`. Without a lower limit on backlash, the pair must assemble.
-    pub fn of(required: &Requirements) -> Requirement {
+    pub fn of(required: &Requirements) -> AssemblyLimits {
         let of = |quantity| {
             let mut each = required.iter();
             let found = each.find(|(one, _)| *one == quantity);
             found.map_or(Limits::default(), |(_, limits)| *limits)
         };
-        Requirement {
+        AssemblyLimits {
             backlash: of(Quantity::OperatingBacklash),
             others: OTHERS.map(of),
         }
@@ -93,21 +93,21 @@ impl Requirement {
         let below = below.map(|(least, lower)| least - lower);
         let above = outcome.greatest.zip(self.backlash.max);
         let above = above.map(|(greatest, max)| max - greatest);
-        let mut left = [below, above];
+        let mut margins = [below, above];
         if self.others().next().is_some()
             && !nothing
             && let Some(ends) = ends()
         {
             for (quantity, limits) in self.others() {
                 let more = [(limits.min, false), (limits.max, true)]
-                    .map(|(limit, is_max)| left_of(quantity, limit?, is_max, &ends, outcome));
-                for (left, more) in left.iter_mut().zip(more) {
-                    *left = (*left).into_iter().chain(more).reduce(f64::min);
+                    .map(|(limit, is_max)| margin_to(quantity, limit?, is_max, &ends, outcome));
+                for (margin, more) in margins.iter_mut().zip(more) {
+                    *margin = (*margin).into_iter().chain(more).reduce(f64::min);
                 }
             }
         }
-        let [least, greatest] = left;
-        let beyond = |left: Option<f64>| left.is_some_and(|left| left < 0.0);
+        let [least, greatest] = margins;
+        let beyond = |margin: Option<f64>| margin.is_some_and(|margin| margin < 0.0);
         let margin = least.into_iter().chain(greatest).map(tenths).min();
         Standing {
             below: jammed || beyond(least),
@@ -150,7 +150,7 @@ impl Requirement {
 }
 
 /// Margin to a `limit` of `quantity`, mm; negative if it is missed. `None` without a backlash.
-fn left_of(
+fn margin_to(
     quantity: Quantity,
     limit: f64,
     is_max: bool,
@@ -172,6 +172,6 @@ fn left_of(
         Quantity::LostMotion(member) => end.operating_pitch_radius(member),
         _ => 1.0,
     };
-    let left = if is_max { limit - value } else { value - limit };
-    Some(left * per)
+    let margin = if is_max { limit - value } else { value - limit };
+    Some(margin * per)
 }

@@ -2,15 +2,15 @@
 
 use super::assembly::{Outcome, OutcomeKind};
 use super::members::Population;
-use super::requirement::{Requirement, Standing};
-use super::row::Row;
-use super::stream::{Draw, Run};
+use super::requirement::{AssemblyLimits, Standing};
+use super::stream::{Draw, SampleKind};
+use super::tally::Row;
 use crate::error::{Error, Tick};
 use crate::parallel;
 use std::ops::Range;
 
 /// Assemblies per core and tick.
-pub const CHUNK: u64 = 32;
+pub const ASSEMBLIES_PER_TICK: u64 = 32;
 
 /// A population with the limits and the seed of a sample.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct Sample<'a> {
     /// The population.
     pub population: &'a Population,
     /// The limits on each assembly.
-    pub requirement: Requirement,
+    pub requirement: AssemblyLimits,
     /// The seed; another one draws other assemblies.
     pub seed: u64,
 }
@@ -28,7 +28,7 @@ impl Sample<'_> {
     pub fn draw(&self, number: u64) -> Draw {
         Draw {
             seed: self.seed,
-            run: Run::Population,
+            sample: SampleKind::Population,
             number,
         }
     }
@@ -51,13 +51,13 @@ impl Sample<'_> {
         }
     }
 
-    /// The rows of the assemblies `numbers`, in order. `tick` is called once every [`CHUNK`] assemblies, from any
+    /// The rows of the assemblies `numbers`, in order. `tick` is called once every [`ASSEMBLIES_PER_TICK`] assemblies, from any
     /// thread; a break ends the work.
     ///
     /// # Errors
     /// As [`Sample::outcome`]; [`Error::Interrupted`].
     pub fn rows(&self, numbers: Range<u64>, tick: &Tick) -> Result<Vec<Row>, Error> {
-        let chunks = parallel::map(chunks(&numbers, CHUNK), |chunk| {
+        let chunks = parallel::map(chunks(&numbers, ASSEMBLIES_PER_TICK), |chunk| {
             Error::if_stopped(tick(1))?;
             let rows = chunk.map(|number| {
                 let (outcome, standing) = self.outcome(number)?;

@@ -2,9 +2,10 @@
 
 use super::factor::Factor;
 use super::scatter::Scatter;
+use crate::analysis::phases::phase_count;
 use crate::gear::{AsBuilt, Lead};
 use crate::outline::AssembledPair;
-use crate::pair::{Member, SweepPlan, ToothNumbers};
+use crate::pair::Member;
 use std::sync::Arc;
 
 /// Scatters of one gear; lengths in mm. `None`: as the pair has it.
@@ -61,7 +62,7 @@ pub struct Scatters {
     /// Addition to the lean of the pinion's axis, mm per mm: in the plane of the axes, and out of it.
     pub lean: [Option<Scatter>; 2],
     /// Radial clearance of both bearings together: the axes can move nearer or apart by this.
-    pub bearing_play: Option<Scatter>,
+    pub bearing_clearance: Option<Scatter>,
     /// Whether the assembly phase is any of the gcd(z_1, z_2), or always one ([`with_phase`](crate::population::Population::with_phase)).
     pub phase: bool,
     /// Correlation of both thicknesses (of their normal scores), −1 … 1; 1 if both gears come from one batch.
@@ -175,7 +176,7 @@ impl Scatters {
             Factor::Gear(member) => self.of(member).gears.is_some(),
             Factor::CenterDistance => varies(&self.center_distance),
             Factor::Misalignment => self.lean.iter().any(varies),
-            Factor::BearingPlay => varies(&self.bearing_play),
+            Factor::BearingClearance => varies(&self.bearing_clearance),
             Factor::Phase => self.phase && phase_count(pair) > 1,
         }
     }
@@ -240,9 +241,4 @@ pub(super) fn not_negative(what: &'static str, scatter: &Scatter) -> Result<(), 
     right
         .then_some(())
         .ok_or(PopulationError::Negative { what, low: least })
-}
-
-/// Number of assembly phases.
-pub(super) fn phase_count(pair: &impl ToothNumbers) -> u32 {
-    SweepPlan::phase_count(pair.teeth(Member::Wheel), pair.teeth(Member::Pinion))
 }

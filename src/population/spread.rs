@@ -40,7 +40,7 @@ impl Spread {
     ///
     /// # Errors
     /// [`Overflow`].
-    pub fn count(&mut self, length: i64, number: u64) -> Result<(), Overflow> {
+    pub fn add(&mut self, length: i64, number: u64) -> Result<(), Overflow> {
         let wide = i128::from(length);
         self.count += 1;
         self.sum = self.sum.checked_add(wide).ok_or(Overflow)?;

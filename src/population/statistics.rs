@@ -1,7 +1,7 @@
 //! Statistics of a population from its sums: shares, spread, capability.
 
 use super::assembly::OutcomeKind;
-use super::requirement::Requirement;
+use super::requirement::AssemblyLimits;
 use super::spread::{BIN_TENTHS_NM, Spread, TENTHS_NM_PER_MM};
 use super::tally::Tally;
 use crate::numeric::bisect;
@@ -98,7 +98,7 @@ pub struct Statistics {
 
 impl Statistics {
     /// The statistics of `tally`, whose rows were compared with `requirement`.
-    pub fn of(tally: &Tally, requirement: &Requirement) -> Statistics {
+    pub fn of(tally: &Tally, requirement: &AssemblyLimits) -> Statistics {
         let total = tally.counts.total();
         let [jammed, no_contact] =
             [OutcomeKind::Jammed, OutcomeKind::NoContact].map(|kind| tally.counts.of(kind));
@@ -224,7 +224,7 @@ mod tests {
     fn moments_and_quantiles_of_whole_numbers() {
         let mut spread = Spread::default();
         for k in 1..=1000 {
-            spread.count(10_000 * k as i64, k).unwrap();
+            spread.add(10_000 * k as i64, k).unwrap();
         }
         let found = SpreadStatistics::of(&spread, 0, 0);
         assert!((found.mean.unwrap() - 0.5005).abs() < 1e-15);

@@ -1,7 +1,7 @@
 //! Random numbers with random access: number i of assembly n does not depend on any other draw.
 //!
-//! ChaCha with 8 rounds in its counter mode. The key is the seed and the run, and the stream is the number of the assembly. Each quantity
-//! has its own stretch of the stream. So any number is drawn without the previous ones, with the same result in any order.
+//! ChaCha with 8 rounds in its counter mode. The key is the seed and the kind of sample, and the stream is the number of the assembly. Each
+//! quantity has its own stretch of the stream. So any number is drawn without the previous ones, with the same result in any order.
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
@@ -11,15 +11,15 @@ use chacha20::rand_core::{Rng, SeedableRng};
 pub struct Draw {
     /// The seed; another one gives another population.
     pub seed: u64,
-    /// The purpose of the run.
-    pub run: Run,
+    /// Its purpose.
+    pub sample: SampleKind,
     /// The number of the assembly, from 1.
     pub number: u64,
 }
 
 /// Purpose of a sample of assemblies. Each purpose has its own numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Run {
+pub enum SampleKind {
     /// The population.
     Population,
     /// The first of two independent samples for contributions.
@@ -36,7 +36,7 @@ impl Draw {
     pub(super) fn stream(&self, quantity: u32) -> Stream {
         let mut key = [0; 32];
         key[..8].copy_from_slice(&self.seed.to_le_bytes());
-        key[8] = self.run as u8;
+        key[8] = self.sample as u8;
         key[16..24].copy_from_slice(b"gearlash");
         let mut generator = ChaCha8Rng::from_seed(key);
         generator.set_stream(self.number);
@@ -59,16 +59,21 @@ impl Stream {
 mod tests {
     use super::*;
 
-    /// Seed, run, assembly and quantity never share a number, and no number depends on earlier draws.
+    /// Seed, sample, assembly and quantity never share a number, and no number depends on earlier draws.
     #[test]
     fn every_draw_has_numbers_of_its_own() {
         let mut seen = std::collections::HashSet::new();
-        let runs = [Run::Population, Run::First, Run::Second];
-        for (seed, run, number) in (0..3)
-            .flat_map(|seed| runs.map(|run| (seed, run)))
-            .flat_map(|(seed, run)| [1, 2, u64::MAX].map(|number| (seed, run, number)))
+        use SampleKind::{First, Population, Second};
+        let samples = [Population, First, Second];
+        for (seed, sample, number) in (0..3)
+            .flat_map(|seed| samples.map(|sample| (seed, sample)))
+            .flat_map(|(seed, sample)| [1, 2, u64::MAX].map(|number| (seed, sample, number)))
         {
-            let draw = Draw { seed, run, number };
+            let draw = Draw {
+                seed,
+                sample,
+                number,
+            };
             for quantity in 0..3 {
                 let mut stream = draw.stream(quantity);
                 for _ in 0..100 {

@@ -1,15 +1,75 @@
-//! Sums over the rows of many assemblies.
+//! Rows of single assemblies, and sums over them.
 
-use super::assembly::OutcomeKind;
-use super::row::Row;
-use super::spread::{Overflow, Spread};
+use super::assembly::{Outcome, OutcomeKind};
+use super::requirement::Standing;
+use super::spread::{Overflow, Spread, tenths};
 use std::collections::BTreeSet;
 
 /// Number of the worst assemblies that are kept.
-pub const WORST: usize = 10;
+pub const WORST_KEPT: usize = 10;
 
 /// Number of equal stretches of the assemblies, each with a count of those outside the requirement.
 pub const STRETCHES: usize = 64;
+
+/// One assembly of a run, reduced to the data of its statistics.
+///
+/// Lengths are whole tenths of a nanometre, a tenth of the width of a proven bracket. Sums of integers do not depend on their order, so rows
+/// computed anywhere give the same statistics to the last bit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Row {
+    /// Number of the assembly, from 1.
+    pub number: u64,
+    /// Its kind.
+    pub kind: OutcomeKind,
+    /// Least `j_wt` over the mesh cycle, tenths of a nanometre.
+    pub least: Option<i64>,
+    /// Greatest `j_wt`, tenths of a nanometre.
+    pub greatest: Option<i64>,
+    /// Whether all its extremes are proven; `false` without any.
+    pub is_proven: bool,
+    /// Whether a quantity is below its lower limit.
+    pub is_below: bool,
+    /// Whether a quantity is above its upper limit.
+    pub is_above: bool,
+    /// Distance to the nearest limit, tenths of a nanometre. `None` without a limit or a value.
+    pub margin: Option<i64>,
+}
+
+impl Row {
+    /// The row of assembly `number` with its `outcome` and `standing`.
+    pub fn new(number: u64, outcome: &Outcome, standing: &Standing) -> Row {
+        Row {
+            number,
+            kind: outcome.kind,
+            least: outcome.least.map(tenths),
+            greatest: outcome.greatest.map(tenths),
+            is_proven: outcome.is_proven,
+            is_below: standing.below,
+            is_above: standing.above,
+            margin: standing.margin,
+        }
+    }
+
+    /// The rank of the assembly among the worst: the least is the worst. Jammed and out of mesh come first; `None` without a margin.
+    fn rank(&self) -> Option<i64> {
+        match self.kind {
+            OutcomeKind::Jammed | OutcomeKind::NoContact => Some(i64::MIN),
+            OutcomeKind::Unproven | OutcomeKind::Impossible => None,
+            OutcomeKind::Clear | OutcomeKind::Interference => self.margin,
+        }
+    }
+
+    /// Whether the assembly misses the requirement. An assembly without a result does.
+    fn is_outside(&self) -> bool {
+        let has_result = !matches!(self.kind, OutcomeKind::Unproven | OutcomeKind::Impossible);
+        self.is_below || self.is_above || !has_result
+    }
+
+    /// Whether it has an unproven extreme.
+    fn is_doubtful(&self) -> bool {
+        (self.least.is_some() || self.greatest.is_some()) && !self.is_proven
+    }
+}
 
 /// Number of assemblies of each kind.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -46,7 +106,7 @@ pub struct Tally {
     pub least: Spread,
     /// Greatest `j_wt` of each assembly.
     pub greatest: Spread,
-    /// The [`WORST`] assemblies: margin to the nearest limit, tenths of a nanometre, and number. Jammed and out of mesh have `i64::MIN`.
+    /// The [`WORST_KEPT`] assemblies: margin to the nearest limit, tenths of a nanometre, and number. Jammed and out of mesh have `i64::MIN`.
     pub worst: BTreeSet<(i64, u64)>,
     /// The first impossible assembly.
     pub first_impossible: Option<u64>,
@@ -74,7 +134,7 @@ impl Tally {
     ///
     /// # Errors
     /// [`Overflow`].
-    pub fn count(&mut self, row: &Row, total: u64) -> Result<(), Overflow> {
+    pub fn add(&mut self, row: &Row, total: u64) -> Result<(), Overflow> {
         self.counts.0[row.kind as usize] += 1;
         self.doubtful += u64::from(row.is_doubtful());
         self.below += u64::from(row.is_below);
@@ -87,14 +147,14 @@ impl Tally {
             *count += outside;
         }
         if let Some(least) = row.least {
-            self.least.count(least, row.number)?;
+            self.least.add(least, row.number)?;
         }
         if let Some(greatest) = row.greatest {
-            self.greatest.count(greatest, row.number)?;
+            self.greatest.add(greatest, row.number)?;
         }
         if let Some(rank) = row.rank() {
             self.worst.insert((rank, row.number));
-            if self.worst.len() > WORST {
+            if self.worst.len() > WORST_KEPT {
                 self.worst.pop_last();
             }
         }

@@ -1,6 +1,7 @@
 //! Where pairs with leads bind along the face, and what that costs. Sources: closed forms of flanks on the line of action, with α_wt.
 
 use super::*;
+use CheckVerdict::{Pass, Warn};
 use gearlash::contact::FacePlace::{self, FarEnd, Inside, NearEnd};
 
 /// Ends of the face, mm.
@@ -82,7 +83,7 @@ fn leaning_shafts_cost_their_closed_form() {
 /// Sections of leaning spur gears leave nothing out. A lean above 5e-3 rad is beyond what is recommended.
 #[test]
 fn tilt_is_warned_of() {
-    for (lean, verdict) in [(1e-3, Verdict::Pass), (6e-3, Verdict::Warn)] {
+    for (lean, verdict) in [(1e-3, Pass), (6e-3, Warn)] {
         let pair = with_leads(Default::default());
         let pair = pair.with_lean([lean, 0.0]).unwrap();
         // The axes are nearer to each other at the near end.
@@ -91,7 +92,7 @@ fn tilt_is_warned_of() {
         let tilt = check(&found, "tilt", None);
         assert_eq!((tilt.formula, tilt.verdict), (Some(0.0), verdict));
         assert!(tilt.details.contains(&("lean_rad", lean)));
-        assert_eq!(check(&found, "edge_contact", None).verdict, Verdict::Warn);
+        assert_eq!(check(&found, "edge_contact", None).verdict, Warn);
     }
 }
 
@@ -111,5 +112,5 @@ fn short_traces_are_warned_of() {
     assert_eq!(wheel.facing(Face::Back).traced(), Some([-15.0, 18.0]));
     let found = diagnosed(&Study::of_pair("short", &pair, 1));
     let covers = check(&found, "lead_covers", Some(Member::Wheel));
-    assert_eq!((covers.formula, covers.verdict), (Some(7.0), Verdict::Warn));
+    assert_eq!((covers.formula, covers.verdict), (Some(7.0), Warn));
 }

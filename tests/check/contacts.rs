@@ -1,6 +1,7 @@
 //! Contacts off the involutes: their classes, what they cost, and where undercut brings them about.
 
 use super::*;
+use CheckVerdict::{Fail, Pass, Warn};
 
 fn kind_of(curves: [&str; 2]) -> ContactKind {
     let has = |curve| curves.contains(&curve);
@@ -84,7 +85,7 @@ fn a_corner_that_costs_nothing_is_not_off_the_line_of_action() {
     assert_eq!(classes.get(&corner), Some(&1), "{classes:?}");
     let check = check(&found, "off_line_contact", None);
     let said = (check.verdict, check.outlines, &*check.note);
-    assert_eq!(said, (Verdict::Pass, Some(0.0), ""));
+    assert_eq!(said, (Pass, Some(0.0), ""));
 }
 
 /// The cost of contact off the line of action is model 3's backlash less the simulation's, for every pose of both materials.
@@ -141,13 +142,13 @@ fn the_fillet_of_86_21_costs_what_no_formula_sees() {
     // Where the wheel's tip would end on the line of action.
     assert!(form.formula.unwrap() < 29.668);
     for (id, gear, verdict) in [
-        ("radial_clearance", wheel, Verdict::Warn),
-        ("radial_clearance", pinion, Verdict::Warn),
-        ("non_involute_k8", wheel, Verdict::Pass),
-        ("non_involute_k8", pinion, Verdict::Pass),
-        ("non_involute_form", wheel, Verdict::Pass),
-        ("non_involute_form", pinion, Verdict::Fail),
-        ("off_line_contact", None, Verdict::Fail),
+        ("radial_clearance", wheel, Warn),
+        ("radial_clearance", pinion, Warn),
+        ("non_involute_k8", wheel, Pass),
+        ("non_involute_k8", pinion, Pass),
+        ("non_involute_form", wheel, Pass),
+        ("non_involute_form", pinion, Fail),
+        ("off_line_contact", None, Fail),
     ] {
         let check = check(&found, id, gear);
         assert_eq!(check.verdict, verdict, "{id} {gear:?}");
@@ -163,7 +164,7 @@ fn the_fillet_of_86_21_costs_what_no_formula_sees() {
     let loss = farther.contact.loss.as_ref().unwrap();
     near("loss at 160.3", loss.worst.loss, 0.0, 1e-9);
     for (id, gear) in [("non_involute_onset", None), ("non_involute_form", pinion)] {
-        assert_eq!(check(&farther, id, gear).verdict, Verdict::Pass, "{id}");
+        assert_eq!(check(&farther, id, gear).verdict, Pass, "{id}");
     }
     // The onset does not depend on where the search began.
     near("onset", onset(&farther), near_by, 2e-5);
@@ -183,7 +184,7 @@ fn the_margin_to_undercut_is_the_racks() {
         let expected = 1.5 * f64::from(teeth) * sin - (round - x) * 3.0 / sin;
         near(teeth, undercut.margin.unwrap(), expected, 1e-9);
         let passes = expected > 0.0;
-        let verdict = if passes { Verdict::Pass } else { Verdict::Warn };
+        let verdict = if passes { Pass } else { Warn };
         assert_eq!(undercut.verdict, verdict, "{teeth}");
         if passes {
             near(teeth, undercut.outlines.unwrap(), expected, 1e-9);
@@ -215,7 +216,7 @@ fn an_undercut_edge_below_the_formula_is_off_the_line() {
         let mut radii = touched.flat_map(|at| [at.wheel.radius, at.pinion.radius]);
         if radii.any(|radius| (radius - form).abs() < 1e-7) {
             at_edge += 1;
-            assert_eq!(pose.verdict, Compared::OffLine, "{backlash} {formula}");
+            assert_eq!(pose.verdict, PoseVerdict::OffLine, "{backlash} {formula}");
         }
     }
     assert!(at_edge > 5, "{at_edge}");

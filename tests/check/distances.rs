@@ -64,7 +64,7 @@ fn a_contact_ratio_below_one_fails() {
         let ratio = (path(31.0) + path(17.0) - distance * sin) / (2.0 * PI * cos);
         near(distance, found.formula.unwrap(), ratio, 1e-9);
         near(distance, found.margin.unwrap(), ratio - 1.0, 1e-9);
-        let fails = found.verdict == Verdict::Fail;
+        let fails = found.verdict == CheckVerdict::Fail;
         assert_eq!(fails, ratio < 1.0, "{ratio} at {distance}");
         verdicts.insert(fails);
     }

@@ -25,15 +25,16 @@ mod campaign {
 
 use campaign::random::Random;
 use common::reference_pair;
-use gearlash::analysis::compare::{ComparedRun, Verdict as Compared};
+use gearlash::analysis::compare::{ComparedRun, PoseVerdict};
 use gearlash::analysis::diagnosis::{
-    Check, Diagnosis, PoseEvidence, Verdict, diagnose, failed_checks, map, non_involute_onset,
+    Check, CheckVerdict, Diagnosis, PoseEvidence, diagnose, failed_checks, map, non_involute_onset,
     radial_clearance, zero_distance,
 };
 use gearlash::analysis::extremes::{RunExtremes, extremes};
 use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::simulate::simulate;
 use gearlash::analysis::study::{Material, Study};
+use gearlash::analysis::verdict::{RequirementOutcome, Verdict};
 use gearlash::analysis::{Analysis, Plan};
 use gearlash::analytic::{InvolutePair, SideContact, limits};
 use gearlash::contact::{

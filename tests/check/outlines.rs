@@ -3,7 +3,6 @@
 use super::*;
 use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::uncertainty::Uncertainty;
-use gearlash::analysis::verdict::Requirement;
 use gearlash::error::go_on;
 
 fn study_of(pair: &GearPair) -> Study {
@@ -50,7 +49,7 @@ fn the_peak_between_sampled_poses_is_found() {
     let drawn = analysis.curves[0].poses.iter();
     let [_, most] = ends(drawn.filter_map(|pose| pose.simulated.backlash));
     assert!(greatest.is_proven() && most <= greatest.high);
-    assert_eq!(analysis.verdict().requirement, Requirement::NotMet);
+    assert_eq!(analysis.verdict().requirement, RequirementOutcome::NotMet);
 }
 
 /// A pair too near, and one out of mesh: said so, and from where on it assembles.
@@ -80,7 +79,7 @@ fn a_pair_that_turns_has_a_map_and_the_play_of_its_bearings() {
         (&run.least, 40.3),
         (&run.greatest, 40.3),
         (&play.pressed.extreme, 40.25),
-        (&play.apart.extreme, 40.35),
+        (&play.pulled_apart.extreme, 40.35),
     ] {
         near(a, end.as_ref().unwrap().found(), known(a), 1e-9);
     }

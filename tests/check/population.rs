@@ -4,16 +4,16 @@ use super::*;
 use gearlash::error::go_on;
 use gearlash::outline::{OutlinePair, OutlineReading, of_gear as of_gear_path};
 use gearlash::population::{
-    Draw, Estimate, Factor, GearScatter, OutcomeKind, Population, PopulationError, Requirement,
-    Run, Sample, Scatter, Scatters, Statistics, TENTHS_NM_PER_MM, Tally, contributions,
+    AssemblyLimits, Draw, Estimate, Factor, GearScatter, OutcomeKind, Population, PopulationError,
+    Sample, SampleKind, Scatter, Scatters, Statistics, TENTHS_NM_PER_MM, Tally, contributions,
     limit_cases,
 };
 use nalgebra::Point2;
 
-pub(super) fn sample(population: &Population, requirement: Requirement, seed: u64) -> Sample<'_> {
+pub(super) fn sample(population: &Population, limits: AssemblyLimits, seed: u64) -> Sample<'_> {
     Sample {
         population,
-        requirement,
+        requirement: limits,
         seed,
     }
 }
@@ -22,7 +22,7 @@ pub(super) fn sample(population: &Population, requirement: Requirement, seed: u6
 pub(super) fn sums(sample: &Sample, total: u64) -> Tally {
     let mut tally = Tally::default();
     for row in sample.rows(1..total + 1, &go_on).unwrap() {
-        tally.count(&row, total).unwrap();
+        tally.add(&row, total).unwrap();
     }
     tally
 }
@@ -30,7 +30,7 @@ pub(super) fn sums(sample: &Sample, total: u64) -> Tally {
 pub(super) fn drawn(seed: u64, number: u64) -> Draw {
     Draw {
         seed,
-        run: Run::Population,
+        sample: SampleKind::Population,
         number,
     }
 }
@@ -97,7 +97,7 @@ pub(super) fn everything() -> Population {
         wheel: of(0.01),
         pinion: of(0.02),
         center_distance: Some(Scatter::triangular(-0.02, 0.0, 0.02).unwrap()),
-        bearing_play: within(0.0, 0.01),
+        bearing_clearance: within(0.0, 0.01),
         phase: true,
         thickness_correlation: 0.5,
         ..Scatters::default()
@@ -119,7 +119,7 @@ fn spread_of_thickness_is_the_closed_form() {
             ..of_thickness(normal(0.012), normal(0.016))
         };
         let population = Population::new(rig(), scatters).unwrap();
-        let requirement = Requirement::new(None, None);
+        let requirement = AssemblyLimits::new(None, None);
         let tally = sums(&sample(&population, requirement, 3), 4000);
         let found = Statistics::of(&tally, &requirement).least;
         let sigma = -slope() * sigma;
@@ -152,7 +152,8 @@ fn contributions_of_a_linear_case_lie_within_their_errors() {
     let (mut inside, mut all) = (0, 0);
     for seed in 0..50 {
         for found in contributions(&population, seed, 512, &go_on).unwrap() {
-            assert_eq!((found.rows, found.left_out, found.each.len()), (512, 0, 3));
+            let counts = (found.rows, found.unused_rows, found.each.len());
+            assert_eq!(counts, (512, 0, 3));
             for (one, part) in found.each.iter().zip(parts) {
                 for estimate in [one.first, one.total] {
                     all += 1;
@@ -191,7 +192,7 @@ fn the_direction_of_whole_gears_contributes() {
 #[test]
 fn sums_do_not_depend_on_how_their_rows_were_cut() {
     let population = everything();
-    let all = sample(&population, Requirement::new(Some(0.05), Some(0.4)), 11);
+    let all = sample(&population, AssemblyLimits::new(Some(0.05), Some(0.4)), 11);
     let whole = sums(&all, 200);
     assert!((1..200).contains(&whole.outside), "{}", whole.outside);
     let contributed = contributions(&population, 11, 40, &go_on).unwrap();
@@ -200,7 +201,7 @@ fn sums_do_not_depend_on_how_their_rows_were_cut() {
         for k in (0..cuts).rev() {
             let range = 1 + 200 * k / cuts..1 + 200 * (k + 1) / cuts;
             for row in all.rows(range, &go_on).unwrap().iter().rev() {
-                tally.count(row, 200).unwrap();
+                tally.add(row, 200).unwrap();
             }
         }
         assert_eq!(tally, whole, "{cuts}");
@@ -237,7 +238,7 @@ fn outlines_scatter_as_their_data() {
     let by_outline = OutlinePair::new(wheel, pinion, 60.3, Member::Wheel).unwrap();
     let axes = || Scatters {
         center_distance: normal(0.02),
-        bearing_play: within(0.0, 0.01),
+        bearing_clearance: within(0.0, 0.01),
         ..Scatters::default()
     };
     let all = || Scatters {
@@ -250,7 +251,7 @@ fn outlines_scatter_as_their_data() {
         Population::new(by_outline.clone(), all()).unwrap(),
     ];
     let rows = populations.each_ref().map(|population| {
-        let sample = sample(population, Requirement::new(None, None), 3);
+        let sample = sample(population, AssemblyLimits::new(None, None), 3);
         sample.rows(1..5, &go_on).unwrap()
     });
     // Tenths of a nanometre: proven brackets of outlines are 50 nm wide.
@@ -342,7 +343,7 @@ fn drawn_pitch_closes_and_has_its_standard_deviation() {
 fn impossible_gears_are_counted() {
     let scatters = of_thickness(Some(Scatter::table(&[0.0, 5.0]).unwrap()), None);
     let population = Population::new(rig(), scatters).unwrap();
-    let all = sample(&population, Requirement::new(None, None), 2);
+    let all = sample(&population, AssemblyLimits::new(None, None), 2);
     let tally = sums(&all, 100);
     let first = tally.first_impossible.unwrap();
     assert!(population.assembly(all.draw(first)).is_err());
@@ -363,7 +364,7 @@ fn whole_gears_are_drawn_alike() {
     };
     let population = Population::new(rig(), of_wheel(wheel.clone())).unwrap();
     assert_eq!(population.factors(), [Factor::Gear(Member::Wheel)]);
-    let requirement = Requirement::new(Some(closed_form(132.1, [-0.005, 0.0])), None);
+    let requirement = AssemblyLimits::new(Some(closed_form(132.1, [-0.005, 0.0])), None);
     let tally = sums(&sample(&population, requirement, 2), 900);
     near("below", tally.below as f64, 300.0, 5.0 * 200f64.sqrt());
     let both = of_wheel(GearScatter {

@@ -2,9 +2,9 @@
 
 use super::population::*;
 use super::*;
-use gearlash::analysis::verdict::{Requirement as Kept, Verdict as Said};
 use gearlash::population::{
-    GearScatter, LimitCases, OutcomeKind, Population, Requirement, Scatter, Scatters, limit_cases,
+    AssemblyLimits, GearScatter, LimitCases, OutcomeKind, Population, Scatter, Scatters,
+    limit_cases,
 };
 
 const QUANTITIES: [Quantity; 7] = [
@@ -35,7 +35,7 @@ fn every_requirement_is_judged_as_the_verdict_of_the_pair_judges_it() {
         wheel: of(0.01),
         pinion: of(0.02),
         center_distance: Some(Scatter::triangular(-0.02, 0.0, 0.02).unwrap()),
-        bearing_play: within(0.002, 0.01),
+        bearing_clearance: within(0.002, 0.01),
         phase: true,
         ..Scatters::default()
     };
@@ -63,11 +63,11 @@ fn every_requirement_is_judged_as_the_verdict_of_the_pair_judges_it() {
             for (value, is_max) in [(least, false), (greatest, true)] {
                 for by in [-hair, hair] {
                     let required = limited(quantity, value + by, is_max);
-                    let verdict = Said::new(&found, &required, None, Vec::new());
-                    let missed = verdict.requirement == Kept::NotMet;
+                    let verdict = Verdict::new(&found, &required, None, Vec::new());
+                    let missed = verdict.requirement == RequirementOutcome::NotMet;
                     let told = format!("{number} {quantity:?} {is_max} {by}");
                     assert_eq!(missed, (by < 0.0) == is_max, "{told}");
-                    let standing = Requirement::of(&required).standing(&assembly, &outcome);
+                    let standing = AssemblyLimits::of(&required).standing(&assembly, &outcome);
                     assert_eq!(standing.below, missed && !is_max, "{told}");
                     assert_eq!(standing.above, missed && is_max, "{told}");
                 }
@@ -82,7 +82,7 @@ fn the_worst_case_of_perfect_gears_is_the_closed_form() {
     let pinion = Scatter::normal_within(-0.02, 0.02, 0.0, 1.33).unwrap();
     let scatters = Scatters {
         center_distance: within(-0.02, 0.03),
-        bearing_play: Some(Scatter::fixed(0.01).unwrap()),
+        bearing_clearance: Some(Scatter::fixed(0.01).unwrap()),
         ..of_thickness(within(-0.03, 0.01), Some(pinion))
     };
     let population = Population::new(rig(), scatters).unwrap();
@@ -98,7 +98,7 @@ fn none_is_worse(population: &Population, limits: &LimitCases, count: u64) {
     let [least, greatest] = limits.worst.map(Option::unwrap);
     let [low, high] = limits.root_sum_of_squares.map(Option::unwrap);
     assert!(least < low && low < high && high < greatest);
-    let all = sample(population, Requirement::new(None, None), 5);
+    let all = sample(population, AssemblyLimits::new(None, None), 5);
     for number in 1..=count {
         let (found, _) = all.outcome(number).unwrap();
         assert!(found.is_proven && found.least.unwrap() >= least, "{number}");

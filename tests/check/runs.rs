@@ -3,8 +3,7 @@
 
 use super::*;
 use gearlash::analysis::assembles_from::Threshold;
-use gearlash::analysis::extremes::BearingPlay;
-use gearlash::analysis::verdict::{Requirement, Verdict as CycleVerdict};
+use gearlash::analysis::extremes::BearingExtremes;
 
 /// Both gears 60 µm thin, off their axes by half a runout of 30 and 20 µm.
 fn thin_pair(teeth: [u32; 2], module: f64, shifts: [f64; 2], distance: f64) -> GearPair {
@@ -144,7 +143,7 @@ fn run_with(pair: &GearPair, clearance: f64) -> RunExtremes {
     })
 }
 
-fn play(pair: &GearPair, clearance: f64) -> BearingPlay {
+fn play(pair: &GearPair, clearance: f64) -> BearingExtremes {
     run_with(pair, clearance).bearings.unwrap()
 }
 
@@ -160,7 +159,7 @@ fn deviating_gears_have_the_extremes_of_pairs_that_stand_there() {
         assert_eq!(found.clearance, 0.03);
         for (end, there, distance) in [
             (&found.pressed, near_by.least, 48.02),
-            (&found.apart, far.greatest, 48.08),
+            (&found.pulled_apart, far.greatest, 48.08),
         ] {
             let stands = end.assembly.center_distance();
             near("distance", stands, distance, 1e-12);
@@ -174,7 +173,7 @@ fn deviating_gears_have_the_extremes_of_pairs_that_stand_there() {
             let around = end.low - 1e-9..=end.high + 1e-9;
             assert!(around.contains(&j_wt), "{any_direction}: {j_wt}");
         }
-        let (pressed, apart) = (found.pressed.extreme.unwrap(), found.apart.extreme.unwrap());
+        let [pressed, apart] = [found.pressed, found.pulled_apart].map(|end| end.extreme.unwrap());
         let around = pressed.low - 1e-9..=apart.high + 1e-9;
         for step in 0..=6 {
             let pair = pair.at(48.02 + 0.01 * f64::from(step)).unwrap();
@@ -193,8 +192,8 @@ fn deviating_gears_have_the_extremes_of_pairs_that_stand_there() {
 fn ends_without_a_value_say_why() {
     let found = play(&in_bearings(49.5, 0.0, false), 3.0);
     assert_eq!(found.pressed.status, Status::Jammed);
-    assert_eq!(found.apart.status, Status::NoContact);
-    assert!(found.pressed.extreme.is_none() && found.apart.extreme.is_none());
+    assert_eq!(found.pulled_apart.status, Status::NoContact);
+    assert!(found.pressed.extreme.is_none() && found.pulled_apart.extreme.is_none());
 }
 
 /// A limit is of the pair wherever its bearings let it stand.
@@ -212,10 +211,10 @@ fn a_requirement_holds_for_the_axes_moved_too() {
     ] {
         let required = vec![(Quantity::OperatingBacklash, Limits { min, max })];
         let run = run_with(&pair, clearance);
-        let verdict = CycleVerdict::new(std::slice::from_ref(&run), &required, None, Vec::new());
-        let is_met = verdict.requirement == Requirement::Met;
+        let verdict = Verdict::new(std::slice::from_ref(&run), &required, None, Vec::new());
+        let is_met = verdict.requirement == RequirementOutcome::Met;
         assert_eq!(is_met, kept, "{required:?}");
-        assert!(verdict.unmet.iter().all(|unmet| unmet.with_play));
+        assert!(verdict.unmet.iter().all(|unmet| unmet.with_clearance));
         let ends = (verdict.least_pressed(), verdict.greatest_apart());
         assert_eq!(ends.0.is_some() && ends.1.is_some(), clearance > 0.0);
     }

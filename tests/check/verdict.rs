@@ -3,7 +3,6 @@
 use super::*;
 use gearlash::analysis::assembles_from::Threshold;
 use gearlash::analysis::extremes::{CoveredPhases, WIDTH, extremes_of_phase, run_count};
-use gearlash::analysis::verdict::{Requirement, Verdict as Said};
 
 const HIGH: [(f64, f64); 2] = [(0.01, 1.0), (0.02, 3.0)];
 
@@ -28,8 +27,8 @@ fn with_status(run: &RunExtremes, status: Status) -> RunExtremes {
     }
 }
 
-fn said(runs: &[RunExtremes]) -> Said<'_> {
-    Said::new(runs, &Vec::new(), None, Vec::new())
+fn said(runs: &[RunExtremes]) -> Verdict<'_> {
+    Verdict::new(runs, &Vec::new(), None, Vec::new())
 }
 
 /// Jammed or out of mesh it does not assemble, nor with all of the bracket below 0. With its lower end not below 0 by more than brackets are wide it does.
@@ -76,12 +75,12 @@ fn a_pair_assembles_if_every_run_does() {
     let no = with_least(&run, [-0.1, -0.1]);
     let unknown = with_least(&run, [-0.1, 0.1]);
     for (runs, assembles, state) in [
-        (vec![], None, Verdict::Unproven),
-        (vec![&yes], Some(true), Verdict::Pass),
-        (vec![&yes, &yes], Some(true), Verdict::Pass),
-        (vec![&yes, &unknown], None, Verdict::Unproven),
-        (vec![&unknown, &no], Some(false), Verdict::Fail),
-        (vec![&no, &yes], Some(false), Verdict::Fail),
+        (vec![], None, CheckVerdict::Unproven),
+        (vec![&yes], Some(true), CheckVerdict::Pass),
+        (vec![&yes, &yes], Some(true), CheckVerdict::Pass),
+        (vec![&yes, &unknown], None, CheckVerdict::Unproven),
+        (vec![&unknown, &no], Some(false), CheckVerdict::Fail),
+        (vec![&no, &yes], Some(false), CheckVerdict::Fail),
     ] {
         let runs: Vec<RunExtremes> = runs.into_iter().cloned().collect();
         let said = said(&runs);
@@ -179,23 +178,23 @@ fn distances_are_of_all_runs_that_fail() {
 fn a_limit_is_met_missed_or_not_proven() {
     let runs = [with_least(&run(), [0.1, 0.2])];
     for (min, requirement) in [
-        (0.05, Requirement::Met),
-        (0.1, Requirement::Met),
-        (0.15, Requirement::NotProven),
-        (0.2, Requirement::NotProven),
-        (0.3, Requirement::NotMet),
+        (0.05, RequirementOutcome::Met),
+        (0.1, RequirementOutcome::Met),
+        (0.15, RequirementOutcome::NotProven),
+        (0.2, RequirementOutcome::NotProven),
+        (0.3, RequirementOutcome::NotMet),
     ] {
         let (min, max) = (Some(min), None);
         let limits = Limits { min, max };
         let required = vec![(Quantity::OperatingBacklash, limits)];
-        let said = Said::new(&runs, &required, None, Vec::new());
+        let said = Verdict::new(&runs, &required, None, Vec::new());
         assert_eq!(said.requirement, requirement, "{min:?}");
         let missed = said.unmet.first().map(|unmet| unmet.is_missed);
-        let expected =
-            (requirement != Requirement::Met).then_some(requirement == Requirement::NotMet);
+        let expected = (requirement != RequirementOutcome::Met)
+            .then_some(requirement == RequirementOutcome::NotMet);
         assert_eq!(missed, expected, "{min:?}");
     }
-    assert_eq!(said(&runs).requirement, Requirement::None);
+    assert_eq!(said(&runs).requirement, RequirementOutcome::None);
 }
 
 /// Runs of a study: one for all phases where a gear has like teeth, else one for each that its matings are of; a run of one phase is what the search of

@@ -269,7 +269,7 @@ pub fn evenly(pair: &GearPair, count: u32) -> impl Iterator<Item = f64> {
 fn reach(pair: &GearPair) -> [f64; 2] {
     let [from, to] = pair.face();
     let most = Member::BOTH.map(|member| pair.gear(member).reach());
-    let over = pair.most_lean() * most[0].max(most[1]);
+    let over = pair.lean_bound() * most[0].max(most[1]);
     [from - over, to + over]
 }
 

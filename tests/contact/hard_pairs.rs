@@ -96,7 +96,7 @@ fn polygon_results_are_certified() {
         let study = hard(name);
         let (_, wheel, pinion) = &study.materials[0];
         let coarse = CutPair::for_certificates(wheel, pinion);
-        let cut = CutPair::new(wheel, pinion, study.chord);
+        let cut = CutPair::new(wheel, pinion, study.chordal_error);
         for plan in study.runs().unwrap() {
             let pair = plan.run.assembly.data().unwrap();
             let certifier = Certifier::new(coarse.kernel(pair));

@@ -170,7 +170,7 @@ fn reference_poses() {
             let beyond = model - expected(&case);
             let base = pair.gear(pair.free()).gear().base_radius();
             assert!(beyond > -1e-4, "{name}: {beyond}");
-            on_line += u32::from(beyond < 2.0 * pair.left_out() / base * um + 1e-4);
+            on_line += u32::from(beyond < 2.0 * pair.section_error_bound() / base * um + 1e-4);
             leaning += 1;
         } else if !has_bias(&case) {
             assert!(off < 1e-6, "{name}: {off}");

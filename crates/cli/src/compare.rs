@@ -9,7 +9,6 @@ use crate::output::Target;
 use crate::progress::Progress;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
-use gearlash::analysis::compare::tolerance_um;
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, simulate_by_blocks};
 use gearlash_input::PairFile;
@@ -141,7 +140,7 @@ fn compared(
     progress: &Progress,
 ) -> Result<Judged, Error> {
     let (study, method) = (&file.study, args.method.method());
-    let tolerance_um = tolerance_um(study, args.tolerance_um);
+    let tolerance_um = args.tolerance_um.unwrap_or(study.tolerance_um);
     let tick = |steps| progress.tick(steps);
     let none = &mut |_: Piece| Ok::<(), Error>(());
     let runs = simulate_by_blocks(study, method, tolerance_um, unproven, &tick, none)?;

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::progress::Progress;
 use gearlash::analysis::Analysis;
 use gearlash::analysis::backlash_map::{BACKLASH_MAP_ROWS, BacklashMap};
-use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, ZeroDistance, map};
+use gearlash::analysis::diagnosis::{CheckedPair, Diagnosis, MAP_ROWS, ZeroDistance, map};
 use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::pair::Member;
@@ -48,7 +48,7 @@ pub(super) fn of(analysis: &Analysis) -> Result<Vec<DrawnMap>, Error> {
 }
 
 fn of_contacts(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Error> {
-    let mut drawn: Vec<(&Group, &ZeroDistance)> = Vec::new();
+    let mut drawn: Vec<(&CheckedPair, &ZeroDistance)> = Vec::new();
     let mut seen = Vec::new();
     for group in &diagnosis.groups {
         let material = group.material;

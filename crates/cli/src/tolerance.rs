@@ -8,7 +8,9 @@ use crate::error::{Error, exit_code};
 use crate::options::{ResultsArgs, ScreenArgs};
 use crate::output::OutputFolder;
 use crate::progress::Progress;
-use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Row, Tally, WORST};
+use gearlash::population::{
+    ASSEMBLIES_PER_TICK, ContributionsError, ROWS_PER_TICK, Row, Tally, WORST_KEPT,
+};
 use gearlash_input::tolerance::{
     BLOCK, MAX_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceResult, ToleranceRun, is_worst_file,
     read_tolerance, worst_file, worst_name,
@@ -83,7 +85,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     if let Some(reason) = run.too_many_impossible(&tally) {
         return Err(Error::Usage(reason.to_string()));
     }
-    let bar = Progress::of(run.contribution_rows().div_ceil(ROWS_CHUNK), "steps");
+    let bar = Progress::of(run.contribution_rows().div_ceil(ROWS_PER_TICK), "steps");
     bar.now("contributions");
     let result = run.result(tally, &|steps| bar.tick(steps));
     drop(bar);
@@ -133,7 +135,8 @@ fn draw(
     numbers: Range<u64>,
     mut rows: Option<RowsFile>,
 ) -> Result<Tally, Error> {
-    let bar = Progress::of((numbers.end - numbers.start).div_ceil(CHUNK), "steps");
+    let steps = (numbers.end - numbers.start).div_ceil(ASSEMBLIES_PER_TICK);
+    let bar = Progress::of(steps, "steps");
     bar.now("assemblies");
     let mut tally = RowsTally::new(run);
     let mut counted = |block| -> Result<Vec<Row>, Error> {
@@ -172,12 +175,12 @@ const FILES: [&str; 7] = [
 
 /// Whether a run may write a file called `name`.
 fn is_own(name: &str) -> bool {
-    FILES.contains(&name) || (0..WORST).any(|index| worst_name(index) == name)
+    FILES.contains(&name) || (0..WORST_KEPT).any(|index| worst_name(index) == name)
 }
 
 /// An error where the results in `folder` would replace a pair file that no run wrote.
 fn check_worst_files(folder: &Path) -> Result<(), Error> {
-    for path in (0..WORST).map(|index| folder.join(worst_name(index))) {
+    for path in (0..WORST_KEPT).map(|index| folder.join(worst_name(index))) {
         let is_own = match std::fs::read_to_string(&path) {
             Ok(text) => is_worst_file(&text),
             Err(error) => error.kind() == ErrorKind::NotFound,

@@ -167,14 +167,14 @@ impl<'a> PairTables<'a> {
             open_lean: lean[1],
             bearing_ends: bearings.ends(),
             center_distances,
-            band,
+            distance_band: band,
             bearing_clearance: bearings.sum_mm(),
             all_phases: sweep
                 .as_ref()
                 .is_some_and(|sweep| sweep.spec.extremes.is_some()),
             sweep: sweep.map(|sweep| sweep.plan),
             measured: measured.map_or_else(Vec::new, Measured::into_rows),
-            chord: accuracy.chord_um / 1000.0,
+            chordal_error: accuracy.chord_um / 1000.0,
             tolerance_um: compare.tolerance_um,
             allow_off_line_contact: compare.allow_off_line_contact,
             uncertainty,

@@ -4,7 +4,7 @@ use super::gear::GearPart;
 use super::spec::AssemblySpec;
 use gearlash::analysis::study::Material;
 use gearlash::gear::AsBuilt;
-use gearlash::pair::MOST_UNEQUAL;
+use gearlash::pair::MOST_MODULE_DIFFERENCE;
 use gearlash_text::Table;
 use gearlash_text::numbers::{ascii, rounded, shortest};
 
@@ -14,7 +14,7 @@ pub const REFERENCE_C: f64 = 20.0;
 /// Checks that the length `factors` of both gears leave modules that mesh.
 pub fn check_unequal(file: &Table, [wheel, pinion]: [f64; 2]) -> Option<()> {
     let difference = (wheel - pinion).abs() / wheel.max(pinion);
-    if difference <= MOST_UNEQUAL {
+    if difference <= MOST_MODULE_DIFFERENCE {
         return Some(());
     }
     let keys = ["pinion.scale", "wheel.scale"];
@@ -24,7 +24,7 @@ pub fn check_unequal(file: &Table, [wheel, pinion]: [f64; 2]) -> Option<()> {
         format!(
             "lets the modules of wheel and pinion differ by {} %, allowed is up to {} %",
             ascii(100.0 * difference, 2),
-            100.0 * MOST_UNEQUAL
+            100.0 * MOST_MODULE_DIFFERENCE
         ),
         "check scale, the temperature and the coefficients of expansion",
     )

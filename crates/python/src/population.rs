@@ -173,21 +173,22 @@ fn cell(found: &PairFit) -> Cell {
         outcome.greatest,
         outcome.is_proven,
         best.meets,
-        found.meeting,
+        found.phases_that_meet,
     )
 }
 
 fn pair_fit(cell: &Cell, file: &MatchFile) -> Option<PairFit> {
-    let &(pinion_tooth, kind, least, greatest, is_proven, meets, meeting) = cell;
+    let &(pinion_tooth, kind, least, greatest, is_proven, meets, phases_that_meet) = cell;
     let outcome = Outcome {
         kind: *OutcomeKind::ALL.get(usize::from(kind))?,
         least,
         greatest,
         is_proven,
     };
+    let target = file.conditions.target_backlash();
     Some(PairFit {
-        best: Fit::of(pinion_tooth, outcome, meets, file.terms.wanted()),
-        meeting,
+        best: Fit::of(pinion_tooth, outcome, meets, target),
+        phases_that_meet,
     })
 }
 

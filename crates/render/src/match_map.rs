@@ -58,7 +58,7 @@ fn step(result: &MatchResult) -> f64 {
 
 fn meets(result: &MatchResult, wheel: usize, pinion: usize) -> bool {
     let pair = result.matrix.pair_fit(wheel, pinion);
-    pair.is_some_and(|pair| pair.meeting > 0)
+    pair.is_some_and(|pair| pair.phases_that_meet > 0)
 }
 
 /// The shade of a pair; `None` where it has no backlash.

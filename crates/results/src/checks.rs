@@ -8,8 +8,10 @@ use crate::remedies::RemedyRecords;
 use crate::run::{contact_count, extremes, verdict_record};
 use crate::verdict::{self, distinct, heading, lines, short_title};
 use gearlash::analysis::backlash_map::{BacklashCell, BacklashMap};
-use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap, MapCell};
-use gearlash::analysis::verdict::{Requirement, Verdict};
+use gearlash::analysis::diagnosis::{
+    Check, CheckVerdict, CheckedPair, Diagnosis, Map as ContactMap, MapCell,
+};
+use gearlash::analysis::verdict::{RequirementOutcome, Verdict};
 use gearlash::pair::{BacklashUnit, Member};
 use gearlash_input::PairFile;
 use gearlash_text::numbers::{ascii, fixed, stated_distance, um_ascii};
@@ -28,7 +30,7 @@ pub(crate) struct CheckRow {
 
 impl CheckRow {
     /// The row of a `check` of `group`; `is_of_several`: the pair has several groups.
-    pub fn new(group: &Group, check: &Check, is_of_several: bool) -> CheckRow {
+    pub fn new(group: &CheckedPair, check: &Check, is_of_several: bool) -> CheckRow {
         CheckRow {
             center_distance: group.assembly.center_distance(),
             material: group.material.name(),
@@ -101,19 +103,19 @@ pub fn checked(
     is_proven: bool,
     screen: &Screen,
 ) -> Judged {
-    let checks = diagnosis.verdict() < diagnosis::Verdict::Unproven;
+    let checks = diagnosis.verdict() < CheckVerdict::Unproven;
     let passes = is_proven && checks && verdict.passes();
     let lines = lines(verdict);
     let state = if verdict.passes() {
-        diagnosis::Verdict::Pass
+        CheckVerdict::Pass
     } else {
-        verdict.state().max(diagnosis::Verdict::Unproven)
+        verdict.state().max(CheckVerdict::Unproven)
     };
     let (proof, of_poses) = if is_proven {
-        (diagnosis::Verdict::Pass, "all poses are proven")
+        (CheckVerdict::Pass, "all poses are proven")
     } else {
         let doubt = "some poses are not proven, or methods disagree";
-        (diagnosis::Verdict::Unproven, doubt)
+        (CheckVerdict::Unproven, doubt)
     };
     let message = verdict::message(verdict) + "\n" + &remedies.text(verdict);
     let mut cases = vec![
@@ -170,10 +172,10 @@ fn check_cases(diagnosis: &Diagnosis) -> Vec<Case> {
         .chunk_by(|one, other| one.1.id == other.1.id)
         .map(|of_check| {
             let verdict = of_check.iter().map(|(_, check)| check.verdict).max();
-            let verdict = verdict.unwrap_or(diagnosis::Verdict::Pass);
+            let verdict = verdict.unwrap_or(CheckVerdict::Pass);
             // A gear that passes is not named beside one that does not.
             let told = of_check.iter().filter(|(_, check)| {
-                check.verdict != diagnosis::Verdict::Pass || verdict == diagnosis::Verdict::Pass
+                check.verdict != CheckVerdict::Pass || verdict == CheckVerdict::Pass
             });
             let messages: Vec<String> = told.map(|(_, check)| message(check, verdict)).collect();
             let title = of_check.first().map_or("", |(_, check)| check.title);
@@ -183,7 +185,7 @@ fn check_cases(diagnosis: &Diagnosis) -> Vec<Case> {
 }
 
 /// The numbers of `check`; its outcome only where it is not `verdict`, the case's.
-fn message(check: &Check, verdict: diagnosis::Verdict) -> String {
+fn message(check: &Check, verdict: CheckVerdict) -> String {
     let value = |value: Option<f64>| fixed(value, 4);
     let outlines = match (&check.unproven, check.outlines) {
         (Some(_), None) => "unproven".to_owned(),
@@ -258,11 +260,11 @@ pub fn shown(diagnosis: &Diagnosis) -> Vec<Shown> {
 
 /// The worst occurrence of each check: worst verdict, then greatest loss of backlash where it has one, then least margin, then the
 /// first.
-fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
-    let mut governing: Vec<(&Group, &Check)> = Vec::new();
+fn governing(diagnosis: &Diagnosis) -> Vec<(&CheckedPair, &Check)> {
+    let mut governing: Vec<(&CheckedPair, &Check)> = Vec::new();
     for group in &diagnosis.groups {
         for check in &group.checks {
-            let same = |known: &&mut (&Group, &Check)| {
+            let same = |known: &&mut (&CheckedPair, &Check)| {
                 known.1.id == check.id && known.1.gear == check.gear
             };
             match governing.iter_mut().find(same) {
@@ -287,7 +289,7 @@ fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
     governing
 }
 
-fn contact(diagnosis: &Diagnosis, requirement: Requirement) -> String {
+fn contact(diagnosis: &Diagnosis, requirement: RequirementOutcome) -> String {
     let count = &diagnosis.contact;
     let classes = count.classes.iter();
     let classes = classes.map(|(class, poses)| format!("{} {poses}", class.name()));
@@ -330,14 +332,14 @@ fn contact(diagnosis: &Diagnosis, requirement: Requirement) -> String {
 }
 
 /// The distinct short titles of the checks with this verdict.
-pub fn titles(diagnosis: &Diagnosis, verdict: diagnosis::Verdict) -> Vec<&'static str> {
+pub fn titles(diagnosis: &Diagnosis, verdict: CheckVerdict) -> Vec<&'static str> {
     let checks = governing(diagnosis).into_iter().map(|(_, check)| check);
     let checks = checks.filter(|check| check.verdict == verdict);
     distinct(checks.map(|check| short_title(check.title)))
 }
 
 /// The number of failing or unproven checks, and their titles. Where none fails, a limit that is not kept is named beside.
-fn outcome(diagnosis: &Diagnosis, requirement: Requirement) -> String {
+fn outcome(diagnosis: &Diagnosis, requirement: RequirementOutcome) -> String {
     let all = distinct(governing(diagnosis).iter().map(|(_, check)| check.title)).len();
     let named = |count: &str, titles: &[&str]| {
         format!(
@@ -346,14 +348,15 @@ fn outcome(diagnosis: &Diagnosis, requirement: Requirement) -> String {
             titles.join(", ")
         )
     };
-    let [failed, unproven] = [diagnosis::Verdict::Fail, diagnosis::Verdict::Unproven]
-        .map(|verdict| titles(diagnosis, verdict));
+    let [failed, unproven] =
+        [CheckVerdict::Fail, CheckVerdict::Unproven].map(|verdict| titles(diagnosis, verdict));
     match (&failed[..], &unproven[..]) {
         ([], []) => match requirement {
-            Requirement::None | Requirement::Met => "No check fails.".to_owned(),
-            Requirement::NotMet => "No check fails, but a requirement is not met.".to_owned(),
-            Requirement::NotProven => "No check fails, but a requirement is not proven.".to_owned(),
-        },
+            RequirementOutcome::None | RequirementOutcome::Met => "No check fails.",
+            RequirementOutcome::NotMet => "No check fails, but a requirement is not met.",
+            RequirementOutcome::NotProven => "No check fails, but a requirement is not proven.",
+        }
+        .to_owned(),
         ([], unproven) => named("are unproven", unproven),
         ([_], _) => named("fails", &failed),
         (_, _) => named("fail", &failed),

@@ -6,11 +6,11 @@ use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::{PoseRow, doubts};
 use crate::run::{extremes, verdict_record};
 use crate::verdict::{lines, message};
-use gearlash::analysis::compare::{ComparedPose, Summary, Verdict};
-use gearlash::analysis::diagnosis::{self, CheckName};
+use gearlash::analysis::compare::{ComparedPose, PoseVerdict, Summary};
+use gearlash::analysis::diagnosis::{CheckName, CheckVerdict};
 use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::tally::RunTally;
-use gearlash::analysis::verdict::{Requirement, Verdict as CycleVerdict};
+use gearlash::analysis::verdict::{RequirementOutcome, Verdict};
 use gearlash::pair::Mating;
 use gearlash_input::PairFile;
 use gearlash_text::characters::plain;
@@ -91,7 +91,7 @@ impl ComparedPair<'_> {
     /// The outcome; its text is for `screen`.
     pub fn judged(&self, screen: &Screen) -> Judged {
         let study = &self.file.study;
-        let verdict = CycleVerdict::of_study(study, &self.extremes, self.failed_checks.clone());
+        let verdict = Verdict::of_study(study, &self.extremes, self.failed_checks.clone());
         let lines = lines(&verdict);
         let agrees = self.agreement() == Agreement::Agrees && self.is_proven;
         let kept = verdict.requirement.is_kept();
@@ -102,11 +102,11 @@ impl ComparedPair<'_> {
             }
         }
         let failed = |passes: bool, unproven: bool| match (passes, unproven) {
-            (true, _) => diagnosis::Verdict::Pass,
-            (false, true) => diagnosis::Verdict::Unproven,
-            (false, false) => diagnosis::Verdict::Fail,
+            (true, _) => CheckVerdict::Pass,
+            (false, true) => CheckVerdict::Unproven,
+            (false, false) => CheckVerdict::Fail,
         };
-        let kept_unproven = verdict.requirement == Requirement::NotProven;
+        let kept_unproven = verdict.requirement == RequirementOutcome::NotProven;
         let is_unproven = matches!(self.agreement(), Agreement::Unproven | Agreement::Agrees);
         Judged {
             file: self.name.clone(),
@@ -126,7 +126,7 @@ impl ComparedPair<'_> {
         }
     }
 
-    fn text(&self, verdict: &str, requirement: Requirement, screen: &Screen) -> String {
+    fn text(&self, verdict: &str, requirement: RequirementOutcome, screen: &Screen) -> String {
         let tone = match self.agreement() {
             Agreement::Agrees => Tone::Good,
             Agreement::Disagrees => Tone::Bad,
@@ -157,7 +157,7 @@ impl ComparedPair<'_> {
                 "{}: {poses} poses, {difference}  {outcome}",
                 run_name(run)
             );
-            let off = run.count(Verdict::OffLine);
+            let off = run.count(PoseVerdict::OffLine);
             if off > 0 && self.allows_off_line() {
                 let _ = writeln!(
                     text,
@@ -172,7 +172,7 @@ impl ComparedPair<'_> {
     }
 
     /// The reasons why the pair fails although every run passes.
-    fn other_failures(&self, requirement: Requirement) -> Vec<&'static str> {
+    fn other_failures(&self, requirement: RequirementOutcome) -> Vec<&'static str> {
         let mut reasons = Vec::new();
         if self.agreement() != Agreement::Agrees {
             return reasons;
@@ -181,9 +181,9 @@ impl ComparedPair<'_> {
             reasons.push("the two methods disagree");
         }
         match requirement {
-            Requirement::NotMet => reasons.push("a limit of [require] is not met"),
-            Requirement::NotProven => reasons.push("a limit of [require] is not proven"),
-            Requirement::None | Requirement::Met => {}
+            RequirementOutcome::NotMet => reasons.push("a limit of [require] is not met"),
+            RequirementOutcome::NotProven => reasons.push("a limit of [require] is not proven"),
+            RequirementOutcome::None | RequirementOutcome::Met => {}
         }
         reasons
     }
@@ -207,7 +207,8 @@ impl ComparedPair<'_> {
             parts.push(format!("nothing to compare: {}", without_value(run)));
         }
         let [above, below, off_line] =
-            [Verdict::Above, Verdict::Below, Verdict::OffLine].map(|verdict| run.count(verdict));
+            [PoseVerdict::Above, PoseVerdict::Below, PoseVerdict::OffLine]
+                .map(|verdict| run.count(verdict));
         let (less, alone) = (run.compared_off_line, run.simulated_alone());
         let mut failing = vec![(above, "above the formula"), (below, "below the formula")];
         // Where nothing is compared, the line above states the reason.
@@ -223,7 +224,7 @@ impl ComparedPair<'_> {
             .extend(failing.map(|(count, what)| format!("{count} of {} poses: {what}", run.poses)));
         // A largest difference that agrees is not the failure.
         let worst = run.worst();
-        let worst = worst.filter(|(pose, _)| pose.verdict != Verdict::Agrees);
+        let worst = worst.filter(|(pose, _)| pose.verdict != PoseVerdict::Agrees);
         let worst = worst.map_or(String::new(), |(pose, difference)| {
             format!(
                 "; largest difference {} µm at {} (tolerance {} + bound {} µm)",
@@ -256,7 +257,7 @@ impl ComparedPair<'_> {
         self.runs.iter().map(row).collect()
     }
 
-    fn record(&self, verdict: &CycleVerdict, passed: bool) -> serde_json::Value {
+    fn record(&self, verdict: &Verdict, passed: bool) -> serde_json::Value {
         json!({
             "file": self.name,
             "passed": passed,
@@ -331,9 +332,9 @@ row_type!(row: ComparedRow {
     "" Plain [people(shown("off model 3 µm"))] => row.off_line_of_action();
     "compared" Plain => row.run.compared;
     "passed" Plain => row.passed;
-    "off_line" Plain [heading(shown("touch off the line of action"))] => row.run.count(Verdict::OffLine);
-    "below" Plain => row.run.count(Verdict::Below);
-    "above" Plain => row.run.count(Verdict::Above);
+    "off_line" Plain [heading(shown("touch off the line of action"))] => row.run.count(PoseVerdict::OffLine);
+    "below" Plain => row.run.count(PoseVerdict::Below);
+    "above" Plain => row.run.count(PoseVerdict::Above);
     "max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
     "max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
     "worst" Plain => row.worst().map_or(Value::Null, |_| Value::Absent);
@@ -343,7 +344,7 @@ row_type!(row: ComparedRow {
     "worst.fraction" Plain => Value::optional(row.worst_mating().map(|mating| mating.fraction));
     "worst.difference_um" Plain => Value::optional(row.worst().map(|(_, mm)| mm * 1e3));
     "worst.error_bound_um" Plain => Value::optional(row.worst().map(|(pose, _)| Value::um(pose.simulated.error_bound)));
-    "unproven" Plain => row.run.count(Verdict::Unproven);
+    "unproven" Plain => row.run.count(PoseVerdict::Unproven);
     "unproven_poses" Plain => Value::optional(row.unproven_poses().map(serde_json::Value::Array));
     "" Plain [people(shown("verdict").left())] => row.verdict();
 });
@@ -372,8 +373,8 @@ fn troubles(run: &RunTally) -> [(usize, &'static str); 4] {
     [
         (run.interfering, "interference"),
         (run.jammed, "jammed"),
-        (run.apart, "out of mesh"),
-        (run.count(Verdict::Unproven), "unproven"),
+        (run.out_of_mesh, "out of mesh"),
+        (run.count(PoseVerdict::Unproven), "unproven"),
     ]
 }
 

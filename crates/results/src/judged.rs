@@ -5,7 +5,7 @@
 
 use crate::layout::{Screen, Tone};
 use crate::verdict::VerdictLines;
-use gearlash::analysis::diagnosis::Verdict;
+use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash_text::characters::{self, plain};
 use quick_xml::events::{BytesDecl, BytesText, Event};
 use quick_xml::{ElementWriter, Writer};
@@ -60,13 +60,13 @@ pub struct Case {
     /// Its name, without numbers.
     pub name: String,
     /// The outcome.
-    pub verdict: Verdict,
+    pub verdict: CheckVerdict,
     /// Its numbers in words; several lines for the verdict.
     pub message: String,
 }
 
 impl Case {
-    pub(crate) fn new(name: &str, verdict: Verdict, message: String) -> Case {
+    pub(crate) fn new(name: &str, verdict: CheckVerdict, message: String) -> Case {
         Case {
             name: name.to_owned(),
             verdict,
@@ -75,7 +75,7 @@ impl Case {
     }
 
     fn fails(&self) -> bool {
-        self.verdict >= Verdict::Unproven
+        self.verdict >= CheckVerdict::Unproven
     }
 }
 
@@ -257,9 +257,9 @@ impl Outcome {
                     let place = &escape_property(&judged.file);
                     for case in &judged.cases {
                         let kind = match case.verdict {
-                            Verdict::Pass => continue,
-                            Verdict::Warn => "warning",
-                            Verdict::Unproven | Verdict::Fail => "error",
+                            CheckVerdict::Pass => continue,
+                            CheckVerdict::Warn => "warning",
+                            CheckVerdict::Unproven | CheckVerdict::Fail => "error",
                         };
                         let decides = case.name == VERDICT;
                         line(decides, kind, place, &case.name, &case.message);
@@ -307,7 +307,7 @@ impl Outcome {
                         let _ = writeln!(text, "- **{kind}** {}", escape_markdown(words));
                     };
                     let cases = judged.cases_without_verdict();
-                    for case in cases.filter(|case| case.verdict != Verdict::Pass) {
+                    for case in cases.filter(|case| case.verdict != CheckVerdict::Pass) {
                         let words = format!("{}: {}", case.name, case.message);
                         note(case.verdict.name(), &words);
                     }

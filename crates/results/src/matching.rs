@@ -40,7 +40,7 @@ row_type!(row: AssignmentRow {
     "least_um" Hundredths [heading(shown("least µm"))] => Value::um(row.found.best.outcome.least);
     "greatest_um" Hundredths [heading(shown("greatest µm"))] => Value::um(row.found.best.outcome.greatest);
     "status" Plain [no_json] => row.found.best.outcome.kind.name();
-    "phases_meeting" Plain [no_json] => row.found.meeting;
+    "phases_meeting" Plain [no_json] => row.found.phases_that_meet;
     "assigned" Plain [no_json] => u32::from(row.is_assigned);
 });
 

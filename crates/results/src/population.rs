@@ -334,7 +334,7 @@ fn spread_json(spread: &SpreadStatistics) -> serde_json::Value {
 }
 
 fn contributions_json(found: &Contributions) -> serde_json::Value {
-    json!({ "rows": found.rows, "rows_left_out": found.left_out, "each": list(&found.each) })
+    json!({ "rows": found.rows, "rows_left_out": found.unused_rows, "each": list(&found.each) })
 }
 
 fn for_people<R: Row>(rows: &[R]) -> Vec<Shown> {

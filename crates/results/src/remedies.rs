@@ -1,7 +1,7 @@
 //! Remedies, the single changes that make a pair fit: as JSON and in words.
 
 use gearlash::analysis::remedies::{Change, Gears, NoRemedy, Remedies, Remedy};
-use gearlash::analysis::verdict::{Requirement, Verdict};
+use gearlash::analysis::verdict::{RequirementOutcome, Verdict};
 use gearlash::pair::Member;
 use gearlash_input::PairFile;
 use gearlash_text::numbers::{ascii, fixed, rounded, unit_of};
@@ -34,7 +34,7 @@ impl RemedyRecord {
         let stated =
             stated.filter(|_| remedy.what == Change::CenterDistance && assembly.holds_at() == 0.0);
         let listed = &file.study.center_distances;
-        let shift = match (stated, file.study.band) {
+        let shift = match (stated, file.study.distance_band) {
             (Some(nominal), Some(_)) => nominal - listed[listed.len() / 2],
             _ => 0.0,
         };
@@ -111,7 +111,7 @@ impl RemedyRecords {
     pub fn text(&self, verdict: &Verdict) -> String {
         let what = match (verdict.assembles(), verdict.requirement) {
             (Some(true), _) => "meet [require]",
-            (_, Requirement::None) => "assemble",
+            (_, RequirementOutcome::None) => "assemble",
             (_, _) => "assemble and meet [require]",
         };
         let mut text = String::new();

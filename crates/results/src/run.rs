@@ -263,9 +263,9 @@ fn extremes_of_run(verdict: &Verdict, run: &RunExtremes) -> serde_json::Value {
     if let Some(play) = &run.bearings {
         value["with_bearing_clearance"] = json!({
             "clearance_mm": play.clearance,
-            "status": [play.pressed.status.name(), play.apart.status.name()],
+            "status": [play.pressed.status.name(), play.pulled_apart.status.name()],
             "least": one(&play.pressed.extreme),
-            "greatest": one(&play.apart.extreme),
+            "greatest": one(&play.pulled_apart.extreme),
         });
     }
     value

@@ -7,10 +7,12 @@
 use crate::layout::{Screen, Tone};
 use crate::pose::ContactRow;
 use gearlash::analysis::compare::ComparedPose;
-use gearlash::analysis::diagnosis::{self, CheckName};
-use gearlash::analysis::extremes::{BearingPlay, CoveredPhases, RunExtreme, RunExtremes, WIDTH};
+use gearlash::analysis::diagnosis::{CheckName, CheckVerdict};
+use gearlash::analysis::extremes::{
+    BearingExtremes, CoveredPhases, RunExtreme, RunExtremes, WIDTH,
+};
 use gearlash::analysis::study::Material;
-use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
+use gearlash::analysis::verdict::{RequirementOutcome, Unmet, Verdict};
 use gearlash::contact::{Doubt, Status};
 use gearlash::gear::Side;
 use gearlash::pair::{Member, arcmin};
@@ -31,7 +33,7 @@ const DECIMALS: usize = 2;
 #[derive(Debug, Clone, PartialEq)]
 pub struct VerdictLines {
     /// Whether the pair passes.
-    pub state: diagnosis::Verdict,
+    pub state: CheckVerdict,
     /// Whether and where the pair assembles.
     pub status: String,
     /// The certainty; empty where nothing is known.
@@ -120,7 +122,7 @@ impl VerdictLines {
     /// Keeps the longest text of `status`, then of `proof`, that fits a line of `most` columns; all `rows`; and the `sentences` for
     /// which there is room.
     pub(crate) fn new(
-        state: diagnosis::Verdict,
+        state: CheckVerdict,
         status: &[String],
         proof: &[String],
         rows: Vec<ExtremeRow>,
@@ -170,9 +172,9 @@ impl VerdictLines {
 /// The title, and below it the verdict; its first line is coloured on a terminal.
 pub(crate) fn heading(title: &str, lines: &VerdictLines, screen: &Screen) -> String {
     let tone = match lines.state {
-        diagnosis::Verdict::Pass => Tone::Good,
-        diagnosis::Verdict::Warn | diagnosis::Verdict::Unproven => Tone::Doubtful,
-        diagnosis::Verdict::Fail => Tone::Bad,
+        CheckVerdict::Pass => Tone::Good,
+        CheckVerdict::Warn | CheckVerdict::Unproven => Tone::Doubtful,
+        CheckVerdict::Fail => Tone::Bad,
     };
     let mut lines = lines.lines();
     lines[0] = screen.toned(tone, &lines[0]);
@@ -417,14 +419,14 @@ pub fn uncut(verdict: &Verdict) -> VerdictLines {
 fn lines_of(verdict: &Verdict, most: usize) -> VerdictLines {
     if verdict.runs.is_empty() {
         let (status, proof) = ("Nothing was run.".to_owned(), String::new());
-        let state = diagnosis::Verdict::Unproven;
+        let state = CheckVerdict::Unproven;
         return VerdictLines::new(state, &[status], &[proof], Vec::new(), Vec::new(), most);
     }
     let places: Vec<Place> = verdict.runs.iter().map(place).collect();
     let state = if verdict.failed_checks.is_empty() {
         verdict.state()
     } else {
-        diagnosis::Verdict::Fail
+        CheckVerdict::Fail
     };
     VerdictLines::new(
         state,
@@ -472,7 +474,7 @@ fn proof(verdict: &Verdict) -> Vec<String> {
         return vec![String::new()];
     }
     let matings = verdict.matings();
-    let covered = distinct(verdict.runs.iter().filter_map(|run| run.covers));
+    let covered = distinct(verdict.runs.iter().filter_map(|run| run.own_phase));
     let phases = CoveredPhases::of(verdict.runs);
     let are_all = covered.is_empty() || matches!(phases, CoveredPhases::All);
     let over = match (phases, &covered[..]) {
@@ -686,7 +688,7 @@ fn sentences(verdict: &Verdict, most: usize) -> Vec<String> {
         let k = stated.coverage;
         sentences.push(format!("± is the expanded uncertainty, k = {k}"));
     }
-    if verdict.requirement == Requirement::Met {
+    if verdict.requirement == RequirementOutcome::Met {
         let is_within = verdict.is_kept_within_uncertainty;
         let rest = if is_within { "" } else { ", but not within ±" };
         sentences.push(format!("Requirement met{rest}"));
@@ -725,7 +727,7 @@ fn limit(unmet: &Unmet, most: usize) -> String {
         "not proven"
     };
     let text = format!("Requirement {whether}: {name} {sign} {limit} {unit}, found {found}");
-    if unmet.with_play {
+    if unmet.with_clearance {
         first_fitting([format!("{text} with bearing clearance"), text], most - 2)
     } else {
         text
@@ -875,17 +877,17 @@ fn bearings(verdict: &Verdict) -> Vec<String> {
         }
         (found, _) => um(found.map(|(_, extreme)| extreme.found()), DECIMALS),
     };
-    let jammed = |play: &BearingPlay| play.pressed.status == Status::Jammed;
+    let jammed = |play: &BearingExtremes| play.pressed.status == Status::Jammed;
     let least = match verdict.least_pressed() {
         _ if played().any(jammed) => "jammed".to_owned(),
         least => shown(least),
     };
-    let apart = |play: &BearingPlay| play.apart.status == Status::NoContact;
+    let apart = |play: &BearingExtremes| play.pulled_apart.status == Status::NoContact;
     let greatest = match verdict.greatest_apart() {
         _ if played().any(apart) => "out of mesh".to_owned(),
         greatest => format!("{} {unit}", shown(greatest)),
     };
-    let ends = played().flat_map(|play| [&play.pressed.extreme, &play.apart.extreme]);
+    let ends = played().flat_map(|play| [&play.pressed.extreme, &play.pulled_apart.extreme]);
     let reasons = distinct(ends.filter_map(|end| doubt(end.as_ref()?))).join(", ");
     let proof = if reasons.is_empty() {
         ""

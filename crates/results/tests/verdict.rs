@@ -4,7 +4,7 @@ use gearlash::analysis::diagnosis::CheckName;
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes, extremes};
 use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::uncertainty::Uncertainty;
-use gearlash::analysis::verdict::{Requirement, Verdict};
+use gearlash::analysis::verdict::{RequirementOutcome, Verdict};
 use gearlash::contact::{Doubt, Method};
 use gearlash::error::go_on;
 use gearlash::pair::Member;
@@ -90,11 +90,11 @@ fn a_limit_inside_a_bracket_is_not_proven() {
     let not_proven = "Requirement not proven: j_wt ≥ 100.00 µm, found 80.00 … 120.00";
     let not_met = "Requirement not met: j_wt ≥ 130.00 µm, found 120.00";
     for (min, expected, words) in [
-        (0.07, Requirement::Met, ""),
-        (0.08, Requirement::Met, ""),
-        (0.1, Requirement::NotProven, not_proven),
-        (0.12, Requirement::NotProven, ""),
-        (0.13, Requirement::NotMet, not_met),
+        (0.07, RequirementOutcome::Met, ""),
+        (0.08, RequirementOutcome::Met, ""),
+        (0.1, RequirementOutcome::NotProven, not_proven),
+        (0.12, RequirementOutcome::NotProven, ""),
+        (0.13, RequirementOutcome::NotMet, not_met),
     ] {
         let limits = Limits {
             min: Some(min),

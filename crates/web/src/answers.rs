@@ -2,7 +2,7 @@
 
 use crate::archive::archive;
 use gearlash::analysis::curves::courses;
-use gearlash::analysis::diagnosis;
+use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::analysis::extremes::{self, RunExtremes};
 use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::study::{Material, Study};
@@ -467,7 +467,7 @@ impl Page {
             return nothing_open();
         };
         let found = movable(&pair.study).at(vec![a]).and_then(|study| {
-            let found = extremes::band(&study, METHOD, parts, tick)?;
+            let found = extremes::extremes_alone(&study, METHOD, parts, tick)?;
             let verdict = Verdict::of_study(&study, &found.each, Vec::new());
             let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
             // Without the sentences on distances that follow from the extremes: those are not searched.
@@ -592,11 +592,8 @@ fn band_words(lines: &VerdictLines) -> String {
     let rows: Vec<String> = rows
         .map(|row| format!("{} {}", row.name, row.value))
         .collect();
-    let is_enough = rows.len() > 1
-        && matches!(
-            lines.state,
-            diagnosis::Verdict::Pass | diagnosis::Verdict::Warn
-        );
+    let is_enough =
+        rows.len() > 1 && matches!(lines.state, CheckVerdict::Pass | CheckVerdict::Warn);
     let mut words = match &rows[..] {
         [] => lines.status.clone(),
         _ if is_enough => format!("{}. {}", rows.join(", "), lines.proof),
@@ -613,16 +610,16 @@ fn band_words(lines: &VerdictLines) -> String {
 }
 
 /// The verdict in a word, which says the same as its colour.
-fn word(state: diagnosis::Verdict, verdict: &Verdict) -> &'static str {
+fn word(state: CheckVerdict, verdict: &Verdict) -> &'static str {
     let mut runs = verdict.runs.iter();
     match state {
-        diagnosis::Verdict::Pass => "Assembles",
-        diagnosis::Verdict::Warn => "Assembles, with warnings",
-        diagnosis::Verdict::Unproven => "Unproven",
-        diagnosis::Verdict::Fail if runs.all(|run| run.assembles() == Some(true)) => {
+        CheckVerdict::Pass => "Assembles",
+        CheckVerdict::Warn => "Assembles, with warnings",
+        CheckVerdict::Unproven => "Unproven",
+        CheckVerdict::Fail if runs.all(|run| run.assembles() == Some(true)) => {
             "Assembles, but checks fail"
         }
-        diagnosis::Verdict::Fail => "Does not assemble",
+        CheckVerdict::Fail => "Does not assemble",
     }
 }
 

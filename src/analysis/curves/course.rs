@@ -1,12 +1,11 @@
 //! A run's poses as curves over the teeth.
 
-use super::scale::Scale;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::extremes::{RunExtreme, RunExtremes};
 use crate::analysis::study::Material;
 use crate::contact::{Contact, End, PoseResult, Status, first_least};
 use crate::gear::Side;
-use crate::pair::Mating;
+use crate::pair::{Mating, Member, ToothNumbers};
 
 /// All curves of one centre distance and phase.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,7 +50,7 @@ impl Course {
             })
         });
         self.cycle_um = ends.map(|end| end.map(|(_, extreme)| extreme.found() * 1e3));
-        let place = |(material, extreme)| self.place_of(material, extreme);
+        let place = |(material, extreme)| self.extreme_of_cycle(material, extreme);
         let [least, greatest] = ends.map(|end| end.and_then(place));
         self.least = least.or(self.least);
         self.greatest = greatest.or(self.greatest);
@@ -59,7 +58,7 @@ impl Course {
     }
 
     /// An extreme of the mesh cycle as one of this course; `None` if its teeth do not meet in it.
-    fn place_of(&self, material: Material, extreme: &RunExtreme) -> Option<Extreme> {
+    fn extreme_of_cycle(&self, material: Material, extreme: &RunExtreme) -> Option<Extreme> {
         let result = &extreme.pose.simulated;
         let mating = result.pose.mating();
         let is_of = |line: &&CourseLine| (line.material, line.flank) == (material, mating.flank);
@@ -162,7 +161,7 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
             let first = first.at_flank(assembly, Side::Right);
             start = (first.wheel_tooth, first.pinion_tooth);
             let x: Vec<f64> = scale
-                .pitches(poses.iter().map(|pose| pose.simulated.pose.mating()))
+                .places(poses.iter().map(|pose| pose.simulated.pose.mating()))
                 .collect();
             let points = x.iter().zip(&poses);
             placed.extend(
@@ -224,5 +223,84 @@ fn point(x: f64, pose: &ComparedPose) -> CoursePoint {
         off_michalec_um: off(pose.michalec),
         off_involute_um: off(pose.involute),
         off_line_of_action_um: off(pose.line_of_action),
+    }
+}
+
+/// Conversion of pitches to places on the horizontal axis of a curve over the teeth.
+struct Scale {
+    start: f64,
+    sense: f64,
+    pitches: f64,
+    /// Number of wheel teeth if places are tooth numbers.
+    pub teeth: Option<u32>,
+}
+
+impl Scale {
+    /// The scale of consecutive `matings`.
+    pub fn of<'a, I: Iterator<Item = &'a Mating>>(
+        assembly: &impl ToothNumbers,
+        matings: impl Fn() -> I,
+    ) -> Scale {
+        let pitches = pitch_count(matings());
+        let teeth = assembly.teeth(Member::Wheel);
+        let first = matings().next().map_or(1, |mating| mating.wheel_tooth);
+        if pitches > f64::from(teeth) {
+            return Scale {
+                start: 0.0,
+                sense: 1.0,
+                pitches,
+                teeth: None,
+            };
+        }
+        Scale {
+            start: f64::from(first),
+            sense: wheel_sense(assembly),
+            pitches,
+            teeth: Some(teeth),
+        }
+    }
+
+    /// The place of each of `matings`.
+    pub fn places<'a>(
+        &self,
+        matings: impl Iterator<Item = &'a Mating>,
+    ) -> impl Iterator<Item = f64> {
+        pitches_from_first(matings).map(|pitches| self.start + self.sense * pitches)
+    }
+
+    /// First and last place.
+    pub fn span(&self) -> [f64; 2] {
+        let end = self.start + self.sense * self.pitches;
+        [self.start.min(end), self.start.max(end)]
+    }
+}
+
+/// Number of pitches of consecutive `matings`, including the whole last step.
+fn pitch_count<'a>(matings: impl Iterator<Item = &'a Mating>) -> f64 {
+    pitches_from_first(matings).last().unwrap_or(0.0).floor() + 1.0
+}
+
+/// Pitches from the first mating's tooth to each of `matings`: one more with each change of teeth.
+pub(super) fn pitches_from_first<'a>(
+    matings: impl Iterator<Item = &'a Mating>,
+) -> impl Iterator<Item = f64> {
+    matings.scan((None, 0u32), |(last, whole), mating| {
+        let teeth = (mating.wheel_tooth, mating.pinion_tooth);
+        if last.is_some_and(|last| last != teeth) {
+            *whole += 1;
+        }
+        *last = Some(teeth);
+        Some(f64::from(*whole) + mating.fraction)
+    })
+}
+
+/// The sense in which wheel tooth numbers come into mesh: +1 ascending, −1 descending.
+///
+/// Ascending teeth of the locked gear come into mesh. On its mate numbers ascend with them if the two faces point in opposite directions.
+fn wheel_sense(assembly: &impl ToothNumbers) -> f64 {
+    let ascending = |member| assembly.shown_face(member).ascending();
+    match assembly.locked() {
+        Member::Wheel => 1.0,
+        Member::Pinion => -ascending(Member::Wheel) * ascending(Member::Pinion),
     }
 }

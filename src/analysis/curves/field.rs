@@ -12,16 +12,15 @@
 //!
 //! With leads the gap of a pair varies along its line, and leaning axes bend the line. Then its points are those of each section.
 
-use super::stretches::stretches;
 use super::tangent::{PathLimit, Tangent};
 use crate::analytic::SideContact;
 use crate::contact::{Contact, ContactClass, ContactKind, ExactKernel, LostMotion, PoseResult};
 use crate::gear::Side;
-use crate::numeric::wrap_angle;
+use crate::numeric::{bisect, wrap_angle};
 use crate::pair::{GearPair, Member, Pose, section_at};
 
-/// Number of sections besides the ends of contact lines (tuned: a few pixels of a chart each).
-const SPACES: u32 = 160;
+/// Number of equal intervals between sections, besides the ends of contact lines (tuned: a few pixels of a chart each).
+const INTERVALS: u32 = 160;
 /// Gap below which an involute also touches, mm, beyond the errors of both contacts: rolls and rotations are sums of several angles.
 const ROUNDING: f64 = 1e-10;
 
@@ -54,7 +53,7 @@ pub struct FieldSide {
     /// The sections, ascending: evenly over the face, at the ends of contact lines, and where the free gear is held.
     pub sections: Vec<FieldSection>,
     /// Stretches along the face, mm, with contact on a fillet, a root or an undercut edge before any involute; each end
-    /// within [`super::STRETCH_END`]. A stretch is found if one of `sections` is in it.
+    /// within [`STRETCH_END`]. A stretch is found if one of `sections` is in it.
     pub fillets: Vec<[f64; 2]>,
     /// Leads of the binding teeth over the face, wheel first: mm along the face, mm; empty for gears without leads.
     pub leads: [Vec<(f64, f64)>; 2],
@@ -146,7 +145,7 @@ impl Field {
 
 /// Places along the face to examine, mm, ascending.
 fn places(held: &[HeldSide; 2], [from, to]: [f64; 2]) -> Vec<f64> {
-    let even = (0..=SPACES).map(|k| from + (to - from) * (f64::from(k) / f64::from(SPACES)));
+    let even = (0..=INTERVALS).map(|k| from + (to - from) * (f64::from(k) / f64::from(INTERVALS)));
     let ends = held.iter().flat_map(|side| &side.lines);
     let ends = ends.flat_map(|line| line.ends.map(|end| end[0]));
     let holding = held.iter().map(|side| side.contact.section);
@@ -177,7 +176,7 @@ impl SectionAlone {
 
     /// Whether all teeth of leaning gears reach through this section of `assembly`.
     fn is_whole(&self, assembly: &GearPair) -> bool {
-        let beyond = assembly.most_height();
+        let beyond = assembly.height_bound();
         let [from, to] = assembly.face();
         (from + beyond..=to - beyond).contains(&self.at)
     }
@@ -385,4 +384,53 @@ fn clipped(
     let from = face[0].max(on_path[0].min(on_path[1]));
     let to = face[1].min(on_path[0].max(on_path[1]));
     (from <= to).then(|| [from, to].map(|b| [b, place + slope * (b - at)]))
+}
+
+/// Accuracy of the ends of a stretch, mm along the face.
+pub const STRETCH_END: f64 = 1e-6;
+
+/// The stretches in which `holds`, ascending. `looks` are samples at ascending places. Bisection between two of them
+/// finds each end to within [`STRETCH_END`]. A stretch between two samples is missed.
+fn stretches(looks: &[(f64, bool)], holds: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
+    let mut found = Vec::new();
+    let mut begin = looks.first().filter(|look| look.1).map(|look| look.0);
+    for pair in looks.windows(2) {
+        let [(from, before), (to, after)] = [pair[0], pair[1]];
+        if !before && after {
+            begin = Some(bisect(to, from, STRETCH_END, &holds)[0]);
+        } else if before && !after {
+            let [end, _] = bisect(from, to, STRETCH_END, &holds);
+            found.extend(begin.take().map(|begin| [begin, end]));
+        }
+    }
+    let end = looks.last().map(|look| look.0);
+    found.extend(begin.zip(end).map(|(begin, end)| [begin, end]));
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Closed form: sin x > 0.5 between π/6 and 5π/6, and again a turn later, limited by the last sample.
+    #[test]
+    fn stretches_end_where_the_sine_crosses() {
+        use std::f64::consts::PI;
+        let holds = |x: f64| x.sin() > 0.5;
+        let last = 2.5 * PI;
+        let looks: Vec<(f64, bool)> = (0..=40)
+            .map(|k| last * f64::from(k) / 40.0)
+            .map(|x| (x, holds(x)))
+            .collect();
+        let found = stretches(&looks, holds);
+        let expected = [[PI / 6.0, 5.0 * PI / 6.0], [13.0 * PI / 6.0, last]];
+        assert_eq!(found.len(), 2);
+        for (found, expected) in found.iter().zip(expected) {
+            for (end, at) in found.iter().zip(expected) {
+                assert!((end - at).abs() <= STRETCH_END, "{end} {at}");
+            }
+        }
+        assert!(stretches(&[(0.0, false), (1.0, false)], holds).is_empty());
+        assert_eq!(stretches(&[(0.6, true), (0.9, true)], holds), [[0.6, 0.9]]);
+    }
 }

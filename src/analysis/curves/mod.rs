@@ -4,21 +4,19 @@
 //! right-flank and a left-flank pose of one tooth are two rotations, about half a pitch apart. So without pitch
 //! deviations the two curves of a gear are one curve, shifted. Values in µm of `j_wt`, centre distances in mm.
 
-mod binding;
 mod course;
 mod field;
 mod over_distance;
 mod refined;
-mod scale;
-mod stretches;
 mod tangent;
 
-pub use binding::{Followed, binding, followed, measured_teeth};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
-pub use field::{BindingContact, ContactLine, Field, FieldSection, FieldSide};
-pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
+pub use field::{BindingContact, ContactLine, Field, FieldSection, FieldSide, STRETCH_END};
+pub use over_distance::{
+    DistancePoint, Followed, OverDistance, binding, followed, measured_teeth, over_distance,
+    over_distance_pose_count,
+};
 pub use refined::refined;
-pub use stretches::STRETCH_END;
 pub use tangent::PathLimit;
 
 use crate::analysis::compare::ComparedRun;

@@ -45,7 +45,7 @@ pub fn refined(
     tick: &Tick,
 ) -> Result<Vec<ComparedRun>, Error> {
     let mut curves: Vec<Curve> = revolution.iter().flat_map(Curve::of).collect();
-    let mut left = MOST;
+    let mut remaining = MOST;
     let mut round = 0;
     loop {
         let flat = flat(&curves);
@@ -57,10 +57,10 @@ pub fn refined(
             })
             .collect();
         let count: usize = wanted.iter().map(Vec::len).sum();
-        if count > left || (count == 0 && round > 1) {
+        if count > remaining || (count == 0 && round > 1) {
             break;
         }
-        left -= count;
+        remaining -= count;
         round += 1;
         let plans = curves.iter().zip(&wanted).map(|(curve, wanted)| RunPlan {
             run: curve.run.run.clone(),
@@ -141,10 +141,10 @@ impl<'a> Curve<'a> {
     /// The curves of both flanks of a run.
     fn of(run: &'a ComparedRun) -> [Curve<'a>; 2] {
         Side::BOTH.map(|flank| {
-            let mating = |pose: &&ComparedPose| pose.simulated.pose.mating().flank == flank;
-            let poses: Vec<&ComparedPose> = run.poses.iter().filter(mating).collect();
+            let is_of_flank = |pose: &&ComparedPose| pose.simulated.pose.mating().flank == flank;
+            let poses: Vec<&ComparedPose> = run.poses.iter().filter(is_of_flank).collect();
             let matings = poses.iter().map(|pose| pose.simulated.pose.mating());
-            let points = super::scale::places(matings).zip(&poses);
+            let points = super::course::pitches_from_first(matings).zip(&poses);
             Curve {
                 run,
                 flank,
@@ -165,7 +165,9 @@ impl<'a> Curve<'a> {
     /// Places and matings of the extremes of `cycle` on this curve.
     fn at_extremes(&self, cycle: &[RunExtremes]) -> Vec<(f64, Mating)> {
         let assembly = self.assembly();
-        let here = cycle.iter().filter(|of| of.place() == self.run.run.place());
+        let here = cycle
+            .iter()
+            .filter(|of| of.group_key() == self.run.run.group_key());
         let mut wanted: Vec<(f64, Mating)> = Vec::new();
         for of in here {
             let ends = of.least.iter().chain(&of.greatest);

@@ -7,7 +7,7 @@ use crate::pair::Member;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum Verdict {
+pub enum CheckVerdict {
     /// The limit is met.
     Pass,
     /// The limit is met, but not the recommendation; or formula and outlines disagree, and the outlines are favourable.
@@ -18,20 +18,20 @@ pub enum Verdict {
     Fail,
 }
 
-impl Verdict {
+impl CheckVerdict {
     /// `pass`, `warn`, `unproven` or `fail`.
     pub fn name(self) -> &'static str {
         match self {
-            Verdict::Pass => "pass",
-            Verdict::Warn => "warn",
-            Verdict::Unproven => "unproven",
-            Verdict::Fail => "fail",
+            CheckVerdict::Pass => "pass",
+            CheckVerdict::Warn => "warn",
+            CheckVerdict::Unproven => "unproven",
+            CheckVerdict::Fail => "fail",
         }
     }
 
     /// `Pass` if `kept`, otherwise the other verdict.
-    pub(super) fn unless(kept: bool, otherwise: Verdict) -> Verdict {
-        if kept { Verdict::Pass } else { otherwise }
+    pub(super) fn unless(kept: bool, otherwise: CheckVerdict) -> CheckVerdict {
+        if kept { CheckVerdict::Pass } else { otherwise }
     }
 }
 
@@ -70,7 +70,7 @@ pub struct Check {
     /// `mm`, `m` (modules), `%`, or `1` for a pure number.
     pub unit: &'static str,
     /// The outcome.
-    pub verdict: Verdict,
+    pub verdict: CheckVerdict,
     /// Further numbers, each with its unit in its name.
     pub details: Vec<(&'static str, f64)>,
     /// A note: where, on which teeth.
@@ -91,7 +91,7 @@ impl Check {
             limit: None,
             margin: None,
             unit: "mm",
-            verdict: Verdict::Pass,
+            verdict: CheckVerdict::Pass,
             details: Vec::new(),
             note: String::new(),
             unproven: None,
@@ -110,7 +110,7 @@ impl Check {
     pub(super) fn not_proven(self, reason: &str) -> Check {
         let unproven = Some(reason.to_owned());
         match self.verdict {
-            Verdict::Fail => Check {
+            CheckVerdict::Fail => Check {
                 note: if self.note.is_empty() {
                     "some poses are unproven".to_owned()
                 } else {
@@ -119,11 +119,11 @@ impl Check {
                 unproven,
                 ..self
             },
-            Verdict::Pass | Verdict::Warn | Verdict::Unproven => Check {
+            CheckVerdict::Pass | CheckVerdict::Warn | CheckVerdict::Unproven => Check {
                 outlines: None,
                 margin: None,
                 details: Vec::new(),
-                verdict: Verdict::Unproven,
+                verdict: CheckVerdict::Unproven,
                 note: "not proven to be kept".to_owned(),
                 unproven,
                 ..self

@@ -1,7 +1,7 @@
 //! A map of contact classes over centre distance and mesh phase.
 
-use super::checks::Group;
-use super::onset::form_onset;
+use super::checks::CheckedPair;
+use super::onset::first_form_onset;
 use crate::analytic::limits;
 use crate::contact::{PairAtDistance, PoseClass, reach};
 use crate::error::{Error, Tick};
@@ -51,11 +51,18 @@ pub struct Limit {
     pub distance: f64,
 }
 
+impl Limit {
+    pub(in crate::analysis) fn new(name: &str, distance: f64) -> Limit {
+        let name = name.to_owned();
+        Limit { name, distance }
+    }
+}
+
 /// The map of `group`'s pair over one pitch from `start`. `tick` is called after each row; a break ends it.
 ///
 /// # Errors
 /// [`Error::Interrupted`]. A lost contact leaves its cell [`PoseClass::Unproven`].
-pub fn map(group: &Group, start: Mating, tick: &Tick) -> Result<Map, Error> {
+pub fn map(group: &CheckedPair, start: Mating, tick: &Tick) -> Result<Map, Error> {
     let assembly = &group.assembly;
     let limits = limits_of(group);
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
@@ -75,17 +82,17 @@ pub fn map(group: &Group, start: Mating, tick: &Tick) -> Result<Map, Error> {
         .collect();
     let as_assembled = PairAtDistance::new(assembly);
     let rows = parallel::map(distances.iter().copied(), |distance| {
-        let bench = as_assembled.at(distance)?;
-        let radius = bench
+        let there = as_assembled.at(distance)?;
+        let radius = there
             .assembly()
-            .operating_pitch_radius(bench.assembly().free());
+            .operating_pitch_radius(there.assembly().free());
         let cells: Result<Vec<MapCell>, Error> = fractions
             .iter()
             .map(|&fraction| {
-                let mating = start.onward(bench.assembly(), fraction);
-                match bench.lost_motion(&mating) {
+                let mating = start.onward(there.assembly(), fraction);
+                match there.lost_motion(&mating) {
                     Ok(found) => Ok(MapCell {
-                        class: PoseClass::of(bench.assembly(), &found),
+                        class: PoseClass::of(there.assembly(), &found),
                         backlash: found.angle().map(|angle| angle * radius),
                     }),
                     Err(error) if error.pose_failure().is_some() => Ok(MapCell {
@@ -111,36 +118,26 @@ pub fn map(group: &Group, start: Mating, tick: &Tick) -> Result<Map, Error> {
     })
 }
 
-fn limits_of(group: &Group) -> Vec<Limit> {
+fn limits_of(group: &CheckedPair) -> Vec<Limit> {
     let assembly: &GearPair = &group.assembly;
     let a = assembly.center_distance();
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
-    let limit = |name: &str, distance: f64| Limit {
-        name: name.to_owned(),
-        distance,
-    };
-    let mut limits = vec![limit("a of the pair", a)];
+    let mut limits = vec![Limit::new("a of the pair", a)];
     let zero = limits::zero_backlash_distance(assembly);
-    limits.extend(zero.map(|zero| limit("zero backlash, K (17)", zero)));
+    limits.extend(zero.map(|zero| Limit::new("zero backlash, K (17)", zero)));
     if let Ok(Some(zero)) = &group.zero {
-        limits.push(limit("zero backlash, outlines", zero.distance));
+        limits.push(Limit::new("zero backlash, outlines", zero.distance));
     }
     if let Ok(Some(onset)) = &group.onset {
-        limits.push(limit("non-involute contact, outlines", onset.distance));
+        limits.push(Limit::new("non-involute contact, outlines", onset.distance));
     }
-    // The gear that is at risk first.
-    let governing = |value: fn(&GearPair, Member) -> f64| {
-        f64::max(
-            value(assembly, Member::Wheel),
-            value(assembly, Member::Pinion),
-        )
-    };
-    limits.push(limit("tip at form circle", governing(form_onset)));
-    limits.push(limit("tip at base circle, K (8)", governing(base_onset)));
+    let [wheel, pinion] = Member::BOTH.map(|member| base_onset(assembly, member));
+    limits.push(Limit::new("tip at form circle", first_form_onset(assembly)));
+    limits.push(Limit::new("tip at base circle, K (8)", wheel.max(pinion)));
     // a − r_a − r_f is below the required clearance by this.
     let least = least_clearance(assembly);
     for modules in [limits::LEAST_CLEARANCE, limits::RECOMMENDED_CLEARANCE] {
-        limits.push(limit(
+        limits.push(Limit::new(
             &format!("radial clearance {modules} m"),
             a - least + modules * module,
         ));

@@ -16,8 +16,8 @@ mod onset;
 mod pose_evidence;
 mod zero_distance;
 
-pub use check::{Check, CheckName, Verdict};
-pub use checks::{Diagnosis, Group, Searched, diagnose, failed_checks, pitch_count};
+pub use check::{Check, CheckName, CheckVerdict};
+pub use checks::{CheckedPair, Diagnosis, Searched, diagnose, failed_checks, pitch_count};
 pub use clearance::{RadialClearance, radial_clearance};
 pub use contact_count::{ContactCount, Loss, Worst};
 pub use map::{Limit, MAP_ROWS, Map, MapCell, map};

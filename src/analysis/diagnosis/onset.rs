@@ -38,6 +38,12 @@ pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
     tangent.hypot(gear.base_radius() + mate.base_radius())
 }
 
+/// The greater [`form_onset`] of both gears: that of the gear at risk first.
+pub(super) fn first_form_onset(assembly: &GearPair) -> f64 {
+    let [wheel, pinion] = Member::BOTH.map(|member| form_onset(assembly, member));
+    wheel.max(pinion)
+}
+
 /// Finds the onset over `matings`, then turns the gears from the pose that touches first.
 ///
 /// A pose that touches below an involute is assumed to do so at every lesser distance. So a pose that does not at the onset of the earlier
@@ -51,11 +57,10 @@ pub fn non_involute_onset(
     tick: &Tick,
 ) -> Result<Option<Onset>, Error> {
     let [nearest, farthest] = reach(assembly);
-    let form = |member| form_onset(assembly, member);
-    let guess = form(Member::Wheel).max(form(Member::Pinion));
+    let guess = first_form_onset(assembly);
     let mut from = guess.clamp(nearest, farthest);
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
-    let bench = &Bench {
+    let search = &OnsetSearch {
         pair: PairAtDistance::new(assembly),
         tick,
     };
@@ -67,19 +72,19 @@ pub fn non_involute_onset(
         let group = matings.iter().skip(group).step_by(groups);
         let group: Vec<Mating> = group.copied().collect();
         let mut low = from;
-        let mut active = touching(bench, low, &group)?;
+        let mut active = touching(search, low, &group)?;
         let mut stride = 0.02 * module;
         while active.is_empty() && found.is_none() && low > nearest {
             low = (low - stride).max(nearest);
             stride *= 2.0;
-            active = touching(bench, low, &group)?;
+            active = touching(search, low, &group)?;
         }
         if active.is_empty() {
             // Without an onset, `low` is the least distance.
             from = low;
             continue;
         }
-        from = close(bench, &mut low, from, &mut active)?;
+        from = narrow_to_onset(search, &mut low, from, &mut active)?;
         found = Some(low);
     }
     let Some(mut low) = found else {
@@ -88,7 +93,7 @@ pub fn non_involute_onset(
     let mut high = from;
     let mut active = Vec::new();
     for some in matings.chunks(groups) {
-        active = touching(bench, low, some)?;
+        active = touching(search, low, some)?;
         if !active.is_empty() {
             break;
         }
@@ -100,10 +105,10 @@ pub fn non_involute_onset(
         let beside: Vec<Mating> = steps
             .map(|step| first.onward(assembly, f64::from(step) * span / 8.0))
             .collect();
-        let mut sooner = touching(bench, high, &beside)?;
+        let mut sooner = touching(search, high, &beside)?;
         if !sooner.is_empty() {
             low = high;
-            high = close(bench, &mut low, high, &mut sooner)?;
+            high = narrow_to_onset(search, &mut low, high, &mut sooner)?;
             active = sooner;
         }
         span /= 8.0;
@@ -113,19 +118,24 @@ pub fn non_involute_onset(
         distance: 0.5 * (low + high),
         bracket: [low, high],
         mating,
-        class: bench.pair.at(low)?.class(&mating)?,
+        class: search.pair.at(low)?.class(&mating)?,
     }))
 }
 
 /// The pair at any distance, and the tick of the search.
-struct Bench<'a> {
+struct OnsetSearch<'a> {
     pair: PairAtDistance,
     tick: &'a Tick<'a>,
 }
 
 /// Raises `low`, where all of `active` (not empty) touch, until none does at the returned distance, [`WIDTH`] above it.
-fn close(bench: &Bench, low: &mut f64, known: f64, active: &mut Vec<Mating>) -> Result<f64, Error> {
-    let [_, farthest] = reach(bench.pair.assembly());
+fn narrow_to_onset(
+    search: &OnsetSearch,
+    low: &mut f64,
+    known: f64,
+    active: &mut Vec<Mating>,
+) -> Result<f64, Error> {
+    let [_, farthest] = reach(search.pair.assembly());
     let mut stride = f64::max(2.0 * (known - *low), 16.0 * WIDTH);
     let mut high = loop {
         let high = *low + stride;
@@ -133,7 +143,7 @@ fn close(bench: &Bench, low: &mut f64, known: f64, active: &mut Vec<Mating>) -> 
         if high >= farthest {
             break farthest;
         }
-        let still = touching(bench, high, active)?;
+        let still = touching(search, high, active)?;
         if still.is_empty() {
             break high;
         }
@@ -142,7 +152,7 @@ fn close(bench: &Bench, low: &mut f64, known: f64, active: &mut Vec<Mating>) -> 
     };
     while high - *low > WIDTH {
         let middle = 0.5 * (*low + high);
-        let still = touching(bench, middle, active)?;
+        let still = touching(search, middle, active)?;
         if still.is_empty() {
             high = middle;
         } else {
@@ -153,10 +163,10 @@ fn close(bench: &Bench, low: &mut f64, known: f64, active: &mut Vec<Mating>) -> 
 }
 
 /// The poses of `matings` with contact below an involute at `distance`, in order.
-fn touching(bench: &Bench, distance: f64, matings: &[Mating]) -> Result<Vec<Mating>, Error> {
-    Error::if_stopped((bench.tick)(0))?;
-    let bench = bench.pair.at(distance)?;
-    let classes = parallel::map(matings, |mating| bench.class(mating));
+fn touching(search: &OnsetSearch, distance: f64, matings: &[Mating]) -> Result<Vec<Mating>, Error> {
+    Error::if_stopped((search.tick)(0))?;
+    let there = search.pair.at(distance)?;
+    let classes = parallel::map(matings, |mating| there.class(mating));
     let mut touching = Vec::new();
     for (class, mating) in classes.into_iter().zip(matings) {
         if class?.is_non_involute() {

@@ -71,7 +71,7 @@ impl PoseEvidence {
     }
 
     /// Its centre distance, mm, and its material.
-    pub(super) fn place(&self) -> (f64, Material) {
+    pub(super) fn group_key(&self) -> (f64, Material) {
         (self.assembly.center_distance(), self.material)
     }
 
@@ -108,8 +108,8 @@ impl PoseEvidence {
 
     /// Adds the least `j_wt` of the cycle from the poses of `extremes`, if they have any.
     pub(super) fn with_least_of(mut self, extremes: &[ComparedRun]) -> PoseEvidence {
-        let here = self.place();
-        for run in extremes.iter().filter(|run| run.run.place() == here) {
+        let here = self.group_key();
+        for run in extremes.iter().filter(|run| run.run.group_key() == here) {
             for pose in &run.poses {
                 self.least = least(self.least, pose.simulated.backlash);
                 let assembly = run.run.assembly.data();
@@ -153,7 +153,7 @@ impl PoseEvidence {
             "{} of {} poses are unproven; the first is {}: {}",
             sum.unproven,
             sum.contact.poses(),
-            place(mating),
+            pose_in_words(mating),
             why.reason
         ))
     }
@@ -217,7 +217,7 @@ fn greatest(one: Option<f64>, other: Option<f64>) -> Option<f64> {
 }
 
 /// A pose in words: mating, flank, fraction.
-pub(super) fn place(mating: &Mating) -> String {
+pub(super) fn pose_in_words(mating: &Mating) -> String {
     let beyond = match mating.fraction {
         0.0 => String::new(),
         fraction => format!(", {fraction:.4} pitch beyond"),

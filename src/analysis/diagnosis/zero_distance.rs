@@ -3,7 +3,7 @@
 use crate::analytic::limits;
 use crate::contact::{BRACKET_WIDTH, PairAtDistance, root_of_play};
 use crate::error::{Error, Tick};
-use crate::numeric::{rank, try_bisect};
+use crate::numeric::{GOLDEN, rank, try_bisect};
 use crate::pair::{GearPair, Mating};
 
 /// Accuracy of a rotation, pitches: play changes by less than a module per pitch.
@@ -71,7 +71,7 @@ pub fn zero_distance(
     };
     let (mut last, mut worst) = (bracket, matings[first]);
     // Continues with a pose whose root is at a greater distance. Returns whether it is greater by more than a bracket's width.
-    let go_on = |last: &mut [f64; 2], worst: &mut Mating, one: Mating| -> Result<_, Error> {
+    let follow = |last: &mut [f64; 2], worst: &mut Mating, one: Mating| -> Result<_, Error> {
         let next = root_of_play(assembly, last[0], |distance| least_of(&[one], distance))?;
         Ok(next.map(|next| {
             let farther = next[0] - last[0];
@@ -83,9 +83,9 @@ pub fn zero_distance(
     };
     for _ in 0..ROUNDS {
         for _ in 0..STEPS_BESIDE {
-            let bench = as_assembled.at(last[0])?;
-            let (_, one) = lowest(&bench, worst, bench.play(&worst)?)?;
-            match go_on(&mut last, &mut worst, one)? {
+            let pair = as_assembled.at(last[0])?;
+            let (_, one) = lowest(&pair, worst, pair.play(&worst)?)?;
+            match follow(&mut last, &mut worst, one)? {
                 None => return Ok(None),
                 Some(false) => break,
                 Some(true) => (),
@@ -95,7 +95,7 @@ pub fn zero_distance(
         if play >= -NO_PLAY {
             break;
         }
-        match go_on(&mut last, &mut worst, one)? {
+        match follow(&mut last, &mut worst, one)? {
             None => return Ok(None),
             Some(false) => break,
             Some(true) => (),
@@ -132,11 +132,11 @@ fn local_minima(values: &[f64]) -> Vec<usize> {
 
 /// The least play, descending from the lowest of `matings`, and its mating.
 fn lowest_of_all(
-    bench: &PairAtDistance,
+    pair: &PairAtDistance,
     matings: &[Mating],
     tick: &Tick,
 ) -> Result<(f64, Mating), Error> {
-    let plays = bench.plays(matings)?;
+    let plays = pair.plays(matings)?;
     let mut found = (f64::INFINITY, matings[0]);
     // Greatest change of play from one to the next: no minimum between them is deeper.
     let next = plays.iter().cycle().skip(1);
@@ -150,7 +150,7 @@ fn lowest_of_all(
             break;
         }
         Error::if_stopped(tick(0))?;
-        let here = lowest(bench, matings[index], play)?;
+        let here = lowest(pair, matings[index], play)?;
         if here.0 < found.0 {
             found = here;
         }
@@ -178,9 +178,9 @@ fn middle_of_jam(
 }
 
 /// The least play, descending from `start` with the play `play`, and its mating.
-fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mating), Error> {
-    let assembly = bench.assembly();
-    let at = |pitches: f64| bench.play(&start.onward(assembly, pitches));
+fn lowest(pair: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mating), Error> {
+    let assembly = pair.assembly();
+    let at = |pitches: f64| pair.play(&start.onward(assembly, pitches));
     let period = f64::from(assembly.teeth(assembly.locked()));
     let (mut best, mut place) = (play, 0.0);
     for sense in [1.0, -1.0] {
@@ -200,7 +200,6 @@ fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mati
         return Ok((best, start.onward(assembly, middle)));
     }
     // Golden section between the neighbours of the lowest step.
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let (mut low, mut high) = (place - STRIDE, place + STRIDE);
     let mut inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
     let mut values = [at(inner[0])?, at(inner[1])?];

@@ -55,7 +55,7 @@ impl Envelopes {
         );
         // A tie below the greatest gap must not be ruled out: the points of both gears move by less than this.
         // Leaning axes shift the outlines of a section.
-        let shift = assembly.most_shift();
+        let shift = assembly.shift_bound();
         let farthest = problem.distance.max(locked.reach() + free.reach()) + shift;
         let margin =
             room + 4.0 * problem.tie_at(farthest) * (farthest + problem.locked.shape.tip_radius);
@@ -133,7 +133,7 @@ impl DirectSolver {
         assembly: &GearPair,
         envelopes: Envelopes,
     ) -> Option<DirectSolver> {
-        let shift = assembly.most_shift();
+        let shift = assembly.shift_bound();
         let [from, to] = assembly.face();
         let wobble = assembly.gear(assembly.free()).wobble() * from.abs().max(to.abs());
         DirectSolver::with_offs(problem, assembly, envelopes, problem, [shift, wobble])

@@ -12,7 +12,7 @@ use super::shape::{C, turn};
 use super::teeth::{Teeth, nearest, reduced};
 use crate::contact::gap::{Origin, rounding};
 use crate::gear::{AsBuilt, Side};
-use crate::pair::{FacingTeeth, GearPair, Member, Pose, lens_half};
+use crate::pair::{FacingTeeth, GearPair, Member, Pose, overlap_half_angle};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
@@ -117,7 +117,7 @@ impl FlankProblem {
             assembly.gear(assembly.free()),
         );
         // The nearest centres have the widest lens.
-        let shift = assembly.most_shift();
+        let shift = assembly.shift_bound();
         let nearest = self.distance - 2.0 * shift;
         let more = 2.0 * shift / (nearest - free.reach());
         FlankProblem {
@@ -247,7 +247,7 @@ fn displacement(gear: &AsBuilt, side: Side) -> C {
 /// Half the angle at the locked axis within which the locked gear's teeth can reach into the free gear's tip circle,
 /// both about their rotation axes; `None` if they cannot.
 fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
-    let half = lens_half(locked.reach(), free.reach(), distance)?;
+    let half = overlap_half_angle(locked.reach(), free.reach(), distance)?;
     // The nearest point of the free gear's circle; the rest of the lens is further out.
     let nearest = distance - free.reach();
     if nearest <= locked.eccentricity() {

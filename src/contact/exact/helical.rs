@@ -41,7 +41,7 @@ use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::numeric::rank;
-use crate::pair::{GearPair, Member, Pose, beyond_ends, section_at};
+use crate::pair::{GearPair, Member, Pose, beyond_ends_bound, section_at};
 use edges::Edges;
 use leads::{AlongFace, FaceBounds, MOST_BY_ARMS};
 use place_filter::{GapLimits, PlaceFilter};
@@ -128,13 +128,13 @@ impl Helical {
             && let Some(spread) = spread_on_line(plane, path - moved, wheel.base_pitch())
         {
             let deepest = [solver.proof.locked_fillet, solver.proof.free_fillet];
-            let spread = (spread + moved / base, assembly.most_shift());
+            let spread = (spread + moved / base, assembly.shift_bound());
             edges = edges.and_then(|edges| edges.without_fillets(&plane.right, deepest, spread));
         }
         let in_fillets = edges.as_ref().is_some_and(Edges::in_fillets);
         let edges = edges.filter(|_| assembly.is_helical());
         let omitted_error = if assembly.leans() {
-            (assembly.left_out() + beyond_ends(assembly)) / base
+            (assembly.section_error_bound() + beyond_ends_bound(assembly)) / base
         } else if assembly.is_modified() {
             2.0 * LEVEL / base
         } else {
@@ -145,7 +145,7 @@ impl Helical {
             bounds: FaceBounds {
                 most_moved,
                 most_lead: Side::BOTH.map(|side| most_lead(assembly, side)),
-                by_heights: assembly.by_heights(),
+                lead_change: assembly.lead_change_bound(),
                 in_fillets,
             },
             search_free: None,
@@ -472,7 +472,7 @@ fn most_moved(assembly: &GearPair) -> f64 {
         flanks.fold(0.0, f64::max) + profiles.fold(0.0, f64::max)
     };
     let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
-    let leaning = assembly.most_shift() + assembly.most_lean() * wound * (reach[0] + reach[1]);
+    let leaning = assembly.shift_bound() + assembly.lean_bound() * wound * (reach[0] + reach[1]);
     of_gear(Member::Wheel) + of_gear(Member::Pinion) + leaning
 }
 
@@ -528,7 +528,7 @@ fn shortest_path(assembly: &GearPair) -> f64 {
     });
     let sum: f64 = gears.iter().map(|gear| gear.gear().base_radius()).sum();
     let off: f64 = gears.iter().map(|gear| gear.eccentricity()).sum();
-    let off = off + assembly.most_shift();
+    let off = off + assembly.shift_bound();
     let path = [-off, off].map(|off| {
         let distance = assembly.center_distance() + off;
         let tangent = (distance * distance - sum * sum).max(0.0).sqrt();

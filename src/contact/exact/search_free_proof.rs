@@ -26,7 +26,7 @@ use super::shape::HalfToothShape;
 use super::teeth::Teeth;
 use crate::gear::ProfilePart::{self, Fillet, Involute, Root, Tip};
 use crate::gear::involute;
-use crate::pair::lens_half;
+use crate::pair::overlap_half_angle;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The properties of a pair of gears that hold at every pose.
@@ -86,7 +86,7 @@ impl ProofInput<'_> {
         if !(self.inmost() > self.free_off && free.base > self.free_off) {
             return None;
         }
-        let half = lens_half(locked.tip_radius, self.outmost(), near)?;
+        let half = overlap_half_angle(locked.tip_radius, self.outmost(), near)?;
         // The free involute's arm X = Q × n is r_b + C·E with |C| = e_F. For the locked one E is at (polar angle) +
         // atan ξ from the line of centres, and X = D cos − r_b.
         if !(locked.base < near && half < (locked.base / near).acos()) {
@@ -156,7 +156,8 @@ impl ProofInput<'_> {
         let (locked, free, near) = (self.locked, self.free, self.near());
         if let Some(gamma) = free_fillet {
             let steepest = slope_at(free.steepest_fillet(gamma) + self.shift());
-            let within = lens_half(locked.tip_radius, free.form_radius() + self.free_off, near);
+            let within =
+                overlap_half_angle(locked.tip_radius, free.form_radius() + self.free_off, near);
             open.add_unless(within.is_none_or(|b| steepest < self.land(b)), Tip, Fillet);
         }
         // The free land: X is D sin b on the locked land, where b is the angle at which it crosses the nearest free tip circle.
@@ -218,7 +219,7 @@ impl ProofInput<'_> {
     /// is positive it is concave, so its least value is at a corner of the box.
     fn fillet_arm(&self, gamma: f64) -> Option<f64> {
         let (shape, near) = (self.locked, self.near());
-        let half = lens_half(shape.form_radius(), self.outmost(), near)?;
+        let half = overlap_half_angle(shape.form_radius(), self.outmost(), near)?;
         let reach = shape.depth / shape.fillet_end.cos() + shape.round;
         let behind = (reach.abs() / shape.pitch_radius).min(1.0).asin();
         // On a fillet with h_0 ≥ 0 the point is ahead of E, towards the tooth.

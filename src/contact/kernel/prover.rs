@@ -104,7 +104,7 @@ impl Prover {
         let forms = shapes.map(|shape| shape.form_radius());
         let rooted = shapes.map(|shape| shape.root_radius);
         // Less by a rounding: a part that is nearly reached is also examined.
-        let off = gears[0].eccentricity() + gears[1].eccentricity() + assembly.most_shift();
+        let off = gears[0].eccentricity() + gears[1].eccentricity() + assembly.shift_bound();
         let nearest = distance * (1.0 - 1e-9) - off;
         let is_reached = [0, 1].map(|k| {
             let (low, high) = shapes[k].range(ProfilePart::Fillet);

@@ -22,7 +22,7 @@ use super::lost_motion::{Contact, ContactInFrame, LostMotion, ToothPlace, Touch}
 use super::outline_contact::{ContactNotConfirmed, SearchExhausted};
 use crate::gear::Side;
 use crate::outline::OutlinePair;
-use crate::pair::{Mating, Member, lens_half};
+use crate::pair::{Mating, Member, overlap_half_angle};
 use certificate::{CutSide, PosedHalves};
 pub(crate) use extremes::OutlineCycle;
 use halves::{FreeHalf, LockedHalf};
@@ -274,7 +274,8 @@ impl SideKernel<'_> {
         let tooth = f64::from(mating.tooth(pair.locked()));
         let there = rotation - self.side.sense() * gear.tooth_angle(tooth);
         let there = there - TAU * (there / TAU).round();
-        let lens = lens_half(gear.reach(), mate.reach(), pair.center_distance()).unwrap_or(0.0);
+        let lens =
+            overlap_half_angle(gear.reach(), mate.reach(), pair.center_distance()).unwrap_or(0.0);
         let [least, greatest] = self.locked.around;
         // Never more than once round.
         let most = (i64::from(gear.teeth()) - 1) / 2;

@@ -7,9 +7,9 @@ use crate::temperature::REFERENCE_C;
 use crate::tolerance::{GroupedWarnings, Tick, middle, placed, sha256, shape_difference};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
-use gearlash::matching::{Matrix, PairFit, Terms};
+use gearlash::matching::{Matrix, PairConditions, PairFit};
 use gearlash::pair::{GearPair, Member};
-use gearlash::population::Requirement;
+use gearlash::population::AssemblyLimits;
 use gearlash_text::numbers::shortest;
 use gearlash_text::{InputError, Problem, Sources};
 use serde_json::json;
@@ -29,7 +29,7 @@ pub struct MatchFile {
     /// In the order of their names.
     pub pinions: Vec<NamedGear>,
     /// The conditions of assembly.
-    pub terms: Terms,
+    pub conditions: PairConditions,
     /// Warnings beside those of the pair.
     pub warnings: Vec<String>,
     /// Warnings of the gears' files, each with the first file that has it.
@@ -101,15 +101,15 @@ pub fn read_match(
     let ends = |fold: fn(f64, f64) -> f64| distances.iter().copied().reduce(fold);
     let ends = pair
         .study
-        .band
+        .distance_band
         .or(ends(f64::min).zip(ends(f64::max)).map(<[f64; 2]>::from));
     let Some(center_distances) = ends else {
         return Err(wrong("", "no centre distance".to_owned(), "give one"));
     };
-    let requirement = Requirement::of(&pair.study.requirements);
+    let requirement = AssemblyLimits::of(&pair.study.requirements);
     let mut warnings: Vec<String> = unused(&pair).into_iter().collect();
     warnings.extend(band_warning(&bands));
-    let mut terms = Terms {
+    let mut conditions = PairConditions {
         center_distances,
         clearance: pair.study.bearing_clearance,
         locked: pair.study.locked,
@@ -119,20 +119,20 @@ pub fn read_match(
         target,
     };
     if let (Some(wheel), Some(pinion)) = (wheels.first(), pinions.first()) {
-        let ends = extreme_pairs(&terms, wheel, pinion).map_err(|reason| {
+        let ends = extreme_pairs(&conditions, wheel, pinion).map_err(|reason| {
             let key = "assembly.center_distance_mm";
             let help = "correct the distance, or the bearings' clearance";
             wrong(key, reason.to_string(), help)
         })?;
         let limits = requirement.as_operating_backlash(&ends);
         if target.is_none() && requirement.others().next().is_some() {
-            let requirement = Requirement::new(limits.min, limits.max);
-            terms.target = Some(
-                Terms {
+            let requirement = AssemblyLimits::new(limits.min, limits.max);
+            conditions.target = Some(
+                PairConditions {
                     requirement,
-                    ..terms
+                    ..conditions
                 }
-                .wanted(),
+                .target_backlash(),
             );
         }
     }
@@ -140,7 +140,7 @@ pub fn read_match(
         pair,
         wheels,
         pinions,
-        terms,
+        conditions,
         warnings,
         gear_warnings: gear_warnings.lines(),
         gear_remarks: gear_remarks.lines(),
@@ -149,18 +149,21 @@ pub fn read_match(
 
 /// A wheel and a pinion at the least and greatest distance that the list and the bearings allow.
 fn extreme_pairs(
-    terms: &Terms,
+    conditions: &PairConditions,
     wheel: &NamedGear,
     pinion: &NamedGear,
 ) -> Result<[GearPair; 2], GearError> {
-    let [near, far] = terms.center_distances;
+    let [near, far] = conditions.center_distances;
     let pair = |distance: f64| {
         let (wheel, pinion) = (wheel.gear.clone(), pinion.gear.clone());
-        GearPair::with_locked(wheel, pinion, distance, terms.locked)?
-            .with_face(terms.face)?
-            .with_lean(terms.lean)
+        GearPair::with_locked(wheel, pinion, distance, conditions.locked)?
+            .with_face(conditions.face)?
+            .with_lean(conditions.lean)
     };
-    Ok([pair(near - terms.clearance)?, pair(far + terms.clearance)?])
+    Ok([
+        pair(near - conditions.clearance)?,
+        pair(far + conditions.clearance)?,
+    ])
 }
 
 impl MatchFile {
@@ -171,7 +174,7 @@ impl MatchFile {
     pub fn cells(&self, wheels: Range<usize>, tick: Tick) -> Result<Vec<PairFit>, Error> {
         let (all, pinions) = self.gears();
         let wheels = all.get(wheels).unwrap_or_default();
-        Matrix::cells(wheels, &pinions, &self.terms, tick)
+        Matrix::cells(wheels, &pinions, &self.conditions, tick)
     }
 
     /// Wheels and pinions.
@@ -188,13 +191,13 @@ impl MatchFile {
             let each = gears.iter().map(|one| (&one.name, &one.spec));
             each.collect::<Vec<_>>()
         });
-        let wanted = self.terms.wanted();
+        let wanted = self.conditions.target_backlash();
         sha256(&json!({ "pair": spec, "gears": gears, "wanted": wanted }).to_string())
     }
 
     /// The limits that each pair must keep.
-    pub fn requirement(&self) -> &Requirement {
-        &self.terms.requirement
+    pub fn requirement(&self) -> &AssemblyLimits {
+        &self.conditions.requirement
     }
 }
 

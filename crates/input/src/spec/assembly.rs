@@ -451,7 +451,7 @@ impl BearingClearanceSpec {
     pub fn sum_mm(&self) -> f64 {
         let [wheel, pinion] = self.each();
         self.ends()
-            .map_or(wheel[0] + pinion[0], |ends| ends.at(0.0))
+            .map_or(wheel[0] + pinion[0], |ends| ends.clearance_at(0.0))
     }
 }
 

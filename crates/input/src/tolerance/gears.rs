@@ -298,7 +298,7 @@ pub fn left_out(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<String> {
             ));
         }
     }
-    if tolerance.center_distance.is_none() && pair.study.band.is_some() {
+    if tolerance.center_distance.is_none() && pair.study.distance_band.is_some() {
         warnings.push(
             "assembly.center_distance_mm: states a band from which nothing is drawn, every pair has the nominal distance; to draw it, write center_distance = { scatter = \"normal\" } in [tolerance]"
                 .to_owned(),

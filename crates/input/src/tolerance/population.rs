@@ -12,7 +12,7 @@ use gearlash::gear::{AsBuilt, GradedQuantity, Lead, PitchAxis, Side};
 use gearlash::outline::{AssembledPair, GearChange};
 use gearlash::pair::{Mating, Member, SweepPlan};
 use gearlash::population::{
-    GearScatter, LIMIT_SIGMAS, LeadScatter, Population, PopulationError, Requirement, Scatter,
+    AssemblyLimits, GearScatter, LIMIT_SIGMAS, LeadScatter, Population, PopulationError, Scatter,
     ScatterError, Scatters,
 };
 use gearlash_text::{InputError, Table};
@@ -28,7 +28,7 @@ pub struct ToleranceFile {
     /// The population.
     pub population: Population,
     /// The limits that each assembly must keep.
-    pub requirement: Requirement,
+    pub requirement: AssemblyLimits,
     /// Tables of the gears that are drawn as a whole, for wheel and pinion.
     pub(super) measured: [Vec<MeasuredGear>; 2],
     /// Warnings about it, in addition to those of the pair.
@@ -53,12 +53,13 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     };
     // Its problems come first. A drawn gear can give the pair a face.
     let own = own_distance(&pair, file);
-    let band = pair.study.band.zip(pair.spec.assembly.own_distance());
+    let band = pair.study.distance_band;
+    let band = band.zip(pair.spec.assembly.own_distance());
     let band = band.map(|(band, nominal)| band.map(|mm| mm - nominal));
     let place = (file, "tolerance.center_distance");
     let center_distance = scatter(&tolerance.center_distance, band, place);
     let place = (file, "tolerance.bearing_play");
-    let bearing_play = scatter(&tolerance.bearing_play, None, place);
+    let bearing_clearance = scatter(&tolerance.bearing_play, None, place);
     let mut warnings = left_out(&pair, &tolerance);
     let mut gear = |spec, member| gear(spec, member, &pair, (file, &mut warnings));
     let wheel = gear(&tolerance.wheel, Member::Wheel);
@@ -70,7 +71,7 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
         pinion,
         center_distance: center_distance?,
         lean: lean?,
-        bearing_play: bearing_play?,
+        bearing_clearance: bearing_clearance?,
         phase: tolerance.phase == PhaseName::Any,
         thickness_correlation: tolerance.thickness_correlation,
     };
@@ -101,7 +102,7 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
     let population = file.reading().keep(population)?;
     let clearance = pair.study.bearing_clearance;
-    let requirement = Requirement::of(&pair.study.requirements);
+    let requirement = AssemblyLimits::of(&pair.study.requirements);
     Some(ToleranceFile {
         tolerance,
         population: population

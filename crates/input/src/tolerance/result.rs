@@ -1,7 +1,7 @@
 //! The result of a run.
 
 use super::worst::Worst;
-use gearlash::population::Requirement;
+use gearlash::population::AssemblyLimits;
 use gearlash::population::{Contributions, Share, Statistics, Tally};
 use gearlash_text::numbers::{rounded, shortest, unit_of};
 use serde::Serialize;
@@ -102,7 +102,7 @@ pub struct Limit {
 }
 
 /// The limits of `requirement` on other quantities than `j_wt`.
-pub fn limits(requirement: &Requirement) -> Vec<Limit> {
+pub fn limits(requirement: &AssemblyLimits) -> Vec<Limit> {
     let each = requirement.others().map(|(quantity, limits)| {
         let (name, unit, per, _) = unit_of(quantity);
         let in_unit = |value: Option<f64>| value.map(|value| rounded(value * per, 9));

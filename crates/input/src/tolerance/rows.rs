@@ -232,7 +232,7 @@ impl<'a> RowsTally<'a> {
     /// # Errors
     /// [`Overflow`].
     pub fn add(&mut self, row: &Row) -> Result<(), Overflow> {
-        self.tally.count(row, self.run.assemblies())?;
+        self.tally.add(row, self.run.assemblies())?;
         let source = self.sources.len().saturating_sub(1);
         match self.ranges.last_mut() {
             Some((range, of)) if range.end == row.number && *of == source => range.end += 1,

@@ -5,8 +5,8 @@ use super::result::{About, ToleranceResult, limits};
 use super::worst::sha256;
 use gearlash::error::Error;
 use gearlash::population::{
-    ContributionsError, Factor, GROUPS, OutcomeKind, Row, Sample, Scatter, Statistics, Tally,
-    contributions, limit_cases,
+    ContributionsError, Factor, JACKKNIFE_GROUPS, OutcomeKind, Row, Sample, Scatter, Statistics,
+    Tally, contributions, limit_cases,
 };
 use gearlash_text::characters::shell_word;
 use serde_json::json;
@@ -87,9 +87,9 @@ impl<'a> ToleranceRun<'a> {
         self.path
     }
 
-    /// Rows of the samples for contributions: no more than assemblies, except for two in each of the [`GROUPS`].
+    /// Rows of the samples for contributions: no more than assemblies, except for two in each of the [`JACKKNIFE_GROUPS`].
     pub fn contribution_rows(&self) -> u64 {
-        let least = 2 * GROUPS as u64;
+        let least = 2 * JACKKNIFE_GROUPS as u64;
         u64::from(self.file.tolerance.contribution_rows).min(self.assemblies.max(least))
     }
 
@@ -128,7 +128,8 @@ impl<'a> ToleranceRun<'a> {
         }
     }
 
-    /// The rows of the assemblies `numbers`. `tick` is called once every [`CHUNK`](gearlash::population::CHUNK) assemblies.
+    /// The rows of the assemblies `numbers`. `tick` is called once every
+    /// [`ASSEMBLIES_PER_TICK`](gearlash::population::ASSEMBLIES_PER_TICK) assemblies.
     ///
     /// # Errors
     /// As [`Sample::rows`].
@@ -156,7 +157,7 @@ impl<'a> ToleranceRun<'a> {
     }
 
     /// The result of the run with the rows summed in `tally`. The contributions come from samples of their own. `tick` is called
-    /// once every [`ROWS_CHUNK`](gearlash::population::ROWS_CHUNK) rows of these.
+    /// once every [`ROWS_PER_TICK`](gearlash::population::ROWS_PER_TICK) rows of these.
     ///
     /// # Errors
     /// [`ContributionsError`].
@@ -206,7 +207,7 @@ fn has_no_end(file: &ToleranceFile, factor: Factor) -> bool {
         Factor::PerTooth(member) => open(&scatters.of(member).per_tooth),
         Factor::Lead(_) | Factor::Wobble(_) | Factor::Misalignment => true,
         Factor::CenterDistance => open(&scatters.center_distance),
-        Factor::BearingPlay => open(&scatters.bearing_play),
+        Factor::BearingClearance => open(&scatters.bearing_clearance),
         Factor::Gear(_) | Factor::Phase => false,
     }
 }

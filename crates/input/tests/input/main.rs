@@ -93,7 +93,7 @@ fn the_ends_of_every_range_are_good() {
         "[accuracy]\nchord_um = 100\n[sweep]\nrevolutions = \"hunting\"\nsteps_per_pitch = 1000";
     let study = study(&format!("{PAIR}{steps}"));
     assert_eq!(study.study.runs().unwrap()[0].matings.len(), 60_000);
-    assert_eq!(study.study.chord, 0.1);
+    assert_eq!(study.study.chordal_error, 0.1);
 }
 
 /// The pair file that docs/reference/pair-file.md shows.

@@ -8,7 +8,7 @@ use gearlash::gear::thickness::allowance_from_base;
 fn thickness_over_pins_of_the_86_21_pair() {
     let study = read("../../fixtures/karba_86x21.toml".as_ref()).unwrap();
     assert_eq!(study.study.center_distances, [160.470, 160.500, 160.550]);
-    assert_eq!(study.study.chord, 0.0002 / 1000.0);
+    assert_eq!(study.study.chordal_error, 0.0002 / 1000.0);
     let runs = study.study.runs().unwrap();
     assert_eq!(runs.len(), 3);
     for run in &runs {
@@ -47,7 +47,7 @@ fn spans_of_the_44_44_pair() {
         assert_eq!((wheel.high_tooth(), pinion.high_tooth()), (33.0, 33.0));
     }
     assert_eq!(study.study.bearing_clearance, 0.010);
-    assert_eq!(study.study.chord, 1e-6);
+    assert_eq!(study.study.chordal_error, 1e-6);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::page::Page;
 use super::phrases::symbol;
 use super::table::{Table, cells, columns, marked};
-use gearlash::analysis::diagnosis::Verdict;
+use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::gauge::{GradedReading, PitchReadings};
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, GradedQuantity, PitchAxis};
 use gearlash::metrology::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
@@ -76,9 +76,9 @@ fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
     let met = match wanted {
         None => html! { "–" },
         Some(wanted) if finest.is_some_and(|grade| grade <= wanted) => {
-            marked(Verdict::Pass, &format!("{wanted}, met"))
+            marked(CheckVerdict::Pass, &format!("{wanted}, met"))
         }
-        Some(wanted) => marked(Verdict::Fail, &format!("{wanted}, not met")),
+        Some(wanted) => marked(CheckVerdict::Fail, &format!("{wanted}, not met")),
     };
     cells![
         gear.name,

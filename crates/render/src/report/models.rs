@@ -5,7 +5,7 @@ use super::page::{Page, Report};
 use super::phrases::{plain, study, symbol};
 use super::table::{Table, cells, columns};
 use crate::chart::PictureError;
-use gearlash::analysis::diagnosis::Verdict;
+use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::analysis::measured::{MeasuredMating, sides};
 use gearlash::analysis::outcome::{MODELS, deviation};
 use gearlash_results::text::check::{MARGIN, doubts, shown};
@@ -19,12 +19,12 @@ pub(super) fn checks(page: &Page) -> Markup {
     let listed_runs = page.report.analysis.runs.iter();
     let poses: usize = listed_runs.map(|run| run.poses.len()).sum();
     let outcome = match diagnosis.verdict() {
-        Verdict::Pass => "Every check passes.",
-        Verdict::Warn => "No check fails; some values are outside the recommended range.",
-        Verdict::Unproven => {
+        CheckVerdict::Pass => "Every check passes.",
+        CheckVerdict::Warn => "No check fails; some values are outside the recommended range.",
+        CheckVerdict::Unproven => {
             "No check fails, but some are unproven: whether their limits are met is not known."
         }
-        Verdict::Fail => "A check fails.",
+        CheckVerdict::Fail => "A check fails.",
     };
     html! {
         section id="checks" {

@@ -75,7 +75,7 @@ fn materials(page: &Page) -> Markup {
                 backlash(of.greatest),
                 of.interfering,
                 of.jammed,
-                of.apart,
+                of.out_of_mesh,
                 of.unproven,
             ]
         }));

@@ -6,8 +6,10 @@ use super::page::PageFrame;
 use super::phrases::{j_wt, plain, with_symbols};
 use super::table::{Table, cells, columns, mark};
 use crate::chart::population::Pictures;
-use gearlash::analysis::diagnosis::Verdict;
-use gearlash::population::{CONFIDENCE, GROUPS, LIMIT_SIGMAS, OutcomeKind, PITCH_LIMIT_SIGMAS};
+use gearlash::analysis::diagnosis::CheckVerdict;
+use gearlash::population::{
+    CONFIDENCE, JACKKNIFE_GROUPS, LIMIT_SIGMAS, OutcomeKind, PITCH_LIMIT_SIGMAS,
+};
 use gearlash_input::tolerance::{
     About, Limit, ToleranceFile, ToleranceResult, sentence, without_worst_case,
 };
@@ -60,8 +62,8 @@ pub fn tolerance_report(report: &ToleranceReport) -> String {
 fn result(report: &ToleranceReport) -> Markup {
     let result = report.result;
     let state = match result.is_met() {
-        Some(false) => Verdict::Fail,
-        _ => Verdict::Pass,
+        Some(false) => CheckVerdict::Fail,
+        _ => CheckVerdict::Pass,
     };
     let answer = format!("{}.", sentence(result));
     html! {
@@ -197,7 +199,7 @@ fn contributions(report: &ToleranceReport) -> Markup {
     let caption = html! {
         "Share of the variance, %, with standard errors, of " (least.rows) " rows"
         @for (found, end) in [(least, "least"), (greatest, "greatest")] {
-            @if found.left_out > 0 { "; " (found.left_out) " rows without a " (end) " backlash are left out" }
+            @if found.unused_rows > 0 { "; " (found.unused_rows) " rows without a " (end) " backlash are left out" }
         }
     };
     let shown = population::contributions(report.result);
@@ -250,7 +252,7 @@ fn method(result: &ToleranceResult) -> Markup {
             }
             p {
                 "Contributions: Sobol’ indices by the estimators of Saltelli et al. (2010), standard errors by the jackknife over "
-                (GROUPS) " groups of rows."
+                (JACKKNIFE_GROUPS) " groups of rows."
             }
             }))
         }

@@ -119,7 +119,7 @@ fn why_not_compared(page: &Page) -> String {
     let alone = "in contact where no two involutes reach each other";
     let parts = [
         (page.whole.jammed, "jammed"),
-        (page.whole.apart, "out of mesh"),
+        (page.whole.out_of_mesh, "out of mesh"),
         (page.whole.unproven, "unproven"),
         (of.simulated_alone, alone),
     ];

@@ -5,11 +5,11 @@ use super::phrases::{band, few, j_wt, touching, with_symbols};
 use super::table::{Table, cells, columns, mark, marked};
 use super::trust::count;
 use gearlash::analysis::compare::ComparedRun;
-use gearlash::analysis::diagnosis::Verdict;
+use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::analysis::extremes::{BearingEnd, RunExtreme};
 use gearlash::analysis::outcome::{Outcome, PoseOfRun};
 use gearlash::analysis::phases::phase;
-use gearlash::analysis::verdict::Verdict as CycleVerdict;
+use gearlash::analysis::verdict::Verdict;
 use gearlash::gear::has_different_teeth;
 use gearlash::pair::{GearPair, Member, SweepPlan};
 use gearlash_results::text::check::titles;
@@ -34,10 +34,10 @@ pub(super) fn section(page: &Page) -> Markup {
 }
 
 /// The worst verdict of the answer and the checks.
-fn state(page: &Page) -> Verdict {
+fn state(page: &Page) -> CheckVerdict {
     let poses = match page.whole.unproven {
-        0 => Verdict::Pass,
-        _ => Verdict::Unproven,
+        0 => CheckVerdict::Pass,
+        _ => CheckVerdict::Unproven,
     };
     let answer = page.report.analysis.verdict().state();
     answer
@@ -48,7 +48,7 @@ fn state(page: &Page) -> Verdict {
 fn failing(page: &Page) -> Markup {
     let diagnosis = &page.report.analysis.diagnosis;
     html! {
-        @for (verdict, word) in [(Verdict::Fail, "failed"), (Verdict::Unproven, "unproven"), (Verdict::Warn, "with a warning")] {
+        @for (verdict, word) in [(CheckVerdict::Fail, "failed"), (CheckVerdict::Unproven, "unproven"), (CheckVerdict::Warn, "with a warning")] {
             @let titles = titles(diagnosis, verdict).join(", ");
             @if !titles.is_empty() {
                 p { a href="#checks" { "Checks" } " " (word) ": " (titles) "." }
@@ -59,7 +59,7 @@ fn failing(page: &Page) -> Markup {
 
 /// The verdict, and the number of poses it excludes. Failing checks are listed below it.
 fn verdict(page: &Page) -> Markup {
-    let verdict = CycleVerdict {
+    let verdict = Verdict {
         failed_checks: Vec::new(),
         ..page.report.analysis.verdict()
     };
@@ -118,7 +118,7 @@ fn table(page: &Page) -> Markup {
             um(at.all.mean, 2),
             greatest,
             teeth_at_greatest,
-            band(with_play(page, at.center_distance), 2),
+            band(with_clearance(page, at.center_distance), 2),
         ]
     });
     let caption = html! {
@@ -131,13 +131,13 @@ fn table(page: &Page) -> Markup {
 }
 
 /// Least and greatest backlash at a centre distance, with the axes moved as far as their bearings allow.
-fn with_play(page: &Page, center_distance: f64) -> [Option<f64>; 2] {
+fn with_clearance(page: &Page, center_distance: f64) -> [Option<f64>; 2] {
     let runs = page.report.analysis.extremes.each.iter();
     let here = runs.filter(|run| run.assembly.center_distance() == center_distance);
     let ends = here.filter_map(|run| run.bearings.as_ref());
     let found = |end: &BearingEnd| end.extreme.as_ref().map(RunExtreme::found);
     let least = ends.clone().filter_map(|play| found(&play.pressed));
-    let greatest = ends.filter_map(|play| found(&play.apart));
+    let greatest = ends.filter_map(|play| found(&play.pulled_apart));
     [least.reduce(f64::min), greatest.reduce(f64::max)]
 }
 
@@ -166,13 +166,13 @@ fn is_settled(page: &Page, center_distance: f64) -> bool {
 /// Whether a pair assembles, in a word or two, from its poses and whether the mesh cycle is settled.
 fn assembles_cell(all: &Outcome, settled: bool) -> Markup {
     let (verdict, word) = match all {
-        all if all.jammed > 0 => (Verdict::Fail, "no: jammed"),
-        all if all.interfering > 0 => (Verdict::Fail, "no: interference"),
-        all if all.apart > 0 => (Verdict::Fail, "out of mesh"),
-        all if all.unproven > 0 => (Verdict::Unproven, "unproven"),
-        _ if !settled => (Verdict::Unproven, "not proven"),
-        all if all.touching > 0 => (Verdict::Warn, "without backlash"),
-        _ => (Verdict::Pass, "yes"),
+        all if all.jammed > 0 => (CheckVerdict::Fail, "no: jammed"),
+        all if all.interfering > 0 => (CheckVerdict::Fail, "no: interference"),
+        all if all.out_of_mesh > 0 => (CheckVerdict::Fail, "out of mesh"),
+        all if all.unproven > 0 => (CheckVerdict::Unproven, "unproven"),
+        _ if !settled => (CheckVerdict::Unproven, "not proven"),
+        all if all.touching > 0 => (CheckVerdict::Warn, "without backlash"),
+        _ => (CheckVerdict::Pass, "yes"),
     };
     marked(verdict, word)
 }

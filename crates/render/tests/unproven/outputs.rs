@@ -8,7 +8,7 @@ use gearlash::analysis::diagnosis::{self, Diagnosis, diagnose};
 use gearlash::analysis::extremes::CycleExtremes;
 use gearlash::analysis::outcome::{Agreement, Outcome as PoseOutcome};
 use gearlash::analysis::study::Material;
-use gearlash::analysis::tally::{tally, whole};
+use gearlash::analysis::tally::{tally, tally_by_blocks};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::{Method, PoseClass};
 use gearlash::pair::BacklashUnit;
@@ -71,7 +71,7 @@ fn written(case: &Case, runs: &[ComparedRun]) -> [String; 2] {
     let (mut json, mut csv) = (Vec::new(), Vec::new());
     let (to_json, to_csv) = (Box::new(&mut json), Box::new(&mut csv));
     let mut writer = ResultWriter::begin(&case.pair, Some(to_json), Some(to_csv)).unwrap();
-    whole(runs, &mut |piece| writer.take(piece)).unwrap();
+    tally_by_blocks(runs, &mut |piece| writer.take(piece)).unwrap();
     writer.finish(&no_verdict()).unwrap();
     [json, csv].map(|text| String::from_utf8(text).unwrap())
 }
@@ -336,7 +336,7 @@ fn a_report_vouches_for_nothing() {
 /// Checks whose poses are not proven are not proven, and no other.
 #[test]
 fn what_is_measured_over_an_unproven_pose_is_unproven() {
-    use diagnosis::Verdict::Unproven;
+    use diagnosis::CheckVerdict::Unproven;
     let [certified, believed] = [&RUNS, &LOW_TIPS.compared(BELIEVED)].map(|runs| diagnosed(runs));
     let [checks, others] = [&certified, &believed].map(|one| &one.groups[0].checks);
     for (check, believed) in checks.iter().zip(others) {

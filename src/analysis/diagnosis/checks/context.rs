@@ -1,12 +1,12 @@
 //! Every check of one assembled pair, from the evidence of its poses and the searched distances.
 
 use super::start::Searched;
-use crate::analysis::diagnosis::check::{Check, Verdict, met};
+use crate::analysis::diagnosis::check::{Check, CheckVerdict, met};
 use crate::analysis::diagnosis::clearance::least_over;
-use crate::analysis::diagnosis::onset::{Onset, form_onset};
-use crate::analysis::diagnosis::pose_evidence::{PoseEvidence, place};
+use crate::analysis::diagnosis::onset::{Onset, first_form_onset};
+use crate::analysis::diagnosis::pose_evidence::{PoseEvidence, pose_in_words};
 use crate::analysis::diagnosis::zero_distance::ZeroDistance;
-use crate::analysis::directions::is_open;
+use crate::analysis::directions::has_open_runout;
 use crate::analysis::extremes::{CycleExtremes, WIDTH};
 use crate::analysis::face_loss::FaceLoss;
 use crate::analytic::limits;
@@ -66,7 +66,7 @@ impl<T> LimitState<T> {
 /// The data of checks besides the evidence of poses.
 pub(super) struct SearchedDistances<'a> {
     /// Whether to skip tips that are clear of all roots in any direction.
-    pub clear: bool,
+    pub skip_clear_tips: bool,
     /// The starts of the pitches over which the clearance of the tips is searched.
     pub pitches: &'a dyn Fn() -> Result<Vec<Mating>, Error>,
     pub zero: LimitState<ZeroDistance>,
@@ -91,7 +91,7 @@ impl CheckContext<'_> {
             None => check,
         };
         let mut checks = Vec::new();
-        let look = |member: &Member| !searched.clear || !self.is_surely_clear(*member);
+        let look = |member: &Member| !searched.skip_clear_tips || !self.is_surely_clear(*member);
         for member in Member::BOTH.into_iter().filter(look) {
             checks.push(self.clearance(member, &(searched.pitches)()?, tick)?);
         }
@@ -127,10 +127,10 @@ impl CheckContext<'_> {
 
     /// Whether the pair assembles over the whole cycle; `None` if that is uncertain or within rounding.
     pub fn assembles(&self, cycle: &CycleExtremes) -> Option<bool> {
-        let here = self.evidence.place();
-        let runs = cycle.each.iter().filter(|run| run.place() == here);
+        let here = self.evidence.group_key();
+        let runs = cycle.each.iter().filter(|run| run.group_key() == here);
         // For all directions of a runout the search follows one of them.
-        let beyond = if is_open(self.assembly) {
+        let beyond = if has_open_runout(self.assembly) {
             10.0 * WIDTH
         } else {
             0.01 * WIDTH
@@ -177,11 +177,11 @@ impl CheckContext<'_> {
         let least = outlines.map_or(formula, |outlines| outlines.min(formula));
         let limit = limits::LEAST_CLEARANCE * module;
         let verdict = if !met(least - limit) {
-            Verdict::Fail
+            CheckVerdict::Fail
         } else {
-            Verdict::unless(
+            CheckVerdict::unless(
                 met(least - limits::RECOMMENDED_CLEARANCE * module),
-                Verdict::Warn,
+                CheckVerdict::Warn,
             )
         };
         Ok(Check {
@@ -197,13 +197,15 @@ impl CheckContext<'_> {
             ],
             note: {
                 let missed = match verdict {
-                    Verdict::Pass | Verdict::Unproven => String::new(),
-                    Verdict::Warn => format!(
+                    CheckVerdict::Pass | CheckVerdict::Unproven => String::new(),
+                    CheckVerdict::Warn => format!(
                         ", below the {} recommended ({:.4} mm)",
                         limits::RECOMMENDED_CLEARANCE,
                         limits::RECOMMENDED_CLEARANCE * module
                     ),
-                    Verdict::Fail => format!(", below the limit of {}", limits::LEAST_CLEARANCE),
+                    CheckVerdict::Fail => {
+                        format!(", below the limit of {}", limits::LEAST_CLEARANCE)
+                    }
                 };
                 let teeth = found.map_or(String::new(), |found| {
                     format!(
@@ -247,7 +249,7 @@ impl CheckContext<'_> {
             outlines,
             limit: Some(limit),
             margin: Some(least - limit),
-            verdict: Verdict::unless(met(least - limit), Verdict::Warn),
+            verdict: CheckVerdict::unless(met(least - limit), CheckVerdict::Warn),
             note: thinnest
                 .filter(|_| outlines != Some(formula))
                 .map_or(String::new(), |tooth| format!("tooth {tooth}")),
@@ -256,11 +258,11 @@ impl CheckContext<'_> {
     }
 
     /// The formula's verdict, confirmed by the outlines or not.
-    fn confirmed(margin: f64, below: usize) -> Verdict {
-        match (met(margin), below) {
-            (true, 0) => Verdict::Pass,
-            (false, 0) => Verdict::Warn,
-            (_, _) => Verdict::Fail,
+    fn confirmed(margin: f64, below: usize) -> CheckVerdict {
+        if below > 0 {
+            CheckVerdict::Fail
+        } else {
+            CheckVerdict::unless(met(margin), CheckVerdict::Warn)
         }
     }
 
@@ -274,9 +276,9 @@ impl CheckContext<'_> {
         let outlines = outlines.map(|r| ((r - base) * (r + base)).max(0.0).sqrt());
         // K (8) concerns the base circle: contact below the involute confirms its violation.
         let verdict = match (met(margin), self.evidence.touched(member).below) {
-            (true, _) => Verdict::Pass,
-            (false, 0) => Verdict::Warn,
-            (false, _) => Verdict::Fail,
+            (true, _) => CheckVerdict::Pass,
+            (false, 0) => CheckVerdict::Warn,
+            (false, _) => CheckVerdict::Fail,
         };
         Check {
             gear: Some(member),
@@ -285,12 +287,11 @@ impl CheckContext<'_> {
             limit: Some(limit),
             margin: Some(margin),
             verdict,
-            note: match (met(margin), verdict) {
-                (false, Verdict::Warn) => {
-                    "violated, yet no pose touches below the involute: undercut has removed that metal, or another pair binds first"
-                        .to_owned()
-                }
-                _ => String::new(),
+            note: if verdict == CheckVerdict::Warn {
+                "violated, yet no pose touches below the involute: undercut has removed that metal, or another pair binds first"
+                    .to_owned()
+            } else {
+                String::new()
             },
             ..Check::named("non_involute_k8", "mate's tip within base tangent, K (8)")
         }
@@ -357,8 +358,7 @@ impl CheckContext<'_> {
 
     fn onset(&self, onset: Option<&Onset>) -> Check {
         let a = self.assembly.center_distance();
-        let form = |member| form_onset(self.assembly, member);
-        let formula = form(Member::Wheel).max(form(Member::Pinion));
+        let formula = first_form_onset(self.assembly);
         let outlines = onset.map(|onset| onset.distance);
         let margin = a - outlines.unwrap_or(formula);
         Check {
@@ -367,11 +367,11 @@ impl CheckContext<'_> {
             limit: Some(a),
             margin: Some(margin),
             verdict: match onset {
-                Some(_) => Verdict::unless(met(margin), Verdict::Fail),
-                None => Verdict::Pass,
+                Some(_) => CheckVerdict::unless(met(margin), CheckVerdict::Fail),
+                None => CheckVerdict::Pass,
             },
             note: onset.map_or("never".to_owned(), |onset| {
-                format!("{}, {}", onset.class.name(), place(&onset.mating))
+                format!("{}, {}", onset.class.name(), pose_in_words(&onset.mating))
             }),
             ..Check::named(
                 "non_involute_onset",
@@ -385,10 +385,10 @@ impl CheckContext<'_> {
         let off = self.evidence.contact.off_line;
         let grave = self.evidence.contact.of_class(PoseClass::is_non_involute);
         let verdict = match (off, grave) {
-            (0, _) => Verdict::Pass,
-            (_, 0) => Verdict::Warn,
-            _ if self.allow_off_line => Verdict::Warn,
-            _ => Verdict::Fail,
+            (0, _) => CheckVerdict::Pass,
+            (_, 0) => CheckVerdict::Warn,
+            _ if self.allow_off_line => CheckVerdict::Warn,
+            _ => CheckVerdict::Fail,
         };
         let mut details = Vec::new();
         let mut note = String::new();
@@ -404,7 +404,7 @@ impl CheckContext<'_> {
             note = format!(
                 "worst {} µm lost, {}: {} of wheel tooth {}, pinion tooth {}",
                 hundredths(worst.loss),
-                place(worst.pose.mating()),
+                pose_in_words(worst.pose.mating()),
                 worst.class.name(),
                 worst.contact.wheel.tooth,
                 worst.contact.pinion.tooth
@@ -440,7 +440,7 @@ impl CheckContext<'_> {
             outlines,
             limit: Some(a),
             margin,
-            verdict: Verdict::unless(margin.is_none_or(met), Verdict::Fail),
+            verdict: CheckVerdict::unless(margin.is_none_or(met), CheckVerdict::Fail),
             details,
             note: {
                 let of_nominal = nominal.map_or(String::new(), |nominal| {
@@ -450,7 +450,7 @@ impl CheckContext<'_> {
                     let [right, left] = zero.teeth;
                     format!(
                         "; worst pose: {}; teeth {}·{} (right flanks) and {}·{} (left flanks)",
-                        place(&zero.mating),
+                        pose_in_words(&zero.mating),
                         right.0,
                         right.1,
                         left.0,
@@ -481,7 +481,7 @@ impl CheckContext<'_> {
             outlines,
             limit: Some(pitch),
             margin: Some(margin),
-            verdict: Verdict::unless(met(margin) && jammed == 0, Verdict::Fail),
+            verdict: CheckVerdict::unless(met(margin) && jammed == 0, CheckVerdict::Fail),
             details: Vec::from_iter(least.map(|least| ("least_j_wt_um", least * 1e3))),
             note: match jammed {
                 0 => least.map_or(String::new(), |least| {
@@ -499,7 +499,7 @@ impl CheckContext<'_> {
         }
     }
 
-    /// Distance of the fillet's tangent point outside the base circle along the line of action (design section 4).
+    /// Distance of the fillet's tangent point outside the base circle along the line of action.
     fn undercut(&self, member: Member) -> Check {
         let gear = self.gear(member);
         let (basic_data, rack) = (gear.basic_data(), &gear.design().rack);
@@ -521,7 +521,7 @@ impl CheckContext<'_> {
             outlines: Some(gear.base_radius() * gear.form_roll()),
             limit: Some(0.0),
             margin: Some(margin),
-            verdict: Verdict::unless(met(margin) && !undercut, Verdict::Warn),
+            verdict: CheckVerdict::unless(met(margin) && !undercut, CheckVerdict::Warn),
             details: vec![
                 ("root_form_diameter_mm", 2.0 * gear.form_radius()),
                 ("base_diameter_mm", 2.0 * gear.base_radius()),
@@ -557,7 +557,7 @@ impl CheckContext<'_> {
             limit: Some(LEAST_CONTACT_RATIO),
             margin: Some(least - LEAST_CONTACT_RATIO),
             unit: "1",
-            verdict: Verdict::unless(met(least - LEAST_CONTACT_RATIO), Verdict::Fail),
+            verdict: CheckVerdict::unless(met(least - LEAST_CONTACT_RATIO), CheckVerdict::Fail),
             details: nominal
                 .map(|nominal| ("at_nominal_zero_backlash_distance", nominal))
                 .into_iter()
@@ -603,9 +603,9 @@ impl CheckContext<'_> {
             limit: Some(0.0),
             margin: Some(-share),
             unit: "%",
-            verdict: Verdict::unless(
+            verdict: CheckVerdict::unless(
                 right + left == 0 && !self.evidence.extreme_at_end,
-                Verdict::Warn,
+                CheckVerdict::Warn,
             ),
             details: shares.collect(),
             note: Side::BOTH.map(words).join("; "),
@@ -633,7 +633,7 @@ impl CheckContext<'_> {
             outlines: Some(all),
             limit: Some(without),
             margin: Some(without - all),
-            verdict: Verdict::unless(without < 0.0 || all <= without, Verdict::Warn),
+            verdict: CheckVerdict::unless(without < 0.0 || all <= without, CheckVerdict::Warn),
             details: details.collect(),
             note: words.join(", "),
             ..Check::named("face_use", "least backlash lost along the face")
@@ -650,7 +650,7 @@ impl CheckContext<'_> {
             formula: Some(missing),
             limit: Some(0.0),
             margin: Some(-missing),
-            verdict: Verdict::unless(missing <= COVERED_WITHIN, Verdict::Warn),
+            verdict: CheckVerdict::unless(missing <= COVERED_WITHIN, CheckVerdict::Warn),
             details: vec![("traced_from_mm", from), ("traced_to_mm", to)],
             note: if missing <= COVERED_WITHIN {
                 String::new()
@@ -669,16 +669,17 @@ impl CheckContext<'_> {
         if !self.assembly.leans() {
             return None;
         }
-        let lean = self.assembly.most_lean();
+        let lean = self.assembly.lean_bound();
         // Both sides together, as j_wt.
-        let left_out =
-            2.0 * self.assembly.left_out() / self.assembly.operating_pressure_angle().cos();
+        let left_out = 2.0 * self.assembly.section_error_bound()
+            / self.assembly.operating_pressure_angle().cos();
         let margin = WIDTH - left_out;
+        let is_kept = margin >= 0.0 && lean <= RECOMMENDED_LEAN;
         Some(Check {
             formula: Some(left_out),
             limit: Some(WIDTH),
             margin: Some(margin),
-            verdict: Verdict::unless(margin >= 0.0 && lean <= RECOMMENDED_LEAN, Verdict::Warn),
+            verdict: CheckVerdict::unless(is_kept, CheckVerdict::Warn),
             details: vec![("lean_rad", lean), ("left_out_um", left_out * 1e3)],
             note: format!("{:.4} µm at {lean:.1e} rad", left_out * 1e3),
             ..Check::named("tilt", "error of sections of leaning axes")
@@ -691,7 +692,7 @@ fn of<T>(known: &LimitState<T>, of_found: impl Fn(Option<&T>) -> Check) -> Optio
     match known {
         LimitState::Kept => None,
         LimitState::Missed => Some(Check {
-            verdict: Verdict::Fail,
+            verdict: CheckVerdict::Fail,
             ..of_found(None)
         }),
         LimitState::Found(Ok(found)) => Some(of_found(found.as_ref())),

@@ -1,9 +1,9 @@
-//! Every check of a pair (design section 7), for each centre distance and material.
+//! Every check of a pair, for each centre distance and material.
 
 mod context;
 mod start;
 
-use super::check::{Check, CheckName, Verdict};
+use super::check::{Check, CheckName, CheckVerdict};
 use super::clearance::pitches;
 use super::contact_count::ContactCount;
 use super::onset::{Onset, non_involute_onset};
@@ -25,14 +25,14 @@ pub use start::Searched;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Diagnosis {
     /// Each centre distance and material, in the order of the study.
-    pub groups: Vec<Group>,
+    pub groups: Vec<CheckedPair>,
     /// Contacts over all runs.
     pub contact: ContactCount,
 }
 
 /// The pair at one centre distance and of one material.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Group {
+pub struct CheckedPair {
     /// The pair as assembled.
     pub assembly: GearPair,
     /// The thickness.
@@ -49,10 +49,10 @@ pub struct Group {
 
 impl Diagnosis {
     /// The most severe verdict.
-    pub fn verdict(&self) -> Verdict {
+    pub fn verdict(&self) -> CheckVerdict {
         let checks = self.groups.iter().flat_map(|group| &group.checks);
         let worst = checks.map(|check| check.verdict).max();
-        worst.unwrap_or(Verdict::Pass)
+        worst.unwrap_or(CheckVerdict::Pass)
     }
 
     /// The checks that fail, each once.
@@ -60,7 +60,7 @@ impl Diagnosis {
         let mut failed = Vec::new();
         for check in self.groups.iter().flat_map(|group| &group.checks) {
             let name = check.name();
-            if check.verdict == Verdict::Fail && !failed.contains(&name) {
+            if check.verdict == CheckVerdict::Fail && !failed.contains(&name) {
                 failed.push(name);
             }
         }
@@ -76,7 +76,7 @@ pub fn pitch_count(plans: &[RunPlan]) -> usize {
         let pair = first.and_then(|first| first.run.assembly.data());
         pair.map_or(0, |pair| pitches(pair, &distinct(planned)).len())
     };
-    let groups = plans.chunk_by(|one, other| one.run.place() == other.run.place());
+    let groups = plans.chunk_by(|one, other| one.run.group_key() == other.run.group_key());
     groups
         .map(|plans| Member::BOTH.len() * of_group(plans))
         .sum()
@@ -136,8 +136,8 @@ fn groups(
     cycle: &CycleExtremes,
     mut step: Option<&mut Step>,
     tick: &Tick,
-) -> Result<Vec<Group>, Error> {
-    let is_whole = step.is_some();
+) -> Result<Vec<CheckedPair>, Error> {
+    let may_skip = step.is_none();
     let mut step = |doing: &str| step.as_mut().map_or(Ok(()), |step| step(doing));
     let starts = Starts {
         study,
@@ -147,12 +147,12 @@ fn groups(
     };
     let (mut zeros, mut onsets) = (Vec::new(), Vec::new());
     let mut groups = Vec::new();
-    for runs in evidence.chunk_by(|one, other| one.place() == other.place()) {
+    for runs in evidence.chunk_by(|one, other| one.group_key() == other.group_key()) {
         let Some(group) = PoseEvidence::sum(runs) else {
             continue;
         };
         let group = group.with_least_of(&cycle.runs);
-        let (assembly, (distance, material)) = (&group.assembly, group.place());
+        let (assembly, (distance, material)) = (&group.assembly, group.group_key());
         let context = CheckContext {
             assembly,
             evidence: &group,
@@ -160,7 +160,7 @@ fn groups(
             allow_off_line: study.allow_off_line_contact,
         };
         let is_proven = starts.doubt(material).is_none();
-        let zero = match context.assembles(cycle).filter(|_| !is_whole && is_proven) {
+        let zero = match context.assembles(cycle).filter(|_| may_skip && is_proven) {
             Some(true) => LimitState::Kept,
             Some(false) => LimitState::Missed,
             None => LimitState::Found(cached(&mut zeros, material, || {
@@ -168,7 +168,7 @@ fn groups(
                 starts.search(assembly, material, zero_distance, tick)
             })?),
         };
-        let onset = if !is_whole && keeps_to_involutes(&ExactKernel::new(assembly), assembly) {
+        let onset = if may_skip && keeps_to_involutes(&ExactKernel::new(assembly), assembly) {
             LimitState::Kept
         } else {
             LimitState::Found(cached(&mut onsets, material, || {
@@ -178,16 +178,16 @@ fn groups(
         };
         step("radial clearance")?;
         let pitches = || {
-            let matings = starts.matings(|run| run.place() == (distance, material))?;
+            let matings = starts.matings(|run| run.group_key() == (distance, material))?;
             Ok(pitches(assembly, &matings))
         };
         let searched = SearchedDistances {
-            clear: !is_whole,
+            skip_clear_tips: may_skip,
             pitches: &pitches,
             zero,
             onset,
         };
-        groups.push(Group {
+        groups.push(CheckedPair {
             assembly: assembly.clone(),
             material,
             checks: context.checks(&searched, tick)?,

@@ -2,7 +2,7 @@
 
 use crate::analysis::compare::ComparedRun;
 use crate::analysis::diagnosis::pose_evidence::PoseEvidence;
-use crate::analysis::directions::is_open;
+use crate::analysis::directions::has_open_runout;
 use crate::analysis::study::{Material, Run, RunPlan, Study};
 use crate::error::{Error, Tick};
 use crate::pair::{GearPair, Mating};
@@ -62,7 +62,8 @@ impl Starts<'_> {
         };
         // For a runout without direction, the worst direction.
         let worst = beside().find_map(|run| run.run.assembly.data());
-        let worst = worst.filter(|_| is_open(assembly)).unwrap_or(assembly);
+        let is_open = has_open_runout(assembly);
+        let worst = worst.filter(|_| is_open).unwrap_or(assembly);
         let own = self.matings(|run| run.material == material)?;
         let poses = beside().flat_map(|run| &run.poses);
         let extremes = poses.map(|pose| *pose.simulated.pose.mating());

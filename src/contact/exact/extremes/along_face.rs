@@ -81,16 +81,16 @@ impl<'a> AlongFaceCells<'a> {
             return None;
         }
         // Heights of a point of contact over its section, and turns of flanks by their twist.
-        let height = assembly.most_height();
+        let height = assembly.height_bound();
         let twist = assembly.gear(Member::Wheel).gear().basic_data();
-        let turned = height * (twist.base_helix_angle().tan() + assembly.most_lean());
+        let turned = height * (twist.base_helix_angle().tan() + assembly.lean_bound());
         let [from, to] = assembly.face();
         let spread = |member: Member| {
             let gear = assembly.gear(member);
             gear.spread_by_leads([from - height, to + height], turned)
         };
         let (wheel, pinion) = (spread(Member::Wheel).ok()?, spread(Member::Pinion).ok()?);
-        let distance = assembly.center_distance() - assembly.most_shift();
+        let distance = assembly.center_distance() - assembly.shift_bound();
         let pair = assembly.with_gears(wheel, pinion, distance).ok()?;
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
@@ -292,7 +292,7 @@ impl<'a> FaceSideCell<'a> {
             self.add_fillets(step, &pair, line, &mut most);
             open = open.max(pair.open);
         }
-        let omitted_error = self.assembly.left_out() / self.bases()[1];
+        let omitted_error = self.assembly.section_error_bound() / self.bases()[1];
         Some(Bound {
             ends: most,
             open: open + omitted_error,
@@ -315,7 +315,7 @@ impl<'a> FaceSideCell<'a> {
             if enough > 0.0 {
                 let turns = part.map(|b| twist * b);
                 let turns = [turns[0].min(turns[1]), turns[0].max(turns[1])];
-                let beside = (pair.turned, self.assembly.most_shift());
+                let beside = (pair.turned, self.assembly.shift_bound());
                 let clearance = self.plane.least_clearance(step, enough, turns, beside);
                 for k in 0..2 {
                     most[k] = most[k].max(top[k] - clearance);
@@ -406,7 +406,7 @@ impl<'a> FaceSideCell<'a> {
     fn lean_bend(&self, found: &[Separation; 2]) -> f64 {
         let (bases, turns, off) = (self.bases(), self.turns(), self.plane.side.off);
         let (gears, reach) = (self.gears(), self.reaches(found));
-        let lean = self.assembly.most_lean();
+        let lean = self.assembly.lean_bound();
         // The contact moves along the line as the locked gear's base circle.
         let way = bases[0] * turns[0];
         let wobble = |k: usize| gears[k].wobble() * turns[k] * (reach[k] * turns[k] + 2.0 * way);
@@ -421,11 +421,11 @@ impl<'a> FaceSideCell<'a> {
     /// Bound on what the heights of a pair's contact bend its tightness over the cell, rad.
     fn heights_bend(&self, teeth: &FacingTeeth, found: &[Separation; 2]) -> f64 {
         let (gears, turns) = (self.gears(), self.turns());
-        let lean = self.assembly.most_lean();
+        let lean = self.assembly.lean_bound();
         // A height leaves its chord by less than half of its greatest change.
         let way = (gears[0].reach() * turns[0]).max(gears[1].reach() * turns[1]);
         let height = 0.6 * lean * way;
-        let most = self.assembly.most_height();
+        let most = self.assembly.height_bound();
         let [from, to] = self.assembly.face();
         let [one, other] = teeth.steepest([from - most, to + most]);
         let by_leads = HIGHER_ORDERS * (one + other) * height / self.bases()[1];
@@ -693,7 +693,7 @@ impl<'a> PairOverFace<'a> {
         let steepest = self.teeth.steepest(self.face);
         let by_leads = steepest[0] * beside[0] + steepest[1] * beside[1];
         self.bend = cell.lean_bend(found) + HIGHER_ORDERS * by_leads / bases[1];
-        let lean = assembly.most_lean();
+        let lean = assembly.lean_bound();
         let length = cell.line_length(found);
         let slope = lean * assembly.center_distance() / length;
         // A cubic leaves the parabola through three of its points by a sixth of its third derivative times 2 h³/(3 √3).
@@ -735,7 +735,7 @@ impl<'a> PairOverFace<'a> {
 
     /// Bound on the rotation at an end of the cell over a part of the face, rad, without the room of tips.
     fn simple(&self, end: usize, part: [f64; 2]) -> f64 {
-        let lead = self.teeth.greatest_lead(part);
+        let lead = self.teeth.lead_sum_bound(part);
         let arm = if lead > 0.0 {
             self.arms[0]
         } else {
@@ -802,7 +802,7 @@ impl<'a> PairOverFace<'a> {
         let [at_0, rate, curve] = parabola;
         if from == to {
             let along = at_0 + from * (rate + from * curve);
-            let [locked, free] = self.teeth.jets(from);
+            let [locked, free] = self.teeth.leads_and_rates(from);
             return locked[0] + free[0] + along - self.room(from, locked)[0];
         }
         let mut most = floor;
@@ -821,7 +821,7 @@ impl<'a> PairOverFace<'a> {
 
     /// A quick bound between two places.
     fn most_between(&self, parabola: [f64; 3], part: [f64; 2]) -> f64 {
-        self.teeth.greatest_lead(part) + greatest_of(parabola, part) - self.least_room(part)
+        self.teeth.lead_sum_bound(part) + greatest_of(parabola, part) - self.least_room(part)
     }
 
     /// The room of both tips in a part of the face is no less, mm.
@@ -846,13 +846,13 @@ impl<'a> PairOverFace<'a> {
         // Just inside, where each lead is one cubic.
         let beside = 1e-9 * (to - from);
         let [low, high] = [from + beside, to - beside];
-        let bends = self.teeth.bends([low, high]);
+        let bends = self.teeth.second_derivative_bounds([low, high]);
         let most = bends[0][1] + bends[1][1] + 2.0 * curve;
         // The hollow part is filled up to its chord.
         let hollow = (most + self.most_hollow([from, to], bends[0])).max(0.0);
         let at = |b: f64| {
             let inside = b.clamp(low, high);
-            let [locked, free] = self.teeth.jets(inside);
+            let [locked, free] = self.teeth.leads_and_rates(inside);
             let [room, closing] = self.room(inside, locked);
             let filled = 0.5 * hollow * (inside - from) * (to - inside);
             let filling = 0.5 * hollow * (from + to - 2.0 * inside);

@@ -99,7 +99,7 @@ impl<'a> MeshCycle<'a> {
     ) -> MeshCycle<'a> {
         let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
         let mut off = gears.map(|gear| gear.eccentricity());
-        off[0] += assembly.most_shift();
+        off[0] += assembly.shift_bound();
         let onward = -gears[0].face().ascending();
         let turns = assembly
             .face()

@@ -248,7 +248,7 @@ pub(super) fn sample(
     let sampled = SampledCycle {
         cycle,
         // A lean turns with its gear, and with it what it turns flanks by: at most its own part of the rotation.
-        per_pitch: (problem.free.pitch + 2.0 * back) * (1.0 + 4.0 * cycle.assembly.most_lean()),
+        per_pitch: (problem.free.pitch + 2.0 * back) * (1.0 + 4.0 * cycle.assembly.lean_bound()),
     };
     // A third of the poses throughout the cycle, a third for each extreme.
     let cells = (poses / 3).clamp(1, cycle.matings * PER_PITCH);

@@ -7,7 +7,7 @@ use super::super::teeth::Teeth;
 use super::mesh_cycle::{CycleSide, PARTS, PosedSide};
 use super::rolls::{RollsOnLine, StepRoom};
 use crate::gear::involute;
-use crate::pair::lens_half;
+use crate::pair::overlap_half_angle;
 use std::ops::Range;
 
 /// Tables of one side of a cycle.
@@ -229,7 +229,7 @@ impl SideTable {
             (problem.sum() * line.angle - line.length - locked.base * (angle - locked.half_base))
                 * problem.per_free_base
                 + free.half_base;
-        let point = lens_half(free.tip_radius, locked.tip_radius, nearest).unwrap_or(0.0);
+        let point = overlap_half_angle(free.tip_radius, locked.tip_radius, nearest).unwrap_or(0.0);
         let from_axis =
             (nearest * nearest - locked.base * locked.base).sqrt() - locked.base * locked.tip_roll;
         let half = if from_axis >= free.form_radius() {

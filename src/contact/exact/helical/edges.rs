@@ -40,7 +40,7 @@ impl Edges {
     /// The edges of `assembly`, whose right-hand half teeth are those of `problem`. `None` if no tip reaches a fillet
     /// and paths of contact are not `short`.
     pub fn new(assembly: &GearPair, problem: &FlankProblem, short: bool) -> Option<Edges> {
-        let off = problem.locked_off.norm() + problem.free_off.norm() + assembly.most_shift();
+        let off = problem.locked_off.norm() + problem.free_off.norm() + assembly.shift_bound();
         let nearest = assembly.center_distance() - off;
         let reached = |fillet: &HalfToothShape, tip: &HalfToothShape| {
             nearest - tip.tip_radius < fillet.form_radius()

@@ -97,7 +97,7 @@ pub(super) struct FaceBounds {
     /// Greatest sum of the leads of any right flanks, and of any left ones, over the face, less that in the measuring plane, mm.
     pub most_lead: [f64; 2],
     /// Greatest change of both leads of a pair by the heights of contacts between leaning axes, mm.
-    pub by_heights: f64,
+    pub lead_change: f64,
     /// Whether tips can touch fillets.
     pub in_fillets: bool,
 }
@@ -105,8 +105,8 @@ pub(super) struct FaceBounds {
 /// A stretch between knots, in several parts where the leads are hollow.
 fn parts(teeth: &FacingTeeth, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> + use<> {
     let middle = 0.5 * (from + to);
-    let chord = 0.5 * (teeth.lead(from) + teeth.lead(to));
-    let sag = chord - teeth.lead(middle);
+    let chord = 0.5 * (teeth.lead_sum(from) + teeth.lead_sum(to));
+    let sag = chord - teeth.lead_sum(middle);
     // Above rounding of the leads.
     let count = if sag > 1e-12 { HOLLOW_PARTS } else { 1 };
     let at = move |part: usize| from + (to - from) * (part as f64 / count as f64);
@@ -201,7 +201,7 @@ impl<'a> AlongFace<'a> {
             ends: [&posed.problem.locked, &posed.problem.free]
                 .map(|teeth| [lowest_roll(&teeth.shape), teeth.shape.tip_roll]),
             leaning: LeaningFrame::new(assembly, posed),
-            most_leaning: assembly.most_shift() + assembly.most_lean() * wound * reach,
+            most_leaning: assembly.shift_bound() + assembly.lean_bound() * wound * reach,
             bounds,
             effort,
         }
@@ -253,7 +253,7 @@ impl<'a> AlongFace<'a> {
         };
         // Bound of the gap that leads and leans add to a pair on the endless line.
         let more = self.bounds.most_lead[self.posed.problem.side.index()]
-            + self.bounds.by_heights
+            + self.bounds.lead_change
             + self.most_leaning;
         let more = self.of_moves(more);
         for endless in self.steps(floor - tie) {
@@ -549,7 +549,8 @@ impl<'a> AlongFace<'a> {
             if pair.fillets != Fillets::None {
                 return (ends, pair.most + self.most_in_fillets(&pair.teeth));
             }
-            let leads = [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]].map(|b| pair.teeth.lead(b));
+            let leads =
+                [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]].map(|b| pair.teeth.lead_sum(b));
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
@@ -557,11 +558,12 @@ impl<'a> AlongFace<'a> {
             (ends, pair.most + self.of_moves(most))
         };
         // Leans move the ends of the face: far pairs are left out before that is known.
-        let leads = pair.teeth.greatest_lead(self.assembly.face());
+        let leads = pair.teeth.lead_sum_bound(self.assembly.face());
         if is_bound
             && pair.fillets == Fillets::None
             && (pair.most + self.of_moves(leads + self.most_leaning) <= floor
-                || self.most_of_leaning(pair) + self.of_moves(leads + 2.0 * self.bounds.by_heights)
+                || self.most_of_leaning(pair)
+                    + self.of_moves(leads + 2.0 * self.bounds.lead_change)
                     <= floor)
         {
             return Vec::new();
@@ -602,7 +604,7 @@ impl<'a> AlongFace<'a> {
         }
         let base = self.bases()[1];
         let gap = |b: f64| {
-            let leads = pair.teeth.lead(b) / base;
+            let leads = pair.teeth.lead_sum(b) / base;
             let touch = self.touch(pair, b, self.turns(pair, b));
             touch.map_or(f64::INFINITY, |touch| touch.gap - leads)
         };
@@ -614,13 +616,13 @@ impl<'a> AlongFace<'a> {
         let [start, end] = pair.window;
         let wound = (self.twists[0] * self.bases()[0]).powi(2);
         let most = gap(start).max(gap(end));
-        most + self.assembly.most_lean().powi(2) * self.posed.problem.distance / (wound * base)
+        most + self.assembly.lean_bound().powi(2) * self.posed.problem.distance / (wound * base)
     }
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
     fn gap_in_section(&self, pair: &PairOfTeeth, b: f64) -> Option<GapInSection> {
         let bases = self.bases();
-        let jets = pair.teeth.jets(b);
+        let jets = pair.teeth.leads_and_rates(b);
         let turns = [0, 1].map(|k| -jets[k][0] / bases[k]);
         let found = self.touch(pair, b, turns)?;
         let (mut smooth, mut twists) = (found.moving, self.twists);
@@ -636,7 +638,7 @@ impl<'a> AlongFace<'a> {
                 twists[k] += (after.turns[k] - found.turned[k]) / NEIGHBOUR;
             }
             let heights = [0, 1].map(|k| [found.heights[k] + b * (1.0 - rising[k]), rising[k]]);
-            rates = pair.teeth.with_heights(heights).rates(b);
+            rates = pair.teeth.with_heights(heights).lead_rates(b);
         }
         for k in [0, 1] {
             smooth += found.by_turn[k] * (twists[k] - rates[k] / bases[k]);
@@ -835,7 +837,7 @@ impl<'a> AlongFace<'a> {
         }
         let base = self.bases()[1];
         let leads = |b: f64| {
-            let [locked, free] = pair.teeth.jets(b);
+            let [locked, free] = pair.teeth.leads_and_rates(b);
             let [gap, rate] = [0, 1].map(|k| (locked[k] + free[k]) / base);
             GapInSection { b, gap, rate }
         };

@@ -117,7 +117,7 @@ impl<'a> AlongFlanks<'a> {
         let apart = self.line.length - bases[0] * rolls[0] - bases[1] * rolls[1];
         let face = assembly.face();
         self.effort.spend(BOX);
-        let most = teeth.greatest_lead(face) + flanks[0].most() + flanks[1].most() - apart;
+        let most = teeth.lead_sum_bound(face) + flanks[0].most() + flanks[1].most() - apart;
         if most <= best.height {
             return Ok(());
         }
@@ -320,7 +320,7 @@ impl<'a> FlankPair<'a> {
     ) -> FlankPair<'a> {
         let flanks = order.map(|k| flanks[k]);
         let bases = flanks.map(|flank| flank.base);
-        let (steepest, bends) = (teeth.steepest(ends), teeth.bends(ends));
+        let (steepest, bends) = (teeth.steepest(ends), teeth.second_derivative_bounds(ends));
         let [steepest, twists, rolls] = [steepest, twists, rolls].map(|of| order.map(|k| of[k]));
         let bends = order.map(|k| bends[k]);
         let bend = |k: usize| amount(bends[k]) / bases[k];
@@ -348,7 +348,7 @@ impl<'a> FlankPair<'a> {
     fn point(&self, b: f64, eta: f64, pieces: [&FlankPiece; 2]) -> Option<Point> {
         let [one, other] = self.bases;
         let on_line = self.on_line(b);
-        let rates = self.teeth.rates(b);
+        let rates = self.teeth.lead_rates(b);
         let roll = on_line[0] + eta;
         let [out, slope, _] = pieces[0].jet(roll);
         let arm = one * roll + out;
@@ -453,7 +453,7 @@ impl<'a> FlankPair<'a> {
                 continue;
             }
             let own = pieces[0].bounds(ranges);
-            let lead = self.teeth.greatest_lead([b - half, b + half]);
+            let lead = self.teeth.lead_sum_bound([b - half, b + half]);
             let shortest = self.bases[0] * ranges[0].max(pieces[0].range[0]) + own[0][0];
             let top = own[0][1] + lead - self.apart() - self.room(shortest, eta.abs() - wide);
             if top + all[1][0][1] <= best.enough() {
@@ -616,7 +616,7 @@ impl<'a> FlankPair<'a> {
             }
             let rolls = self.on_line(b);
             let (wide, eta) = (self.rates[0] * half, roll - rolls[0]);
-            let lead = self.teeth.greatest_lead([b - half, b + half]);
+            let lead = self.teeth.lead_sum_bound([b - half, b + half]);
             let most = arm - self.bases[0] * roll + mate_most + lead - self.apart();
             if most - self.room(arm, eta.abs() - wide) <= best.enough() {
                 continue;

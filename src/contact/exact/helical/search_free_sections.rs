@@ -165,7 +165,7 @@ impl SearchFreeSections {
             return (gap <= tightest + problem.tie).then_some(());
         }
         // The radius of a far corner is less than one and a half base radii.
-        let moved = 2.0 * helical.bounds.most_moved + assembly.most_shift();
+        let moved = 2.0 * helical.bounds.most_moved + assembly.shift_bound();
         let mut section = |b: f64| {
             let here = pose.in_section(assembly, b);
             let place = SectionPlace {

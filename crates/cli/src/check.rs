@@ -13,7 +13,7 @@ use gearlash::analysis::Plan;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
 use gearlash_input::outlines::Drawings;
 use gearlash_input::{PairFile, distance_refused};
-use gearlash_results::judged::Judged;
+use gearlash_results::judged::Judgement;
 use gearlash_results::{RemedyRecords, checked};
 use gearlash_text::{InputError, Problem, named};
 use std::path::{Path, PathBuf};
@@ -92,7 +92,7 @@ fn pair(
     path: &Path,
     file: &PairFile,
     map: &mut Option<String>,
-) -> Result<Judged, Error> {
+) -> Result<Judgement, Error> {
     let study = &file.study;
     let method = args.method.of(study)?;
     input::allow(path, study.pose_count(), &input::HELD)?;

@@ -14,7 +14,7 @@ use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, simulate_by_blocks};
 use gearlash_input::PairFile;
 use gearlash_input::outlines::TwoDrawings;
 use gearlash_render::outline_difference;
-use gearlash_results::judged::Judged;
+use gearlash_results::judged::Judgement;
 use gearlash_results::text::difference_text;
 use gearlash_results::{ComparedPair, comparison_json, difference_csv};
 use std::path::{Path, PathBuf};
@@ -138,7 +138,7 @@ fn compared(
     file: &PairFile,
     unproven: usize,
     progress: &Progress,
-) -> Result<Judged, Error> {
+) -> Result<Judgement, Error> {
     let (study, method) = (&file.study, args.method.method());
     let tolerance_um = args.tolerance_um.unwrap_or(study.tolerance_um);
     let tick = |steps| progress.tick(steps);

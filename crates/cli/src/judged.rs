@@ -9,7 +9,7 @@ use crate::options::ScreenArgs;
 use crate::output::check_not_input;
 use clap::ValueEnum;
 use gearlash_input::PairFile;
-use gearlash_results::judged::{Judged, JudgedFile, Outcome};
+use gearlash_results::judged::{JudgedFile, Judgement, Outcome};
 use gearlash_text::{InputError, Sources};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ pub(super) fn outcome(
     command: &'static str,
     files: Vec<ReadFile>,
     format: JudgedFormat,
-    mut judge: impl FnMut(&Path, &PairFile) -> Result<Judged, Error>,
+    mut judge: impl FnMut(&Path, &PairFile) -> Result<Judgement, Error>,
 ) -> Result<(Outcome, StepSummary), Error> {
     let mut sources = Sources::new();
     for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
@@ -73,7 +73,7 @@ pub(super) fn outcome(
 /// The outcome of a file: judged, or the problems that prevent it. Standard error lists these, too, unless `is_shown`.
 fn judged_file(
     path: &Path,
-    judged: Result<Judged, Error>,
+    judged: Result<Judgement, Error>,
     is_shown: bool,
 ) -> Result<JudgedFile, Error> {
     use gearlash::error::Error as Run;

@@ -449,12 +449,12 @@ pub(super) fn all_proven(unproven: usize) -> bool {
 /// Prints on standard error the difference of both methods. Returns whether it passes. Prints nothing for a single method.
 pub(super) fn agreement_of(found: MethodAgreement) -> bool {
     if !found.is_empty() {
-        print_error_line(&in_words(found));
+        print_error_line(&agreement_words(found));
     }
     found.agrees()
 }
 
-fn in_words(found: MethodAgreement) -> String {
+fn agreement_words(found: MethodAgreement) -> String {
     let verdict = if found.agrees() { "agree" } else { "DISAGREE" };
     let poses = |count: usize| match count {
         1 => "1 pose".to_owned(),

@@ -46,7 +46,7 @@ impl Format {
     pub fn of(name: &Path) -> Option<Format> {
         let ending = name.extension()?.to_str()?.to_ascii_lowercase();
         match &ending[..] {
-            // A DWG is refused by its first bytes, with the way out.
+            // A DWG is refused by its first bytes, with a remedy.
             "dxf" | "dwg" => Some(Format::Dxf),
             "svg" => Some(Format::Svg),
             "csv" | "txt" | "xyz" => Some(Format::Points),

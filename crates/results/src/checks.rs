@@ -1,7 +1,7 @@
 //! The checks of a pair: their rows, their outcome as a judged file, and their text.
 
-use crate::column::{Row, Shown, Value, row_type, shown as heading_of};
-use crate::judged::{Case, Judged, VERDICT};
+use crate::column::{PeopleColumn, Row, Value, row_type, shown};
+use crate::judged::{Case, Judgement, VERDICT};
 use crate::layout::{Screen, Tone};
 use crate::notes::{self, drawn_notes};
 use crate::remedies::RemedyRecords;
@@ -51,7 +51,7 @@ impl CheckRow {
     }
 
     /// The value on the outlines, as shown to people.
-    fn outlines_heading_of(&self) -> Value {
+    fn outlines_value(&self) -> Value {
         match (&self.check.unproven, self.check.outlines) {
             (Some(_), None) => "unproven".into(),
             (_, value) => value.into(),
@@ -60,25 +60,25 @@ impl CheckRow {
 }
 
 row_type!(row: CheckRow {
-    "" Grave [people(heading_of("verdict"))] => row.check.verdict.name();
+    "" Severity [people(shown("verdict"))] => row.check.verdict.name();
     "id" Plain => row.check.id;
-    "title" Plain [heading(heading_of("check").left().broken())] => row.check.title;
+    "title" Plain [heading(shown("check").left().broken())] => row.check.title;
     "gear" Plain => row.check.gear.map(Member::name);
-    "" Plain [people(heading_of("gear").left())] => row.check.gear.map_or("", Member::name);
-    "" Distance [people(heading_of("a mm").spare(2))] => row.of_several(row.center_distance);
-    "" Plain [people(heading_of("material").spare(2))] => row.of_several(row.material);
-    "formula" Measure [heading(heading_of("formula").spare(1))] => row.check.formula;
+    "" Plain [people(shown("gear").left())] => row.check.gear.map_or("", Member::name);
+    "" Distance [people(shown("a mm").spare(2))] => row.of_several(row.center_distance);
+    "" Plain [people(shown("material").spare(2))] => row.of_several(row.material);
+    "formula" FourDecimals [heading(shown("formula").spare(1))] => row.check.formula;
     "outlines" Plain => row.check.outlines;
-    "" Measure [people(heading_of("outlines"))] => row.outlines_heading_of();
-    "limit" Measure [heading(heading_of("limit"))] => row.check.limit;
-    "margin" Measure [heading(heading_of("margin"))] => row.check.margin;
+    "" FourDecimals [people(shown("outlines"))] => row.outlines_value();
+    "limit" FourDecimals [heading(shown("limit"))] => row.check.limit;
+    "margin" FourDecimals [heading(shown("margin"))] => row.check.margin;
     "unit" Plain => row.check.unit;
-    "" Plain [people(heading_of("").left())] => unit(row.check.unit);
+    "" Plain [people(shown("").left())] => unit(row.check.unit);
     "verdict" Plain => row.check.verdict.name();
     "center_distance_mm" Plain => row.center_distance;
     "material" Plain => row.material;
     "details" Plain => row.details();
-    "note" Plain [heading(heading_of("").left().below())] => row.check.note.clone();
+    "note" Plain [heading(shown("").left().below())] => row.check.note.clone();
     "unproven" Plain => Value::optional(row.check.unproven.clone());
 });
 
@@ -102,7 +102,7 @@ pub fn checked(
     remedies: &RemedyRecords,
     is_proven: bool,
     screen: &Screen,
-) -> Judged {
+) -> Judgement {
     let checks = diagnosis.verdict() < CheckVerdict::Unproven;
     let passes = is_proven && checks && verdict.passes();
     let lines = lines(verdict);
@@ -149,14 +149,14 @@ pub fn checked(
     if !remedies.missing.is_empty() {
         json["remedies_missing"] = json!(remedies.missing);
     }
-    Judged {
+    Judgement {
         file: name.to_owned(),
         title: file.study.title.clone(),
         passes,
         cases,
         warnings: file.warnings.to_vec(),
         remarks: file.remarks.to_vec(),
-        way_out: (!remedies.changes.is_empty())
+        hint: (!remedies.changes.is_empty())
             .then(|| format!("Run gearlash check {name} for changes that make it fit.")),
         text: text(file, verdict, diagnosis, remedies, screen),
         markdown: String::new(),
@@ -233,7 +233,7 @@ pub fn text(
     if diagnosis.groups.len() > 1 {
         text += "Each check is shown at its worst centre distance and material; --format json has all.\n";
     }
-    for reason in doubts(diagnosis) {
+    for reason in check_doubts(diagnosis) {
         let word = screen.toned(Tone::Doubtful, "UNPROVEN");
         let _ = writeln!(text, "\n{word}: {reason}.");
     }
@@ -254,8 +254,8 @@ fn rows(diagnosis: &Diagnosis) -> Vec<CheckRow> {
 }
 
 /// The table of checks for a page.
-pub fn shown(diagnosis: &Diagnosis) -> Vec<Shown> {
-    CheckRow::columns().shown(&rows(diagnosis), |_| f64::NAN, BacklashUnit::Um)
+pub fn table(diagnosis: &Diagnosis) -> Vec<PeopleColumn> {
+    CheckRow::columns().for_people(&rows(diagnosis), |_| f64::NAN, BacklashUnit::Um)
 }
 
 /// The worst occurrence of each check: worst verdict, then greatest loss of backlash where it has one, then least margin, then the
@@ -270,7 +270,7 @@ fn governing(diagnosis: &Diagnosis) -> Vec<(&CheckedPair, &Check)> {
             match governing.iter_mut().find(same) {
                 None => governing.push((group, check)),
                 Some(known) => {
-                    let graver = check.verdict > known.1.verdict;
+                    let is_worse = check.verdict > known.1.verdict;
                     // A loss in µm; those that differ by rounding are equal.
                     let loss = |check: &Check| {
                         let of = |(name, _): &&(&str, f64)| *name == "worst_loss_um";
@@ -279,7 +279,7 @@ fn governing(diagnosis: &Diagnosis) -> Vec<(&CheckedPair, &Check)> {
                     let more = loss(check) - loss(known.1);
                     let closer = check.verdict == known.1.verdict
                         && (more > 1e-6 || more > -1e-6 && check.margin < known.1.margin);
-                    if graver || closer {
+                    if is_worse || closer {
                         *known = (group, check);
                     }
                 }
@@ -364,7 +364,7 @@ fn outcome(diagnosis: &Diagnosis, requirement: RequirementOutcome) -> String {
 }
 
 /// The distinct reasons why checks are not proven.
-pub fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
+pub fn check_doubts(diagnosis: &Diagnosis) -> Vec<&str> {
     let checks = diagnosis.groups.iter().flat_map(|group| &group.checks);
     distinct(checks.filter_map(|check| check.unproven.as_deref()))
 }

@@ -6,8 +6,8 @@
 //!   element of a list.
 //! - *csv*: the column's name in CSV. Without another name it is the key with `_` for the dots.
 //! - *value*: a function of the row.
-//! - - *heading*: the heading in a table for people. A column without a heading is not in it.
-//! - - *array*, *page*: the column's name among the arrays for numpy, and in the data of a page.
+//! - *heading*: the heading in a table for people. A column without a heading is not in it.
+//! - *array*, *page*: the column's name among the arrays for numpy, and in the data of a page.
 //!
 //! JSON has the order of the list. [`Column::rank`] moves a column in CSV: a program can depend on the position of a CSV column,
 //! so a new column gets a rank that places it last.
@@ -123,7 +123,7 @@ impl Serialize for Value {
 
 /// The format of a number for people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unit {
+pub enum Format {
     /// A word, or a number as it is.
     Plain,
     /// Words of a file, unchanged.
@@ -133,11 +133,11 @@ pub enum Unit {
     /// A backlash in µm, or in the requested unit; the heading names the unit.
     Backlash,
     /// A backlash beside another one: the heading does not name the unit again.
-    Beside,
+    BacklashAgain,
     /// An error bound of a backlash, by its order of magnitude.
     Bound,
     /// A measure with four decimals.
-    Measure,
+    FourDecimals,
     /// A length in µm with two decimals.
     Hundredths,
     /// A length in µm with three decimals.
@@ -145,7 +145,7 @@ pub enum Unit {
     /// A length in mm with six decimals.
     Millionths,
     /// A status or a verdict, coloured by its severity.
-    Grave,
+    Severity,
     /// An angle, rad; degrees in a page.
     Angle,
     /// A place in a picture, mm; in a page with the decimals of its outlines.
@@ -160,9 +160,9 @@ pub struct Column<R> {
     key: Option<String>,
     csv: Option<String>,
     rank: u8,
-    /// Whether CSV has it only for pairs that deviate along the face.
-    along_face: bool,
-    unit: Unit,
+    /// Whether CSV has it only where the caller asks for it.
+    optional_in_csv: bool,
+    format: Format,
     heading: Option<layout::Column>,
     /// Its values are empty.
     array: Option<Array>,
@@ -174,15 +174,15 @@ impl<R: 'static> Column<R> {
     /// A column of JSON and CSV.
     pub fn new(
         key: &str,
-        unit: Unit,
+        format: Format,
         value: impl Fn(&R) -> Value + Send + Sync + 'static,
     ) -> Column<R> {
         Column {
             key: Some(key.to_owned()),
             csv: Some(key.replace('.', "_")),
             rank: 1,
-            along_face: false,
-            unit,
+            optional_in_csv: false,
+            format,
             heading: None,
             array: None,
             page: None,
@@ -214,9 +214,9 @@ impl<R: 'static> Column<R> {
         self
     }
 
-    /// Last in CSV, and only for pairs that deviate along the face.
-    pub fn along_face(mut self) -> Column<R> {
-        self.along_face = true;
+    /// Last in CSV, and only where the caller asks for it.
+    pub fn optional_in_csv(mut self) -> Column<R> {
+        self.optional_in_csv = true;
         self.rank(u8::MAX)
     }
 
@@ -249,12 +249,12 @@ impl<R: 'static> Column<R> {
     }
 }
 
-/// Columns of a row type, one per line: key, unit, further properties of [`Column`], and value.
+/// Columns of a row type, one per line: key, format, further properties of [`Column`], and value.
 macro_rules! columns {
-    ($row:ident: $type:ty { $($key:literal $unit:ident $([$($with:ident $(($($to:expr),*))?),*])? => $value:expr;)* }) => {
+    ($row:ident: $type:ty { $($key:literal $format:ident $([$($with:ident $(($($to:expr),*))?),*])? => $value:expr;)* }) => {
         vec![$($crate::column::Column::<$type>::new(
             $key,
-            $crate::column::Unit::$unit,
+            $crate::column::Format::$format,
             |$row| $crate::column::Value::from($value),
         )$($(.$with($($($to),*)?))*)?),*]
     };
@@ -334,8 +334,8 @@ impl<R: Row> Columns<R> {
                 key: column.key.as_ref().map(|key| format!("{prefix}.{key}")),
                 csv: column.csv.as_ref().map(joined),
                 rank: column.rank,
-                along_face: column.along_face,
-                unit: column.unit,
+                optional_in_csv: column.optional_in_csv,
+                format: column.format,
                 heading: None,
                 array: None,
                 page: column.page.as_ref().map(joined),
@@ -365,21 +365,21 @@ impl<R: Row> Columns<R> {
         columns.filter_map(|column| column.key.as_deref().or(column.csv.as_deref()))
     }
 
-    /// The columns in CSV, with or without those along the face.
-    fn in_csv(&self, along_face: bool) -> impl Iterator<Item = &Column<R>> {
+    /// The columns in CSV, with or without the optional ones.
+    fn in_csv(&self, with_optional: bool) -> impl Iterator<Item = &Column<R>> {
         let columns = self.csv.iter().map(|number| &self.columns[*number]);
-        columns.filter(move |column| along_face || !column.along_face)
+        columns.filter(move |column| with_optional || !column.optional_in_csv)
     }
 
-    /// The names of the columns in CSV, with or without those along the face.
-    pub fn csv_names(&self, along_face: bool) -> impl Iterator<Item = &str> {
-        self.in_csv(along_face)
+    /// The names of the columns in CSV, with or without the optional ones.
+    pub fn csv_names(&self, with_optional: bool) -> impl Iterator<Item = &str> {
+        self.in_csv(with_optional)
             .filter_map(|column| column.csv.as_deref())
     }
 
-    /// The values of `row` in CSV, with or without those along the face.
-    pub fn csv_values(&self, row: &R, along_face: bool) -> Vec<Value> {
-        let columns = self.in_csv(along_face);
+    /// The values of `row` in CSV, with or without the optional ones.
+    pub fn csv_values(&self, row: &R, with_optional: bool) -> Vec<Value> {
+        let columns = self.in_csv(with_optional);
         columns.map(|column| (column.value)(row)).collect()
     }
 
@@ -393,11 +393,11 @@ impl<R: Row> Columns<R> {
         columns.collect()
     }
 
-    /// The columns of `rows` for a page: names, units and values.
-    pub fn page(&self, rows: &[R]) -> Vec<(&str, Unit, Vec<Value>)> {
+    /// The columns of `rows` for a page: names, formats and values.
+    pub fn page(&self, rows: &[R]) -> Vec<(&str, Format, Vec<Value>)> {
         let columns = self.columns.iter().filter_map(|column| {
             let values = rows.iter().map(|row| (column.value)(row));
-            Some((column.page.as_deref()?, column.unit, values.collect()))
+            Some((column.page.as_deref()?, column.format, values.collect()))
         });
         columns.collect()
     }
@@ -407,16 +407,16 @@ impl<R: Row> Columns<R> {
         self.csv_with(rows, false)
     }
 
-    /// As [`Columns::csv`], with or without the columns along the face.
-    pub(crate) fn csv_with(&self, rows: &[R], along_face: bool) -> csv::Result<String> {
+    /// As [`Columns::csv`], with or without the optional columns.
+    pub(crate) fn csv_with(&self, rows: &[R], with_optional: bool) -> csv::Result<String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record(self.csv_names(along_face))?;
+        writer.write_record(self.csv_names(with_optional))?;
         for row in rows {
-            let cells = self.csv_values(row, along_face).into_iter();
+            let cells = self.csv_values(row, with_optional).into_iter();
             writer.write_record(cells.map(|value| match value {
                 Value::Absent | Value::Null => String::new(),
                 Value::Text(text) => cell(&text),
-                value => display_text(&value, Unit::Plain, BacklashUnit::Um, f64::NAN),
+                value => display_text(&value, Format::Plain, BacklashUnit::Um, f64::NAN),
             }))?;
         }
         csv_text(writer)
@@ -424,37 +424,37 @@ impl<R: Row> Columns<R> {
 
     /// The columns of `rows` for people, backlash in `unit`. A column without any value is left out. `distance` is the centre
     /// distance of a row, mm.
-    pub fn shown(
+    pub fn for_people(
         &self,
         rows: &[R],
         distance: impl Fn(&R) -> f64,
         unit: BacklashUnit,
-    ) -> Vec<Shown> {
+    ) -> Vec<PeopleColumn> {
         let shown = self.columns.iter().filter_map(|column| {
             let heading = column.heading.as_ref()?;
             let values: Vec<Value> = rows.iter().map(|row| (column.value)(row)).collect();
             let is_empty = values.iter().all(|value| match value {
                 Value::Absent => true,
                 // No row has a value of the model.
-                Value::Null => column.unit == Unit::Beside,
+                Value::Null => column.format == Format::BacklashAgain,
                 _ => false,
             });
             let cells = values.iter().zip(rows);
             let cells =
-                cells.map(|(value, row)| display_text(value, column.unit, unit, distance(row)));
-            (!is_empty).then(|| Shown {
-                heading: match column.unit {
-                    Unit::Backlash => heading.renamed(|name| column_heading(unit, name)),
+                cells.map(|(value, row)| display_text(value, column.format, unit, distance(row)));
+            (!is_empty).then(|| PeopleColumn {
+                heading: match column.format {
+                    Format::Backlash => heading.renamed(|name| column_heading(unit, name)),
                     _ => heading.clone(),
                 },
-                unit: column.unit,
+                format: column.format,
                 cells: cells.collect(),
             })
         });
         shown.collect()
     }
 
-    /// A table of `rows` for a terminal, as [`Columns::shown`].
+    /// A table of `rows` for a terminal, as [`Columns::for_people`].
     pub fn table(
         &self,
         rows: &[R],
@@ -462,14 +462,14 @@ impl<R: Row> Columns<R> {
         unit: BacklashUnit,
         screen: &Screen,
     ) -> String {
-        let shown = self.shown(rows, distance, unit);
+        let shown = self.for_people(rows, distance, unit);
         let mut table = Table::new(shown.iter().map(|column| column.heading.clone()));
         for number in 0..rows.len() {
             let cells = shown.iter().map(|column| {
                 let cell = &column.cells[number];
-                match (column.unit, Tone::of(cell)) {
-                    (Unit::Grave, Some(tone)) => screen.toned(tone, cell),
-                    (Unit::Name, _) => cell.clone(),
+                match (column.format, Tone::of(cell)) {
+                    (Format::Severity, Some(tone)) => screen.toned(tone, cell),
+                    (Format::Name, _) => cell.clone(),
                     _ => cell.replace('−', "-"),
                 }
             });
@@ -480,8 +480,8 @@ impl<R: Row> Columns<R> {
 
     /// A table of `rows` in Markdown, backlash in µm.
     pub fn markdown(&self, rows: &[R]) -> String {
-        let shown = self.shown(rows, |_| f64::NAN, BacklashUnit::Um);
-        let line = |cell: &dyn Fn(&Shown) -> String| {
+        let shown = self.for_people(rows, |_| f64::NAN, BacklashUnit::Um);
+        let line = |cell: &dyn Fn(&PeopleColumn) -> String| {
             let cells: Vec<String> = shown.iter().map(cell).collect();
             format!("| {} |\n", cells.join(" | "))
         };
@@ -559,27 +559,27 @@ impl Array {
 
 /// A column for people, with true minus signs.
 #[derive(Debug, Clone)]
-pub struct Shown {
+pub struct PeopleColumn {
     /// Its heading.
     pub heading: layout::Column,
     /// The format of its values.
-    pub unit: Unit,
+    pub format: Format,
     /// One cell per row.
     pub cells: Vec<String>,
 }
 
 /// `value` for people, at centre distance `a`, mm.
-fn display_text(value: &Value, kind: Unit, unit: BacklashUnit, a: f64) -> String {
-    match (value, kind) {
+fn display_text(value: &Value, format: Format, unit: BacklashUnit, a: f64) -> String {
+    match (value, format) {
         (Value::Absent, _) => String::new(),
         (Value::Null, _) => NONE.to_owned(),
-        (Value::Number(um), Unit::Backlash | Unit::Beside) => backlash(unit, *um, a, 3),
-        (Value::Number(um), Unit::Bound) => power(unit.of_um(*um, a), 0),
-        (Value::Number(mm), Unit::Distance) => stated_distance(*mm),
-        (Value::Number(value), Unit::Measure) => fixed(*value, 4),
-        (Value::Number(um), Unit::Hundredths) => fixed(*um, 2),
-        (Value::Number(um), Unit::Thousandths) => fixed(*um, 3),
-        (Value::Number(mm), Unit::Millionths) => fixed(*mm, 6),
+        (Value::Number(um), Format::Backlash | Format::BacklashAgain) => backlash(unit, *um, a, 3),
+        (Value::Number(um), Format::Bound) => power(unit.of_um(*um, a), 0),
+        (Value::Number(mm), Format::Distance) => stated_distance(*mm),
+        (Value::Number(value), Format::FourDecimals) => fixed(*value, 4),
+        (Value::Number(um), Format::Hundredths) => fixed(*um, 2),
+        (Value::Number(um), Format::Thousandths) => fixed(*um, 3),
+        (Value::Number(mm), Format::Millionths) => fixed(*mm, 6),
         (Value::Number(value), _) => value.to_string(),
         (Value::Word(word), _) => (*word).to_owned(),
         (Value::Text(text), _) => plain(text),

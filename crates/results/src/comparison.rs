@@ -1,9 +1,9 @@
 //! The outcome of `compare` for a pair: whether the simulation agrees with the formulas.
 
 use crate::column::{Row, Value, list, row_type, shown};
-use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
+use crate::judged::{Case, Judgement, VERDICT, escape_markdown, mark};
 use crate::layout::{Screen, Tone, pose_label};
-use crate::pose::{PoseRow, doubts};
+use crate::pose::{PoseRow, pose_doubts};
 use crate::run::{extremes, verdict_record};
 use crate::verdict::{lines, message};
 use gearlash::analysis::compare::{ComparedPose, PoseVerdict, Summary};
@@ -89,7 +89,7 @@ impl ComparedPair<'_> {
     }
 
     /// The outcome; its text is for `screen`.
-    pub fn judged(&self, screen: &Screen) -> Judged {
+    pub fn judged(&self, screen: &Screen) -> Judgement {
         let study = &self.file.study;
         let verdict = Verdict::of_study(study, &self.extremes, self.failed_checks.clone());
         let lines = lines(&verdict);
@@ -101,24 +101,24 @@ impl ComparedPair<'_> {
                 formulas += &format!("\n{}: {failure}", run_name(run));
             }
         }
-        let failed = |passes: bool, unproven: bool| match (passes, unproven) {
+        let outcome = |passes: bool, unproven: bool| match (passes, unproven) {
             (true, _) => CheckVerdict::Pass,
             (false, true) => CheckVerdict::Unproven,
             (false, false) => CheckVerdict::Fail,
         };
         let kept_unproven = verdict.requirement == RequirementOutcome::NotProven;
         let is_unproven = matches!(self.agreement(), Agreement::Unproven | Agreement::Agrees);
-        Judged {
+        Judgement {
             file: self.name.clone(),
             title: study.title.clone(),
             passes: agrees && kept,
             cases: vec![
-                Case::new("formulas", failed(agrees, is_unproven), formulas),
-                Case::new(VERDICT, failed(kept, kept_unproven), message(&verdict)),
+                Case::new("formulas", outcome(agrees, is_unproven), formulas),
+                Case::new(VERDICT, outcome(kept, kept_unproven), message(&verdict)),
             ],
             warnings: self.file.warnings.clone(),
             remarks: self.file.remarks.clone(),
-            way_out: None,
+            hint: None,
             text: self.text(&lines.to_string(), verdict.requirement, screen),
             markdown: self.markdown(),
             json: self.record(&verdict, agrees && kept),
@@ -200,7 +200,7 @@ impl ComparedPair<'_> {
                 "{unproven} of {} poses: unproven, first {}: {}",
                 run.poses,
                 pose_label(first),
-                doubts(first)
+                pose_doubts(first)
             ));
         }
         if run.compared == 0 && unproven < run.poses {
@@ -391,6 +391,6 @@ fn unproven_pose(pose: &ComparedPose) -> serde_json::Value {
     if let Err(unproven) = &pose.simulated.found {
         value["unproven"] = unproven.json();
     }
-    value["reason"] = json!(doubts(pose));
+    value["reason"] = json!(pose_doubts(pose));
     value
 }

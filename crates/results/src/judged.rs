@@ -13,9 +13,9 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::io;
 
-/// A file that was judged.
+/// The outcome for a file that was judged.
 #[derive(Debug)]
-pub struct Judged {
+pub struct Judgement {
     /// The file as named on the command line.
     pub file: String,
     /// Its title.
@@ -31,7 +31,7 @@ pub struct Judged {
     /// Notes on it.
     pub remarks: Vec<String>,
     /// The command that shows how to mend the pair, where one is known.
-    pub way_out: Option<String>,
+    pub hint: Option<String>,
     /// The outcome as text for a terminal, if it is the only file.
     pub text: String,
     /// A table for Markdown; may be empty.
@@ -40,7 +40,7 @@ pub struct Judged {
     pub json: Value,
 }
 
-impl Judged {
+impl Judgement {
     /// Warnings and notes on the file, each with its kind.
     fn notes(&self) -> Vec<(&'static str, &String)> {
         let warnings = self.warnings.iter().map(|words| ("warning", words));
@@ -83,7 +83,7 @@ impl Case {
 #[derive(Debug)]
 pub enum JudgedFile {
     /// The file was judged.
-    Judged(Box<Judged>),
+    Judged(Box<Judgement>),
     /// The file cannot be read, or its pair cannot be judged.
     Unreadable {
         /// The file as named on the command line.
@@ -118,7 +118,7 @@ pub struct Outcome {
 }
 
 /// Most files named in the last line.
-const NAMED: usize = 5;
+const MAX_NAMED: usize = 5;
 
 impl Outcome {
     /// Whether every file passes.
@@ -153,8 +153,8 @@ impl Outcome {
                 format!("{failing} {}, {unreadable} cannot be read", verb(failing))
             }
         };
-        let named: Vec<String> = bad.iter().take(NAMED).map(|file| plain(file)).collect();
-        let more = if bad.len() > NAMED { ", …" } else { "" };
+        let named: Vec<String> = bad.iter().take(MAX_NAMED).map(|file| plain(file)).collect();
+        let more = if bad.len() > MAX_NAMED { ", …" } else { "" };
         format!("{counts}, of {all}: {}{more}", named.join(", "))
     }
 
@@ -179,7 +179,7 @@ impl Outcome {
                     text.push('\n');
                 }
                 JudgedFile::Judged(judged) if judged.passes => {
-                    let rows = judged.verdict.rows.iter();
+                    let rows = judged.verdict.extremes.iter();
                     let rows: Vec<String> = rows
                         .map(|row| format!("{} {}", row.name, row.value))
                         .collect();
@@ -200,8 +200,8 @@ impl Outcome {
                         let _ =
                             writeln!(text, "  {}: {}: {message}", case.verdict.name(), case.name);
                     }
-                    if let Some(way_out) = &judged.way_out {
-                        let _ = writeln!(text, "  {}", plain(way_out));
+                    if let Some(hint) = &judged.hint {
+                        let _ = writeln!(text, "  {}", plain(hint));
                     }
                     text.push('\n');
                 }
@@ -326,7 +326,7 @@ impl Outcome {
         xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
         let cases: Vec<TestCase> = self.files.iter().flat_map(JudgedFile::test_cases).collect();
         let name = format!("gearlash {}", self.command);
-        counted(&mut xml, "testsuites", &name, &cases).write_inner_content(|xml| {
+        suite_element(&mut xml, "testsuites", &name, &cases).write_inner_content(|xml| {
             let mut files = self.files.iter();
             files.try_for_each(|file| file.write_suite(xml))
         })?;
@@ -368,7 +368,7 @@ impl JudgedFile {
                 lines.map(|line| plain(&line)).collect()
             }
         };
-        counted(xml, "testsuite", &file, &cases).write_inner_content(|xml| {
+        suite_element(xml, "testsuite", &file, &cases).write_inner_content(|xml| {
             for (name, reason) in cases {
                 let tag = xml.create_element("testcase");
                 let tag = tag.with_attributes([("name", &plain(name)[..]), ("classname", &file)]);
@@ -394,8 +394,8 @@ impl JudgedFile {
     }
 }
 
-/// A tag with its name and the numbers of `cases`, of failures and of errors. No case is skipped.
-fn counted<'x>(
+/// A suite with its name and the numbers of `cases`, of failures and of errors. No case is skipped.
+fn suite_element<'x>(
     xml: &'x mut Xml,
     tag: &'static str,
     name: &str,

@@ -58,7 +58,7 @@ impl Screen {
 
     /// Each line of `text` as a paragraph, broken at the screen's width or a readable one.
     pub fn paragraphs(&self, text: &str) -> String {
-        let width = self.width.unwrap_or(MEASURE).min(MEASURE);
+        let width = self.width.unwrap_or(PARAGRAPH_WIDTH).min(PARAGRAPH_WIDTH);
         textwrap::fill(text, width) + "\n"
     }
 
@@ -161,7 +161,7 @@ impl Column {
 }
 
 /// Widest paragraph in columns (as in the help).
-const MEASURE: usize = 100;
+const PARAGRAPH_WIDTH: usize = 100;
 /// Blanks between columns.
 const GAP: usize = 2;
 /// Columns that are broken between words stay at least this wide before another is left out (tuned: two words).

@@ -43,7 +43,7 @@ pub mod text {
 
     /// The checks of a pair as text.
     pub mod check {
-        pub use crate::checks::{MARGIN, doubts, shown, text, titles};
+        pub use crate::checks::{MARGIN, check_doubts, table, text, titles};
     }
 }
 
@@ -64,11 +64,11 @@ pub fn keys() -> impl Iterator<Item = &'static str> {
 }
 
 pub use checks::{backlash_map_csv, checked, map_csv};
-pub use column::{Array, Shown, Unit, Value, Values};
+pub use column::{Array, Format, PeopleColumn, Value, Values};
 pub use comparison::ComparedPair;
 pub use difference::{comparison_json, difference_csv, difference_sentence, turn_words};
 pub use notes::{drawn_notes, fitted_sentences};
-pub use pose::{ContactRow, doubts, pose_arrays, pose_page};
+pub use pose::{ContactRow, pose_arrays, pose_doubts, pose_page};
 pub use remedies::RemedyRecords;
 pub use run::{extremes_json, pose_json};
 pub use written::ResultWriter;

@@ -1,6 +1,6 @@
 //! The result of a population: its shares, spread, contributions and worst assemblies, each a row type with one list of columns.
 
-use crate::column::{Row, Shown, Value, json_text, list, row_type, shown};
+use crate::column::{PeopleColumn, Row, Value, json_text, list, row_type, shown};
 use crate::layout::Screen;
 use gearlash::pair::BacklashUnit;
 use gearlash::population::{
@@ -337,22 +337,22 @@ fn contributions_json(found: &Contributions) -> serde_json::Value {
     json!({ "rows": found.rows, "rows_left_out": found.unused_rows, "each": list(&found.each) })
 }
 
-fn for_people<R: Row>(rows: &[R]) -> Vec<Shown> {
-    R::columns().shown(rows, |_| f64::NAN, BacklashUnit::Um)
+fn for_people<R: Row>(rows: &[R]) -> Vec<PeopleColumn> {
+    R::columns().for_people(rows, |_| f64::NAN, BacklashUnit::Um)
 }
 
 /// The spread for people: quantiles, extremes and limit cases.
-pub fn spread(result: &ToleranceResult) -> Vec<Shown> {
+pub fn spread(result: &ToleranceResult) -> Vec<PeopleColumn> {
     for_people(&spread_rows(result))
 }
 
 /// The contributions for people; empty where none were computed.
-pub fn contributions(result: &ToleranceResult) -> Vec<Shown> {
+pub fn contributions(result: &ToleranceResult) -> Vec<PeopleColumn> {
     for_people(&contribution_rows(result))
 }
 
 /// The worst assemblies for people.
-pub fn worst(result: &ToleranceResult) -> Vec<Shown> {
+pub fn worst(result: &ToleranceResult) -> Vec<PeopleColumn> {
     for_people(&worst_rows(result))
 }
 

@@ -1,6 +1,6 @@
 //! A pose: the keys of the interface, units in their names.
 
-use crate::column::{Array, Column, Row, Unit, Value, Values, columns, row_type, shown};
+use crate::column::{Array, Column, Format, Row, Value, Values, columns, row_type, shown};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{
@@ -194,7 +194,7 @@ fn columns() -> Vec<Column<PoseRow>> {
         "j_wt_range_um.0" Plain [csv("j_wt_range_min_um")] => Value::um(row.result().range()[0]);
         "j_wt_range_um.1" Plain [csv("j_wt_range_max_um")] => Value::um(row.result().range()[1]);
         "error_bound_um" Bound [heading(shown("± bound").spare(6)), array("error_bound_um", Values::NUMBERS)] => Value::um(row.angle.and(row.result().error_bound));
-        "status" Grave [heading(shown("status")), array("status", Values::Words(Vec::new(), &STATUSES))] => row.result().status().name();
+        "status" Severity [heading(shown("status")), array("status", Values::Words(Vec::new(), &STATUSES))] => row.result().status().name();
     });
     let unproven = Unproven::columns();
     columns.extend(unproven.within("unproven", |row: &PoseRow| row.unproven()));
@@ -216,9 +216,9 @@ fn columns() -> Vec<Column<PoseRow>> {
     columns.extend(ContactRow::columns().within("left", |row: &PoseRow| row.left.as_ref()));
     columns.extend(columns!(row: PoseRow {
         "proof" Plain [no_csv] => row.proof();
-        "analytic.michalec_um" Beside [csv("michalec_um"), heading(shown("Michalec").spare(5))] => Value::um(row.pose.michalec);
-        "analytic.involute_um" Beside [csv("involute_um"), heading(shown("involute").spare(4))] => Value::um(row.pose.involute);
-        "analytic.line_of_action_um" Beside [csv("line_of_action_um"), heading(shown("line of action").spare(1))] => Value::um(row.pose.line_of_action);
+        "analytic.michalec_um" BacklashAgain [csv("michalec_um"), heading(shown("Michalec").spare(5))] => Value::um(row.pose.michalec);
+        "analytic.involute_um" BacklashAgain [csv("involute_um"), heading(shown("involute").spare(4))] => Value::um(row.pose.involute);
+        "analytic.line_of_action_um" BacklashAgain [csv("line_of_action_um"), heading(shown("line of action").spare(1))] => Value::um(row.pose.line_of_action);
     }));
     columns
 }
@@ -233,11 +233,11 @@ pub fn pose_arrays(
     PoseRow::columns().arrays(&rows.collect::<Vec<_>>())
 }
 
-/// The columns of `poses` of `assembly` in the data of a page: names, units and values.
+/// The columns of `poses` of `assembly` in the data of a page: names, formats and values.
 pub fn pose_page<'p>(
     assembly: &AssembledPair,
     poses: impl IntoIterator<Item = &'p ComparedPose>,
-) -> Vec<(&'static str, Unit, Vec<Value>)> {
+) -> Vec<(&'static str, Format, Vec<Value>)> {
     let rows = poses.into_iter().map(|pose| PoseRow::new(assembly, pose));
     PoseRow::columns().page(&rows.collect::<Vec<_>>())
 }
@@ -314,9 +314,9 @@ row_type!(row: ContactRow {
     "pinion_radius_mm" Plain [no_csv] => row.contact.pinion.radius;
     "point_mm.0" Place [no_csv, page("x_mm")] => row.contact.point.x;
     "point_mm.1" Place [no_csv, page("y_mm")] => row.contact.point.y;
-    "section_mm" Plain [along_face] => row.contact.section;
+    "section_mm" Plain [optional_in_csv] => row.contact.section;
     "" Plain [only_page("section_mm")] => Value::optional(row.varies_along_face.then_some(row.contact.section));
-    "at" Plain [along_face] => Value::optional(row.at.map(FacePlace::name));
+    "at" Plain [optional_in_csv] => Value::optional(row.at.map(FacePlace::name));
     "normal.0" Plain [no_csv] => row.contact.normal.x;
     "normal.1" Plain [no_csv] => row.contact.normal.y;
     "" Angle [only_page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);
@@ -338,7 +338,7 @@ fn principal(rotation: f64) -> f64 {
 }
 
 /// The reason why a value is not proven, and the unverified values.
-fn doubt(unproven: &Unproven) -> String {
+fn unproven_words(unproven: &Unproven) -> String {
     let value = |name: &str, value: Option<f64>| {
         let um = um_ascii(value?, 3);
         Some(format!("{name} method, not proven: {um} µm"))
@@ -352,12 +352,12 @@ fn doubt(unproven: &Unproven) -> String {
 }
 
 /// All reasons for unproven values of `pose`, in words.
-pub fn doubts(pose: &ComparedPose) -> String {
+pub fn pose_doubts(pose: &ComparedPose) -> String {
     let result = &pose.simulated;
-    let here = result.found.as_ref().err().map(doubt);
+    let here = result.found.as_ref().err().map(unproven_words);
     let ends = result.with_clearance.iter().flatten();
     let ends = ends.zip(["a − c", "a + c"]).filter_map(|(end, name)| {
-        let doubt = doubt(end.as_ref().err()?);
+        let doubt = unproven_words(end.as_ref().err()?);
         Some(format!("at {name} of the bearing clearance: {doubt}"))
     });
     here.into_iter().chain(ends).collect::<Vec<_>>().join("; ")

@@ -4,7 +4,7 @@
 use crate::column::{Column, Row, Value, columns, row_type, shown};
 use crate::layout::pose_label;
 use crate::pose::{ContactRow, PoseRow};
-use crate::verdict::{doubt, in_words, lines};
+use crate::verdict::{doubt_words, extreme_doubt, lines};
 use gearlash::analysis::compare::{ComparedPose, Summary};
 use gearlash::analysis::diagnosis::{ContactCount, Worst};
 use gearlash::analysis::extremes::{CoveredPhases, RunExtreme, RunExtremes};
@@ -91,8 +91,8 @@ row_type!(row: RunRow {
     "" Backlash [people(shown("greatest"))] => Value::um(row.summary.max);
     "" Plain [people(shown("at").broken())] => row.at[1].clone();
     "" Plain [people(shown("a ± clearance").spare(1))] => row.band();
-    "" Beside [people(shown("off model 2").spare(4))] => Value::um(row.summary.off_involute);
-    "" Beside [people(shown("off model 3").spare(3))] => Value::um(row.summary.off_line_of_action);
+    "" BacklashAgain [people(shown("off model 2").spare(4))] => Value::um(row.summary.off_involute);
+    "" BacklashAgain [people(shown("off model 3").spare(3))] => Value::um(row.summary.off_line_of_action);
     "" Plain [people(shown("unproven"))] => Value::optional((row.unproven > 0).then_some(row.unproven));
     "summary.min_j_wt_um" Plain => Value::um(row.summary.min);
     "summary.max_j_wt_um" Plain => Value::um(row.summary.max);
@@ -170,7 +170,7 @@ impl ExtremeRow {
             found: extreme.found(),
             proven: extreme.is_proven(),
             uncertainty: verdict.expanded(extreme),
-            doubt: doubt(extreme),
+            doubt: extreme_doubt(extreme),
             high_teeth,
             pose: PoseRow::new(assembly, &extreme.pose),
             assembly: assembly.clone(),
@@ -238,7 +238,7 @@ fn extremes_of_run(verdict: &Verdict, run: &RunExtremes) -> serde_json::Value {
     let mut distance = |key: &str, bracket: Option<[f64; 2]>, why: Option<Doubt>| {
         value[key] = json!(bracket);
         if let Some(why) = why {
-            value[key.replace("_mm", "_doubt")] = in_words(why).into();
+            value[key.replace("_mm", "_doubt")] = doubt_words(why).into();
         }
     };
     let from = run.assembles_from;

@@ -1,8 +1,8 @@
 //! The result as text for a terminal, and measurements of a rig compared with their bands. Lengths in µm unless the heading says mm.
 
-use crate::column::{Row, Shown, Value, backlash_cell, quantity_words, row_type, shown};
+use crate::column::{PeopleColumn, Row, Value, backlash_cell, quantity_words, row_type, shown};
 use crate::layout::{Screen, Tone, pose_label};
-use crate::pose::{PoseRow, doubts};
+use crate::pose::{PoseRow, pose_doubts};
 use crate::run::RunRow;
 use crate::verdict::{heading, lines};
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
@@ -152,7 +152,7 @@ fn unproven_note(runs: &[RunTally], screen: &Screen) -> String {
             stated_distance(run.assembly.center_distance()),
             run.material.words(),
             pose_label(pose),
-            doubts(pose)
+            pose_doubts(pose)
         );
     }
     if count > MOST_NAMED {
@@ -275,12 +275,12 @@ impl MeasuredRow {
 row_type!(row: MeasuredRow {
     "" Plain [people(shown("mating"))] => format!("{},{}", row.mating.row.wheel_tooth, row.mating.row.pinion_tooth);
     "" Distance [people(shown("a mm"))] => row.center_distance();
-    "" Beside [people(shown("predicted (printed)"))] => row.band(Some(row.mating.printed));
-    "" Beside [people(shown("analytic").spare(1))] => row.band(row.mating.analytic);
-    "" Beside [people(shown("simulated"))] => row.band(row.mating.simulated);
-    "" Beside [people(shown("with bearing clearance"))] => Value::optional(row.with_clearance.then(|| row.band(row.mating.with_clearance)));
-    "" Beside [people(shown("measured right"))] => row.marked(row.mating.row.right_um);
-    "" Beside [people(shown("left"))] => row.marked(row.mating.row.left_um);
+    "" BacklashAgain [people(shown("predicted (printed)"))] => row.band(Some(row.mating.printed));
+    "" BacklashAgain [people(shown("analytic").spare(1))] => row.band(row.mating.analytic);
+    "" BacklashAgain [people(shown("simulated"))] => row.band(row.mating.simulated);
+    "" BacklashAgain [people(shown("with bearing clearance"))] => Value::optional(row.with_clearance.then(|| row.band(row.mating.with_clearance)));
+    "" BacklashAgain [people(shown("measured right"))] => row.marked(row.mating.row.right_um);
+    "" BacklashAgain [people(shown("left"))] => row.marked(row.mating.row.left_um);
 });
 
 /// The `measured` matings, each compared with the band `beside` it.
@@ -300,10 +300,10 @@ fn measured_rows(
 }
 
 /// The measured matings for a page, compared with the simulated bands.
-pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<Shown> {
-    let (unit, played) = (BacklashUnit::Um, study.bearing_clearance > 0.0);
-    let rows = measured_rows(measured, |mating| mating.simulated, unit, played);
-    MeasuredRow::columns().shown(&rows, MeasuredRow::center_distance, unit)
+pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<PeopleColumn> {
+    let (unit, has_clearance) = (BacklashUnit::Um, study.bearing_clearance > 0.0);
+    let rows = measured_rows(measured, |mating| mating.simulated, unit, has_clearance);
+    MeasuredRow::columns().for_people(&rows, MeasuredRow::center_distance, unit)
 }
 
 /// The measured matings for a terminal, compared with the printed bands.

@@ -21,11 +21,11 @@ use gearlash_text::numbers::{fixed, stated_distance, um, um_within, unit_of};
 use std::fmt;
 
 /// The most columns of a line.
-pub const COLUMNS: usize = 80;
+pub const MAX_COLUMNS: usize = 80;
 /// The columns of lines that nothing limits.
 const UNCUT: usize = usize::MAX;
 /// The most lines.
-pub const LINES: usize = 6;
+pub const MAX_LINES: usize = 6;
 /// Decimals of a backlash in µm.
 const DECIMALS: usize = 2;
 
@@ -38,8 +38,8 @@ pub struct VerdictLines {
     pub status: String,
     /// The certainty; empty where nothing is known.
     pub proof: String,
-    /// The least and the greatest backlash; one row where they are equal.
-    pub rows: Vec<ExtremeRow>,
+    /// The least and the greatest backlash; one line where they are equal.
+    pub extremes: Vec<ExtremeLine>,
     /// Lines that qualify them.
     pub qualifiers: Vec<String>,
     /// Sentences that are cut, or for which there is no room.
@@ -50,7 +50,7 @@ pub struct VerdictLines {
 
 /// An extreme of the backlash.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct ExtremeRow {
+pub struct ExtremeLine {
     /// `least`, `greatest` or `constant`.
     pub name: &'static str,
     /// The backlash, such as `12.25 µm` or `12.3 ± 1.2 µm`; `jammed` or `out of mesh` where there is none.
@@ -71,28 +71,28 @@ pub struct ExtremeRow {
     pub phase: Option<(u32, u32)>,
 }
 
-impl ExtremeRow {
-    /// The place: teeth, direction, centre distance and material. A higher `tier` is shorter.
-    fn place(&self, tier: usize) -> Vec<String> {
-        let teeth = match (&self.teeth, tier) {
+impl ExtremeLine {
+    /// The place: teeth, direction, centre distance and material; shorter with more `brevity`, 0 … 3.
+    fn place(&self, brevity: usize) -> Vec<String> {
+        let teeth = match (&self.teeth, brevity) {
             (None, _) if self.name == CONSTANT => "every pose".to_owned(),
             (None, _) => "any teeth".to_owned(),
             (Some(teeth), 0..3) => format!("teeth {teeth}"),
             (Some(teeth), _) => teeth.clone(),
         };
         let mut rest = Vec::new();
-        rest.extend(self.curves.clone().filter(|_| tier == 0));
+        rest.extend(self.curves.clone().filter(|_| brevity == 0));
         rest.extend(
             self.direction
-                .filter(|_| tier < 2)
-                .map(|points| match tier {
+                .filter(|_| brevity < 2)
+                .map(|points| match brevity {
                     0 => format!("{points} points in mesh"),
                     _ => format!("{points} points"),
                 }),
         );
         rest.extend(self.distance.as_ref().map(|a| format!("a {a} mm")));
         rest.extend(self.material.map(|material| material.words().to_owned()));
-        let phase = self.phase.filter(|_| tier < 3);
+        let phase = self.phase.filter(|_| brevity < 3);
         rest.extend(phase.map(|(wheel, pinion)| format!("phase {wheel}·{pinion}")));
         vec![teeth, rest.join(", ")]
     }
@@ -104,13 +104,13 @@ impl ExtremeRow {
         parts.join(", ")
     }
 
-    fn cells(&self, tier: usize) -> Vec<String> {
-        let lost_motion = self.arcmin.as_ref().map(|(arcmin, member)| match tier {
+    fn cells(&self, brevity: usize) -> Vec<String> {
+        let lost_motion = self.arcmin.as_ref().map(|(arcmin, member)| match brevity {
             0 => format!("{arcmin} arcmin at the {}", member.name()),
             _ => format!("{arcmin}′ {}", member.name()),
         });
         let mut cells = vec![self.value.clone(), lost_motion.unwrap_or_default()];
-        cells.extend(self.place(tier));
+        cells.extend(self.place(brevity));
         cells
     }
 }
@@ -119,13 +119,13 @@ impl ExtremeRow {
 const CONSTANT: &str = "constant";
 
 impl VerdictLines {
-    /// Keeps the longest text of `status`, then of `proof`, that fits a line of `most` columns; all `rows`; and the `sentences` for
-    /// which there is room.
+    /// Keeps the longest text of `status`, then of `proof`, that fits a line of `most` columns; all `extremes`; and the
+    /// `sentences` for which there is room.
     pub(crate) fn new(
         state: CheckVerdict,
         status: &[String],
         proof: &[String],
-        rows: Vec<ExtremeRow>,
+        extremes: Vec<ExtremeLine>,
         sentences: Vec<String>,
         most: usize,
     ) -> VerdictLines {
@@ -141,13 +141,13 @@ impl VerdictLines {
         });
         let (qualifiers, left_out) = match most {
             UNCUT => (sentences, Vec::new()),
-            _ => fit_sentences(sentences, LINES - 1 - rows.len()),
+            _ => fit_sentences(sentences, MAX_LINES - 1 - extremes.len()),
         };
         VerdictLines {
             state,
             status,
             proof,
-            rows,
+            extremes,
             qualifiers,
             left_out,
             most,
@@ -163,7 +163,7 @@ impl VerdictLines {
     /// The lines, without line ends.
     pub fn lines(&self) -> Vec<String> {
         let mut lines = vec![self.first()];
-        lines.extend(aligned_rows(&self.rows, self.most));
+        lines.extend(aligned_lines(&self.extremes, self.most));
         lines.extend(self.qualifiers.iter().map(|line| format!("  {line}")));
         lines
     }
@@ -212,18 +212,18 @@ fn first_fitting(candidates: impl IntoIterator<Item = String>, most: usize) -> S
     cut(&last, most)
 }
 
-/// The rows in columns, in the longest wording that fits.
-fn aligned_rows(rows: &[ExtremeRow], most: usize) -> Vec<String> {
-    let tier = |tier: usize| -> Vec<String> {
-        let cells: Vec<Vec<String>> = rows.iter().map(|row| row.cells(tier)).collect();
+/// The `extremes` in columns, in the longest wording that fits.
+fn aligned_lines(extremes: &[ExtremeLine], most: usize) -> Vec<String> {
+    let worded = |brevity: usize| -> Vec<String> {
+        let cells: Vec<Vec<String>> = extremes.iter().map(|line| line.cells(brevity)).collect();
         let widths = |column: usize| {
             let each = cells.iter().filter_map(|row| row.get(column));
             each.map(|cell| columns(cell)).max().unwrap_or(0)
         };
-        let gap = " ".repeat(if tier < 3 { 3 } else { 2 });
-        let line = |(row, cells): (&ExtremeRow, &Vec<String>)| {
+        let gap = " ".repeat(if brevity < 3 { 3 } else { 2 });
+        let line = |(extreme, cells): (&ExtremeLine, &Vec<String>)| {
             let width = widths(0);
-            let mut line = format!("  {:<8}{gap}{:>width$}", row.name, cells[0]);
+            let mut line = format!("  {:<8}{gap}{:>width$}", extreme.name, cells[0]);
             for (column, cell) in cells.iter().enumerate().skip(1) {
                 let width = widths(column);
                 if width == 0 {
@@ -233,17 +233,17 @@ fn aligned_rows(rows: &[ExtremeRow], most: usize) -> Vec<String> {
             }
             line.trim_end().to_owned()
         };
-        rows.iter().zip(&cells).map(line).collect()
+        extremes.iter().zip(&cells).map(line).collect()
     };
     let fits = |lines: &Vec<String>| lines.iter().all(|line| columns(line) <= most);
-    let lines = (0..3).map(tier).find(fits).unwrap_or_else(|| tier(3));
+    let lines = (0..3).map(worded).find(fits).unwrap_or_else(|| worded(3));
     lines.iter().map(|line| cut(line, most)).collect()
 }
 
 /// `sentences` on at most `lines` lines; and those that are cut, or for which there is no room. The last line ends with the number of the
 /// latter.
 fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<String>) {
-    let most = COLUMNS - 2;
+    let most = MAX_COLUMNS - 2;
     let mut filled: Vec<String> = Vec::new();
     let is_cut = |sentence: &&String| columns(sentence) > most;
     for (index, sentence) in sentences.iter().enumerate() {
@@ -408,7 +408,7 @@ pub(crate) fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
 
 /// The verdict in at most six lines of at most 80 columns.
 pub fn lines(verdict: &Verdict) -> VerdictLines {
-    lines_of(verdict, COLUMNS)
+    lines_of(verdict, MAX_COLUMNS)
 }
 
 /// The verdict with every sentence in full.
@@ -459,7 +459,8 @@ fn place(run: &RunExtremes) -> Place {
 fn proof(verdict: &Verdict) -> Vec<String> {
     let open = |of: fn(&RunExtremes) -> &Option<RunExtreme>| {
         let each = verdict.runs.iter().filter_map(|run| of(run).as_ref());
-        each.into_iter().any(|extreme| doubt(extreme).is_some())
+        each.into_iter()
+            .any(|extreme| extreme_doubt(extreme).is_some())
     };
     let of = match [open(|run| &run.least), open(|run| &run.greatest)] {
         [false, false] => "",
@@ -553,10 +554,11 @@ fn is_constant(run: &RunExtremes) -> bool {
     both.is_some_and(|(least, greatest)| greatest.found() - least.found() <= WIDTH)
 }
 
-fn rows(verdict: &Verdict) -> Vec<ExtremeRow> {
+fn rows(verdict: &Verdict) -> Vec<ExtremeLine> {
     let least = verdict.least();
     if let [only] = verdict.runs
-        && let (Some((run, extreme)), true) = (least, is_constant(only))
+        && let Some((run, extreme)) = least
+        && is_constant(only)
     {
         return vec![row(verdict, run, Ok(extreme), CONSTANT)];
     }
@@ -587,7 +589,7 @@ fn row(
     run: &RunExtremes,
     extreme: Result<&RunExtreme, &str>,
     name: &'static str,
-) -> ExtremeRow {
+) -> ExtremeLine {
     let several = |differs: &dyn Fn(&RunExtremes) -> bool| verdict.runs.iter().any(differs);
     let distance = run.assembly.center_distance();
     let is_alike = is_constant(run) || run.has_like_teeth();
@@ -597,7 +599,7 @@ fn row(
     };
     let teeth = teeth.filter(|_| !is_alike);
     let found = extreme.ok();
-    ExtremeRow {
+    ExtremeLine {
         name,
         value: extreme.map_or_else(str::to_owned, |extreme| {
             let off = verdict.expanded(extreme).or(drawing_bound(extreme));
@@ -677,7 +679,7 @@ fn sentences(verdict: &Verdict, most: usize) -> Vec<String> {
     sentences.extend(distances(verdict).into_iter().map(|(text, _)| text));
     sentences.extend(verdict.unmet.iter().map(|unmet| limit(unmet, most)));
     sentences.extend(checks(verdict, most));
-    sentences.extend(doubts(verdict, most));
+    sentences.extend(doubt_sentences(verdict, most));
     sentences.extend(bearings(verdict));
     let runs = verdict.runs.iter();
     let mut extremes = runs.flat_map(|run| run.least.iter().chain(&run.greatest));
@@ -779,7 +781,7 @@ pub fn short_title(title: &str) -> &str {
 }
 
 /// The reasons why extremes are not proven, and their brackets; equal reasons share a sentence.
-fn doubts(verdict: &Verdict, most: usize) -> Vec<String> {
+fn doubt_sentences(verdict: &Verdict, most: usize) -> Vec<String> {
     let mut about: Vec<(Vec<[String; 2]>, String)> = Vec::new();
     for (name, of_others, is_least) in [
         ("least", "least of the other runs", true),
@@ -789,7 +791,8 @@ fn doubts(verdict: &Verdict, most: usize) -> Vec<String> {
         let extremes: Vec<&RunExtreme> = ends
             .filter_map(|ends| ends[usize::from(is_least)].as_ref())
             .collect();
-        let reasons = distinct(extremes.iter().filter_map(|extreme| doubt(extreme))).join(", ");
+        let reasons =
+            distinct(extremes.iter().filter_map(|extreme| extreme_doubt(extreme))).join(", ");
         if reasons.is_empty() {
             continue;
         }
@@ -838,16 +841,16 @@ fn bracket(is_least: bool, extremes: &[&RunExtreme]) -> Option<String> {
 }
 
 /// The reason why an extreme is not proven; `None` where it is.
-pub fn doubt(extreme: &RunExtreme) -> Option<String> {
+pub fn extreme_doubt(extreme: &RunExtreme) -> Option<String> {
     match &extreme.pose.simulated.found {
         Err(unproven) => Some(plain(&unproven.reason)),
         Ok(_) if extreme.is_proven() => None,
-        Ok(_) => extreme.doubt.map(|doubt| in_words(doubt).to_owned()),
+        Ok(_) => extreme.doubt.map(|doubt| doubt_words(doubt).to_owned()),
     }
 }
 
 /// A reason for doubt in words.
-pub(crate) fn in_words(doubt: Doubt) -> &'static str {
+pub(crate) fn doubt_words(doubt: Doubt) -> &'static str {
     match doubt {
         Doubt::OffInvolute => "bounded by poses alone, as fillets or roots may touch",
         Doubt::Effort => "search budget used up",
@@ -863,8 +866,8 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
 
 /// Least and greatest with the axes pressed together and pulled apart in their bearings, and the reasons why they are not proven.
 fn bearings(verdict: &Verdict) -> Vec<String> {
-    let played = || verdict.runs.iter().filter_map(|run| run.bearings.as_ref());
-    let Some(first) = played().next() else {
+    let with_bearings = || verdict.runs.iter().filter_map(|run| run.bearings.as_ref());
+    let Some(first) = with_bearings().next() else {
         return Vec::new();
     };
     let clearance = stated_distance(first.clearance);
@@ -879,16 +882,16 @@ fn bearings(verdict: &Verdict) -> Vec<String> {
     };
     let jammed = |play: &BearingExtremes| play.pressed.status == Status::Jammed;
     let least = match verdict.least_pressed() {
-        _ if played().any(jammed) => "jammed".to_owned(),
+        _ if with_bearings().any(jammed) => "jammed".to_owned(),
         least => shown(least),
     };
     let apart = |play: &BearingExtremes| play.pulled_apart.status == Status::NoContact;
     let greatest = match verdict.greatest_apart() {
-        _ if played().any(apart) => "out of mesh".to_owned(),
+        _ if with_bearings().any(apart) => "out of mesh".to_owned(),
         greatest => format!("{} {unit}", shown(greatest)),
     };
-    let ends = played().flat_map(|play| [&play.pressed.extreme, &play.pulled_apart.extreme]);
-    let reasons = distinct(ends.filter_map(|end| doubt(end.as_ref()?))).join(", ");
+    let ends = with_bearings().flat_map(|play| [&play.pressed.extreme, &play.pulled_apart.extreme]);
+    let reasons = distinct(ends.filter_map(|end| extreme_doubt(end.as_ref()?))).join(", ");
     let proof = if reasons.is_empty() {
         ""
     } else {

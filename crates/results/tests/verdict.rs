@@ -9,7 +9,7 @@ use gearlash::contact::{Doubt, Method};
 use gearlash::error::go_on;
 use gearlash::pair::Member;
 use gearlash_input::{PairFile, read_text};
-use gearlash_results::verdict::{COLUMNS, LINES, lines};
+use gearlash_results::verdict::{MAX_COLUMNS, MAX_LINES, lines};
 use std::path::Path;
 
 const PAIR: &str = include_str!("pair.toml");
@@ -148,9 +148,9 @@ fn the_most_that_can_be_said_fits() {
     let failed = failed.map(|(id, title)| CheckName { id, title }).to_vec();
     let lines = lines(&Verdict::new(&runs, &required, Some(uncertainty), failed));
     let text = lines.to_string();
-    assert_eq!(lines.lines().len(), LINES, "{text}");
+    assert_eq!(lines.lines().len(), MAX_LINES, "{text}");
     for line in lines.lines() {
-        assert!(line.chars().count() <= COLUMNS, "{line}");
+        assert!(line.chars().count() <= MAX_COLUMNS, "{line}");
     }
     let left_out = lines.left_out.len();
     let more = format!("; {left_out} more notes");

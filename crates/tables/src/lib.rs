@@ -34,7 +34,7 @@ pub use request::{Coverage, Request, Wanted};
 use rows::Found;
 pub use rows::{Row, Unread};
 
-/// Extensions of files with tables; `.xls` is refused with the way out.
+/// Extensions of files with tables; `.xls` is refused with a remedy.
 pub const EXTENSIONS: [&str; 7] = ["csv", "tsv", "xlsx", "xlsm", "xls", "mka", "mew"];
 
 /// Formats that are not read: their first bytes and names.

@@ -22,10 +22,10 @@ use gearlash_render::viewer::LivePose;
 use gearlash_render::{Report, dark_style, pose_picture};
 use gearlash_results::RemedyRecords;
 use gearlash_results::grades::grades;
-use gearlash_results::text::check::shown;
+use gearlash_results::text::check;
 use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{
-    ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
+    ExtremeLine, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
 };
 use gearlash_text::numbers::{trimmed, um, unit_of};
 use gearlash_text::{Files, InputError, MAX_BYTES, has_extension, named, too_large};
@@ -588,7 +588,7 @@ fn analysed<'a>(plan: &Plan<'a>, report: &OnStep) -> Result<Analysis<'a>, gearla
 
 /// The extremes in a line. Numbers alone do not say that the pair fails, or why a least or a greatest is missing: the status does.
 fn band_words(lines: &VerdictLines) -> String {
-    let rows = lines.rows.iter();
+    let rows = lines.extremes.iter();
     let rows: Vec<String> = rows
         .map(|row| format!("{} {}", row.name, row.value))
         .collect();
@@ -626,7 +626,7 @@ fn word(state: CheckVerdict, verdict: &Verdict) -> &'static str {
 /// The verdict in parts, and its `text` in lines.
 fn verdict_json(verdict: &Verdict) -> Value {
     let shown = uncut(verdict);
-    let row = |row: &ExtremeRow| {
+    let row = |row: &ExtremeLine| {
         json!({
             "name": format!("{} backlash", row.name),
             "value": row.value,
@@ -639,7 +639,7 @@ fn verdict_json(verdict: &Verdict) -> Value {
         "word": word(shown.state, verdict),
         "status": shown.status,
         "proof": shown.proof,
-        "rows": shown.rows.iter().map(row).collect::<Vec<_>>(),
+        "rows": shown.extremes.iter().map(row).collect::<Vec<_>>(),
         "qualifiers": shown.qualifiers,
         "text": lines(verdict).to_string(),
     })
@@ -647,7 +647,7 @@ fn verdict_json(verdict: &Verdict) -> Value {
 
 /// The checks as a table for people.
 fn table(analysis: &Analysis) -> Value {
-    let columns = shown(&analysis.diagnosis);
+    let columns = check::table(&analysis.diagnosis);
     let rows = columns.first().map_or(0, |column| column.cells.len());
     let row = |number: usize| -> Vec<&str> {
         let cells = columns.iter().map(|column| column.cells[number].as_str());

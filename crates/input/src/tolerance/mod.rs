@@ -15,7 +15,7 @@ pub(crate) use worst::sha256;
 
 pub use gears::named;
 pub use population::{ToleranceFile, read_tolerance};
-pub use result::{About, Convergence, Limit, ToleranceResult, in_words};
+pub use result::{About, Convergence, Limit, ToleranceResult, required_ends};
 pub use rows::{RowsHead, RowsReader, RowsTally, row_line, tenths_to_um};
 pub use run::{BLOCK, Tick, ToleranceRun, TooManyImpossible};
 pub use sentence::{phases_of_limits, sentence, shares, without_backlash, without_worst_case};

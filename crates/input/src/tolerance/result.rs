@@ -118,7 +118,7 @@ pub fn limits(requirement: &AssemblyLimits) -> Vec<Limit> {
 
 /// The required ends (`is_max`: the upper ones), such as "40 µm", "40 µm or j_bn 38 µm", "radial clearance 0.3 mm"; `None`
 /// without any. `j_wt` is in mm.
-pub fn in_words(j_wt: Option<f64>, others: &[Limit], is_max: bool) -> Option<String> {
+pub fn required_ends(j_wt: Option<f64>, others: &[Limit], is_max: bool) -> Option<String> {
     let own = j_wt.map(|mm| format!("{} µm", shortest(rounded(1e3 * mm, 6))));
     let others = others.iter().filter_map(|limit| {
         let value = if is_max { limit.max } else { limit.min }?;

@@ -1,6 +1,6 @@
 //! The result of a run in one sentence, for production managers and designers.
 
-use super::result::{About, ToleranceResult, in_words};
+use super::result::{About, ToleranceResult, required_ends};
 use gearlash::pair::Member;
 use gearlash::population::{Contributions, Factor, OutcomeKind, Share};
 use gearlash_text::numbers::{rounded, shortest};
@@ -10,8 +10,8 @@ use gearlash_text::numbers::{rounded, shortest};
 /// "310 ppm below 40 µm [270, 354]; 71 % of the scatter from the centre distance"
 pub fn sentence(result: &ToleranceResult) -> String {
     let about = &result.about;
-    let least = in_words(about.min_mm, &about.others, false);
-    let most = in_words(about.max_mm, &about.others, true);
+    let least = required_ends(about.min_mm, &about.others, false);
+    let most = required_ends(about.max_mm, &about.others, true);
     let mut text = shares(result);
     if most.is_some() {
         text = format!("{}: {text}", share(&result.statistics.outside, "outside"));
@@ -64,12 +64,12 @@ pub fn without_backlash(result: &ToleranceResult) -> Option<String> {
 /// The shares of `result` that miss the requirement on each side.
 pub fn shares(result: &ToleranceResult) -> String {
     let (about, statistics) = (&result.about, &result.statistics);
-    let least = in_words(about.min_mm, &about.others, false);
+    let least = required_ends(about.min_mm, &about.others, false);
     let below = least.map_or("do not assemble".to_owned(), |least| {
         format!("below {least}")
     });
     let mut text = share(&statistics.below, &below);
-    if let Some(most) = in_words(about.max_mm, &about.others, true) {
+    if let Some(most) = required_ends(about.max_mm, &about.others, true) {
         text += &format!(", {}", share(&statistics.above, &format!("above {most}")));
         // An assembly can miss both limits.
         let both = statistics.below.count + statistics.above.count;

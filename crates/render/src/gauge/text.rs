@@ -5,7 +5,7 @@ use gearlash::gauge::{
     Eccentricity, FaceReadings, FlankTraces, Gauged, GradedReading, PitchReadings, TraceReading,
 };
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade};
-use gearlash_results::gauge::{GaugedGear, length_table, position_table};
+use gearlash_results::gauge::{GaugedGear, length_table, tooth_table};
 use gearlash_results::text::{Column, Screen, Table};
 use gearlash_text::characters::plain;
 use gearlash_text::numbers::{ascii, order_um, um_ascii};
@@ -24,7 +24,7 @@ pub fn text(title: &str, gears: &[GaugedGear], by_position: bool, screen: &Scree
         text += &remarks(gauged);
         if by_position {
             text += POSITIONS;
-            text += &position_table(gauged);
+            text += &tooth_table(gauged);
         }
     }
     if lengths_alone {

@@ -9,7 +9,7 @@ use gearlash::analysis::face_width::{AtWidth, FaceExtreme};
 use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::contact::Status;
 use gearlash::pair::{Backlash, GearPair};
-use gearlash_results::verdict::doubt;
+use gearlash_results::verdict::extreme_doubt;
 use gearlash_text::numbers::{NONE, trimmed, um};
 use maud::{Markup, html};
 
@@ -108,7 +108,7 @@ fn extreme(here: Option<FaceExtreme>, narrowest: Option<FaceExtreme>, none: &str
         (false, true) => band([here.low, here.high].map(Some), 2),
         _ => um(Some(here.found), 2),
     };
-    let proof = match (here.doubtful.and_then(doubt), here.holds()) {
+    let proof = match (here.doubtful.and_then(extreme_doubt), here.holds()) {
         (None, _) => "proven".to_owned(),
         (Some(why), true) => format!("bracket: {why}"),
         (Some(why), false) => format!("not proven, found: {why}"),

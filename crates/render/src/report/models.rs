@@ -8,7 +8,7 @@ use crate::chart::PictureError;
 use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::analysis::measured::{MeasuredMating, sides};
 use gearlash::analysis::outcome::{MODELS, deviation};
-use gearlash_results::text::check::{MARGIN, doubts, shown};
+use gearlash_results::text::check::{MARGIN, check_doubts, table};
 use gearlash_results::text::measured_shown;
 use gearlash_text::numbers::difference_um;
 use maud::{Markup, html};
@@ -37,9 +37,9 @@ pub(super) fn checks(page: &Page) -> Markup {
                 }
                 @if several { " Each check is shown at its worst centre distance and material." }
             }
-            (Table::of_shown("Checks", html! {}, &shown(diagnosis)))
+            (Table::of_shown("Checks", html! {}, &table(diagnosis)))
             p { (MARGIN) }
-            @for reason in doubts(diagnosis) { p { strong { "Unproven: " } (plain(reason)) "." } }
+            @for reason in check_doubts(diagnosis) { p { strong { "Unproven: " } (plain(reason)) "." } }
             (study())
             p.note {
                 "A contact is named by the curves that meet: tip-fillet is a tip on its mate’s fillet, undercut-edge the edge that undercut "

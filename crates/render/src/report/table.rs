@@ -3,7 +3,7 @@
 
 use super::phrases::with_symbols;
 use gearlash::analysis::diagnosis::CheckVerdict;
-use gearlash_results::{Shown, Unit};
+use gearlash_results::{Format, PeopleColumn};
 use maud::{Markup, Render, html};
 
 /// A column: its heading, and the classes of its cells.
@@ -73,16 +73,18 @@ impl<'a> Table<'a> {
     }
 
     /// The table of the columns that results show. Cells below their row are below the name of the row, in small type.
-    pub fn of_shown(label: &'a str, caption: Markup, shown: &[Shown]) -> Table<'a> {
-        let (below, shown): (Vec<&Shown>, Vec<&Shown>) =
+    pub fn of_shown(label: &'a str, caption: Markup, shown: &[PeopleColumn]) -> Table<'a> {
+        let (below, shown): (Vec<&PeopleColumn>, Vec<&PeopleColumn>) =
             shown.iter().partition(|column| column.heading.is_below());
-        let named_by = shown.iter().position(|column| column.unit != Unit::Grave);
+        let named_by = shown
+            .iter()
+            .position(|column| column.format != Format::Severity);
         let named_by = named_by.unwrap_or(0);
         let columns = shown.iter().map(|column| Column {
             heading: heading_markup(column.heading.heading()),
-            classes: match (column.heading.is_left(), column.unit) {
-                (_, Unit::Grave) => "w".to_owned(),
-                (false, Unit::Plain) | (true, _) => String::new(),
+            classes: match (column.heading.is_left(), column.format) {
+                (_, Format::Severity) => "w".to_owned(),
+                (false, Format::Plain) | (true, _) => String::new(),
                 (false, _) => "n".to_owned(),
             },
             is_shown: true,
@@ -93,7 +95,7 @@ impl<'a> Table<'a> {
             let notes = below.iter().map(|column| column.cells[number].as_str());
             let mut notes = notes.filter(|note| place == named_by && !note.is_empty());
             html! {
-                @match named(text).filter(|_| shown[place].unit == Unit::Grave) {
+                @match named(text).filter(|_| shown[place].format == Format::Severity) {
                     Some(verdict) => (mark(verdict)),
                     None => (with_symbols(text)),
                 }

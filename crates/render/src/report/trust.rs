@@ -6,7 +6,7 @@ use super::phrases::{j_wt, plain, pose};
 use gearlash::analysis::extremes::WIDTH;
 use gearlash::analysis::outcome::{MODELS, PoseOfRun, deviation};
 use gearlash::contact::{Method, MethodAgreement};
-use gearlash_results::doubts;
+use gearlash_results::pose_doubts;
 use gearlash_text::numbers::{bound_um, difference_um, shortest, stated_distance};
 use maud::{Markup, html};
 
@@ -207,7 +207,7 @@ pub(super) fn unproven(page: &Page) -> Markup {
                     @for found in unproven.iter().take(MOST_LISTED) {
                         li {
                             (pose(*found)) ", centre distance " (stated_distance(found.run.run.assembly.center_distance())) " mm, "
-                            (found.run.run.material.words()) ": " (plain(&doubts(found.pose)))
+                            (found.run.run.material.words()) ": " (plain(&pose_doubts(found.pose)))
                         }
                     }
                 }

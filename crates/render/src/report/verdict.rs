@@ -73,9 +73,9 @@ fn verdict(page: &Page) -> Markup {
 pub(super) fn answer(lines: &VerdictLines) -> Markup {
     html! {
         p.answer { (lines.status) }
-        @if !lines.rows.is_empty() {
+        @if !lines.extremes.is_empty() {
             dl.extremes {
-                @for row in &lines.rows {
+                @for row in &lines.extremes {
                     div {
                         dt { (row.name) " backlash" }
                         dd.value { (row.value) }

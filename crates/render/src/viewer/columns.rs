@@ -9,7 +9,7 @@ use gearlash::contact::PoseResult;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Member;
-use gearlash_results::{Unit, Value, pose_page};
+use gearlash_results::{Format, Value, pose_page};
 use gearlash_text::numbers::{rounded, two_digits_up};
 use indexmap::IndexSet;
 use serde::Serialize;
@@ -119,19 +119,19 @@ fn poses(
     words: &mut Words,
 ) -> BTreeMap<String, Vec<Value>> {
     let mut columns: BTreeMap<String, Vec<Value>> = BTreeMap::new();
-    for (name, unit, values) in pose_page(assembly, viewed.poses()) {
+    for (name, format, values) in pose_page(assembly, viewed.poses()) {
         if values.iter().all(|value| *value == Value::Absent) {
             continue;
         }
-        let name = match (unit, name.strip_suffix("_rad")) {
-            (Unit::Angle, Some(name)) => format!("{name}_deg"),
+        let name = match (format, name.strip_suffix("_rad")) {
+            (Format::Angle, Some(name)) => format!("{name}_deg"),
             _ => name.to_owned(),
         };
-        let values = values.into_iter().map(|value| match (value, unit) {
-            (Value::Number(angle), Unit::Angle) => degrees(angle).into(),
-            (Value::Number(place), Unit::Place) => rounded(place, precision.decimals).into(),
-            (Value::Number(um), Unit::Bound) => two_digits_up(um).into(),
-            (Value::Number(value), Unit::Plain) => rounded(value, DECIMALS).into(),
+        let values = values.into_iter().map(|value| match (value, format) {
+            (Value::Number(angle), Format::Angle) => degrees(angle).into(),
+            (Value::Number(place), Format::Place) => rounded(place, precision.decimals).into(),
+            (Value::Number(um), Format::Bound) => two_digits_up(um).into(),
+            (Value::Number(value), Format::Plain) => rounded(value, DECIMALS).into(),
             (Value::Word(word), _) => words.index(&name, word.to_owned()),
             (Value::Text(text), _) => words.index(&name, text),
             (value, _) => value,

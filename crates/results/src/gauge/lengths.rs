@@ -75,7 +75,7 @@ pub fn length_table(gauged: &GaugedGear, screen: &Screen) -> String {
 pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     let read = &gauged.gauged;
     let formula = &read.formula;
-    let (wound, has_formula) = (gauged.is_helical(), gauged.data.is_some());
+    let (is_helical, has_formula) = (gauged.is_helical(), gauged.data.is_some());
     let mut rows = Vec::new();
     let mut add = |name: String, ends, mean, error, formula, by_tooth| {
         rows.push(Length {
@@ -98,14 +98,14 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     };
     if let Ok(spans) = &read.spans {
         let symbol = format!("W_{}", spans.teeth);
-        let name = format!("span {symbol}{}", if wound { ", normal" } else { "" });
+        let name = format!("span {symbol}{}", if is_helical { ", normal" } else { "" });
         let values = spans.readings.iter().map(|one| one.length).collect();
         let each = by_tooth(Chart::SPANS, values, &symbol, "first tooth spanned");
         let (ends, mean) = (spans.ends(), spans.mean());
         add(name, ends, mean, spans.error(), formula.span, each);
     }
     if let Ok(pins) = &read.pins {
-        let gauges = if wound { "balls" } else { "pins" };
+        let gauges = if is_helical { "balls" } else { "pins" };
         let [two, three] = ["two", "three"].map(|count| format!("{count} {gauges}"));
         let lying = "two lying pins".to_owned();
         #[rustfmt::skip]
@@ -126,7 +126,7 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
         }
     }
     if let Ok(thickness) = &read.thickness {
-        let (symbol, section) = if wound {
+        let (symbol, section) = if is_helical {
             ("s_t", ", transverse")
         } else {
             ("s", "")
@@ -135,7 +135,7 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
         let (ends, mean, error) = (thickness.ends(), thickness.mean(), thickness.error);
         let each = by_tooth(Chart::THICKNESS, thickness.arcs.clone(), symbol, "tooth");
         add(name, ends, mean, error, formula.thickness, each);
-        if wound {
+        if is_helical {
             let name = "thickness s_n, normal".to_owned();
             let normal = |arc: f64| arc * thickness.normal;
             let by_formula = formula.thickness.map(normal);

@@ -13,7 +13,7 @@ use gearlash_input::{NoGearFile, gauged_file};
 
 pub use json::json;
 pub use lengths::{ByTooth, Length, length_table, lengths};
-pub use readings::{Chart, position_table, teeth_csv};
+pub use readings::{Chart, teeth_csv, tooth_table};
 
 /// One gear in one material, and the gauges' readings.
 #[derive(Debug)]

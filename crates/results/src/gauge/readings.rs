@@ -1,7 +1,7 @@
 //! The readings of a gear tooth by tooth, for CSV and for people, and their charts.
 
 use super::GaugedGear;
-use crate::column::{Column, Row, Unit, Value, columns, row_type, shown};
+use crate::column::{Column, Format, Row, Value, columns, row_type, shown};
 use crate::layout::Screen;
 use gearlash::gauge::{Gauged, OverPins, Pins, PitchReadings, TraceReading};
 use gearlash::gear::{Flank, PitchAxis};
@@ -92,15 +92,15 @@ fn tooth_columns() -> Vec<Column<ToothRow>> {
         "tooth" Plain [heading(shown("tooth"))] => row.tooth;
     });
     for (index, (name, heading, _)) in READINGS.into_iter().enumerate() {
-        let unit = if name.ends_with("_mm") {
-            Unit::Millionths
+        let format = if name.ends_with("_mm") {
+            Format::Millionths
         } else {
-            Unit::Thousandths
+            Format::Thousandths
         };
         let value = move |row: &ToothRow| Value::optional(row.values[index]);
-        let column = Column::new(name, unit, value).heading(shown(heading));
+        let column = Column::new(name, format, value).heading(shown(heading));
         columns.push(if name == LYING {
-            column.along_face().rank(1)
+            column.optional_in_csv().rank(1)
         } else {
             column
         });
@@ -123,7 +123,7 @@ fn tooth_rows(gear: &GaugedGear) -> Vec<ToothRow> {
 }
 
 /// A table for people, one row per tooth; a column without values is left out.
-pub fn position_table(gear: &GaugedGear) -> String {
+pub fn tooth_table(gear: &GaugedGear) -> String {
     ToothRow::columns().text(&tooth_rows(gear), &Screen::default())
 }
 

@@ -163,7 +163,7 @@ fn a_band_has_the_extremes_of_all_materials() {
                 assert!(is_same, "{names:?}, {name}: {own:?} {shown:?}");
             }
             let words = band["words"].as_str().unwrap();
-            for row in &lines(&verdict).rows {
+            for row in &lines(&verdict).extremes {
                 assert!(words.contains(row.name), "{names:?}: {words}");
             }
         }

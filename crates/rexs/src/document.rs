@@ -5,6 +5,9 @@ use gearlash_text::characters::{cut, plain};
 use gearlash_text::node::LONGEST;
 use std::collections::{BTreeMap, HashSet};
 
+/// The remedy for a file that breaks the format.
+pub const EXPORT_AGAIN: &str = "export the file again";
+
 #[derive(Debug, Clone, Default)]
 pub struct Document {
     /// Version of the format: "1.4".
@@ -83,7 +86,7 @@ impl Document {
             Problem::at(
                 format!("relation {}", relation.id),
                 format!("names component {id}, which the file does not have"),
-                "export the file again",
+                EXPORT_AGAIN,
             )
         })
     }
@@ -139,7 +142,7 @@ impl Relation {
                         "no"
                     }
                 ),
-                "export the file again",
+                EXPORT_AGAIN,
             )),
         }
     }

@@ -1,7 +1,7 @@
 //! One external gear of a REXS stage: its data, tool and thickness.
 
+use super::attributes::{Attributes, DEGREE, MILLIMETRE, NUMBER, NoPair, Unit};
 use super::document::{Component, Document, Relation};
-use super::fault::{Attributes, DEGREE, Fault, MILLIMETRE, NUMBER, Unit};
 use super::thickness::{self, Generated, Thickness};
 use gearlash::gear::{BasicGearData, Hand};
 use gearlash_input::spec::RackSpec;
@@ -43,7 +43,7 @@ pub struct Helix {
     pub face_width: f64,
 }
 
-fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), Fault> {
+fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), NoPair> {
     match gear.component().kind.as_str() {
         "cylindrical_gear" => {}
         "ring_gear" => return Err(gear.left_out("is internal")),
@@ -71,13 +71,13 @@ fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), Fault> {
 
 impl<'a> Gear<'a> {
     /// Reads the gear with these own attributes.
-    pub fn read(document: &'a Document, gear: Attributes<'a>) -> Result<Gear<'a>, Fault> {
+    pub fn read(document: &'a Document, gear: Attributes<'a>) -> Result<Gear<'a>, NoPair> {
         let (teeth, module, helix) = basics(&gear)?;
         let id = gear.component().id;
         let flanks = flanks(document, id)?;
         let pressure_angle = common_value(&flanks, "normal_pressure_angle", DEGREE)?;
         let Some(pressure_angle) = pressure_angle else {
-            return Err(Fault::LeftOut(format!(
+            return Err(NoPair::LeftOut(format!(
                 "the flanks of {} have no normal_pressure_angle",
                 gear.component().place()
             )));
@@ -94,7 +94,7 @@ impl<'a> Gear<'a> {
             Some(helix) => data.with_helix(helix.angle.to_radians(), helix.hand),
         });
         let basic_data = basic_data
-            .map_err(|error| Fault::LeftOut(format!("{}: {error}", gear.component().place())))?;
+            .map_err(|error| NoPair::LeftOut(format!("{}: {error}", gear.component().place())))?;
         let settings = settings(document, id, &flanks)?;
         let sources = [&gear].into_iter().chain(&flanks).chain(&settings);
         let generated = Generated::read(sources)?;
@@ -126,7 +126,7 @@ impl<'a> Gear<'a> {
     }
 
     /// Reads the basic rack from the tool that generates the gear.
-    fn tool(&mut self, document: &'a Document, addendum: Option<f64>) -> Result<(), Fault> {
+    fn tool(&mut self, document: &'a Document, addendum: Option<f64>) -> Result<(), NoPair> {
         let mut racks = Vec::new();
         let parts: Vec<i32> = self.parts.iter().map(|p| p.component().id).collect();
         let place = self.parts[0].component().place();
@@ -278,7 +278,7 @@ fn add_once<'a>(component: &'a Component, all: &mut Vec<Attributes<'a>>) {
 }
 
 /// The common value of all flanks that state it.
-fn common_value(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, Fault> {
+fn common_value(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, NoPair> {
     let mut all: Option<f64> = None;
     for flank in flanks {
         match (all, flank.number(id, unit)?) {

@@ -2,7 +2,7 @@
 //!
 //! Facts of the format: the public reader and writer of FVA's Java API and the JSON schema of REXSapi (both Apache-2.0).
 
-use super::document::{Attribute, Component, Document, Relation, shown, text_of};
+use super::document::{Attribute, Component, Document, EXPORT_AGAIN, Relation, shown, text_of};
 use gearlash_text::Problem;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -72,7 +72,7 @@ pub fn read(text: &str) -> Result<Document, Problem> {
         let reason = error.to_string();
         let reason = reason.split(" at line ").next().unwrap_or_default();
         let reason = format!("not REXS: {}", shown(reason));
-        Problem::at(&place, reason, "export the file again")
+        Problem::at(&place, reason, EXPORT_AGAIN)
     })?;
     let model = file.model;
     let relations = model.relations.into_iter().map(|relation| Relation {

@@ -4,16 +4,16 @@
 //! planetary stages are never read as external pairs. Versions 1.0 to 2.0 are read, as XML, as JSON, and zipped (`.rexsz`). The
 //! facts of the format come from the public Java API of its owner (<https://github.com/fva-net/rexs-api-java>, Apache-2.0).
 
+mod attributes;
 mod document;
-mod fault;
 mod gear;
 mod json;
 mod stage;
 mod thickness;
 mod xml;
 
+use attributes::NoPair;
 use document::{Component, Document, shown};
-use fault::Fault;
 use gearlash_text::characters::{cut, plain};
 use gearlash_text::node::LONGEST;
 use gearlash_text::{InputError, Problem, Reading, Sources, source};
@@ -138,9 +138,9 @@ fn stage_of(
             let parts: Vec<&Component> = stage.parts().map(|part| part.component()).collect();
             pair_of(&stage, source).inspect(|_| used.extend(parts.iter().map(|part| part.id)))
         }
-        Err(Fault::LeftOut(why)) => Err(why),
+        Err(NoPair::LeftOut(why)) => Err(why),
         // A fault of one stage does not concern the others.
-        Err(Fault::Wrong(problem)) => Err(problem.to_string()),
+        Err(NoPair::Wrong(problem)) => Err(problem.to_string()),
     };
     RexsStage {
         id: component.id,

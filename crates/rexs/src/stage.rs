@@ -1,7 +1,7 @@
 //! One stage of a REXS file: its pair, or the reason why it has none.
 
+use super::attributes::{Attributes, MICROMETRE, MILLIMETRE, NoPair, differ};
 use super::document::{Component, Document};
-use super::fault::{Attributes, Fault, MICROMETRE, MILLIMETRE, differ};
 use super::gear::Gear;
 use super::thickness::Thickness;
 use gearlash::gear::MeasuringBody;
@@ -37,8 +37,8 @@ enum Band {
     },
 }
 
-fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a>; 2], Fault> {
-    let left_out = |why: &str| Err(Fault::LeftOut(why.to_owned()));
+fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a>; 2], NoPair> {
+    let left_out = |why: &str| Err(NoPair::LeftOut(why.to_owned()));
     if stage.kind == "planetary_stage" {
         return left_out("a planetary stage: its play is not that of one pair");
     }
@@ -48,7 +48,7 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
     for relation in document.relations("assembly", "part", stage.id) {
         let whole = document.component(relation.one("assembly")?, relation)?;
         if whole.kind == "planetary_stage" {
-            return Err(Fault::LeftOut(format!("part of {}", whole.place())));
+            return Err(NoPair::LeftOut(format!("part of {}", whole.place())));
         }
     }
     let mut relations = document.relations("stage", "stage", stage.id);
@@ -60,12 +60,12 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
     }
     let each = ["gear_1", "gear_2"].map(|role| {
         let gear = document.component(relation.one(role)?, relation)?;
-        Ok::<_, Fault>(Attributes::of(gear))
+        Ok::<_, NoPair>(Attributes::of(gear))
     });
     let [one, two] = each;
     let (one, two) = (one?, two?);
     if one.component().id == two.component().id {
-        return Err(Fault::LeftOut(format!(
+        return Err(NoPair::LeftOut(format!(
             "both its gears are {}",
             one.component().place()
         )));
@@ -74,7 +74,7 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
 }
 
 impl<'a> Stage<'a> {
-    pub fn read(document: &'a Document, component: &'a Component) -> Result<Stage<'a>, Fault> {
+    pub fn read(document: &'a Document, component: &'a Component) -> Result<Stage<'a>, NoPair> {
         let [one, two] = gears(document, component)?;
         let gears = [Gear::read(document, one)?, Gear::read(document, two)?];
         let stage = Attributes::of(component);

@@ -2,12 +2,10 @@
 //!
 //! Facts of the format: the public schema `rexs-file.xsd` of FVA's Java API (Apache-2.0). No entity and no other file is read.
 
-use super::document::{Attribute, Component, Document, Relation, shown, text_of};
+use super::document::{Attribute, Component, Document, EXPORT_AGAIN, Relation, shown, text_of};
 use gearlash_text::{Problem, xml};
 use roxmltree::Node;
 use std::str::FromStr;
-
-const AGAIN: &str = "export the file again";
 
 /// Parses `text`.
 /// Errors: the fault and its line.
@@ -15,7 +13,7 @@ pub fn read(text: &str) -> Result<Document, Problem> {
     let parsed = xml::parse(text).map_err(|fault| {
         let place = format!("line {} column {}", fault.line, fault.column);
         let reason = format!("not XML: {}", shown(&fault.reason));
-        Problem::at(&place, reason, AGAIN)
+        Problem::at(&place, reason, EXPORT_AGAIN)
     })?;
     let model = parsed.root_element();
     if model.tag_name().name() != "model" {
@@ -124,6 +122,6 @@ fn wrong(node: Node, reason: &str) -> Problem {
     Problem::at(
         &place,
         format!("{}: {reason}", shown(node.tag_name().name())),
-        AGAIN,
+        EXPORT_AGAIN,
     )
 }

@@ -1,4 +1,4 @@
-//! Reasons why a stage becomes no pair: a fault of the file, or a pair that is not supported.
+//! The attributes of a component, their units, and the reasons why a stage becomes no pair.
 
 use super::document::{Component, shown};
 use gearlash_text::Problem;
@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::fmt::Display;
 
 /// The reason why a stage becomes no pair.
-pub enum Fault {
+pub enum NoPair {
     Wrong(Problem),
     /// The stage is ignored, with the reason.
     LeftOut(String),
@@ -22,9 +22,9 @@ pub fn differ(ones: [f64; 2], others: [f64; 2]) -> bool {
     pairs.any(|(one, other)| (one - other).abs() > ROUNDING_UM)
 }
 
-impl From<Problem> for Fault {
-    fn from(problem: Problem) -> Fault {
-        Fault::Wrong(problem)
+impl From<Problem> for NoPair {
+    fn from(problem: Problem) -> NoPair {
+        NoPair::Wrong(problem)
     }
 }
 
@@ -88,14 +88,14 @@ impl<'a> Attributes<'a> {
 
     /// A number that must be present.
     /// Errors: as [`Attributes::number`]; the attribute is absent.
-    pub fn need(&self, id: &str, unit: Unit) -> Result<f64, Fault> {
+    pub fn need(&self, id: &str, unit: Unit) -> Result<f64, NoPair> {
         let found = self.number(id, unit)?;
         found.ok_or_else(|| self.left_out(format!("has no {id}")))
     }
 
     /// The fault of a stage that is ignored because of the component.
-    pub fn left_out(&self, why: impl Display) -> Fault {
-        Fault::LeftOut(format!("{} {why}", self.component.place()))
+    pub fn left_out(&self, why: impl Display) -> NoPair {
+        NoPair::LeftOut(format!("{} {why}", self.component.place()))
     }
 
     /// A whole number from 1 on; `None` where it is absent.

@@ -11,15 +11,12 @@ use crate::output::{OutputFolder, own_folder};
 use crate::progress::run_under_bar;
 use gearlash::analysis::Plan;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
-use gearlash_input::outlines::Drawings;
+use gearlash_input::outlines::{APART_MM, Drawings};
 use gearlash_input::{PairFile, distance_refused};
 use gearlash_results::judged::Judgement;
 use gearlash_results::{RemedyRecords, checked};
-use gearlash_text::{InputError, Problem, named};
+use gearlash_text::{InputError, Problem, display_path};
 use std::path::{Path, PathBuf};
-
-/// A distance at which no two gears touch, mm.
-const APART_MM: f64 = 1e6;
 
 const NOT_FOUND: &str = "two drawings need their centre distance, as none is found at which they mesh without play: add --center-distance A";
 
@@ -167,7 +164,7 @@ fn moved(path: &Path, mm: Option<f64>) -> Result<PairFile, InputError> {
     let pair = gearlash_input::read(path)?;
     let Some(mm) = mm else { return Ok(pair) };
     let moved = pair.at(vec![mm]).map_err(|reason| InputError {
-        file: named(path).to_path_buf(),
+        file: display_path(path).to_path_buf(),
         problems: vec![Problem {
             key: OPTION.to_owned(),
             value: Some(mm.to_string()),

@@ -131,7 +131,7 @@ pub(super) fn print_error_text(lines: &str) {
 
 /// Prints warnings, and with `--verbose` notes.
 pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
-    let file = gearlash_text::named(file).display();
+    let file = gearlash_text::display_path(file).display();
     let remarks = if VERBOSE.load(Ordering::Relaxed) {
         remarks
     } else {
@@ -148,7 +148,7 @@ pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
 pub(super) fn check_streams_not_input(sources: &Sources) -> Result<(), Error> {
     for (name, file) in streams() {
         let name = Path::new(name);
-        if let Some(input) = file.and_then(|file| sources.named_open(name, &file)) {
+        if let Some(input) = file.and_then(|file| sources.file_read_as(name, &file)) {
             return Err(Error::over_input(name, input));
         }
     }

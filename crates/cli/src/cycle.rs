@@ -1,5 +1,5 @@
-//! Extremes of the mesh cycle and failing checks where a command keeps no poses, and the pose that `snapshot --worst`,
-//! `snapshot --greatest` and `chart --kind field` draw.
+//! Extremes and failing checks of commands that keep no poses; the pose that `snapshot --worst`, `snapshot --greatest` and
+//! `chart --kind field` draw.
 
 use crate::console::print_verdict_lines;
 use crate::error::Error;

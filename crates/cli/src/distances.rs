@@ -1,11 +1,10 @@
 //! `--center-distance` of `simulate`: one centre distance, or a scan.
 
+use gearlash_input::spec::MAX_DISTANCES;
+
 /// Centre distances from the command line, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Distances(pub Vec<f64>);
-
-/// The limit of a pair file.
-const MAX: f64 = 10_000.0;
 
 /// `132.1`, or `132.0..132.4:0.01`: from, to (included), step.
 ///
@@ -32,9 +31,9 @@ pub(super) fn parse(text: &str) -> Result<Distances, String> {
     }
     // A step that ends within a thousandth of TO includes it.
     let steps = ((last - first) / width + 1e-3).floor();
-    if steps >= MAX {
+    if steps >= MAX_DISTANCES as f64 {
         return Err(format!(
-            "{} centre distances, allowed are up to {MAX}: take a wider step",
+            "{} centre distances, allowed are up to {MAX_DISTANCES}: take a wider step",
             steps + 1.0
         ));
     }

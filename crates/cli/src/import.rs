@@ -234,7 +234,7 @@ impl RexsArgs {
 fn model(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<u8, Error> {
     let file = rexs::read(path)?;
     check_streams_not_input(&file.sources)?;
-    let name = gearlash_text::named(path).display().to_string();
+    let name = gearlash_text::display_path(path).display().to_string();
     let chosen = match args.stage {
         Some(id) => Ok(pair_of(&name, &file, id)?),
         None => only_readable_stage(&file),

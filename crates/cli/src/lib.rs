@@ -159,7 +159,7 @@ fn cap_threads() {
     }
 }
 
-/// The parsed command line. A usage error quotes arguments, which can be file names that a shell filled in. Characters that act
+/// The parsed command line. A usage error quotes arguments, which can be file names that a shell filled in. Unsafe characters
 /// are removed from them.
 fn parse(words: &[OsString]) -> Result<Cli, clap::Error> {
     Cli::try_parse_from(words).map_err(|error| {

@@ -46,7 +46,7 @@ fn target(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
-    let name = gearlash_text::named(&args.pair);
+    let name = gearlash_text::display_path(&args.pair);
     let stem = Path::new(name.file_stem().unwrap_or_default());
     check_folders(args, args.results.path(stem).as_deref())?;
     let folders = [args.wheels.as_path(), args.pinions.as_path()];

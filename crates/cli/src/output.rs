@@ -68,7 +68,7 @@ fn failed(path: &Path) -> impl Fn(std::io::Error) -> Error {
 
 /// An error where the file at `path` is one of `sources`.
 pub(super) fn check_not_input(sources: &Sources, path: &Path) -> Result<(), Error> {
-    match sources.named(path) {
+    match sources.read_as(path) {
         None => Ok(()),
         Some(input) => Err(Error::over_input(path, input)),
     }

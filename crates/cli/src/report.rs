@@ -11,7 +11,7 @@ use gearlash::analysis::Plan;
 use gearlash::error::go_on;
 use gearlash_input::{PairFile, import};
 use gearlash_render::{self, Report};
-use gearlash_results::grades::grades;
+use gearlash_results::gauge::grades;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 

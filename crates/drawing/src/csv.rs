@@ -8,7 +8,7 @@ use super::text::decode;
 use super::{DrawingError, Options, Unit};
 use gearlash::outline::PathSegment;
 use gearlash_text::characters::cut;
-use gearlash_text::written::{Decimal, Written, written};
+use gearlash_text::file_numbers::{Decimal, FileNumber, number};
 use nalgebra::{Point2, Vector2};
 
 const TWO_NUMBERS: &str =
@@ -17,7 +17,7 @@ const TABLES: &str = "; `gearlash import` reads tables of measurements";
 
 struct Row<'a> {
     line: usize,
-    numbers: [Written<'a>; 2],
+    numbers: [FileNumber<'a>; 2],
 }
 
 /// The unit of a list, and where it is stated.
@@ -123,7 +123,7 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
         if rows.len() == MAX_SEGMENTS {
             return Err(DrawingError::too_large("points", MAX_SEGMENTS));
         }
-        match (written(x), written(y)) {
+        match (number(x), number(y)) {
             (Some(x), Some(y)) => rows.push(Row {
                 line,
                 numbers: [x, y],
@@ -150,7 +150,7 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
         }
         if let Some(z) = z {
             let first = *height.get_or_insert(*z);
-            let value = |text| written(text).map(|number| number.value);
+            let value = |text| number(text).map(|number| number.value);
             if value(z).is_none() {
                 return wrong(format!("z \"{}\" is not a number", cut(z, LONGEST_NAME)));
             }
@@ -171,7 +171,7 @@ fn mark_of(text: &str) -> char {
     let marks = [';', '\t', ','];
     let found = marks.into_iter().find(|mark| text.contains(*mark));
     // "1,5 2,5": commas within the numbers.
-    let numbers = text.split_whitespace().all(|cell| written(cell).is_some());
+    let numbers = text.split_whitespace().all(|cell| number(cell).is_some());
     let blank = text.split_whitespace().count() > 1 && (numbers || found.is_none());
     found
         .filter(|_| !blank)
@@ -188,7 +188,7 @@ fn commented_unit(comment: &str) -> Option<&str> {
 fn heading_unit<'a>(heading: &'a str, axis: &str) -> Option<&'a str> {
     let (first, rest) = heading.trim_matches('"').split_at_checked(1)?;
     let unit = rest.trim_matches([' ', '(', ')', '[', ']', '_']);
-    (first.eq_ignore_ascii_case(axis) && (unit.is_empty() || Unit::named(unit).is_some()))
+    (first.eq_ignore_ascii_case(axis) && (unit.is_empty() || Unit::from_name(unit).is_some()))
         .then_some(unit)
 }
 
@@ -198,7 +198,7 @@ fn record_unit(stated: &mut Stated, name: &str, line: usize) -> Result<(), Drawi
         let help = "state one unit: mm, inch, cm, m or um";
         Err(DrawingError::at(format!("line {line}"), reason, help))
     };
-    let Some(unit) = Unit::named(name) else {
+    let Some(unit) = Unit::from_name(name) else {
         return wrong(format!("unit \"{}\" is not known", cut(name, LONGEST_NAME)));
     };
     match stated {

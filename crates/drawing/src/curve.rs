@@ -55,9 +55,8 @@ pub fn bulged(start: Point2<f64>, end: Point2<f64>, bulge: f64) -> (PathSegment,
     (arc, 0.0)
 }
 
-/// The arc `centre + u cos φ + v sin φ` for φ from `from` on through `sweep`, up to a whole turn, and how far the segments may lie
-/// from it: exact where it is a circle's,
-/// a whole circle as two halves.
+/// The arc `centre + u cos φ + v sin φ`, from `from` through `sweep`, up to a whole turn, and a bound on its distance from the
+/// segments. A circle stays exact; a whole one has two halves.
 pub fn elliptic(
     centre: Point2<f64>,
     [u, v]: [Vector2<f64>; 2],

@@ -110,7 +110,7 @@ impl Unit {
     }
 
     /// The unit called `name`, as in a pair file or as tables write it.
-    pub(super) fn named(name: &str) -> Option<Unit> {
+    pub(super) fn from_name(name: &str) -> Option<Unit> {
         let name = match name {
             "in" => "inch",
             "µm" | "μm" => "um",

@@ -119,8 +119,9 @@ impl Pieces {
             }
         }
         let mut remarks = Vec::new();
-        if let (true, Some(repeat), [(_, open)]) =
-            (loops.is_empty(), &options.repeat, &all_open[..])
+        if loops.is_empty()
+            && let Some(repeat) = &options.repeat
+            && let [(_, open)] = &all_open[..]
             && let [tooth] = &open[..]
         {
             loops.push(repeat.outline(tooth)?);

@@ -1,13 +1,19 @@
-//! `[assembly]`: the assembly of the two gears, checked together with them.
+//! `[assembly]`: the assembly of the two gears, checked together with them; another centre distance in the text of a pair file.
 
 use super::check::Checked;
 use super::gear::GearPart;
 use super::shafts;
 use super::spec::{AssemblySpec, CenterDistanceSpec};
 use gearlash::error::GearError;
-use gearlash_text::numbers::ascii;
+use gearlash_text::numbers::{ascii, trimmed};
+use gearlash_text::source::is_json;
 use gearlash_text::{Node, Table};
+use serde::Deserialize;
+use serde_json::value::RawValue;
 use std::collections::HashSet;
+use std::ops::Range;
+use std::path::Path;
+use toml::de::DeTable;
 
 /// Reads `[assembly]`; the centre distances may be absent when not `needed`.
 pub fn read(file: &Checked, needed: bool) -> Option<AssemblySpec> {
@@ -118,4 +124,58 @@ pub fn check_clearance(file: &Table, list: &[f64], base_radii: f64, clearance: f
             "check the unit: mm, as radial play",
         );
     }
+}
+
+/// The pair file `text` with the centre distance `mm`, and the statement that it replaces; `None` where the file states none in
+/// millimetres as one value.
+///
+/// ```
+/// use gearlash_input::with_distance;
+/// use std::path::Path;
+///
+/// let toml = "[assembly]\ncenter_distance_mm = [50, 51] # nominal\n";
+/// let (text, before) = with_distance(Path::new("pair.toml"), toml, 50.5).unwrap();
+/// assert_eq!(text, "[assembly]\ncenter_distance_mm = 50.5 # nominal\n");
+/// assert_eq!(before, "[50, 51]");
+///
+/// let json = r#"{"assembly": {"centre_distance_mm": 50}}"#;
+/// let (text, _) = with_distance(Path::new("pair.json"), json, 50.5).unwrap();
+/// assert_eq!(text, r#"{"assembly": {"centre_distance_mm": 50.5}}"#);
+///
+/// // A table of its own is no one value.
+/// let table = "[assembly.center_distance_mm]\nnear = 50\nfar = 51\n";
+/// assert_eq!(with_distance(Path::new("pair.toml"), table, 50.5), None);
+/// ```
+pub fn with_distance(path: &Path, text: &str, mm: f64) -> Option<(String, String)> {
+    let range = if is_json(path, text) {
+        let file: JsonFile = serde_json::from_str(text).ok()?;
+        let value = file.assembly.center_distance_mm.get();
+        // The value is a part of the text.
+        let start = value.as_ptr().addr() - text.as_ptr().addr();
+        start..start + value.len()
+    } else {
+        let file = DeTable::parse(text).ok()?;
+        let assembly = file.get_ref().get("assembly")?.get_ref().as_table()?;
+        let value = DISTANCE_KEYS.iter().find_map(|key| assembly.get(*key))?;
+        let is_inline = |span: &Range<usize>| text[span.clone()].starts_with('{');
+        Some(value.span()).filter(|span| !value.get_ref().is_table() || is_inline(span))?
+    };
+    let written = trimmed(mm, 0, 6);
+    let new = [&text[..range.start], &written, &text[range.end..]].concat();
+    Some((new, text[range].to_owned()))
+}
+
+/// The key of the centre distance, and its British spelling.
+const DISTANCE_KEYS: [&str; 2] = ["center_distance_mm", "centre_distance_mm"];
+
+#[derive(Deserialize)]
+struct JsonFile<'a> {
+    #[serde(borrow)]
+    assembly: JsonAssembly<'a>,
+}
+
+#[derive(Deserialize)]
+struct JsonAssembly<'a> {
+    #[serde(borrow, alias = "centre_distance_mm")]
+    center_distance_mm: &'a RawValue,
 }

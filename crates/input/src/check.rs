@@ -43,7 +43,7 @@ impl<'a> Checked<'a> {
             root: schema,
             reading: table.reading(),
             bad: Vec::new(),
-            open: Vec::new(),
+            enclosing: Vec::new(),
         };
         walk.table("", "", table.entries(), schema, &[]);
         let bad = walk.bad;
@@ -88,7 +88,7 @@ struct SchemaCheck<'a> {
     reading: &'a Reading,
     bad: Vec<String>,
     /// The tables round the value that is checked, by their paths.
-    open: Vec<(String, &'static Value)>,
+    enclosing: Vec<(String, &'static Value)>,
 }
 
 /// A value's key, unit, schema and place.
@@ -115,7 +115,7 @@ impl SchemaCheck<'_> {
     }
 
     fn wrong(&mut self, at: ValuePlace, node: &Node, reason: String, help: impl Into<String>) {
-        if self.reading.only_counts() {
+        if self.reading.count_if_full() {
             return;
         }
         let reason = match at.place {
@@ -164,9 +164,9 @@ impl SchemaCheck<'_> {
                     Kind::Word => "write one of these, in quotes".to_owned(),
                     Kind::Text => "write it in quotes".to_owned(),
                     Kind::Flag => "write it without quotes".to_owned(),
-                    _ => self.words(at.schema),
+                    _ => self.description(at.schema),
                 },
-                _ => self.words(at.schema),
+                _ => self.description(at.schema),
             };
             return self.wrong(at, node, reason, help);
         };
@@ -227,11 +227,11 @@ impl SchemaCheck<'_> {
             return;
         };
         let reason = format!("{wrong}, allowed is {}", self.allowed(schema, at.unit));
-        self.wrong(at, node, reason, self.words(at.schema));
+        self.wrong(at, node, reason, self.description(at.schema));
     }
 
     fn word(&mut self, at: ValuePlace, node: &Node, text: &str, schema: &Value) {
-        let words = words(schema);
+        let words = allowed_words(schema);
         if words.contains(&text) {
             return;
         }
@@ -258,7 +258,7 @@ impl SchemaCheck<'_> {
                 _ if count == 0 => "an empty list, expected at least one value".to_owned(),
                 _ => format!("length {count}, expected at least {least}"),
             };
-            return self.wrong(at, node, reason, self.words(at.schema));
+            return self.wrong(at, node, reason, self.description(at.schema));
         }
         let items = &schema["items"];
         let kinds: Vec<Kind> = self.options(items).into_iter().map(Kind::of).collect();
@@ -288,7 +288,7 @@ impl SchemaCheck<'_> {
         if !inner.is_empty() {
             let reasons: Vec<String> = inner.into_iter().map(|problem| problem.reason).collect();
             let place = Some(place);
-            let words = self.words(at.schema);
+            let words = self.description(at.schema);
             self.wrong(ValuePlace { place, ..at }, node, reasons.join("; "), words);
         }
     }
@@ -308,8 +308,8 @@ impl SchemaCheck<'_> {
             entries,
             mistyped: Vec::new(),
         };
-        self.open.push((path.to_owned(), schema));
-        self.unknown(&mut table, &known, schema, others);
+        self.enclosing.push((path.to_owned(), schema));
+        self.check_unknown(&mut table, &known, schema, others);
         for (name, inner) in properties.into_iter().flatten() {
             let key = below(path, name);
             let Some(node) = table.get(name) else {
@@ -328,7 +328,7 @@ impl SchemaCheck<'_> {
             };
             self.value(at, node, inner);
         }
-        self.open.pop();
+        self.enclosing.pop();
         self.check_combinations(&table, schema);
         for [low, high] in ORDERED {
             if let (Some(least), Some(most)) = (table.number(low), table.number(high))
@@ -347,7 +347,7 @@ impl SchemaCheck<'_> {
     }
 
     /// Keys that are not known, and those that they mean.
-    fn unknown<'t>(
+    fn check_unknown<'t>(
         &mut self,
         table: &mut Keys<'t>,
         known: &[&'t str],
@@ -363,7 +363,7 @@ impl SchemaCheck<'_> {
                 if self.bad.last() != Some(&key) {
                     self.bad.push(key.clone());
                 }
-                if self.reading.only_counts() {
+                if self.reading.count_if_full() {
                     continue;
                 }
                 let in_place_of = |other: &&Value| other["properties"].get(name).is_some();
@@ -412,7 +412,7 @@ impl SchemaCheck<'_> {
             let mut options = key.into_iter().flat_map(|key| self.options(key));
             options.any(|option| Kind::of(option).fits(node))
         };
-        let mut round = self.open.iter().rev().skip(1);
+        let mut round = self.enclosing.iter().rev().skip(1);
         match round.find(|(_, table)| has(table)) {
             Some((path, _)) if path.is_empty() => {
                 return vec!["before the first [table]".to_owned()];
@@ -420,7 +420,7 @@ impl SchemaCheck<'_> {
             Some((path, _)) => return vec![format!("in [{path}]")],
             None => {}
         }
-        let inside = self.open.iter().rev().take(2).map(|(path, table)| {
+        let inside = self.enclosing.iter().rev().take(2).map(|(path, table)| {
             let keys = table["properties"].as_object().into_iter().flatten();
             let with = keys.filter(|(_, schema)| self.options(schema).into_iter().any(has));
             with.map(|(key, _)| format!("in [{}]", below(path, key)))
@@ -499,7 +499,7 @@ impl SchemaCheck<'_> {
     }
 
     /// The meaning of a key, as a part of a sentence.
-    fn words(&self, schema: &Value) -> String {
+    fn description(&self, schema: &Value) -> String {
         let options = self.options(schema);
         let each = [schema].into_iter().chain(options.into_iter().take(1));
         let mut descriptions = each.filter_map(|one| one["description"].as_str());
@@ -517,7 +517,7 @@ impl SchemaCheck<'_> {
             .iter()
             .map(|option| match Kind::of(option) {
                 Kind::Flag => "true or false".to_owned(),
-                Kind::Word => quoted(&words(option), "\""),
+                Kind::Word => quoted(&allowed_words(option), "\""),
                 Kind::Text if option.get("pattern").is_some() => "a designation".to_owned(),
                 Kind::Text => "a string".to_owned(),
                 Kind::Whole => format!("a whole number{}", range(option)),
@@ -642,7 +642,7 @@ impl Kind {
             Some("boolean") => Kind::Flag,
             Some("number") => Kind::Number,
             Some("integer") => Kind::Whole,
-            _ if !words(schema).is_empty() => Kind::Word,
+            _ if !allowed_words(schema).is_empty() => Kind::Word,
             _ => Kind::Text,
         }
     }
@@ -659,7 +659,7 @@ impl Kind {
     }
 }
 
-fn words(schema: &Value) -> Vec<&str> {
+fn allowed_words(schema: &Value) -> Vec<&str> {
     let described = members(schema, "oneOf").filter_map(|one| one["const"].as_str());
     strings(&schema["enum"]).chain(described).collect()
 }

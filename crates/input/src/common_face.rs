@@ -1,7 +1,7 @@
 //! The face that two gears have in common.
 
+use super::files::PairFile;
 use super::gear::GearPart;
-use super::read::PairFile;
 use super::spec::GearSpec;
 use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
@@ -40,7 +40,7 @@ pub fn common_face(
         };
         for (name, helix) in [("wheel", one), ("pinion", other)] {
             if helix.face_mm.is_none() {
-                return file.refuse(&format!("{name}.face_width_mm"), missing(why), LENGTH);
+                return file.refuse(&format!("{name}.face_width_mm"), missing(why), GIVE_FACE);
             }
         }
     } else if let Some(hand) = one.hand.filter(|_| one.hand == other.hand) {
@@ -55,14 +55,14 @@ pub fn common_face(
     }
     let wheel = one.face_mm?.map(|end| end * factors[0]);
     let pinion = other.face_mm?.map(|end| end * factors[1] + offset);
-    let common =
-        common(wheel, pinion).map_err(|reason| file.problem("pinion.face_mm", reason, PLACE));
+    let common = common(wheel, pinion)
+        .map_err(|reason| file.problem("pinion.face_mm", reason, CORRECT_FACE));
     file.reading().keep(common)
 }
 
-const LENGTH: &str =
+const GIVE_FACE: &str =
     "give the length of the teeth along the axis: results depend on where both gears have teeth";
-const PLACE: &str = "correct face_mm, face_width_mm or assembly.face_offset_mm, how far the pinion's measuring plane lies beyond the wheel's";
+const CORRECT_FACE: &str = "correct face_mm, face_width_mm or assembly.face_offset_mm, how far the pinion's measuring plane lies beyond the wheel's";
 
 fn missing(why: &str) -> String {
     format!(
@@ -93,20 +93,20 @@ pub fn reason_of_gears<'a>(mut gears: impl Iterator<Item = &'a AsBuilt>) -> Opti
 
 /// Gives the spur `pair` at 20 °C its common face where there is a reason `why` it needs one.
 /// Errors: a face width that the pair does not state; gears that do not face each other.
-pub fn complete(pair: &mut PairFile, why: Option<&str>) -> Result<(), Problem> {
+pub fn add_to(pair: &mut PairFile, why: Option<&str>) -> Result<(), Problem> {
     let Some(why) = why.filter(|_| pair.study.face == [0.0; 2]) else {
         return Ok(());
     };
     let face = |member: Member| {
         let face = pair.spec.data(member).and_then(GearSpec::face);
         let key = || format!("{}.face_width_mm", member.name());
-        face.ok_or_else(|| Problem::at(key(), missing(why), LENGTH))
+        face.ok_or_else(|| Problem::at(key(), missing(why), GIVE_FACE))
     };
     let wheel = face(Member::Wheel)?;
     let offset = pair.spec.assembly.face_offset_mm.unwrap_or(0.0);
     let pinion = face(Member::Pinion)?.map(|end| end + offset);
-    pair.study.face =
-        common(wheel, pinion).map_err(|reason| Problem::at("pinion.face_mm", reason, PLACE))?;
+    pair.study.face = common(wheel, pinion)
+        .map_err(|reason| Problem::at("pinion.face_mm", reason, CORRECT_FACE))?;
     // Teeth are counted in the wheel's measuring plane.
     for (_, _, pinion) in &mut pair.study.materials {
         *pinion = pinion.section_at(-offset);

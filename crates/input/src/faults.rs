@@ -4,7 +4,7 @@ use super::findings::suspected;
 use super::lead;
 use super::pitch::PitchSheet;
 use super::profile;
-use super::runout::Runout;
+use super::runout::RunoutSheet;
 use super::spec::StatementSpec;
 use super::statements::Statements;
 use gearlash::error::GearError;
@@ -33,12 +33,12 @@ pub fn add_all(of: &Statements, errors: Vec<MeasurementError>) {
 pub fn check_pitch(
     table: &Table,
     sheet: &PitchSheet,
-    runout: &Runout,
+    runout: &RunoutSheet,
     basic_data: &BasicGearData,
 ) -> Option<()> {
-    let pitch = sheet.measured();
+    let pitch = sheet.for_metrology();
     let curves = pitch.curves(basic_data).err().into_iter().flatten();
-    let eccentricity = pitch.check_eccentricity(&runout.measured()).err();
+    let eccentricity = pitch.check_eccentricity(&runout.for_metrology()).err();
     let errors: Vec<MeasurementError> = curves.chain(eccentricity).collect();
     let good = errors.is_empty();
     for error in errors {
@@ -50,7 +50,7 @@ pub fn check_pitch(
 
 /// The problem of `error`: key, reason and remedy.
 fn problem(of: &Statements, error: MeasurementError) -> Problem {
-    let fault = |role, suspects| Fault { of, role, suspects };
+    let fault = |role, suspects| ThicknessFault { of, role, suspects };
     match error {
         MeasurementError::NoGear {
             role,
@@ -74,7 +74,7 @@ fn problem(of: &Statements, error: MeasurementError) -> Problem {
 fn of_flanks(
     table: &Table,
     pitch: Option<&PitchSheet>,
-    runout: &Runout,
+    runout: &RunoutSheet,
     error: MeasurementError,
 ) -> Problem {
     let reason = error.to_string();
@@ -163,13 +163,13 @@ fn of_flanks(
 }
 
 /// An error of one statement of the thickness.
-struct Fault<'a> {
+struct ThicknessFault<'a> {
     of: &'a Statements<'a>,
     role: StatementRole,
     suspects: Vec<Outlier>,
 }
 
-impl Fault<'_> {
+impl ThicknessFault<'_> {
     fn suspected(&self) -> String {
         self.suspects.iter().map(suspected).collect()
     }

@@ -13,7 +13,7 @@ use gearlash::metrology::{
 use gearlash_text::numbers::{ascii, rounded, shortest};
 
 /// The line that the user reads, with the key it is about.
-pub fn describe(of: &Statements, finding: &Finding) -> String {
+pub fn describe(statements: &Statements, finding: &Finding) -> String {
     const PER_TOOTH: &str = "thickness.per_tooth_um";
     let some_teeth = |flank: Flank, measured: u32, teeth: u32| {
         format!(
@@ -28,7 +28,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             sum_um,
             rounding_um,
         } => (
-            of.pitch_key(*flank),
+            statements.pitch_key(*flank),
             format!(
                 "the single pitch deviations of the {} flanks sum to {} µm instead of 0 (rounding leaves up to {} µm); \
                  the rest is distributed evenly over the teeth",
@@ -82,7 +82,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             measured,
             teeth,
         } => {
-            traced = profile::key_of(of.table, *flank, ProfileKey::Trace);
+            traced = profile::key_of(statements.table, *flank, ProfileKey::Trace);
             (&*traced, some_teeth(*flank, *measured, *teeth))
         }
         Finding::LeadOfSomeTeeth {
@@ -90,7 +90,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             measured,
             teeth,
         } => {
-            traced = lead::key_of(of.table, *flank, LeadKey::Trace);
+            traced = lead::key_of(statements.table, *flank, LeadKey::Trace);
             (&*traced, some_teeth(*flank, *measured, *teeth))
         }
         Finding::PinsGiveMeanOnly {
@@ -136,7 +136,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             ("thickness.span", words)
         }
         Finding::LeftFlankReversed { eccentricity_um } => (
-            of.pitch_key(Flank::Left),
+            statements.pitch_key(Flank::Left),
             format!(
                 "the left flanks vary opposite to the right ones, as if their sign were reversed{}: if + means plus material on both flanks \
                  (or the gear was seen from the other face), write sense = {:?}",
@@ -146,11 +146,11 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
                         " (reversed they contain an eccentricity of {reversed} µm, as stated one of {stated} µm)"
                     )
                 }),
-                of.other_sense()
+                statements.other_sense()
             ),
         ),
         Finding::ThicknessBesidePitch(beside) => {
-            (PER_TOOTH, beside_pitch(beside, of.other_sense()))
+            (PER_TOOTH, beside_pitch(beside, statements.other_sense()))
         }
         Finding::SpansRefusePitch {
             shown,
@@ -185,7 +185,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             mean_um,
             scatter_um,
         } => {
-            let stated = of.thickness.statement.key().unwrap_or_default();
+            let stated = statements.thickness.statement.key().unwrap_or_default();
             let words = format!(
                 "its mean, {} µm, adds to the stated {stated} (its values scatter about it by {} µm r.m.s.): if they were measured \
                  from the nominal thickness, and {stated} states the same, subtract their mean from the list",
@@ -260,10 +260,12 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
                  and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"",
                 ascii(*left_um, 3),
                 ascii(*left_percent, 0),
-                match (*alike, *exchanged) {
-                    (true, _) => "; both flanks vary equally, as from an index error of the machine",
-                    (false, true) => "; with right and left exchanged it is that of an eccentricity: check which column is which",
-                    (false, false) => "",
+                if *alike {
+                    "; both flanks vary equally, as from an index error of the machine"
+                } else if *exchanged {
+                    "; with right and left exchanged it is that of an eccentricity: check which column is which"
+                } else {
+                    ""
                 },
                 ascii(*eccentricity_um, 3),
             ),
@@ -305,12 +307,12 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
                 reversed(*reversal),
             ),
         ),
-        Finding::Outlier(found) => outlier(of, found),
+        Finding::Outlier(found) => outlier(statements, found),
         Finding::ThicknessStatedTwice(compared) => {
-            (CROSS_CHECK, stated_twice(of, compared))
+            (CROSS_CHECK, stated_twice(statements, compared))
         }
     };
-    format!("{}: {words}", of.table.path_of(key))
+    format!("{}: {words}", statements.table.path_of(key))
 }
 
 fn precedence(spans_count: bool) -> &'static str {
@@ -358,7 +360,7 @@ fn in_pitch(note: &EccentricityNote) -> String {
 }
 
 /// The key of an outlier and a warning.
-fn outlier(of: &Statements, outlier: &Outlier) -> (&'static str, String) {
+fn outlier(statements: &Statements, outlier: &Outlier) -> (&'static str, String) {
     let (key, why) = match outlier {
         Outlier::Reading(reading) => (
             if reading.over_pins {
@@ -375,7 +377,7 @@ fn outlier(of: &Statements, outlier: &Outlier) -> (&'static str, String) {
             },
         ),
         Outlier::Pitch(pitch) => (
-            of.pitch_key(pitch.flank),
+            statements.pitch_key(pitch.flank),
             format!(
                 "more than the {} µm of even a coarse gear, half of the others within {} µm",
                 ascii(pitch.coarse_um, 0),
@@ -540,7 +542,7 @@ fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String {
 }
 
 /// The cross-check compared with the statement that counts, in words.
-fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
+fn stated_twice(statements: &Statements, compared: &ThicknessStatements) -> String {
     let range = |[least, most]: [f64; 2]| {
         if least == most {
             format!("{} mm", ascii(least, 6))
@@ -555,16 +557,16 @@ fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
         [true, true] => format!("the bands lie {gap} µm apart, "),
         _ => format!("the single value lies {gap} µm outside the band, "),
     };
-    let verdict = match (compared.agree(), compared.gap_um > 0.0) {
-        (true, false) => "they agree".to_owned(),
-        (true, true) => {
-            format!("{outside}within the tolerance of {tolerance} µm: they agree")
-        }
-        (false, _) => format!(
+    let verdict = if !compared.agree() {
+        format!(
             "{outside}{tolerance} µm is allowed: check both measurements, the pins and the number of teeth spanned"
-        ),
+        )
+    } else if compared.gap_um > 0.0 {
+        format!("{outside}within the tolerance of {tolerance} µm: they agree")
+    } else {
+        "they agree".to_owned()
     };
-    let key = |role| of.of_thickness(role).0.key().unwrap_or_default();
+    let key = |role| statements.of_thickness(role).0.key().unwrap_or_default();
     format!(
         "base thickness {} by {}, {} by {}, difference{} {} µm: {verdict}",
         range(compared.counts),

@@ -1,8 +1,8 @@
 //! A gear file that states the gauges' readings.
 //!
 //! The pitch of both flanks already contains the variation of thickness from tooth to tooth. Only the mean thickness is stated
-//! beside it: per-tooth values would count twice. The difference between each tooth and the mean thickness that cut the root is
-//! the same for all teeth and is stated per tooth (see [`StatedThickness`]). Flanks that vary opposite to each other come from
+//! beside it: per-tooth values would count twice. All teeth differ equally from the mean thickness that cut
+//! the root; this is stated per tooth (see [`StatedThickness`]). Flanks that vary opposite to each other come from
 //! thickness alone and look like a reversed left flank. The spans show that the sign is right, so they become a cross-check where
 //! they are not the statement.
 
@@ -20,7 +20,7 @@ pub enum NoGearFile {
     /// The readings are incomplete. A file without some of them would describe another gear.
     #[error(transparent)]
     Unmeasured(#[from] Unmeasured),
-    /// Its lengths cannot be multiplied.
+    /// The gear's table cannot be scaled.
     #[error(transparent)]
     Unscaled(#[from] serde_json::Error),
     /// It cannot be written as TOML.
@@ -144,7 +144,7 @@ fn thickness(
                 comments.push("The root circle was cut for the allowance; every flank pair stands off it by per_tooth_um.".to_owned());
                 thickness.per_tooth_um = Some(vec![1e3 * per_tooth; teeth as usize]);
             }
-            if let (true, Ok(spans)) = (cross_check, spans) {
+            if cross_check && let Ok(spans) = spans {
                 comments.push("The cross-check confirms the sign of the flanks.".to_owned());
                 thickness.cross_check = Some(CrossCheckSpec {
                     statement: span(spans, None),

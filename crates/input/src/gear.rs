@@ -6,7 +6,7 @@ use super::lead::{self, LeadGear, Leads};
 use super::outlines::{self, DrawingRead};
 use super::pitch::PitchSheet;
 use super::profile::{self, Profiles};
-use super::runout::{Runout, StatedTeeth};
+use super::runout::{RunoutSheet, StatedTeeth};
 use super::spec::{Either, EitherGearSpec, GearSpec, RackSpec, System};
 use super::statements::Statements;
 use super::{faults, findings, helix, thickness, unit_slips};
@@ -15,7 +15,7 @@ use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
 use gearlash::outline::OutlineGear;
-use gearlash_tables::StatedGear;
+use gearlash_tables::ExpectedGear;
 use gearlash_text::numbers::rounded;
 use gearlash_text::{MM_PER_INCH, Table};
 use std::convert::Infallible;
@@ -30,8 +30,8 @@ pub struct GearPart {
     /// `α`, degrees as written.
     pub pressure_angle_deg: Option<f64>,
     pub helix: Option<Helix>,
-    /// Ratio of lengths along the pitch line in the normal section to those in the section of the file.
-    in_section: f64,
+    /// Factor from lengths as stated to those in the normal section: cos β for a transverse system, else 1.
+    normal_per_stated: f64,
     pub basic_data: Option<BasicGearData>,
     /// The gear by its data, in one or both materials.
     pub as_built: Option<Toleranced<AsBuilt>>,
@@ -63,33 +63,33 @@ impl GearPart {
         let number = |key: &str| file.read::<f64>(&table.path_of(key)).flatten();
         let helix = Helix::read(file, name);
         let system = file.read::<System>(&table.path_of("system")).flatten();
-        let in_section = match (system, helix) {
+        let normal_per_stated = match (system, helix) {
             (Some(System::Transverse), Some(helix)) => helix.angle_deg.to_radians().cos(),
             _ => 1.0,
         };
         let stated = number("module_mm").or_else(|| Some(MM_PER_INCH / number("diametral_pitch")?));
-        let module_mm = stated.map(|module| module * in_section);
+        let module_mm = stated.map(|module| module * normal_per_stated);
         let stated = number("pressure_angle_deg");
-        let pressure_angle_deg = match in_section {
+        let pressure_angle_deg = match normal_per_stated {
             1.0 => stated,
             cos => stated.map(|angle| (angle.to_radians().tan() * cos).atan().to_degrees()),
         };
         let teeth = file.read(&table.path_of("teeth")).flatten();
         let basic_data = basic_data(&table, teeth, module_mm, pressure_angle_deg);
-        let wound = basic_data.zip(helix);
+        let data_and_helix = basic_data.zip(helix);
         let mut part = GearPart {
             teeth,
             module_mm,
             pressure_angle_deg,
             helix,
-            in_section,
+            normal_per_stated,
             scale: number("scale").unwrap_or(1.0),
-            basic_data: wound.and_then(|(data, helix)| helix.of(data, &table)),
+            basic_data: data_and_helix.and_then(|(data, helix)| helix.apply_to(data, &table)),
             expansion_per_k: file.read(&table.path_of("expansion_per_k")),
             states_face: table.has("reference_face"),
             ..GearPart::default()
         };
-        part.complete((file, name), &table);
+        part.read_tables((file, name), &table);
         part.remarks.extend(table.reading().take_remarks());
         part
     }
@@ -108,7 +108,7 @@ impl GearPart {
         })
     }
 
-    fn complete(&mut self, (file, name): (&Checked, &str), table: &Table) -> Option<()> {
+    fn read_tables(&mut self, (file, name): (&Checked, &str), table: &Table) -> Option<()> {
         let teeth = self.teeth;
         let profile_shift = file.read::<f64>(&table.path_of("profile_shift"));
         let face = file.read::<Face>(&table.path_of("reference_face"));
@@ -117,8 +117,8 @@ impl GearPart {
         let rack = rack.and_then(|rack| self.rack(rack.unwrap_or_default(), table));
         let thickness = file.read(&table.path_of("thickness"));
         let thickness = thickness.and_then(|spec| {
-            let mut spec = thickness::complete(table, spec.unwrap_or_default(), teeth)?;
-            spec.allowances_in_normal_section(self.in_section);
+            let mut spec = thickness::read(table, spec.unwrap_or_default(), teeth)?;
+            spec.allowances_in_normal_section(self.normal_per_stated);
             Some(spec)
         });
         let runout = file.read(&table.path_of("runout"));
@@ -127,8 +127,9 @@ impl GearPart {
             basic_data: self.basic_data.as_ref(),
             heights: face.and_then(|face| heights(face.unwrap_or_default())),
         };
-        let runout = runout
-            .and_then(|spec| Runout::read(table, spec.unwrap_or_default(), teeth, Some(&stated)));
+        let runout = runout.and_then(|spec| {
+            RunoutSheet::read(table, spec.unwrap_or_default(), teeth, Some(&stated))
+        });
         let sheet = match file.read(&table.path_of("pitch")) {
             Some(Some(spec)) => PitchSheet::read(table, spec, teeth),
             absent => absent.map(|_| None),
@@ -163,13 +164,13 @@ impl GearPart {
         };
         let mut design = GearDesign {
             basic_data: self.basic_data?,
-            profile_shift: profile_shift?.unwrap_or(0.0) / self.in_section,
+            profile_shift: profile_shift?.unwrap_or(0.0) / self.normal_per_stated,
             rack: rack?,
             tip_diameter: tip_diameter?,
         };
         design.tip_diameter = Some(2.0 * design.tip_radius());
         thickness::check_body(table, thickness.as_ref()?, &design)?;
-        let drawn = StatedGear {
+        let expected = ExpectedGear {
             design: &design,
             pressure_angle_deg: self.pressure_angle_deg?,
             helix_angle_deg: self.helix?.angle_deg,
@@ -184,7 +185,7 @@ impl GearPart {
         let lead_headers = leads.iter().flatten().flat_map(|leads| &leads.headers);
         let trace_headers = trace_headers.chain(lead_headers);
         for header in pitch_header.chain(runout_header).chain(trace_headers) {
-            header.check(&drawn);
+            header.check(&expected);
             header_warnings.extend_from_slice(header.warnings());
         }
         let face = face.map(Option::unwrap_or_default);
@@ -213,7 +214,7 @@ impl GearPart {
         self.warnings
             .extend(leads.into_iter().flat_map(|leads| leads.warnings.clone()));
         self.notes = gear.notes;
-        self.beside_helix(&statements, gear.as_built.most())?;
+        self.warn_of_short_face(&statements, gear.as_built.most());
         let scale = self.scale;
         let scaled = match spec.scale {
             Some(_) => gear.as_built.try_map(|gear| gear.expanded(scale)),
@@ -233,7 +234,7 @@ impl GearPart {
         spec.profile_shift = statements.design.profile_shift;
         spec.rack = RackSpec::from(&statements.design.rack);
         spec.tip_diameter_mm = statements.design.tip_diameter?;
-        let settled_runout = statements.runout.settled(gear.runout);
+        let settled_runout = statements.runout.spec_as_measured(gear.runout);
         let read_um = statements.runout.range_um();
         spec.runout = statements.runout.spec;
         spec.profile = statements.profiles.spec();
@@ -290,7 +291,8 @@ impl GearPart {
     /// The rack of the gear's table `gear`.
     fn rack(&self, spec: RackSpec, gear: &Table) -> Option<BasicRack> {
         let stated = [spec.addendum, spec.dedendum, spec.root_radius];
-        let [addendum, dedendum, root_radius] = stated.map(|length| length / self.in_section);
+        let [addendum, dedendum, root_radius] =
+            stated.map(|length| length / self.normal_per_stated);
         let rack = BasicRack::new(addendum, dedendum, root_radius);
         let rack = rack.map_err(|error| match error {
             GearError::OutOfRange { value, allowed, .. } => {
@@ -306,17 +308,15 @@ impl GearPart {
     }
 
     /// Warns of a face too short for the span of helical teeth.
-    fn beside_helix(&mut self, of: &Statements, gear: &AsBuilt) -> Option<()> {
-        let helix = self.helix?;
-        if helix.angle_deg == 0.0 {
-            return Some(());
-        }
+    fn warn_of_short_face(&mut self, of: &Statements, gear: &AsBuilt) {
+        let Some(helix) = self.helix.filter(|helix| helix.angle_deg != 0.0) else {
+            return;
+        };
         let span = of.thickness.statement.span.as_ref().map(|span| span.teeth);
         let name = of.table.path_of("face_mm");
         let name = name.trim_end_matches(".face_mm").to_owned();
         self.warnings
             .extend(helix::short_for_span(helix.face_mm, &name, gear, span));
-        Some(())
     }
 
     /// Puts `findings` into words. Findings on the pitch sheet's own values come before the `header_warnings`.

@@ -11,7 +11,7 @@ use gearlash_text::numbers::distinct_digits;
 pub struct Helix {
     /// `β`, degrees as written; 0 of a spur gear.
     pub angle_deg: f64,
-    /// `None` where it is not stated, and for a spur gear.
+    /// `None` where it is not stated; a spur gear can state one.
     pub hand: Option<Hand>,
     /// Its ends, mm from its measuring plane; `None` where none is stated.
     pub face_mm: Option<[f64; 2]>,
@@ -65,7 +65,8 @@ impl Helix {
         })
     }
 
-    pub fn of(&self, data: BasicGearData, table: &Table) -> Option<BasicGearData> {
+    /// `data` with this helix.
+    pub fn apply_to(&self, data: BasicGearData, table: &Table) -> Option<BasicGearData> {
         let wound = data.with_helix(
             self.angle_deg.to_radians(),
             self.hand.unwrap_or(Hand::Right),

@@ -8,10 +8,10 @@ use super::spec::{
     Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, GearSpec, LeadSpec, ReliefEnd, ReliefShape,
     SlopeLength, SpurSlopeSpec, TeethEnd, TraceSpec,
 };
-use super::traces::{self, Along, Measured};
+use super::traces::{self, Along, TraceGear};
 use gearlash::gear::{BasicGearData, EndRelief, Face, Flank, Hand, Lead, Trace};
 use gearlash::metrology::LeadKey;
-use gearlash_tables::Header;
+use gearlash_tables::ProtocolHeader;
 use gearlash_text::Table;
 use gearlash_text::numbers::shortest;
 
@@ -49,7 +49,7 @@ fn default_range(width: f64, module_mm: f64) -> [f64; 2] {
 }
 
 /// The leads of a gear as understood, to which further ones are added, with their [`shape`]; `None` without a face.
-pub fn to_add_to(gear: &GearSpec) -> Option<(LeadSpec, Lead, f64)> {
+pub fn lead_base(gear: &GearSpec) -> Option<(LeadSpec, Lead, f64)> {
     let face = gear.heights()?;
     let mut spec = gear.lead.clone().unwrap_or_default();
     let range = default_range(face[1] - face[0], gear.module_mm);
@@ -65,8 +65,8 @@ pub fn to_add_to(gear: &GearSpec) -> Option<(LeadSpec, Lead, f64)> {
 }
 
 /// The leads of `gear` with the slopes and crownings, mm, of `further` ones of right and left flanks, which have its [`shape`].
-pub fn with_further(gear: &GearSpec, further: &[Lead; 2]) -> Option<LeadSpec> {
-    let (mut spec, _, share) = to_add_to(gear)?;
+pub fn with_added_leads(gear: &GearSpec, further: &[Lead; 2]) -> Option<LeadSpec> {
+    let (mut spec, _, share) = lead_base(gear)?;
     let mut flanks = spec.flanks.flanks().map(FlankLeadSpec::clone);
     for (flank, further) in flanks.iter_mut().zip(further) {
         let um = 1e3 / gear.scale();
@@ -85,7 +85,7 @@ pub struct Leads {
     shape: (Lead, f64),
     hand: Hand,
     /// Statements about the gear in the files of traces.
-    pub headers: Vec<Header>,
+    pub headers: Vec<ProtocolHeader>,
     pub warnings: Vec<String>,
 }
 
@@ -158,7 +158,7 @@ impl Leads {
             width,
             helix_cos: basic_data.base_helix_angle().cos(),
         };
-        let measured = Measured::new(part.teeth, along);
+        let measured = TraceGear::new(part.teeth, along);
         let mut flanks = traces::read_flanks(&table, spec.flanks, &measured)?;
         if spec.from == TeethEnd::Far {
             for flank in &mut flanks {
@@ -186,7 +186,7 @@ impl Leads {
     }
 
     /// The leads of right flanks and of left ones.
-    pub fn measured(&self) -> [Lead; 2] {
+    pub fn for_metrology(&self) -> [Lead; 2] {
         let (shape, share) = &self.shape;
         let [near, far] = shape.face;
         let point = |(height, um): (&f64, &f64)| ((near + height).clamp(near, far), um / 1000.0);

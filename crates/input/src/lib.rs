@@ -2,7 +2,8 @@
 //!
 //! A file becomes a tree of values (`gearlash-text`). The schema of the spec checks it (`check`), then serde reads the spec. The
 //! tables it names are read (`gearlash-tables`). Metrology and geometry take the result: `faults` finds the keys of their errors,
-//! `findings` puts their findings into words. This package computes nothing about gears.
+//! `findings` puts their findings into words. It computes no result: `pair_slips` and `short_for_span` only estimate whether
+//! numbers are likely.
 //!
 //! ```no_run
 //! use std::path::Path;
@@ -18,8 +19,8 @@
 mod assembly;
 mod check;
 mod common_face;
-mod distance;
 mod faults;
+mod files;
 mod findings;
 mod gauged_file;
 mod gear;
@@ -29,11 +30,10 @@ mod lead;
 pub mod matching;
 mod measured;
 pub mod outlines;
-mod pair_file;
 mod pair_slips;
+mod pair_tables;
 mod pitch;
 mod profile;
-mod read;
 mod runout;
 mod shafts;
 pub mod spec;
@@ -50,20 +50,20 @@ mod unknown_key;
 use check::Checked;
 use gearlash_text::characters::shell_word;
 use gearlash_text::{
-    Files, InputError, Node, Problem, Reading, Table, bytes, has_extension, named, source,
+    Files, InputError, Node, Problem, Reading, Table, bytes, display_path, has_extension, source,
     without_mark,
 };
-use pair_file::PairTables;
+use pair_tables::PairTables;
 use std::path::Path;
 use std::rc::Rc;
 
-pub use distance::with_distance;
+pub use assembly::with_distance;
+pub use files::{GearEntry, GearsFile, PairFile, distance_refused};
 pub use gauged_file::{NoGearFile, gauged_file};
 pub use gearlash_tables::EXTENSIONS as TABLE_EXTENSIONS;
 pub use helix::short_for_span;
-pub use pair_file::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
-pub use pair_slips::in_tolerance as tolerance_slip;
-pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
+pub use pair_slips::tolerance_slip;
+pub use pair_tables::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use spec::{explained, gear_schema, pair_schema, schemas};
 
 /// A pair file or gear file as a tree of values.
@@ -221,7 +221,7 @@ fn pair_by_data(file: &Tree) -> Option<PairFile> {
 
 fn gears(file: &Tree) -> Option<GearsFile> {
     if file.is_gear_file() {
-        read::gear_file(file)
+        files::gear_file(file)
     } else {
         pair(file).map(GearsFile::from)
     }
@@ -237,7 +237,7 @@ fn gears_by_data(file: &Tree) -> Option<GearsFile> {
 fn with_tree<T>(path: &Path, understand: impl FnOnce(&Tree) -> Option<T>) -> Result<T, InputError> {
     let bytes = bytes(path).and_then(|bytes| refuse_other_kinds(path, bytes));
     let text = bytes.and_then(source::text);
-    with_text(named(path), Reading::of(path), text, understand)
+    with_text(display_path(path), Reading::of(path), text, understand)
 }
 
 /// Whether the file at `path` is to be read as a gearbox model (REXS), by its name.

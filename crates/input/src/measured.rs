@@ -20,14 +20,14 @@ const QUANTITIES: [Quantity; 7] = [
 
 /// The file and its rows, each with its line.
 #[derive(Debug)]
-pub struct Measured {
+pub struct RigResults {
     pub file: DataFile,
     pub rows: Vec<(u64, MeasuredRow)>,
 }
 
-impl Measured {
+impl RigResults {
     /// Reads the file named in `[measured]`.
-    pub fn read(checked: &Checked, teeth: (Option<u32>, Option<u32>)) -> Option<Measured> {
+    pub fn read(checked: &Checked, teeth: (Option<u32>, Option<u32>)) -> Option<RigResults> {
         checked.is_good("measured").then_some(())?;
         let columns = QUANTITIES.map(Column::of);
         let wanted = Wanted {
@@ -40,7 +40,7 @@ impl Measured {
         let (file, sheet) = Sheet::read(&checked.table().below("measured"), &wanted)?;
         let rows = sheet.rows.into_iter().zip(sheet.sources).map(row);
         let rows = rows.collect::<Option<_>>()?;
-        Some(Measured { file, rows })
+        Some(RigResults { file, rows })
     }
 
     /// Each centre distance once, in order of first appearance, with its first line.

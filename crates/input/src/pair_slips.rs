@@ -33,7 +33,7 @@ const ROUNDING_MM: f64 = 1e-9;
 const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
 
 /// Radial play that no bearing has.
-pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
+pub fn bearing_slips(bearings: &BearingClearanceSpec) -> Vec<String> {
     let [wheel, pinion] = bearings.each().map(|[one, other]| one.max(other));
     let members = [("wheel", wheel), ("pinion", pinion)];
     let large = members.into_iter().filter(|(_, mm)| *mm > MAX_PLAY_MM);
@@ -47,7 +47,7 @@ pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
 }
 
 /// A warning of a tolerance of `compare` that lets everything pass; `key` is its place.
-pub fn in_tolerance(key: &str, um: f64) -> Option<String> {
+pub fn tolerance_slip(key: &str, um: f64) -> Option<String> {
     (um > MAX_TOLERANCE_UM).then(|| {
         format!(
             "{key}: {um} µm is as large as backlash itself, so that hardly a difference would fail: the default is 0.1; if nm were meant, write {}",
@@ -57,9 +57,9 @@ pub fn in_tolerance(key: &str, um: f64) -> Option<String> {
 }
 
 /// Warnings about the centre `distances`, mm, beside the gears.
-pub fn in_distances(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Vec<String> {
+pub fn distance_slips(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Vec<String> {
     let mut warnings = Vec::new();
-    warnings.extend(runouts(wheel, pinion, distances));
+    warnings.extend(large_runout(wheel, pinion, distances));
     let distance = other_distance(wheel, pinion, distances);
     warnings.extend(distance.or_else(|| excessive_backlash(wheel, pinion, distances)));
     warnings
@@ -67,7 +67,7 @@ pub fn in_distances(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> V
 
 /// A warning that tooth numbers may run in opposite directions: both gears have data of single teeth, and neither states its
 /// reference face.
-pub fn in_faces(gears: [&GearPart; 2]) -> Option<String> {
+pub fn face_slip(gears: [&GearPart; 2]) -> Option<String> {
     let is_open = gears.iter().all(|gear| {
         !gear.states_face && gear.by_data().is_some_and(|(_, spec)| has_tooth_data(spec))
     });
@@ -86,7 +86,7 @@ fn has_tooth_data(gear: &GearSpec) -> bool {
 }
 
 /// Runouts that take more than half of the radial clearance.
-fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
+fn large_runout(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
     let a = distances.iter().copied().reduce(f64::min)?;
     let gears = [("wheel", wheel), ("pinion", pinion)]
         .map(|(name, part)| Some(((name, part.scale), part.as_built.as_ref()?.most())));

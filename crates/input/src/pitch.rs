@@ -1,10 +1,10 @@
 //! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
 
 use super::spec::PitchSpec;
-use super::thickness::one_a_tooth;
+use super::thickness::one_per_tooth;
 use gearlash::gear::{Flank, Side};
 use gearlash::metrology::{PitchSense, PitchStatement};
-use gearlash_tables::{Column, Header, Sheet};
+use gearlash_tables::{Column, ProtocolHeader, Sheet};
 use gearlash_text::Table;
 
 /// The values of the table, with both flanks.
@@ -13,7 +13,7 @@ pub struct PitchSheet {
     /// As in the pair file, the values as lists.
     pub spec: PitchSpec,
     /// Statements about the gear in the file of the values; `None` for lists.
-    pub header: Option<Header>,
+    pub header: Option<ProtocolHeader>,
 }
 
 impl PitchSheet {
@@ -72,8 +72,8 @@ impl PitchSheet {
             )?;
         }
         let [right, left] = lists;
-        let right = one_a_tooth(&table, "right_um", right, teeth);
-        let left = one_a_tooth(&table, "left_um", left, teeth);
+        let right = one_per_tooth(&table, "right_um", right, teeth);
+        let left = one_per_tooth(&table, "left_um", left, teeth);
         let spec = PitchSpec {
             right_um: Some(right?),
             left_um: Some(left?),
@@ -92,7 +92,7 @@ impl PitchSheet {
     }
 
     /// The measurement as the metrology takes it.
-    pub fn measured(&self) -> PitchStatement {
+    pub fn for_metrology(&self) -> PitchStatement {
         let PitchSpec {
             right_um, left_um, ..
         } = &self.spec;

@@ -1,10 +1,10 @@
 //! `[profile]`: deviations of the flanks from the involute, for both flanks or each.
 
 use super::spec::{FlankProfileSpec, FlanksSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
-use super::traces::{self, Along, Measured};
+use super::traces::{self, Along, TraceGear};
 use gearlash::gear::{BasicGearData, Flank, Modification, Relief, Trace};
 use gearlash::metrology::ProfileKey;
-use gearlash_tables::Header;
+use gearlash_tables::ProtocolHeader;
 use gearlash_text::{Node, Table};
 
 const NAME: &str = "profile";
@@ -14,7 +14,7 @@ const NAME: &str = "profile";
 pub struct Profiles {
     flanks: [FlankProfileSpec; 2],
     /// Statements about the gear in the files of traces.
-    pub headers: Vec<Header>,
+    pub headers: Vec<ProtocolHeader>,
 }
 
 impl Profiles {
@@ -25,7 +25,7 @@ impl Profiles {
         teeth: Option<u32>,
         basic_data: Option<&BasicGearData>,
     ) -> Option<Profiles> {
-        let measured = Measured::new(teeth, Along::Profile(basic_data));
+        let measured = TraceGear::new(teeth, Along::Profile(basic_data));
         let flanks = traces::read_flanks(&gear.below(NAME), spec, &measured)?;
         Some(Profiles {
             flanks,
@@ -33,7 +33,7 @@ impl Profiles {
         })
     }
 
-    pub fn measured(&self, basic_data: &BasicGearData) -> [Modification; 2] {
+    pub fn for_metrology(&self, basic_data: &BasicGearData) -> [Modification; 2] {
         let base = basic_data.base_radius();
         self.flanks.each_ref().map(|flank| Modification {
             slope: flank.slope_um.unwrap_or(0.0) / 1000.0,

@@ -1,14 +1,14 @@
-//! `[runout]`: the distance of the teeth from the rotation axis.
+//! `[runout]`: eccentricity and wobble of the teeth about the rotation axis.
 
 use super::spec::{FaceRunoutSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec, TeethEnd};
 use gearlash::gear::BasicGearData;
 use gearlash::metrology::{self, ProbeReadings, ReadWith, RunoutAt, RunoutStatement, Wobble};
-use gearlash_tables::{Header, Quantity, Sheet};
+use gearlash_tables::{ProtocolHeader, Quantity, Sheet};
 use gearlash_text::Table;
 
 /// Runout `F_r`, the tooth towards which the teeth are displaced, and their wobble.
 #[derive(Debug, Clone, Default)]
-pub struct Runout {
+pub struct RunoutSheet {
     /// As in the pair file; 0 for readings until they are fitted.
     pub spec: RunoutSpec,
     /// In the measuring plane, where two planes state it.
@@ -17,7 +17,7 @@ pub struct Runout {
     pub warnings: Vec<String>,
     readings: Option<ProbeReadings>,
     /// Statements about the gear in the file of the readings.
-    pub header: Option<Header>,
+    pub header: Option<ProtocolHeader>,
 }
 
 /// The teeth of a gear by its data, as far as they are known.
@@ -27,14 +27,14 @@ pub struct StatedTeeth<'a> {
     pub heights: Option<Option<[f64; 2]>>,
 }
 
-impl Runout {
+impl RunoutSheet {
     /// Reads the runout `spec` of the gear's table `gear`. `stated` is `None` for a drawn gear.
     pub fn read(
         gear: &Table,
         spec: RunoutSpec,
         teeth: Option<u32>,
         stated: Option<&StatedTeeth>,
-    ) -> Option<Runout> {
+    ) -> Option<RunoutSheet> {
         let table = gear.below("runout");
         let beyond = |tooth: f64| teeth.filter(|teeth| tooth >= f64::from(*teeth) + 1.0);
         let planes = spec.planes.iter().flatten();
@@ -57,9 +57,9 @@ impl Runout {
                 );
             }
         }
-        let runout = Runout {
+        let runout = RunoutSheet {
             spec,
-            ..Runout::default()
+            ..RunoutSheet::default()
         };
         let runout = runout.with_wobble(gear, &table, stated)?;
         let Some(at) = runout.spec.at else {
@@ -82,7 +82,7 @@ impl Runout {
                 "write at = \"space\"",
             );
         }
-        Some(Runout {
+        Some(RunoutSheet {
             readings: Some(ProbeReadings {
                 um: sheet.values(0),
                 with: match (at, spec.ball_mm) {
@@ -106,7 +106,7 @@ impl Runout {
         gear: &Table,
         table: &Table,
         stated: Option<&StatedTeeth>,
-    ) -> Option<Runout> {
+    ) -> Option<RunoutSheet> {
         let (planes, shoulder) = (self.spec.planes, self.spec.face_runout);
         let key = match (planes, shoulder) {
             (Some(_), _) => "planes",
@@ -179,7 +179,7 @@ impl Runout {
     }
 
     /// The measurement as the metrology takes it.
-    pub fn measured(&self) -> RunoutStatement {
+    pub fn for_metrology(&self) -> RunoutStatement {
         let in_plane = metrology::Runout {
             total_um: self.spec.total(),
             high_tooth: self.spec.high_tooth,
@@ -199,7 +199,7 @@ impl Runout {
     }
 
     /// The runout of the gear as measured, as in the pair file.
-    pub fn settled(&self, runout: metrology::Runout) -> RunoutSpec {
+    pub fn spec_as_measured(&self, runout: metrology::Runout) -> RunoutSpec {
         if self.of_planes.is_some() {
             return self.spec.clone();
         }

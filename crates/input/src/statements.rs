@@ -3,7 +3,7 @@
 use super::lead::Leads;
 use super::pitch::PitchSheet;
 use super::profile::Profiles;
-use super::runout::Runout;
+use super::runout::RunoutSheet;
 use super::spec::{CrossCheckSpec, StatementSpec, ThicknessSpec};
 use super::thickness;
 use gearlash::gear::{Face, Flank, GearDesign, PitchAxis};
@@ -18,7 +18,7 @@ pub struct Statements<'a> {
     pub design: GearDesign,
     pub thickness: ThicknessSpec,
     pub pitch: Option<PitchSheet>,
-    pub runout: Runout,
+    pub runout: RunoutSheet,
     pub profiles: Profiles,
     pub leads: Option<Leads>,
 }
@@ -28,22 +28,26 @@ impl Statements<'_> {
         Measurements {
             design: self.design,
             face,
-            thickness: self.thickness.statement.measured(),
+            thickness: self.thickness.statement.for_metrology(),
             per_tooth_um: self.thickness.per_tooth_um.clone().unwrap_or_default(),
             cross_check: self
                 .thickness
                 .cross_check
                 .as_ref()
-                .map(CrossCheckSpec::measured),
-            pitch: self.pitch.as_ref().map(PitchSheet::measured),
-            runout: self.runout.measured(),
+                .map(CrossCheckSpec::for_metrology),
+            pitch: self.pitch.as_ref().map(PitchSheet::for_metrology),
+            runout: self.runout.for_metrology(),
             wobble: self.runout.wobble,
-            profiles: self.profiles.measured(&self.design.basic_data),
+            profiles: self.profiles.for_metrology(&self.design.basic_data),
             leads_about_datum: self
                 .leads
                 .as_ref()
                 .is_some_and(|leads| leads.spec.axis == PitchAxis::Datum),
-            leads: self.leads.as_ref().map(Leads::measured).unwrap_or_default(),
+            leads: self
+                .leads
+                .as_ref()
+                .map(Leads::for_metrology)
+                .unwrap_or_default(),
         }
     }
 

@@ -30,6 +30,7 @@ pub fn check_unequal(file: &Table, [wheel, pinion]: [f64; 2]) -> Option<()> {
     )
 }
 
+/// The temperature of a pair, and the factors of its lengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Temperature {
     temperature_c: f64,
@@ -86,7 +87,7 @@ impl Temperature {
     }
 
     /// Factors of the lengths of wheel and pinion.
-    pub fn of_gears(&self) -> [f64; 2] {
+    pub fn gear_factors(&self) -> [f64; 2] {
         let [wheel, pinion, _] = self.factors;
         [wheel, pinion]
     }
@@ -112,7 +113,7 @@ impl Temperature {
         file.keep("assembly.temperature_c", warm, help)
     }
 
-    /// "80 °C: lengths of the wheel × 1.0006900, …".
+    /// The factors in words, for a remark.
     pub fn described(&self) -> String {
         let [wheel, pinion, housing] = self.factors.map(|factor| ascii(factor, 7));
         format!(

@@ -1,4 +1,4 @@
-//! `[thickness]`: lists and tables of its statements beside the number of teeth, and their measurements for metrology.
+//! `[thickness]`: completes the statements by the number of teeth, and converts them for metrology.
 
 use super::spec::{
     CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, OverPinsSpec, STATEMENTS, StatementSpec,
@@ -17,11 +17,7 @@ pub const CROSS_CHECK: &str = "thickness.cross_check";
 /// Reads the tables that `spec` names and checks its lists on a gear with `teeth` teeth; fills in defaults.
 ///
 /// `gear` is the gear's table. `None` where a statement has a problem; `per_tooth_um` is `None` where its values have one.
-pub fn complete(
-    gear: &Table,
-    mut spec: ThicknessSpec,
-    teeth: Option<u32>,
-) -> Option<ThicknessSpec> {
+pub fn read(gear: &Table, mut spec: ThicknessSpec, teeth: Option<u32>) -> Option<ThicknessSpec> {
     let table = gear.below("thickness");
     let statement = complete_statement(&table, &mut spec.statement, teeth);
     if let Some(span) = &mut spec.statement.span
@@ -101,7 +97,7 @@ pub fn check_body(gear: &Table, spec: &ThicknessSpec, design: &GearDesign) -> Op
                 ..StatementSpec::default()
             };
             let base = stated
-                .measured()
+                .for_metrology()
                 .base_thickness(design, &Deviations::default());
             let nominal = design.nominal_base_thickness();
             base.map_or("none".to_owned(), |base| {
@@ -191,7 +187,7 @@ fn complete_readings(
 /// `per_tooth_um`, listed or in a file: empty or one value a tooth, µm.
 fn per_tooth(table: &Table, listed: Option<Vec<f64>>, teeth: Option<u32>) -> Option<Vec<f64>> {
     if let Some(list) = listed {
-        return one_a_tooth(table, "per_tooth_um", list, teeth);
+        return one_per_tooth(table, "per_tooth_um", list, teeth);
     }
     if !table.has("per_tooth_um") {
         return Some(Vec::new());
@@ -201,8 +197,8 @@ fn per_tooth(table: &Table, listed: Option<Vec<f64>>, teeth: Option<u32>) -> Opt
     Some(sheet.values(0))
 }
 
-/// `list`, if it is empty or has one value a tooth.
-pub fn one_a_tooth(
+/// `list`, if it is empty or has one value per tooth.
+pub fn one_per_tooth(
     table: &Table,
     name: &str,
     list: Vec<f64>,
@@ -226,7 +222,7 @@ impl StatementSpec {
         keys.find(|key| stated.get(key).is_some())
     }
 
-    pub(crate) fn measured(&self) -> ThicknessStatement {
+    pub(crate) fn for_metrology(&self) -> ThicknessStatement {
         if let Some(span) = &self.span {
             let teeth = span.teeth;
             return match span.length.readings(&span.first_tooth) {
@@ -282,9 +278,9 @@ impl StatementSpec {
 }
 
 impl CrossCheckSpec {
-    pub(crate) fn measured(&self) -> metrology::CrossCheck {
+    pub(crate) fn for_metrology(&self) -> metrology::CrossCheck {
         metrology::CrossCheck {
-            statement: self.statement.measured(),
+            statement: self.statement.for_metrology(),
             tolerance_um: self.tolerance_um.unwrap_or(CROSS_CHECK_UM),
         }
     }

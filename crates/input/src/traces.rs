@@ -3,7 +3,7 @@
 use crate::spec::{Either, FlankSpec, FlanksSpec, TraceDirection, TraceSpec};
 use gearlash::gear::{BasicGearData, Flank};
 use gearlash_tables::DataFile;
-use gearlash_tables::{Column, Coverage, Header, Quantity, Sheet, Wanted};
+use gearlash_tables::{Column, Coverage, ProtocolHeader, Quantity, Sheet, Wanted};
 use gearlash_text::numbers::ascii;
 use gearlash_text::{Node, Table};
 use std::cell::RefCell;
@@ -16,11 +16,11 @@ type FlankTraces = [Vec<TraceSpec>; 2];
 type Point = (f64, f64);
 
 /// The gear that traces were measured on, as far as known.
-pub struct Measured<'a> {
+pub struct TraceGear<'a> {
     teeth: Option<u32>,
     along: Along<'a>,
     /// Statements about it in the files that were read.
-    headers: RefCell<Vec<Header>>,
+    headers: RefCell<Vec<ProtocolHeader>>,
 }
 
 /// The direction in which a trace runs.
@@ -32,11 +32,11 @@ pub enum Along<'a> {
     Face { width: f64, helix_cos: f64 },
 }
 
-type Fault = (String, String);
+type ReasonAndHelp = (String, String);
 
-impl<'a> Measured<'a> {
-    pub fn new(teeth: Option<u32>, along: Along<'a>) -> Measured<'a> {
-        Measured {
+impl<'a> TraceGear<'a> {
+    pub fn new(teeth: Option<u32>, along: Along<'a>) -> TraceGear<'a> {
+        TraceGear {
             teeth,
             along,
             headers: RefCell::default(),
@@ -44,12 +44,12 @@ impl<'a> Measured<'a> {
     }
 
     /// Statements about the gear in the files that were read.
-    pub fn into_headers(self) -> Vec<Header> {
+    pub fn into_headers(self) -> Vec<ProtocolHeader> {
         self.headers.into_inner()
     }
 
     /// Roll length or height of a stated place; `Err(None)` where the gear is unknown, which is reported elsewhere.
-    fn place(&self, by: Quantity, at_mm: f64) -> Result<f64, Option<Fault>> {
+    fn place(&self, by: Quantity, at_mm: f64) -> Result<f64, Option<ReasonAndHelp>> {
         match self.along {
             Along::Profile(_) if by == Quantity::RollLength => Ok(at_mm),
             Along::Profile(basic_data) => {
@@ -101,7 +101,7 @@ impl<'a> Measured<'a> {
     }
 
     /// The fault of a point that does not ascend from `last`.
-    fn ascending(&self, last: Option<&Point>, point: Point, by: Quantity) -> Option<Fault> {
+    fn ascending(&self, last: Option<&Point>, point: Point, by: Quantity) -> Option<ReasonAndHelp> {
         let last = last.filter(|last| point.0 <= last.0)?;
         let how = if point.0 < last.0 {
             "descends"
@@ -124,7 +124,7 @@ fn read(
     table: &Table,
     stated: Option<Either<TraceSpec, Vec<TraceSpec>>>,
     own: Option<Flank>,
-    gear: &Measured,
+    gear: &TraceGear,
 ) -> Option<FlankTraces> {
     let mut traces = [Vec::new(), Vec::new()];
     let (Some(entry), Some(stated)) = (table.get("trace"), stated) else {
@@ -178,14 +178,14 @@ fn read(
         // The other flank mostly has the same problem.
         return None;
     }
-    good.map(|()| traces)
+    Some(traces)
 }
 
 fn read_one(
     table: &Table,
     stated: TraceSpec,
     own: Option<Flank>,
-    gear: &Measured,
+    gear: &TraceGear,
 ) -> Option<FlankTraces> {
     let tooth = stated.tooth;
     let beyond = gear
@@ -209,7 +209,7 @@ fn read_one(
     })
 }
 
-fn of_lists(table: &Table, stated: TraceSpec, gear: &Measured) -> Option<Vec<Point>> {
+fn of_lists(table: &Table, stated: TraceSpec, gear: &TraceGear) -> Option<Vec<Point>> {
     let places = [
         (
             Quantity::RollLength,
@@ -262,7 +262,7 @@ fn of_file(
     table: &Table,
     stated: &TraceSpec,
     own: Option<Flank>,
-    gear: &Measured,
+    gear: &TraceGear,
 ) -> Option<FlankTraces> {
     let (place, base_radius) = match gear.along {
         Along::Profile(data) => (Quantity::RollLength, data.map(BasicGearData::base_radius)),
@@ -279,13 +279,13 @@ fn of_file(
     file.list(|| of_rows(&file, &read, by, (stated, own), gear))
 }
 
-/// The traces in the rows of a table `by` a kind of place, in a table that `stated` describes or that is of its `own` flank.
+/// The traces in the rows of a table; `by` is the quantity of its places. Tooth and flank are columns, or in `stated` and `own`.
 fn of_rows(
     file: &DataFile,
     read: &Sheet,
     by: Quantity,
     (stated, own): (&TraceSpec, Option<Flank>),
-    gear: &Measured,
+    gear: &TraceGear,
 ) -> Option<FlankTraces> {
     let (tooth, factor) = (stated.tooth, gear.factor(stated.direction));
     let first = read.rows.first()?;
@@ -353,7 +353,7 @@ fn of_rows(
 pub fn read_flanks<F: FlankSpec>(
     table: &Table,
     spec: FlanksSpec<F>,
-    gear: &Measured,
+    gear: &TraceGear,
 ) -> Option<[F; 2]> {
     let one = |table: &Table, mut spec: F, own| {
         let traces = read(table, spec.trace().take(), own, gear);

@@ -78,11 +78,13 @@ pub fn key_reason(path: &str, name: &str, node: &Node) -> Option<(&'static str, 
     Some((reason, help))
 }
 
+/// The longest word that is compared with known ones, characters.
+const LONGEST: usize = 64;
+
 /// The word of `known` with the least edit distance from `word`, and that distance.
 ///
 /// The first wins a tie. A word over 64 characters has none: no known word is half as long.
 pub fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<(&'k str, usize)> {
-    const LONGEST: usize = 64;
     if word.chars().nth(LONGEST).is_some() {
         return None;
     }
@@ -133,7 +135,6 @@ const SYNONYMS: [(&str, &str); 16] = [
 
 /// The key of `known` that is also called `name`.
 pub fn synonym<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
-    const LONGEST: usize = 64;
     let name = (name.len() <= LONGEST).then(|| name.to_lowercase().replace(['_', '-', '*'], ""))?;
     let called = |names: &str| names.split(' ').any(|other| other == name);
     let mut all = SYNONYMS.iter().filter(|(_, names)| called(names));

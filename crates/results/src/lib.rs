@@ -1,6 +1,6 @@
 //! Results of gearlash as data and as text: JSON, CSV, terminal tables, Markdown and JUnit, and the words of a verdict.
 //!
-//! Keys are those of the interface, with units in their names. This package computes nothing about gears.
+//! Keys are those of the interface, with units in their names. Only `gauge::grades` computes: it runs the gauge.
 //!
 //! ```no_run
 //! use gearlash::analysis::{Analysis, Plan};
@@ -20,7 +20,6 @@ mod column;
 mod comparison;
 mod difference;
 pub mod gauge;
-pub mod grades;
 pub mod judged;
 mod layout;
 pub mod matching;
@@ -32,7 +31,7 @@ mod remedies;
 mod run;
 mod simulation;
 pub mod verdict;
-mod written;
+mod writer;
 
 /// Results as text for a terminal.
 pub mod text {
@@ -71,4 +70,4 @@ pub use notes::{drawn_notes, fitted_sentences};
 pub use pose::{ContactRow, pose_arrays, pose_doubts, pose_page};
 pub use remedies::RemedyRecords;
 pub use run::{extremes_json, pose_json};
-pub use written::ResultWriter;
+pub use writer::ResultWriter;

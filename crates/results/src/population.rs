@@ -301,7 +301,7 @@ pub fn json(result: &ToleranceResult) -> String {
             "at_mean": both(0),
             "worst_case": both(1),
             "root_sum_of_squares": both(2),
-            "without_end": about.without_end,
+            "without_end": about.unbounded,
             "cut_at_sigmas": LIMIT_SIGMAS,
             "cut_at_share": LIMIT_SHARE,
             "pitch_cut_at_sigmas": PITCH_LIMIT_SIGMAS,
@@ -370,10 +370,10 @@ pub fn remarks(result: &ToleranceResult) -> Vec<String> {
     }
     remarks.extend(without_backlash(result));
     remarks.extend(phases_of_limits(about).map(str::to_owned));
-    if about.limit_cases.is_some() && !about.without_end.is_empty() {
+    if about.limit_cases.is_some() && !about.unbounded.is_empty() {
         remarks.push(format!(
             "Worst case: every quantity at its limit. Distributions without an end are cut at stated limits, else at 3 standard deviations: {}.",
-            about.without_end.join(", ")
+            about.unbounded.join(", ")
         ));
     }
     remarks.extend(without_worst_case(about).map(str::to_owned));

@@ -31,8 +31,9 @@ impl RemedyRecord {
         // A file states the nominal distance of a band. The middle one of the study can be an end of the band.
         let assembly = &file.spec.assembly;
         let stated = assembly.center_distance_mm.nominal_mm();
-        let stated =
-            stated.filter(|_| remedy.what == Change::CenterDistance && assembly.holds_at() == 0.0);
+        let stated = stated.filter(|_| {
+            remedy.what == Change::CenterDistance && assembly.distance_place_mm() == 0.0
+        });
         let listed = &file.study.center_distances;
         let shift = match (stated, file.study.distance_band) {
             (Some(nominal), Some(_)) => nominal - listed[listed.len() / 2],

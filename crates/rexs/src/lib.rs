@@ -16,7 +16,7 @@ use attributes::NoPair;
 use document::{Component, Document, shown};
 use gearlash_text::characters::{cut, plain};
 use gearlash_text::node::LONGEST;
-use gearlash_text::{InputError, Problem, Reading, Sources, source};
+use gearlash_text::{InputError, Problem, Reading, Sources, display_path, source};
 use stage::Stage;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -72,7 +72,7 @@ pub struct RexsPair {
 /// [`InputError`] with the place of a fault of the whole file: line and column, or component and attribute. A fault of one stage
 /// is the reason of that stage.
 pub fn read(path: &Path) -> Result<RexsFile, InputError> {
-    let (name, sources) = (gearlash_text::named(path), Reading::of(path).sources());
+    let (name, sources) = (display_path(path), Reading::of(path).sources());
     let file = gearlash_text::bytes(path).and_then(|bytes| of_bytes(name, sources, bytes));
     file.map_err(|problem| InputError::of(name, vec![problem]))
 }

@@ -1,6 +1,6 @@
 //! The keys of a table in a pair file: where it is, and its columns.
 
-use gearlash_text::written::Decimal;
+use gearlash_text::file_numbers::Decimal;
 use gearlash_text::{Node, Table};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};

@@ -199,8 +199,8 @@ impl Column {
     pub fn may_be(self, heading: Column) -> bool {
         let is_quantity = heading.quantity == self.quantity;
         if self.kind().is_some() {
-            let is_unsaid = matches!(heading.quantity, Quantity::Unstated | Quantity::Pitch);
-            return heading.side == self.side && (is_unsaid || is_quantity);
+            let is_unstated = matches!(heading.quantity, Quantity::Unstated | Quantity::Pitch);
+            return heading.side == self.side && (is_unstated || is_quantity);
         }
         is_quantity && (self.quantity != Quantity::Deviation || heading.side.is_none())
     }
@@ -209,15 +209,15 @@ impl Column {
     pub fn may_be_named(self, heading: Column) -> bool {
         let Column { side, quantity } = heading;
         let is_deviation = quantity == Quantity::Deviation;
-        let is_unsaid = matches!(
+        let is_unstated = matches!(
             quantity,
             Quantity::Unstated | Quantity::MeasuredRight | Quantity::MeasuredLeft
         );
         if self.kind().is_some() {
-            let fits = is_unsaid || quantity.is_pitch() || is_deviation;
+            let fits = is_unstated || quantity.is_pitch() || is_deviation;
             return fits && (side.is_none() || side == self.side);
         }
-        is_unsaid
+        is_unstated
             || (is_deviation && matches!(self.quantity, Quantity::Thickness | Quantity::Runout))
             || self.may_be(heading)
     }

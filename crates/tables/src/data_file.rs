@@ -19,8 +19,8 @@ pub struct DataFile {
     outside: bool,
 }
 
-/// Replaces text of a file outside the pair file's folder. The file is read, because engineers have network folders. But the
-/// writer of a pair file who sees the messages must not learn from them the content of any file that the program may read.
+/// Replaces text of a file outside the pair file's folder. The file is read, because engineers have network folders.
+/// Messages must not show the content of such a file to whoever wrote the pair file.
 const NOT_SHOWN: &str = "(not shown: the file is outside the pair file's folder)";
 /// Characters of a path that a message shows: as long as Linux allows.
 const LONGEST_PATH: usize = 4096;

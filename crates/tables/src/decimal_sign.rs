@@ -7,14 +7,14 @@
 
 use crate::column::{Column, Quantity};
 use crate::data_file::DataFile;
-use gearlash_text::written::{Decimal, Written};
+use gearlash_text::file_numbers::{Decimal, FileNumber};
 use std::cmp::Ordering;
 
 /// No span, dimension over pins or centre distance reaches this length, mm.
 const MAX_MM: f64 = 10_000.0;
 
 /// A number of a table: its line, its column, and its text.
-pub type Placed<'a> = (u64, Column, Written<'a>);
+pub type Placed<'a> = (u64, Column, FileNumber<'a>);
 
 /// Checks that all `numbers` have one decimal sign, and that the table determines which one.
 ///
@@ -83,7 +83,7 @@ pub fn check_decimal_sign(
 }
 
 /// Whether the sign of `number` can separate thousands. In a length it can only where a thousand times its value is possible.
-fn may_be_thousands(column: Column, number: &Written) -> bool {
+fn may_be_thousands(column: Column, number: &FileNumber) -> bool {
     let is_length = matches!(
         column.quantity,
         Quantity::Span | Quantity::OverPins | Quantity::CenterDistance

@@ -4,7 +4,7 @@ use super::grid::{Cell, Grid, Line};
 use crate::data_file::{DataFile, line_of};
 use gearlash_text::Problem;
 use gearlash_text::encoding::{utf_16, windows_1252};
-use gearlash_text::written::Decimal;
+use gearlash_text::file_numbers::Decimal;
 use std::borrow::Cow;
 
 /// Separators of columns, and the decimal sign that each implies.
@@ -68,9 +68,9 @@ fn grids(file: &DataFile, text: &str, most: usize) -> Result<Vec<Grid>, Problem>
     let (first, line) = first.ok_or_else(empty)?;
     let stated = stated_separator(line);
     let mut separators = SEPARATORS.to_vec();
-    separators.retain(|(sign, _)| match stated {
-        Some(stated) => *sign == stated,
-        None => text.contains(*sign),
+    separators.retain(|(separator, _)| match stated {
+        Some(stated) => *separator == stated,
+        None => text.contains(*separator),
     });
     if separators.is_empty() {
         return Err(file.problem_at(
@@ -80,15 +80,15 @@ fn grids(file: &DataFile, text: &str, most: usize) -> Result<Vec<Grid>, Problem>
         ));
     }
     // Counts the cells before they are made. A separator in quotes counts, too.
-    let count = |sign: char| {
-        let ends_cell = [sign as u8, b'\n'];
+    let count = |separator: char| {
+        let ends_cell = [separator as u8, b'\n'];
         text.bytes().filter(|b| ends_cell.contains(b)).count()
     };
-    let least = separators.iter().map(|(sign, _)| count(*sign)).min();
-    separators.retain(|(sign, _)| count(*sign) <= most);
+    let least = separators.iter().map(|(one, _)| count(*one)).min();
+    separators.retain(|(separator, _)| count(*separator) <= most);
     let mut grids = Vec::new();
-    for (sign, decimal) in separators {
-        let mut lines = lines(file, text, sign)?;
+    for (separator, decimal) in separators {
+        let mut lines = lines(file, text, separator)?;
         lines.drain(..lines.len().min(usize::from(stated.is_some())));
         let sheet = None;
         grids.push(Grid {
@@ -108,12 +108,12 @@ fn grids(file: &DataFile, text: &str, most: usize) -> Result<Vec<Grid>, Problem>
     }
 }
 
-/// The lines of `text` that are not blank, its cells separated by `sign`.
-fn lines(file: &DataFile, text: &str, sign: char) -> Result<Vec<Line>, Problem> {
+/// The lines of `text` that are not blank, its cells separated by `separator`.
+fn lines(file: &DataFile, text: &str, separator: char) -> Result<Vec<Line>, Problem> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
-        .delimiter(sign as u8)
+        .delimiter(separator as u8)
         .from_reader(text.as_bytes());
     let mut lines = Vec::new();
     for record in reader.records() {
@@ -132,8 +132,8 @@ fn lines(file: &DataFile, text: &str, sign: char) -> Result<Vec<Line>, Problem> 
 /// The separator that a line `sep=;` states.
 fn stated_separator(line: &str) -> Option<char> {
     let stated = line.trim_end_matches(['\r', ' ']).strip_prefix("sep=")?;
-    let mut known = SEPARATORS.into_iter().map(|(sign, _)| sign);
-    known.find(|sign| stated.chars().eq([*sign]))
+    let mut known = SEPARATORS.into_iter().map(|(separator, _)| separator);
+    known.find(|separator| stated.chars().eq([*separator]))
 }
 
 fn cell(text: &str) -> Cell {

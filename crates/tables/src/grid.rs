@@ -5,7 +5,7 @@
 //! cells of 32 bytes each.
 
 use crate::data_file::DataFile;
-use gearlash_text::written::{self, Decimal, Written};
+use gearlash_text::file_numbers::{self, Decimal, FileNumber};
 
 /// Most cells of a table: those of 10 000 teeth in 20 columns.
 pub const MAX_CELLS: usize = 200_000;
@@ -63,25 +63,27 @@ impl Cell {
     }
 
     /// Whether it contains several lines and separators: a quotation mark is missing or extra.
-    pub fn is_torn(&self) -> bool {
+    pub fn has_unbalanced_quote(&self) -> bool {
         self.text().contains('\n') && self.text().contains([',', ';', '\t'])
     }
 
     pub fn tooth(&self) -> Option<u32> {
         match self {
-            Cell::Text(text) => written::tooth(text),
+            Cell::Text(text) => file_numbers::tooth(text),
             // The cast saturates.
             Cell::Number(number) => (number.fract() == 0.0).then_some(*number as u32),
             Cell::Empty | Cell::Other(_) => None,
         }
     }
 
-    pub fn number(&self) -> Option<Written<'_>> {
+    pub fn number(&self) -> Option<FileNumber<'_>> {
         match self {
-            Cell::Text(text) => written::written(text).filter(|_| !written::zero_first(text)),
-            Cell::Number(number) => number.is_finite().then_some(Written {
+            Cell::Text(text) => {
+                file_numbers::number(text).filter(|_| !file_numbers::has_leading_zero(text))
+            }
+            Cell::Number(number) => number.is_finite().then_some(FileNumber {
                 value: *number,
-                ..Written::default()
+                ..FileNumber::default()
             }),
             Cell::Empty | Cell::Other(_) => None,
         }

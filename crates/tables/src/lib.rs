@@ -1,21 +1,21 @@
 //! Inspection tables in files of their own: CSV, `.xlsx`, or a measuring machine's protocol.
 //!
 //! A file becomes grids of cells, one for each sheet or separator (`delimited`, `workbook`). The header is found in one of
-//! them (`request`, `head`, `heading`) and names the columns (`places`). The cells become numbers, in the order of the
+//! them (`request`, `column_header`, `heading`) and names the columns (`places`). The cells become numbers, in the order of the
 //! teeth (`rows`, `decimal_sign`). A `protocol` has rows of its own. Parts of the file that are not part of the table are
 //! reported. No number is padded, replaced or guessed: an unknown line is a problem with its line number.
 
 mod choice;
 mod column;
+mod column_header;
 mod data_file;
 mod decimal_sign;
 mod delimited;
 mod grid;
-mod head;
-mod header;
 mod heading;
 mod p40;
 mod protocol;
+mod protocol_header;
 mod request;
 mod rows;
 mod workbook;
@@ -26,10 +26,10 @@ pub use column::{Column, Quantity};
 pub use data_file::DataFile;
 use gearlash::metrology::PitchKind;
 use gearlash_text::Table;
-use gearlash_text::written::Decimal;
+use gearlash_text::file_numbers::Decimal;
 pub use grid::MAX_CELLS;
 use grid::{Cell, Grid, Line, letter};
-pub use header::{Header, StatedGear};
+pub use protocol_header::{ExpectedGear, ProtocolHeader};
 pub use request::{Coverage, Request, Wanted};
 use rows::Found;
 pub use rows::{Row, Unread};
@@ -52,7 +52,7 @@ const OPEN_DOCUMENT: &[u8] = b"mimetypeapplication/vnd.oasis.opendocument";
 #[derive(Debug, Clone)]
 pub struct Sheet {
     /// Statements on the gear beside the rows.
-    pub header: Header,
+    pub header: ProtocolHeader,
     /// At least one: by ascending tooth, or points in the order of their lines.
     pub rows: Vec<Row>,
     /// The columns beside the tooth, in the order of the values.
@@ -77,7 +77,7 @@ pub struct Origin {
     /// Whether the rows are numbered by spaces.
     pub by_space: bool,
     /// Parts of the file that are not part of the table.
-    pub left_out: Unread,
+    pub unread: Unread,
 }
 
 impl Sheet {
@@ -127,7 +127,7 @@ impl Sheet {
                 let found = Found::find(request, grids)?;
                 let columns = found.places.values.iter();
                 return Some(Sheet {
-                    header: Header::default(),
+                    header: ProtocolHeader::default(),
                     rows: found.rows(request)?,
                     columns: columns.map(|(column, _)| *column).collect(),
                     sources: found.sources(request.file),
@@ -189,14 +189,14 @@ impl Origin {
                 .iter()
                 .map(|(heading, letter)| (heading.shown.clone(), letter.clone()))
                 .collect(),
-            left_out: found.left_out,
+            unread: found.unread,
         }
     }
 
     /// A remark on it; `None` where the table is the whole file.
     fn remark(&self, file: &DataFile) -> Option<String> {
-        let left_out = self.left_out.words(&[]);
-        if self.sheet.is_none() && left_out.is_none() {
+        let unread = self.unread.words(&[]);
+        if self.sheet.is_none() && unread.is_none() {
             return None;
         }
         let sheet = self
@@ -205,7 +205,7 @@ impl Origin {
             .map(|name| format!("sheet {}, ", file.quote(name)));
         let columns = self.columns.iter();
         let columns = columns.map(|(name, letter)| format!("{} ({letter})", file.quote(name)));
-        let rest = left_out.map(|words| format!("; left out: {words}"));
+        let rest = unread.map(|words| format!("; left out: {words}"));
         Some(format!(
             "{}: {}: read from {}line {} on, columns {}{}",
             file.key(),
@@ -249,7 +249,7 @@ impl Content {
         {
             return file.refuse(format!("is {name}"), "save it as .xlsx or CSV");
         }
-        if workbook::is_one(file, &bytes) {
+        if workbook::is_workbook(file, &bytes) {
             let grids = workbook::read(file, bytes, choice.table.sheet.as_deref())?;
             return Some(Content::Cells(below_header(grids, choice)));
         }
@@ -267,8 +267,8 @@ impl Content {
                 "name the curve file of the same measurement (.mka), or write the values into the pair file",
             );
         }
-        let is_p40 = p40::is_one(&text);
-        if !is_p40 && !protocol::is_one(&text) {
+        let is_p40 = p40::is_curve_file(&text);
+        if !is_p40 && !protocol::is_protocol(&text) {
             let grids = delimited::read(file, &text, most)?;
             return Some(Content::Cells(below_header(grids, choice)));
         }

@@ -6,13 +6,13 @@
 
 use super::column::{Column, Quantity};
 use super::grid::MAX_ROWS;
-use super::header::Header;
+use super::protocol_header::ProtocolHeader;
 use super::request::{Request, Wanted};
 use super::rows::{Row, ordered};
 use crate::data_file::DataFile;
 use gearlash::gear::Side;
+use gearlash_text::file_numbers::{self, FileNumber, point_number};
 use gearlash_text::numbers::ascii;
-use gearlash_text::written::{self, Written, without_zero};
 use std::collections::HashMap;
 
 const NAMES: [(&str, Quantity); 5] = [
@@ -28,7 +28,7 @@ const KNOWN_UNMEASURED: [f64; 2] = [-2147483.648, -9999.0];
 
 /// Whether `value` means a missing value: it equals a known number, or the one that the preamble `declared`, to its printed
 /// digits. Its size does not matter.
-pub fn is_unmeasured(value: &Written, declared: Option<f64>) -> bool {
+pub fn is_unmeasured(value: &FileNumber, declared: Option<f64>) -> bool {
     // At most whole numbers: the last digit of 1e7 is seven places above them.
     let rounding = value.rounding.min(0.5);
     let mut numbers = KNOWN_UNMEASURED.into_iter().chain(declared);
@@ -46,10 +46,10 @@ struct Block<'a> {
 }
 
 /// Line, tooth, and value of each row of a column.
-type Values<'a> = Vec<(u64, u32, Written<'a>)>;
+type Values<'a> = Vec<(u64, u32, FileNumber<'a>)>;
 
 /// Line, tooth, and values of the columns behind the tooth.
-type Numbers<'a> = (u64, u32, Vec<Written<'a>>);
+type Numbers<'a> = (u64, u32, Vec<FileNumber<'a>>);
 
 #[derive(Debug, Default)]
 pub struct Blocks<'a> {
@@ -59,7 +59,7 @@ pub struct Blocks<'a> {
 }
 
 /// The fault of a line in a block, and a remedy.
-pub struct Wrong {
+pub struct BlockFault {
     pub reason: String,
     pub help: &'static str,
     /// Whether the rest of the block is unreadable.
@@ -76,7 +76,7 @@ pub fn side(line: &str) -> Option<Side> {
 }
 
 /// The column that `word` names, perhaps with its unit.
-fn named(word: &str) -> Option<Quantity> {
+fn column_of_symbol(word: &str) -> Option<Quantity> {
     let word = word.strip_suffix("[µm]").unwrap_or(word);
     let mut names = NAMES.iter();
     names
@@ -85,7 +85,7 @@ fn named(word: &str) -> Option<Quantity> {
 }
 
 /// Whether `text` has the head of a block.
-pub fn is_one(text: &str) -> bool {
+pub fn is_protocol(text: &str) -> bool {
     text.lines().any(|line| side(line).is_some())
 }
 
@@ -97,7 +97,7 @@ pub fn has(text: &str, column: Column) -> bool {
     let mut lines = text.lines().filter(|line| !line.trim().is_empty());
     while lines.any(|line| side(line).is_some()) {
         let mut symbols = lines.next().unwrap_or_default().split_whitespace();
-        if symbols.any(|word| named(word) == Some(column.quantity)) {
+        if symbols.any(|word| column_of_symbol(word) == Some(column.quantity)) {
             return true;
         }
     }
@@ -105,7 +105,7 @@ pub fn has(text: &str, column: Column) -> bool {
 }
 
 /// The wanted columns, by ascending tooth, and the header lines.
-pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, Header)> {
+pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, ProtocolHeader)> {
     let (blocks, header) = parse(request.file, text)?;
     let teeth = request.wanted.teeth.or(header.teeth());
     let wanted = Wanted {
@@ -115,8 +115,8 @@ pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, Header)> {
     Some((blocks.rows(&Request { wanted, ..*request })?, header))
 }
 
-fn parse<'a>(file: &DataFile, text: &'a str) -> Option<(Blocks<'a>, Header)> {
-    let mut header = Header::default();
+fn parse<'a>(file: &DataFile, text: &'a str) -> Option<(Blocks<'a>, ProtocolHeader)> {
+    let mut header = ProtocolHeader::default();
     let mut blocks = Blocks::default();
     let (mut is_open, mut after_blank) = (false, false);
     let mut good = Some(());
@@ -168,7 +168,7 @@ impl<'a> Blocks<'a> {
         self.rows >= MAX_ROWS
     }
 
-    pub fn begin(&mut self, side: Side, line: u64) -> Result<(), Wrong> {
+    pub fn begin(&mut self, side: Side, line: u64) -> Result<(), BlockFault> {
         let first = self.blocks.iter().find(|block| block.side == side);
         let first = first.map(|first| first.line);
         self.blocks.push(Block {
@@ -179,7 +179,7 @@ impl<'a> Blocks<'a> {
         });
         match first {
             None => Ok(()),
-            Some(first) => Err(Wrong {
+            Some(first) => Err(BlockFault {
                 reason: format!("duplicate block of this flank, the first begins in line {first}"),
                 help: "keep one of the two",
                 ends_block: false,
@@ -194,13 +194,13 @@ impl<'a> Blocks<'a> {
         line: u64,
         text: &'a str,
         unmeasured: Option<f64>,
-    ) -> Result<(), Wrong> {
+    ) -> Result<(), BlockFault> {
         let is_full = self.is_full();
         let Some(block) = self.blocks.last_mut() else {
             return Ok(());
         };
         let wrong = |help: &'static str, ends_block: bool| {
-            move |reason: String| Wrong {
+            move |reason: String| BlockFault {
                 reason,
                 help,
                 ends_block,
@@ -234,7 +234,7 @@ impl<'a> Blocks<'a> {
                     file.refuse(reason, "name a table that has it")
                 }
             };
-            let row = |(line, tooth, value): (u64, u32, Written)| Row {
+            let row = |(line, tooth, value): (u64, u32, FileNumber)| Row {
                 line,
                 tooth: Some(tooth),
                 flank: None,
@@ -361,7 +361,7 @@ impl<'a> Block<'a> {
 fn columns(file: &DataFile, text: &str) -> Result<Vec<Quantity>, String> {
     let mut names = Vec::new();
     for word in text.split_whitespace() {
-        match named(word) {
+        match column_of_symbol(word) {
             Some(name) if names.contains(&name) => {
                 return Err(format!("duplicate column {}", file.quote(word)));
             }
@@ -381,20 +381,20 @@ fn row<'a>(
     text: &'a str,
     columns: &[Quantity],
     unmeasured: Option<f64>,
-) -> Result<(u32, Vec<Written<'a>>), String> {
+) -> Result<(u32, Vec<FileNumber<'a>>), String> {
     let mut words = text.split_whitespace();
     let (found, expected) = (words.clone().count(), columns.len());
-    let (Some(first), true) = (words.next(), found == expected) else {
+    let Some(first) = words.next().filter(|_| found == expected) else {
         return Err(format!("{found} values, the block has {expected} columns"));
     };
-    let tooth = written::tooth(first).filter(|tooth| (1..=10_000).contains(tooth));
+    let tooth = file_numbers::tooth(first).filter(|tooth| (1..=10_000).contains(tooth));
     let Some(tooth) = tooth else {
         let found = file.quote(first);
         return Err(format!(
             "Zahn-Nr. is {found}, allowed is a whole number from 1 on"
         ));
     };
-    let values = words.map(|word| match without_zero(word) {
+    let values = words.map(|word| match point_number(word) {
         Some(written) if is_unmeasured(&written, unmeasured) => {
             let source = if is_unmeasured(&written, None) {
                 ""

@@ -3,8 +3,8 @@
 
 use super::choice::{Choice, TOOTH};
 use super::column::{self, Column, Quantity};
+use super::column_header::{ColumnHeader, Heading};
 use super::grid::{Grid, Line, MAX_CELLS, MAX_NAMED, MAX_ROWS, letter};
-use super::head::{Head, Heading};
 use crate::data_file::DataFile;
 use gearlash::metrology::PitchKind;
 use gearlash_text::{Node, Problem};
@@ -115,25 +115,25 @@ pub struct Request<'a> {
 
 impl Request<'_> {
     /// Finds the header in `grids`: the line that names a tooth column and a wanted one.
-    pub fn head<'g>(&self, grids: &'g [Grid]) -> Option<(&'g Grid, Head)> {
+    pub fn head<'g>(&self, grids: &'g [Grid]) -> Option<(&'g Grid, ColumnHeader)> {
         let has_wanted = self.is_there(grids);
         let columns = self.wanted.columns.iter();
         let others: Vec<Column> = columns.map(|column| column.of_other_kind()).collect();
         // Where only pitch of the other kind is present, that is reported.
-        let is_head = |head: &Head| {
+        let is_head = |head: &ColumnHeader| {
             self.is_head(head, self.wanted.columns) || (!has_wanted && self.is_head(head, &others))
         };
-        self.one_of(grids, is_head)
+        self.find_header(grids, is_head)
     }
 
     /// Whether one of `grids` has a header of a tooth column and a wanted one.
     pub fn is_there(&self, grids: &[Grid]) -> bool {
-        let is_head = |head: &Head| self.is_head(head, self.wanted.columns);
+        let is_head = |head: &ColumnHeader| self.is_head(head, self.wanted.columns);
         let mut grids = grids.iter();
-        grids.any(|grid| Head::find(&grid.lines, self.choice, is_head).is_some())
+        grids.any(|grid| ColumnHeader::find(&grid.lines, self.choice, is_head).is_some())
     }
 
-    fn is_head(&self, head: &Head, wanted: &[Column]) -> bool {
+    fn is_head(&self, head: &ColumnHeader, wanted: &[Column]) -> bool {
         let has = |column: Column| !head.places_of(column, self.choice).is_empty();
         if self.wanted.is_points() {
             let mut places = self.wanted.places_of_points().iter();
@@ -147,7 +147,7 @@ impl Request<'_> {
     }
 
     /// Whether `head` has several headings, one of them of teeth or of a wanted column.
-    fn is_nearly_head(&self, head: &Head) -> bool {
+    fn is_nearly_head(&self, head: &ColumnHeader) -> bool {
         let wanted = self.wanted.columns;
         let has = |column: &Column| !head.places_of(*column, self.choice).is_empty();
         head.all().len() > 1
@@ -155,7 +155,7 @@ impl Request<'_> {
     }
 
     /// Whether a line below `head` has numbers in its columns.
-    fn has_rows(&self, grid: &Grid, head: &Head) -> bool {
+    fn has_rows(&self, grid: &Grid, head: &ColumnHeader) -> bool {
         let first = |places: Vec<usize>| places.first().copied();
         let tooth = first(head.teeth(self.wanted.columns, self.choice));
         let wanted = self.wanted.columns.iter();
@@ -169,13 +169,14 @@ impl Request<'_> {
         })
     }
 
-    fn one_of<'g>(
+    fn find_header<'g>(
         &self,
         grids: &'g [Grid],
-        is_head: impl Fn(&Head) -> bool,
-    ) -> Option<(&'g Grid, Head)> {
+        is_head: impl Fn(&ColumnHeader) -> bool,
+    ) -> Option<(&'g Grid, ColumnHeader)> {
         let choice = self.choice;
-        let in_grid = |grid: &'g Grid| Some((grid, Head::find(&grid.lines, choice, &is_head)?));
+        let in_grid =
+            |grid: &'g Grid| Some((grid, ColumnHeader::find(&grid.lines, choice, &is_head)?));
         let mut found: Vec<_> = grids.iter().filter_map(in_grid).collect();
         if found.is_empty()
             && let ([grid], Some(row)) = (grids, choice.table.header_row)
@@ -185,12 +186,13 @@ impl Request<'_> {
                 .position(|line| line.number == u64::from(row))
         {
             // The columns that it lacks are reported.
-            return Some((grid, Head::of(&grid.lines, at)));
+            return Some((grid, ColumnHeader::of(&grid.lines, at)));
         }
         if found.is_empty() && choice.table.header_row.is_none() {
             // To report the missing columns is better than "no header".
-            let nearly = |head: &Head| self.is_nearly_head(head);
-            let in_grid = |grid: &'g Grid| Some((grid, Head::find(&grid.lines, choice, nearly)?));
+            let nearly = |head: &ColumnHeader| self.is_nearly_head(head);
+            let in_grid =
+                |grid: &'g Grid| Some((grid, ColumnHeader::find(&grid.lines, choice, nearly)?));
             let mut nearly = grids.iter().filter_map(in_grid);
             if let (Some(only), None) = (nearly.next(), nearly.next()) {
                 return Some(only);
@@ -210,11 +212,11 @@ impl Request<'_> {
         if found.len() == 1 {
             return found.pop();
         }
-        self.file.reading().refuse(self.not_one(grids, &found))
+        self.file.reading().refuse(self.wrong_header(grids, &found))
     }
 
     /// The problem of no grid, or several, with a header.
-    fn not_one(&self, grids: &[Grid], found: &[(&Grid, Head)]) -> Problem {
+    fn wrong_header(&self, grids: &[Grid], found: &[(&Grid, ColumnHeader)]) -> Problem {
         let Request {
             file,
             choice,
@@ -267,7 +269,7 @@ impl Request<'_> {
     }
 
     /// The places of the tooth and the wanted columns in `head`, one of `lines`.
-    pub fn places(&self, head: &Head, lines: &[Line]) -> Option<Places> {
+    pub fn places(&self, head: &ColumnHeader, lines: &[Line]) -> Option<Places> {
         if self.wanted.is_points() {
             return self.places_of_points(head);
         }
@@ -334,13 +336,13 @@ impl Request<'_> {
         self.file.reading().keep(result)
     }
 
-    fn refuse<T>(&self, head: &Head, reason: String, help: impl Display) -> Option<T> {
+    fn refuse<T>(&self, head: &ColumnHeader, reason: String, help: impl Display) -> Option<T> {
         let problem = head.problem(self.file, reason, help);
         self.file.reading().refuse(problem)
     }
 
     /// Points can have a tooth and a flank, and have one column of their place.
-    fn places_of_points(&self, head: &Head) -> Option<Places> {
+    fn places_of_points(&self, head: &ColumnHeader) -> Option<Places> {
         let optional = |name: &str, places: Vec<usize>| match *places {
             [] => Some(None),
             [place] => Some(Some(place)),
@@ -379,7 +381,7 @@ impl Request<'_> {
         })
     }
 
-    fn tooth(&self, head: &Head, lines: &[Line]) -> Result<usize, Problem> {
+    fn tooth(&self, head: &ColumnHeader, lines: &[Line]) -> Result<usize, Problem> {
         let places = head.teeth(self.wanted.columns, self.choice);
         let places = dedup_equal(head, lines, places);
         match places[..] {
@@ -389,7 +391,7 @@ impl Request<'_> {
         }
     }
 
-    fn one(&self, head: &Head, column: Column, places: &[usize]) -> Result<usize, Problem> {
+    fn one(&self, head: &ColumnHeader, column: Column, places: &[usize]) -> Result<usize, Problem> {
         let place = match *places {
             [place] => place,
             [] => {
@@ -430,7 +432,7 @@ impl Request<'_> {
     }
 
     /// Whether `head` has no column that can be `column` or its other kind, and none is named.
-    fn is_missing(&self, head: &Head, column: Column) -> bool {
+    fn is_missing(&self, head: &ColumnHeader, column: Column) -> bool {
         let none = |column| head.places_of(column, self.choice).is_empty();
         let is_named = self.choice.column(column.key()).is_some();
         !is_named && none(column) && none(column.of_other_kind())
@@ -448,7 +450,7 @@ impl Request<'_> {
     }
 
     /// Checks that no column is read as two quantities.
-    fn check_distinct(&self, head: &Head, places: &Places) -> Result<(), Problem> {
+    fn check_distinct(&self, head: &ColumnHeader, places: &Places) -> Result<(), Problem> {
         let tooth = places.tooth.map(|place| ("tooth", TOOTH, place));
         let mut read: Vec<_> = tooth.into_iter().collect();
         for (column, place) in &places.values {
@@ -466,7 +468,7 @@ impl Request<'_> {
 
     /// Checks that all columns of pitch state their kind or none does. A column without a kind beside one with it can be of the
     /// other kind, unless the pair file names it.
-    fn check_same_kind(&self, head: &Head, places: &Places) -> Result<(), Problem> {
+    fn check_same_kind(&self, head: &ColumnHeader, places: &Places) -> Result<(), Problem> {
         let states = |place: usize| {
             let quantity = head.headings[place].quantity();
             quantity.and_then(Quantity::pitch_kind).is_some()
@@ -489,7 +491,7 @@ impl Request<'_> {
     }
 
     /// The problem of a column of the other kind than `kind`.
-    fn contradicts(&self, head: &Head, place: usize, kind: PitchKind) -> Problem {
+    fn contradicts(&self, head: &ColumnHeader, place: usize, kind: PitchKind) -> Problem {
         let (stated, other_kind, key) = match kind {
             PitchKind::Single => ("single", "cumulative pitch deviations, Fp", "cumulative"),
             PitchKind::Cumulative => ("cumulative", "single pitch deviations, fp", "single"),
@@ -502,7 +504,7 @@ impl Request<'_> {
         head.problem(self.file, reason, help)
     }
 
-    fn missing(&self, head: &Head, name: &str, key: &str) -> Problem {
+    fn missing(&self, head: &ColumnHeader, name: &str, key: &str) -> Problem {
         let of_three = |heading: &Heading| heading.quantity() == Some(Quantity::OverThreePins);
         if let Some(place) = head.places(of_three).first()
             && name == Column::of(Quantity::OverPins).name()
@@ -529,7 +531,7 @@ impl Request<'_> {
         head.problem(self.file, reason, help)
     }
 
-    fn several(&self, head: &Head, name: &str, key: &str, places: &[usize]) -> Problem {
+    fn several(&self, head: &ColumnHeader, name: &str, key: &str, places: &[usize]) -> Problem {
         let letters = places
             .iter()
             .map(|place| format!("{key} = \"{}\"", letter(*place)));
@@ -544,7 +546,12 @@ impl Request<'_> {
     }
 
     /// Checks that the unit at `place`, where one is stated, is that of `column`; a tooth has none.
-    fn check_unit(&self, head: &Head, place: usize, column: Option<Column>) -> Result<(), Problem> {
+    fn check_unit(
+        &self,
+        head: &ColumnHeader,
+        place: usize,
+        column: Option<Column>,
+    ) -> Result<(), Problem> {
         let needed = column.map(Column::unit);
         let unit = head.headings[place].unit;
         if column.is_some_and(|column| head.to_unit_of(column, place) != 1.0) {
@@ -569,7 +576,7 @@ impl Request<'_> {
 }
 
 /// The first of `places` where all have equal cells, else all.
-fn dedup_equal(head: &Head, lines: &[Line], mut places: Vec<usize>) -> Vec<usize> {
+fn dedup_equal(head: &ColumnHeader, lines: &[Line], mut places: Vec<usize>) -> Vec<usize> {
     let rows = &lines[head.at + 1..];
     let is_equal = |place: &usize| {
         rows.iter()
@@ -582,7 +589,7 @@ fn dedup_equal(head: &Head, lines: &[Line], mut places: Vec<usize>) -> Vec<usize
 }
 
 /// The one of `places` with the unit of `column`, where all others have a different unit.
-fn in_unit(head: &Head, column: Column, places: Vec<usize>) -> Vec<usize> {
+fn in_unit(head: &ColumnHeader, column: Column, places: Vec<usize>) -> Vec<usize> {
     let unit = |place: &usize| head.headings[*place].unit;
     let good = |place: &&usize| unit(place) == Some(column.unit());
     let all_say = places.iter().all(|place| unit(place).is_some());
@@ -593,7 +600,7 @@ fn in_unit(head: &Head, column: Column, places: Vec<usize>) -> Vec<usize> {
 }
 
 /// The line below `head` that repeats the header.
-fn repeated_header(head: &Head, lines: &[Line]) -> Option<u64> {
+fn repeated_header(head: &ColumnHeader, lines: &[Line]) -> Option<u64> {
     let mut below = (head.at + 2..lines.len()).take(MAX_ROWS);
     below
         .find(|at| names_columns(lines, *at))
@@ -602,6 +609,6 @@ fn repeated_header(head: &Head, lines: &[Line]) -> Option<u64> {
 
 /// Whether a line knows more than one of its headings.
 pub fn names_columns(lines: &[Line], at: usize) -> bool {
-    let known = || Head::of(lines, at).places(|heading| heading.meaning.is_some());
+    let known = || ColumnHeader::of(lines, at).places(|heading| heading.meaning.is_some());
     !lines[at].is_comment() && known().len() > 1
 }

@@ -1,15 +1,15 @@
 //! Rows of a table: from its lines to numbers, in the order of the teeth; and the parts of the file that are left out.
 
 use super::column::Quantity;
+use super::column_header::ColumnHeader;
 use super::decimal_sign::{Placed, check_decimal_sign};
 use super::grid::{Cell, Grid, Line, letter};
-use super::head::Head;
 use super::heading;
 use super::request::{Coverage, Places, Request, Wanted, names_columns};
 use crate::data_file::DataFile;
 use gearlash::gear::{Flank, Side};
 use gearlash_text::characters::first_of;
-use gearlash_text::written::{Decimal, zero_first};
+use gearlash_text::file_numbers::{Decimal, has_leading_zero};
 use std::cell::LazyCell;
 use std::ops::{RangeBounds, RangeInclusive};
 
@@ -33,11 +33,11 @@ pub struct Row {
 #[derive(Debug)]
 pub struct Found<'a> {
     pub grid: &'a Grid,
-    pub head: Head,
+    pub head: ColumnHeader,
     pub places: Places,
     lines: Vec<&'a Line>,
     /// The parts of the file that are not part of the table.
-    pub left_out: Unread,
+    pub unread: Unread,
 }
 
 impl<'a> Found<'a> {
@@ -49,7 +49,7 @@ impl<'a> Found<'a> {
         let (grid, head) = request.head(grids)?;
         let places = request.places(&head, &grid.lines)?;
         let used = places.numbers();
-        let mut left_out = Vec::new();
+        let mut unread = Vec::new();
         // Numbers below another header are of a table of their own.
         let other = LazyCell::new(|| (0..head.at).find(|above| names_columns(&grid.lines, *above)));
         for (at, line) in grid.lines[..head.at].iter().enumerate() {
@@ -63,7 +63,7 @@ impl<'a> Found<'a> {
                 );
             }
             if !(head.has_groups && at + 1 == head.at) {
-                left_out.push((line.number, ""));
+                unread.push((line.number, ""));
             }
         }
         let mut rows = Vec::new();
@@ -74,7 +74,7 @@ impl<'a> Found<'a> {
             below.split_at(next.map_or(below.len(), |at| at + below.len() - grid.lines.len()));
         left_out.extend(of_others.iter().map(|line| (line.number, "")));
         for line in below {
-            if grid.sheet.is_none() && line.cells.iter().any(Cell::is_torn) {
+            if grid.sheet.is_none() && line.cells.iter().any(Cell::has_unbalanced_quote) {
                 return file.refuse_at(
                     line.number,
                     "a cell of several lines that hold separators, as if a quotation mark were missing or left over",
@@ -82,16 +82,16 @@ impl<'a> Found<'a> {
                 );
             }
             if is_statistic(line, &used) {
-                left_out.push((line.number, line.first().text()));
+                unread.push((line.number, line.first().text()));
             } else if line.is_comment() {
-                left_out.push((line.number, ""));
+                unread.push((line.number, ""));
             } else {
                 rows.push(line);
             }
         }
         let last = rows.iter().rposition(|line| is_row(line, &used));
         for line in rows.drain(last.map_or(0, |last| last + 1)..) {
-            left_out.push((line.number, line.first().text()));
+            unread.push((line.number, line.first().text()));
         }
         // Whether each column has content, and numbers. One pass reads each cell once.
         let mut filled = vec![[false; 2]; head.headings.len()];
@@ -112,8 +112,8 @@ impl<'a> Found<'a> {
             name: head.shown_one(file, place),
             has_numbers,
         });
-        let left_out = Unread {
-            lines: lines_in_words(file, left_out),
+        let unread = Unread {
+            lines: lines_in_words(file, unread),
             columns: columns.collect(),
         };
         Some(Found {
@@ -121,7 +121,7 @@ impl<'a> Found<'a> {
             head,
             places,
             lines: rows,
-            left_out,
+            unread,
         })
     }
 
@@ -185,7 +185,7 @@ impl<'a> Found<'a> {
         let mut good = Some(());
         let mut wrong = |name: &str, cell: &Cell, allowed: &str| {
             let lost = match cell {
-                Cell::Text(text) if zero_first(text) => ", as if its decimal sign were lost",
+                Cell::Text(text) if has_leading_zero(text) => ", as if its decimal sign were lost",
                 _ => "",
             };
             let help = if name == "tooth" && *cell == Cell::Empty {
@@ -308,7 +308,7 @@ impl Unread {
             .lines
             .clone()
             .into_iter()
-            .chain(self.named(is_left))
+            .chain(self.list(is_left))
             .collect();
         (!words.is_empty()).then(|| words.join("; "))
     }
@@ -323,11 +323,11 @@ impl Unread {
 
     /// The columns with the letters `elsewhere`, as [`Unread::words`].
     pub fn elsewhere(&self, elsewhere: &[&str]) -> Option<String> {
-        self.named(|letter| elsewhere.contains(&letter))
+        self.list(|letter| elsewhere.contains(&letter))
     }
 
-    fn named(&self, is_named: impl Fn(&str) -> bool) -> Option<String> {
-        let names = self.columns.iter().filter(|one| is_named(&one.letter));
+    fn list(&self, is_listed: impl Fn(&str) -> bool) -> Option<String> {
+        let names = self.columns.iter().filter(|one| is_listed(&one.letter));
         let names: Vec<String> = names.map(|one| one.name.clone()).collect();
         let column = format!("column{}", plural(names.len()));
         (!names.is_empty()).then(|| format!("{column} {}", first_of(names, MAX_LISTED)))

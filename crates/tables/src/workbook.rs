@@ -27,7 +27,7 @@ const MAX_UNPACKED: u64 = 64 << 20;
 type Cells = BTreeMap<u32, BTreeMap<u32, Cell>>;
 
 /// Whether the file is a workbook: by its name, or because it begins as a zip archive does.
-pub fn is_one(file: &DataFile, bytes: &[u8]) -> bool {
+pub fn is_workbook(file: &DataFile, bytes: &[u8]) -> bool {
     let extension = file.path().extension().unwrap_or_default();
     extension.eq_ignore_ascii_case("xlsx") || bytes.starts_with(b"PK\x03\x04")
 }

@@ -5,12 +5,12 @@
 
 use std::path::Path;
 
-/// Whether a terminal, picture or page acts on `c`, or cannot hold it.
+/// Whether `c` is unsafe: a terminal, picture or page acts on it, or cannot hold it.
 ///
 /// Controls move a terminal's cursor, change its colours and end lines; so do the separators U+2028 and U+2029. Unicode's
 /// `Bidi_Control` (PropList.txt; UAX #9) and the deprecated format characters beside it, U+206A to U+206F, turn the text behind them
 /// round. XML 1.0 §2.2 (production `Char`) leaves out U+FFFE and U+FFFF, HTML all noncharacters.
-fn acts(c: char) -> bool {
+fn is_unsafe(c: char) -> bool {
     let code = c as u32;
     c.is_control()
         || matches!(c, '\u{61C}' | '\u{200E}' | '\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2066}'..='\u{206F}')
@@ -18,14 +18,14 @@ fn acts(c: char) -> bool {
         || code & 0xFFFE == 0xFFFE
 }
 
-/// `text` on one line, with a space for each character that acts, and as no command of a CI log.
+/// `text` on one line, with a space for each unsafe character, and as no command of a CI log.
 ///
 /// GitHub's runner takes a line that begins with `::`, white space before it or not, as a command, and `##[…]` anywhere in a line;
 /// Azure's takes `##vso[…]`, TeamCity's `##teamcity[…]`. A space goes between the two signs.
 pub fn plain(text: &str) -> String {
     let mut plain: String = text
         .chars()
-        .map(|c| if acts(c) { ' ' } else { c })
+        .map(|c| if is_unsafe(c) { ' ' } else { c })
         .collect();
     if let Some(rest) = plain.trim_start().strip_prefix("::") {
         plain = format!(": :{rest}");
@@ -60,14 +60,14 @@ pub fn line(text: &str) -> String {
     cut(&plain(text), LONGEST_LINE)
 }
 
-/// `text` of a file, shown with its lines and at its byte offsets. Each byte of a character that acts becomes a space, except
+/// `text` of a file, shown with its lines and at its byte offsets. Each byte of an unsafe character becomes a space, except
 /// line ends. So does the second sign of a `##` that would begin a command of a CI log.
 pub fn quoted_source(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
             '\n' | '\t' => shown.push(c),
-            c if acts(c) => shown.extend(std::iter::repeat_n(' ', c.len_utf8())),
+            c if is_unsafe(c) => shown.extend(std::iter::repeat_n(' ', c.len_utf8())),
             c => shown.push(c),
         }
     }
@@ -87,7 +87,7 @@ fn begins_command(rest: &str) -> bool {
     rest.trim_start_matches(word).starts_with('[')
 }
 
-/// `value` as JSON, a line end at its end, with every character that acts written as an escape.
+/// `value` as JSON, a line end at its end, with every unsafe character written as an escape.
 ///
 /// # Errors
 /// The error of serde_json for a value that JSON cannot hold.
@@ -104,12 +104,12 @@ pub fn csv_text(writer: csv::Writer<Vec<u8>>) -> Result<String, csv::Error> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// JSON `text` that reads the same, with every character that acts, line ends between values excepted, and every `##` written as an
+/// JSON `text` that reads the same, with every unsafe character, line ends between values excepted, and every `##` written as an
 /// escape.
 ///
 /// Outside strings JSON has no such characters, and inside them no line ends.
 pub fn json(text: String) -> String {
-    let unfit = |c: char| acts(c) && c != '\n';
+    let unfit = |c: char| is_unsafe(c) && c != '\n';
     if !text.contains(unfit) && !text.contains("##") {
         return text;
     }

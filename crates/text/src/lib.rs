@@ -6,6 +6,7 @@
 pub mod characters;
 pub mod encoding;
 mod error;
+pub mod file_numbers;
 mod inches;
 mod location;
 pub mod node;
@@ -14,7 +15,6 @@ mod reading;
 pub mod source;
 mod sources;
 mod table;
-pub mod written;
 pub mod xml;
 
 pub use error::{InputError, Problem};
@@ -31,7 +31,7 @@ pub use table::Table;
 pub const STANDARD_INPUT: &str = "-";
 
 /// The name of the file at `path` in messages: `stdin` for `-`, which is standard input.
-pub fn named(path: &Path) -> &Path {
+pub fn display_path(path: &Path) -> &Path {
     if path == Path::new(STANDARD_INPUT) {
         Path::new("stdin")
     } else {

@@ -170,8 +170,8 @@ impl Reading {
         }
     }
 
-    /// Whether the next problem is only counted. If so, it is counted now.
-    pub fn only_counts(&self) -> bool {
+    /// Counts a problem beyond the reported ones; whether it did so.
+    pub fn count_if_full(&self) -> bool {
         let mut problems = self.problems.borrow_mut();
         let is_full = problems.is_full();
         problems.more += usize::from(is_full);

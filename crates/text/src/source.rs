@@ -213,7 +213,7 @@ fn of_toml(text: &str, reading: &Reading) -> Option<Node> {
             }
             for error in &errors {
                 // The line is not computed for a problem that is only counted.
-                if !reading.only_counts() {
+                if !reading.count_if_full() {
                     reading.add(not_toml(text, error));
                 }
             }

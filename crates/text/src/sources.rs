@@ -54,12 +54,12 @@ impl Sources {
     }
 
     /// The name under which the file at `path` was read; `None` where it was not read or does not exist.
-    pub fn named(&self, path: &Path) -> Option<&Path> {
+    pub fn read_as(&self, path: &Path) -> Option<&Path> {
         self.find(path, &std::fs::metadata(path).ok()?)
     }
 
     /// The name under which `file`, open at `path`, was read.
-    pub fn named_open(&self, path: &Path, file: &File) -> Option<&Path> {
+    pub fn file_read_as(&self, path: &Path, file: &File) -> Option<&Path> {
         self.find(path, &file.metadata().ok()?)
     }
 

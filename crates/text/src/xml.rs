@@ -8,7 +8,7 @@ const MAX_NODES: u32 = 4_000_000;
 const MAX_ATTRIBUTES: usize = 10_000;
 
 /// A text that is not XML, or beyond the limits.
-pub struct Fault {
+pub struct XmlError {
     /// From 1.
     pub line: u32,
     /// From 1.
@@ -20,9 +20,9 @@ pub struct Fault {
 }
 
 /// Parses `text`.
-pub fn parse(text: &str) -> Result<Document<'_>, Fault> {
+pub fn parse(text: &str) -> Result<Document<'_>, XmlError> {
     if let Some((line, column)) = crowded(text) {
-        return Err(Fault {
+        return Err(XmlError {
             line,
             column,
             reason: format!("an element with more than {MAX_ATTRIBUTES} attributes"),
@@ -33,7 +33,7 @@ pub fn parse(text: &str) -> Result<Document<'_>, Fault> {
         nodes_limit: MAX_NODES,
         ..ParsingOptions::default()
     };
-    Document::parse_with_options(text, settings).map_err(|error| Fault {
+    Document::parse_with_options(text, settings).map_err(|error| XmlError {
         line: error.pos().row,
         column: error.pos().col,
         has_dtd: matches!(error, Error::DtdDetected),

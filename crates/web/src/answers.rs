@@ -15,20 +15,20 @@ use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{BacklashUnit, Mating, Member, SweepPlan};
 use gearlash_input::PairFile;
-use gearlash_input::outlines::{Drawings, OutlineOptions};
+use gearlash_input::outlines::{APART_MM, Drawings, OutlineOptions};
 use gearlash_input::{import, read_files, with_distance};
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::viewer::LivePose;
 use gearlash_render::{Report, dark_style, pose_picture};
 use gearlash_results::RemedyRecords;
-use gearlash_results::grades::grades;
+use gearlash_results::gauge::grades;
 use gearlash_results::text::check;
 use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{
     ExtremeLine, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
 };
 use gearlash_text::numbers::{trimmed, um, unit_of};
-use gearlash_text::{Files, InputError, MAX_BYTES, has_extension, named, too_large};
+use gearlash_text::{Files, InputError, MAX_BYTES, display_path, has_extension, too_large};
 use serde_json::{Value, json};
 use std::fmt::Display;
 use std::ops::ControlFlow;
@@ -559,9 +559,6 @@ fn limits(study: &Study) -> Value {
     limits.flatten().collect()
 }
 
-/// A distance at which no two gears touch, mm.
-const APART_MM: f64 = 1e6;
-
 /// The work of `plan`; its steps go to `report`.
 fn analysed<'a>(plan: &Plan<'a>, report: &OnStep) -> Result<Analysis<'a>, gearlash::error::Error> {
     let of = plan.steps()?;
@@ -690,7 +687,7 @@ fn problems(error: &InputError) -> Value {
         // A page counts as JavaScript does.
         let units = |end: usize| error.text[..end].encode_utf16().count();
         json!({
-            "file": named(&error.file).display().to_string(),
+            "file": display_path(&error.file).display().to_string(),
             "key": problem.key,
             "value": problem.value,
             "reason": problem.reason,

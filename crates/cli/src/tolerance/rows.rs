@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::output::folder_of;
 use crate::signals;
 use gearlash::population::{Row, Tally};
-use gearlash_input::tolerance::{RowsHead, RowsTally, ToleranceRun, named, row_line};
+use gearlash_input::tolerance::{RowsHead, RowsTally, ToleranceRun, matching_files, row_line};
 use gearlash_text::characters::shell_word;
 use gearlash_text::has_extension;
 use std::fs::{File, OpenOptions};
@@ -180,7 +180,7 @@ pub(super) fn expanded(names: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
             files.push(name.clone());
             continue;
         }
-        let found = named(Path::new(""), &name.to_string_lossy());
+        let found = matching_files(Path::new(""), &name.to_string_lossy());
         let faults = found.faults.iter();
         errors.extend(faults.map(|fault| Error::Usage(format!("--from-rows {fault}"))));
         if found.faults.is_empty() && found.files.is_empty() {

@@ -19,29 +19,29 @@ pub struct Block<'a> {
 
 /// Where an entity is placed, in units of the drawing.
 #[derive(Debug, Clone, Copy)]
-pub struct Placed {
+pub struct Placement {
     /// Within the plane; `None`: as drawn.
     map: Option<Affine>,
     /// Its z is the first number plus the second times the own z of the entity.
     height: [f64; 2],
 }
 
-impl Default for Placed {
-    fn default() -> Placed {
-        Placed {
+impl Default for Placement {
+    fn default() -> Placement {
+        Placement {
             map: None,
             height: [0.0, 1.0],
         }
     }
 }
 
-impl Placed {
+impl Placement {
     /// The places of a block with the base point `base`, one for each column and row of an INSERT.
     /// Errors: extrusion directions and scales that are not supported.
     pub fn copies(
         insert: &Entity,
         base: Point3<f64>,
-    ) -> Result<impl Iterator<Item = Placed>, &'static str> {
+    ) -> Result<impl Iterator<Item = Placement>, &'static str> {
         let hand = insert.hand()?;
         let scale = [41, 42, 43].map(|code| insert.number(code, 1.0));
         if scale[0] == 0.0 || scale[1] == 0.0 {
@@ -58,7 +58,7 @@ impl Placed {
         let copies = (0..columns).flat_map(move |column| (0..rows).map(move |row| (column, row)));
         Ok(copies.map(move |(column, row)| {
             let moved = Vector2::new(step[0] * f64::from(column), step[1] * f64::from(row));
-            Placed {
+            Placement {
                 map: Some(Affine::new(map, shift + seen * (turn * moved))),
                 height,
             }
@@ -66,13 +66,13 @@ impl Placed {
     }
 
     /// The place of an entity that is placed at `inner` in this one.
-    pub fn after(&self, inner: &Placed) -> Placed {
+    pub fn after(&self, inner: &Placement) -> Placement {
         let map = match (&self.map, &inner.map) {
             (Some(outer), Some(inner)) => Some(outer.after(inner)),
             (one, other) => one.or(*other),
         };
         let [shift, scale] = self.height;
-        Placed {
+        Placement {
             map,
             height: [shift + scale * inner.height[0], scale * inner.height[1]],
         }

@@ -12,7 +12,7 @@ use super::limits::MAX_SEGMENTS;
 use super::pieces::Pieces;
 use super::text::decode;
 use super::{DrawingError, Options, Unit};
-use block::{Block, Placed};
+use block::{Block, Placement};
 use entity::{EXPORT, Entity, Handling, Pairs, check_format};
 use gearlash_text::characters::cut;
 use std::collections::HashMap;
@@ -65,7 +65,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
 #[derive(Debug)]
 pub struct Kept<'a> {
     pub entity: Rc<Entity<'a>>,
-    pub placed: Placed,
+    pub placed: Placement,
     /// Its layer; that of the INSERT where its own is "0".
     pub layer: &'a str,
 }
@@ -216,7 +216,7 @@ impl<'a> Sheet<'a> {
                 }
                 Ok(())
             }
-            _ => self.place(&Rc::new(entity), Placed::default(), None, 0, pieces),
+            _ => self.place(&Rc::new(entity), Placement::default(), None, 0, pieces),
         }
     }
 
@@ -233,7 +233,7 @@ impl<'a> Sheet<'a> {
     fn place(
         &mut self,
         entity: &Rc<Entity<'a>>,
-        placed: Placed,
+        placed: Placement,
         around: Option<&'a str>,
         depth: usize,
         pieces: &mut Pieces,
@@ -293,7 +293,7 @@ impl<'a> Sheet<'a> {
     fn insert(
         &mut self,
         insert: &Entity<'a>,
-        placed: Placed,
+        placed: Placement,
         layer: &'a str,
         depth: usize,
         pieces: &mut Pieces,
@@ -312,7 +312,7 @@ impl<'a> Sheet<'a> {
                 "an INSERT of \"{name}\", a block that the file does not have"
             ));
         };
-        let copies = match Placed::copies(insert, block.base) {
+        let copies = match Placement::copies(insert, block.base) {
             Ok(copies) => copies,
             Err(reason) => return wrong(reason.to_owned()),
         };

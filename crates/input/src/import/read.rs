@@ -99,7 +99,7 @@ pub(super) fn tables(
     }
     let all = tables.clone();
     for table in &mut tables {
-        table.tell_columns_of(&all);
+        table.exclude_columns_of(&all);
     }
     Some(tables)
 }
@@ -178,10 +178,8 @@ impl TableSource<'_> {
             first = Some(sheet.origin);
         }
         // Named columns are of one kind. Faults of the other kind do not count.
-        match (chosen, &first) {
-            (true, Some(_)) => faults.clear(),
-            (true, None) => faults.truncate(1),
-            (false, _) => {}
+        if chosen {
+            faults.truncate(usize::from(first.is_none()));
         }
         for (bad, has_each) in faults {
             // A kind without one column for each flank does not hide the other kind.

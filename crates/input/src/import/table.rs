@@ -55,7 +55,7 @@ pub struct ImportedTable {
     /// The line of its header; none in a protocol.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub header_row: Option<u64>,
-    /// Parts of the file that are not part of the table.
+    /// The parts of the file outside the table, in words for people.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<String>,
     /// The letter of the first column of numbers that is left out.
@@ -64,7 +64,7 @@ pub struct ImportedTable {
     /// Columns that are part of another table of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub in_other_table: Option<String>,
-    /// Parts of the file that are not part of this table.
+    /// The same parts by column, until all tables are known.
     #[serde(skip)]
     pub(super) unread: Unread,
     /// Its columns, all with the same number of values.
@@ -180,18 +180,18 @@ impl ImportedTable {
             sheet: origin.and_then(|origin| origin.sheet.clone()),
             header_row: origin.map(|origin| origin.header_row),
             left_out: match origin {
-                Some(origin) => origin.left_out.words(&[]),
-                None => sheet.header.unused().map(str::to_owned),
+                Some(origin) => origin.unread.words(&[]),
+                None => sheet.header.unread().map(str::to_owned),
             },
             left_out_numbers: None,
             in_other_table: None,
-            unread: origin.map_or_else(Unread::default, |origin| origin.left_out.clone()),
+            unread: origin.map_or_else(Unread::default, |origin| origin.unread.clone()),
             columns,
         }
     }
 
     /// Tells columns of other `tables` from those that are left out.
-    pub(super) fn tell_columns_of(&mut self, tables: &[ImportedTable]) {
+    pub(super) fn exclude_columns_of(&mut self, tables: &[ImportedTable]) {
         if self.header_row.is_none() {
             return;
         }

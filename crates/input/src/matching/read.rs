@@ -1,10 +1,10 @@
 //! A pair file and the folders of its wheels and pinions.
 
 use crate::common_face;
-use crate::read::PairFile;
+use crate::files::PairFile;
 use crate::spec::GearSpec;
 use crate::temperature::REFERENCE_C;
-use crate::tolerance::{GroupedWarnings, Tick, middle, placed, sha256, shape_difference};
+use crate::tolerance::{GroupedLines, Tick, middle, placed, sha256, shape_difference};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
 use gearlash::matching::{Matrix, PairConditions, PairFit};
@@ -49,16 +49,15 @@ pub fn read_match(
     target: Option<f64>,
 ) -> Result<MatchFile, Vec<InputError>> {
     let mut pair = crate::read_by_data(path).map_err(|error| vec![error])?;
-    if let Some(problem) = warm(pair.spec.assembly.temperature_c) {
+    if let Some(problem) = temperature_problem(pair.spec.assembly.temperature_c) {
         return Err(vec![InputError::of(path, vec![problem])]);
     }
     let (mut errors, mut bands, mut tables) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut gear_warnings, mut gear_remarks) =
-        (GroupedWarnings::default(), GroupedWarnings::default());
+    let (mut gear_warnings, mut gear_remarks) = (GroupedLines::default(), GroupedLines::default());
     let mut gears = |folder: &Path, member: Member| {
         let mut gears = Vec::new();
         for file in gear_files(folder, &mut errors) {
-            match one(&file, member, &pair) {
+            match read_gear(&file, member, &pair) {
                 Ok(found) => {
                     bands.extend(found.band);
                     gear_warnings.add(&file, &found.warnings);
@@ -78,7 +77,7 @@ pub fn read_match(
     }
     let gears = || wheels.iter().chain(&pinions);
     let why = common_face::reason_of_gears(gears().map(|one| &one.gear));
-    common_face::complete(&mut pair, why)
+    common_face::add_to(&mut pair, why)
         .map_err(|problem| vec![InputError::of(path, vec![problem])])?;
     for (one, (file, table, member)) in gears().zip(&tables) {
         errors.extend(shape_difference(&one.spec, &pair, *member).map(|reason| {
@@ -98,16 +97,15 @@ pub fn read_match(
         return Err(wrong("", reason, help));
     }
     let distances = &pair.study.center_distances;
-    let ends = |fold: fn(f64, f64) -> f64| distances.iter().copied().reduce(fold);
-    let ends = pair
-        .study
-        .distance_band
-        .or(ends(f64::min).zip(ends(f64::max)).map(<[f64; 2]>::from));
-    let Some(center_distances) = ends else {
+    let extreme = |fold: fn(f64, f64) -> f64| distances.iter().copied().reduce(fold);
+    let range = pair.study.distance_band.or(extreme(f64::min)
+        .zip(extreme(f64::max))
+        .map(<[f64; 2]>::from));
+    let Some(center_distances) = range else {
         return Err(wrong("", "no centre distance".to_owned(), "give one"));
     };
     let requirement = AssemblyLimits::of(&pair.study.requirements);
-    let mut warnings: Vec<String> = unused(&pair).into_iter().collect();
+    let mut warnings: Vec<String> = unused_warning(&pair).into_iter().collect();
     warnings.extend(band_warning(&bands));
     let mut conditions = PairConditions {
         center_distances,
@@ -119,12 +117,12 @@ pub fn read_match(
         target,
     };
     if let (Some(wheel), Some(pinion)) = (wheels.first(), pinions.first()) {
-        let ends = extreme_pairs(&conditions, wheel, pinion).map_err(|reason| {
+        let pairs = extreme_pairs(&conditions, wheel, pinion).map_err(|reason| {
             let key = "assembly.center_distance_mm";
             let help = "correct the distance, or the bearings' clearance";
             wrong(key, reason.to_string(), help)
         })?;
-        let limits = requirement.as_operating_backlash(&ends);
+        let limits = requirement.as_operating_backlash(&pairs);
         if target.is_none() && requirement.others().next().is_some() {
             let requirement = AssemblyLimits::new(limits.min, limits.max);
             conditions.target = Some(
@@ -202,7 +200,7 @@ impl MatchFile {
 }
 
 /// A warning that scatter and thickness bands of the pair file's own gears are ignored for measured gears.
-fn unused(pair: &PairFile) -> Option<String> {
+fn unused_warning(pair: &PairFile) -> Option<String> {
     let (_, most_wheel, most_pinion) = pair.study.materials.first()?;
     let (_, least_wheel, least_pinion) = pair.study.materials.last()?;
     let [wheel, pinion] = pair.spec.by_data()?;
@@ -250,7 +248,7 @@ fn gear_files(folder: &Path, errors: &mut Vec<InputError>) -> Vec<PathBuf> {
         }
     };
     let mut files: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).collect();
-    files.retain(|path| is_named_as_one(path));
+    files.retain(|path| is_gear_file_name(path));
     files.sort();
     if files.is_empty() {
         errors.push(problem(
@@ -284,7 +282,7 @@ fn gear_files(folder: &Path, errors: &mut Vec<InputError>) -> Vec<PathBuf> {
     files
 }
 
-fn is_named_as_one(path: &Path) -> bool {
+fn is_gear_file_name(path: &Path) -> bool {
     let ending = path.extension().unwrap_or_default();
     let mut known = ["toml", "json"].into_iter();
     known.any(|known| ending.eq_ignore_ascii_case(known))
@@ -316,7 +314,7 @@ struct ReadGear {
 }
 
 /// The gear of a gear file, or the `member` of a pair file. It must match a gear of `pair`, and faces as that does.
-fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, InputError> {
+fn read_gear(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, InputError> {
     let file = crate::read_gears_by_data(path)?;
     let wrong = |problem| InputError::of(path, vec![problem]);
     let entry = file.of(member);
@@ -324,7 +322,7 @@ fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, InputEr
         let problem = Problem::of_file("has no such gear", "name a gear file");
         return Err(wrong(problem));
     };
-    if let Some(problem) = warm(file.temperature_c) {
+    if let Some(problem) = temperature_problem(file.temperature_c) {
         return Err(wrong(problem));
     }
     let mates = pair.study.materials.first();
@@ -385,7 +383,7 @@ fn in_utf8(name: &OsStr) -> String {
 }
 
 /// The problem of a pair at another temperature than the reference.
-fn warm(temperature_c: Option<f64>) -> Option<Problem> {
+fn temperature_problem(temperature_c: Option<f64>) -> Option<Problem> {
     let celsius = temperature_c.filter(|celsius| *celsius != REFERENCE_C)?;
     Some(Problem {
         key: "assembly.temperature_c".to_owned(),

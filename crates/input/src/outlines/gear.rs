@@ -1,8 +1,8 @@
 //! `[wheel.outline]` and `[pinion.outline]`: from the keys and the drawing to the gear.
 
-use super::paths::{Choice, Path, centres_inside, chosen, coordinates};
+use super::paths::{Choice, ChosenOutline, centres_inside, choose, coordinates};
 use crate::check::Checked;
-use crate::runout::Runout;
+use crate::runout::RunoutSheet;
 use crate::spec::{
     CentreName, CentreSpec, Either, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,
 };
@@ -55,9 +55,9 @@ pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
     let teeth = drawn.as_ref().and_then(|(spec, ..)| spec.teeth);
     let runout = file.read(&table.path_of("runout"));
     let runout =
-        runout.and_then(|spec| Runout::read(&table, spec.unwrap_or_default(), teeth, None));
+        runout.and_then(|spec| RunoutSheet::read(&table, spec.unwrap_or_default(), teeth, None));
     file.is_good(name).then_some(())?;
-    let (spec, path, data) = drawn?;
+    let (spec, chosen, data) = drawn?;
     let (face, runout, thickness) = (face?.unwrap_or_default(), runout?, thickness?);
     if runout.header.is_some() {
         return table.refuse(
@@ -68,17 +68,17 @@ pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
     }
     let runout = runout.spec;
     let mut remarks = Vec::new();
-    let centre = centre(&table, &spec, &path, scale, &mut remarks)?;
+    let centre = centre(&table, &spec, &chosen, scale, &mut remarks)?;
     let reading = OutlineReading {
         centre,
         face,
         teeth: spec.teeth,
         first_tooth: spec.first_tooth_deg.map(f64::to_radians),
-        bound: path.outline.bound_mm,
+        bound: chosen.path.bound_mm,
     };
-    let segments = &path.outline.segments;
+    let segments = &chosen.path.segments;
     let gear = OutlineGear::new(segments, &reading);
-    let gear = gear.map_err(|error| data.problem(data.found(place(&path, &error)), help(&error)));
+    let gear = gear.map_err(|error| data.problem(data.found(place(&chosen, &error)), help(&error)));
     let gear = data.reading().keep(gear)?;
     if gear.teeth() > MAX_TEETH {
         return data.refuse(
@@ -107,8 +107,8 @@ pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
             "count from the first tooth of the drawing",
         );
     }
-    let turned = gear.with_runout(scale * runout.total() / 2000.0, high_tooth);
-    let gear = table.keep("runout.total_um", turned, "give the runout in µm")?;
+    let displaced = gear.with_runout(scale * runout.total() / 2000.0, high_tooth);
+    let gear = table.keep("runout.total_um", displaced, "give the runout in µm")?;
     let offset = thickness.and_then(|thickness| thickness.flank_offset_mm);
     let offset = offset.map_or(Toleranced::Single(0.0), Either::toleranced);
     let gears = offset.try_map(|mm| gear.with_flank_offset(scale * mm));
@@ -136,26 +136,26 @@ pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
             0.0 => ", its curves as drawn".to_owned(),
             bound => format!(", within {} µm of what is drawn", um(bound, 4)),
         },
-        match path.remarks.len() {
+        match chosen.remarks.len() {
             0 => String::new(),
-            _ => format!("; {}", data.found(path.remarks.join("; "))),
+            _ => format!("; {}", data.found(chosen.remarks.join("; "))),
         }
     ));
     let is_fitted = matches!(spec.center_mm, CentreSpec::Found(CentreName::Fit));
-    let warning = taken_out(&path, centre, gear).filter(|_| is_fitted);
+    let warning = taken_out(&chosen, centre, gear).filter(|_| is_fitted);
     let count = |of: fn(&PathSegment) -> bool| segments.iter().filter(|part| of(part)).count();
     Some(OutlinePart {
         gears,
         read: DrawingRead {
-            unit_mm: rounded(path.unit_mm / scale, 9),
+            unit_mm: rounded(chosen.unit_mm / scale, 9),
             centre,
             parts: [
                 count(|part| matches!(part, PathSegment::Line(_))),
                 count(|part| matches!(part, PathSegment::Arc { .. })),
                 count(|part| matches!(part, PathSegment::Cubic(_))),
             ],
-            bound_mm: path.outline.bound_mm,
-            inside: path.inside,
+            bound_mm: chosen.path.bound_mm,
+            inside: chosen.inside,
         },
         spec: OutlineGearSpec {
             outline: spec,
@@ -170,7 +170,11 @@ pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
 }
 
 /// The drawing that `spec` names, in the gear's table `gear`.
-fn drawn(gear: &Table, spec: OutlineSpec, scale: f64) -> Option<(OutlineSpec, Path, DataFile)> {
+fn drawn(
+    gear: &Table,
+    spec: OutlineSpec,
+    scale: f64,
+) -> Option<(OutlineSpec, ChosenOutline, DataFile)> {
     let table = gear.below("outline");
     let data = DataFile::of(&table)?;
     let format = Format::of(data.path());
@@ -208,38 +212,38 @@ fn drawn(gear: &Table, spec: OutlineSpec, scale: f64) -> Option<(OutlineSpec, Pa
         (None, None, &CentreSpec::At(centre)) => Choice::Centre(Some(Point2::from(centre) * scale)),
         (None, None, CentreSpec::Found(_)) => Choice::Centre(None),
     };
-    let path = chosen(data.reading().keep(read)?, choice);
-    let path = path.map_err(|reason| {
+    let chosen = choose(data.reading().keep(read)?, choice);
+    let chosen = chosen.map_err(|reason| {
         data.problem(
             data.found(reason),
             "choose one with `at_mm`, `number`, `layer` or `id`, or remove the others from the drawing",
         )
     });
-    let mut path = data.reading().keep(path)?;
+    let mut chosen = data.reading().keep(chosen)?;
     let is_bore = matches!(spec.center_mm, CentreSpec::Found(CentreName::Bore));
-    if is_bore && options.select.is_some() && path.centres.is_empty() {
+    if is_bore && options.select.is_some() && chosen.centres.is_empty() {
         // The bore is on another layer, or in another element.
         let all = Options {
             select: None,
             ..options
         };
         let all = gearlash_drawing::read(data.path(), &bytes, &all).ok();
-        path.centres = all.map_or(Vec::new(), |all| centres_inside(&path.outline, &all.loops));
+        chosen.centres = all.map_or(Vec::new(), |all| centres_inside(&chosen.path, &all.loops));
     }
-    Some((spec, path, data))
+    Some((spec, chosen, data))
 }
 
 /// The centre in the drawing, mm.
 fn centre(
     gear: &Table,
     spec: &OutlineSpec,
-    path: &Path,
+    chosen: &ChosenOutline,
     scale: f64,
     remarks: &mut Vec<String>,
 ) -> Option<Point2<f64>> {
     match spec.center_mm {
         CentreSpec::At([x, y]) => Some(Point2::new(x, y) * scale),
-        CentreSpec::Found(CentreName::Bore) => match &path.centres[..] {
+        CentreSpec::Found(CentreName::Bore) => match &chosen.centres[..] {
             [bore] => Some(*bore),
             others => gear.refuse(
                 "outline.center_mm",
@@ -252,7 +256,7 @@ fn centre(
             ),
         },
         CentreSpec::Found(CentreName::Fit) => {
-            let fitted = fit_centre(&path.outline.segments);
+            let fitted = fit_centre(&chosen.path.segments);
             let help = "state the centre as [x, y] in mm";
             let fitted = gear.keep("outline.center_mm", fitted, help)?;
             remarks.push(format!(
@@ -267,8 +271,8 @@ fn centre(
 }
 
 /// The eccentricity of a `gear` with a fitted `centre` about the one circle inside, or the drawing's origin; `None` where neither is near.
-fn taken_out(path: &Path, centre: Point2<f64>, gear: &OutlineGear) -> Option<String> {
-    let (axis, name) = match &path.centres[..] {
+fn taken_out(chosen: &ChosenOutline, centre: Point2<f64>, gear: &OutlineGear) -> Option<String> {
+    let (axis, name) = match &chosen.centres[..] {
         [bore] => (*bore, "circle inside"),
         _ => (Point2::origin(), "drawing's origin"),
     };
@@ -317,8 +321,8 @@ fn kinks(segments: &[PathSegment]) -> String {
     }
 }
 
-fn place(path: &Path, error: &OutlineError) -> String {
-    format!("the path from {}: {error}", path.outline.place)
+fn place(chosen: &ChosenOutline, error: &OutlineError) -> String {
+    format!("the path from {}: {error}", chosen.path.place)
 }
 
 pub(crate) fn help(error: &OutlineError) -> &'static str {

@@ -72,7 +72,7 @@ pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutline
     let outlines = outlines(&read.loops, &mut read.remarks)
         .map_err(|error| fault(Problem::of_file(error, help)))?;
     let each = outlines.iter().map(|outline| {
-        let path = &read.loops[outline.place];
+        let path = &read.loops[outline.index];
         let [low, high] = outline.ends;
         ListedOutline {
             name: path.name.clone(),

@@ -10,7 +10,7 @@ pub use compared::{ComparedOutlines, TwoDrawings};
 pub use gear::DrawingRead;
 pub(crate) use gear::gear;
 pub use listed::{ListedOutline, ListedOutlines, listed_outlines, lists_outlines};
-pub use pair::{Drawings, OutlineOptions};
+pub use pair::{APART_MM, Drawings, OutlineOptions};
 pub(crate) use pair::{
     by_flags, check_distances, has_outline, of_drawing, refuse, refuse_axes, refuse_limits,
     refuse_tables, refuse_uncertainties, slips,

@@ -15,8 +15,11 @@ use gearlash_text::numbers::{ascii, rounded, shortest};
 use gearlash_text::{Files, InputError, Table, source};
 use std::path::Path;
 
+/// A distance at which no two gears touch, mm.
+pub const APART_MM: f64 = 1e6;
+
 /// Tables that do not apply to an outline, and why.
-const LEFT_OUT: [(&str, &str); 2] = [
+const NO_TABLES: [(&str, &str); 2] = [
     (
         "accuracy",
         "cuts no polygons: its curves are searched as drawn",
@@ -56,7 +59,7 @@ const NOT_REQUIRED: [(&str, &str); 3] = [
 
 /// Reports tables that do not apply to an outline.
 pub(crate) fn refuse_tables(file: &Table) {
-    for (name, why) in LEFT_OUT.into_iter().filter(|(name, _)| file.has(name)) {
+    for (name, why) in NO_TABLES.into_iter().filter(|(name, _)| file.has(name)) {
         let reason = format!("a pair with an outline {why}");
         file.add(name, reason, "remove the table");
     }
@@ -114,8 +117,8 @@ pub(crate) fn refuse_axes(file: &Table, assembly: &AssemblySpec) {
 
 /// Poses of a pitch that are looked at for slips.
 const POSES: u32 = 16;
-/// Greatest number of these with a tip in contact that is no reason for a warning: teeth with deviations have some.
-const TIPS_PASS: usize = 8;
+/// Most of these with tip contact that give no warning: teeth with deviations have some.
+const MAX_TIP_POSES: usize = 8;
 
 /// Warnings of centre distances that leave much backlash, or teeth out of contact, between the first teeth of gears by these outlines.
 pub(crate) fn slips(
@@ -164,7 +167,7 @@ pub(crate) fn slips(
         let is_off = |found: &&LostMotion| [found.right, found.left].iter().any(|of| of.as_ref().is_none_or(is_tip));
         let off = found.iter().filter(is_free).filter(is_off).count();
         let is_any = found.iter().any(|found| found.angle().is_some());
-        (is_any && off > TIPS_PASS).then(|| {
+        (is_any && off > MAX_TIP_POSES).then(|| {
             format!(
                 "assembly.center_distance_mm: at {} mm tips touch at {off} of {POSES} poses of a pitch, so flanks may lose contact between two pitches: check {check}",
                 ascii(a, 4)

@@ -7,9 +7,9 @@ use gearlash_text::numbers::ascii;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 
-/// The outline of a drawing among its loops.
-pub(super) struct Path {
-    pub outline: DrawnPath,
+/// The outline of a gear, chosen among the paths of a drawing.
+pub(super) struct ChosenOutline {
+    pub path: DrawnPath,
     /// Number of closed paths inside it.
     pub inside: usize,
     /// Centres of circles inside it.
@@ -44,8 +44,8 @@ const MAX_OUTLINES: usize = 10_000;
 
 /// A closed path that lies inside no other.
 pub(super) struct Outline {
-    /// Its place among the paths of the drawing.
-    pub place: usize,
+    /// Its index among the paths of the drawing.
+    pub index: usize,
     pub inside: Vec<usize>,
     /// Least and greatest coordinates of its points, mm.
     pub ends: [Point2<f64>; 2],
@@ -56,14 +56,14 @@ pub(super) struct Outline {
 }
 
 impl Outline {
-    fn new(place: usize, area: f64, path: &DrawnPath) -> Outline {
+    fn new(index: usize, area: f64, path: &DrawnPath) -> Outline {
         let corners = corners(path, 8);
         let far = Point2::new(f64::INFINITY, f64::INFINITY);
         let ends = corners.iter().fold([far, -far], |[low, high], corner| {
             [low.inf(corner), high.sup(corner)]
         });
         Outline {
-            place,
+            index,
             inside: Vec::new(),
             ends,
             is_frame: is_convex(&corners, ends) && !is_round(&corners, ends),
@@ -114,8 +114,8 @@ pub(super) fn outlines(
     by_area.sort_by_cached_key(|(_, area)| !area.to_bits());
     let mut outlines: Vec<Outline> = Vec::new();
     let mut frames = 0;
-    for (place, area) in by_area {
-        let path = &loops[place];
+    for (index, area) in by_area {
+        let path = &loops[index];
         let first = path.segments.first().map(PathSegment::start);
         let holds = |outline: &Outline| {
             outline.area > area && first.is_some_and(|first| outline.winds_round(first))
@@ -127,22 +127,22 @@ pub(super) fn outlines(
             outer = outlines.iter().position(holds);
         }
         match outer {
-            Some(outer) => outlines[outer].inside.push(place),
+            Some(outer) => outlines[outer].inside.push(index),
             None if outlines.len() == MAX_OUTLINES => {
                 return Err(format!("holds more than {MAX_OUTLINES} outlines"));
             }
-            None => outlines.push(Outline::new(place, area, path)),
+            None => outlines.push(Outline::new(index, area, path)),
         }
     }
     if frames > 0 {
         remarks.push(format!("frames without teeth that are not read: {frames}"));
     }
-    outlines.sort_by_cached_key(|outline| outline.place as u64);
+    outlines.sort_by_cached_key(|outline| outline.index as u64);
     Ok(outlines)
 }
 
 /// The outline of a drawing by `choice`, with the paths inside it.
-pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
+pub(super) fn choose(drawing: Drawing, choice: Choice) -> Result<ChosenOutline, String> {
     let (loops, unit_mm, mut remarks) = (drawing.loops, drawing.unit_mm, drawing.remarks);
     let outlines = outlines(&loops, &mut remarks)?;
     let round = |point: Point2<f64>| outlines.iter().position(|one| one.winds_round(point));
@@ -161,8 +161,8 @@ pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
             .and_then(round)
             .ok_or_else(|| format!("holds several outlines side by side: {}", listed()))?,
     };
-    let Outline { place, inside, .. } = &outlines[index];
-    let outline = loops[*place].clone();
+    let chosen = &outlines[index];
+    let outline = loops[chosen.index].clone();
     if outlines.len() > 1 {
         remarks.push(format!(
             "outline {} of {} is read, from {} ({})",
@@ -172,17 +172,17 @@ pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
             outline.place
         ));
     }
-    if !inside.is_empty() {
+    if !chosen.inside.is_empty() {
         remarks.push(format!(
             "closed paths inside that are not its outline: {}",
-            inside.len()
+            chosen.inside.len()
         ));
     }
-    let circles = inside.iter().map(|&one| &loops[one]);
-    Ok(Path {
+    let circles = chosen.inside.iter().map(|&one| &loops[one]);
+    Ok(ChosenOutline {
         centres: centres_inside(&outline, circles),
-        inside: inside.len(),
-        outline,
+        inside: chosen.inside.len(),
+        path: outline,
         unit_mm,
         remarks,
     })
@@ -192,7 +192,7 @@ pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
 fn list(loops: &[DrawnPath], outlines: &[Outline]) -> String {
     const FEW: usize = 6;
     let named = outlines.iter().enumerate().map(|(index, one)| {
-        let path = &loops[one.place];
+        let path = &loops[one.index];
         format!("{} from {} ({})", index + 1, start(path), path.place)
     });
     first_of(named, FEW)

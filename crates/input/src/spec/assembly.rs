@@ -18,7 +18,7 @@ use serde_with::skip_serializing_none;
 /// "30 js7", "30,0 H7", "30 ±0.02", "30 +0.03/0".
 pub(crate) const DISTANCE_FIELD: &str = r"^ *[0-9.,]+ *((js|JS|[HhFf]) *([5-9]|10)|(±|\+-) *[0-9.,]+|([-+−] *[0-9.,]+| [0.,]+) */ *([-+−] *[0-9.,]+|[0.,]+)) *$";
 /// Centre distances of one file: each is a run that holds both gears.
-pub(crate) const MAX_DISTANCES: usize = 10_000;
+pub const MAX_DISTANCES: usize = 10_000;
 /// Poses a pitch where none are stated.
 pub(crate) const DEFAULT_STEPS: u32 = 16;
 
@@ -28,7 +28,7 @@ pub(crate) const DEFAULT_STEPS: u32 = 16;
 #[schemars(transform = both_spellings)]
 pub struct AssemblySpec {
     /// Centre distance a; with measured and no sweep its rows decide.
-    #[serde(default = "of_rows", alias = "centre_distance_mm")]
+    #[serde(default = "no_distances", alias = "centre_distance_mm")]
     pub center_distance_mm: CenterDistanceSpec,
     /// The gear that stands still, "wheel" or "pinion".
     #[serde(default)]
@@ -68,7 +68,7 @@ impl AssemblySpec {
     }
 
     /// The place along the axes at which the first stated centre distance holds, mm from the wheel's measuring plane.
-    pub fn holds_at(&self) -> f64 {
+    pub fn distance_place_mm(&self) -> f64 {
         match &self.center_distance_mm {
             CenterDistanceSpec::Ends(ends) => ends.ends_mm[0][0],
             _ => self
@@ -96,14 +96,14 @@ impl AssemblySpec {
     }
 
     /// The one stated centre distance, mm in the wheel's measuring plane.
-    pub fn own_distance(&self) -> Option<f64> {
+    pub fn single_distance_mm(&self) -> Option<f64> {
         let nominal = self.center_distance_mm.nominal_mm()?;
         Some(self.in_measuring_plane(nominal))
     }
 
     /// The centre distance in the wheel's measuring plane where a stated one is `mm`.
     pub fn in_measuring_plane(&self, mm: f64) -> f64 {
-        let ([in_plane, out_of_plane], at) = (self.lean(), self.holds_at());
+        let ([in_plane, out_of_plane], at) = (self.lean(), self.distance_place_mm());
         if at == 0.0 || (in_plane, out_of_plane) == (0.0, 0.0) {
             return mm;
         }
@@ -117,7 +117,7 @@ impl AssemblySpec {
             let over_mm = ends.length().abs();
             let [in_plane_um, out_of_plane_um] = [0, 1].map(|k| match open[k] {
                 0.0 => Either::One(1e3 * lean[k] * over_mm),
-                most => Either::Other(GreatestSpec {
+                most => Either::Other(EitherSenseSpec {
                     max: 1e3 * most * over_mm,
                 }),
             });
@@ -151,11 +151,11 @@ pub struct MisalignmentSpec {
     /// In-plane deviation f_Σδ; plus: farther apart away from the viewer.
     #[serde(default = "parallel")]
     #[schemars(transform = deviation())]
-    pub in_plane_um: Either<f64, GreatestSpec>,
+    pub in_plane_um: Either<f64, EitherSenseSpec>,
     /// Out-of-plane deviation f_Σβ; plus: the pinion stands higher there.
     #[serde(default = "parallel")]
     #[schemars(transform = deviation())]
-    pub out_of_plane_um: Either<f64, GreatestSpec>,
+    pub out_of_plane_um: Either<f64, EitherSenseSpec>,
     /// Length over which both are stated.
     #[schemars(transform = length())]
     pub over_mm: f64,
@@ -182,14 +182,14 @@ impl MisalignmentSpec {
     }
 }
 
-fn parallel() -> Either<f64, GreatestSpec> {
+fn parallel() -> Either<f64, EitherSenseSpec> {
     Either::One(0.0)
 }
 
 /// A deviation of unknown sense.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
-pub struct GreatestSpec {
+pub struct EitherSenseSpec {
     /// Its greatest amount; the verdict covers all up to it, in either sense.
     #[schemars(transform = within(0.0, 1e7))]
     pub max: f64,
@@ -209,7 +209,7 @@ fn both_spellings(schema: &mut Schema) {
 }
 
 /// An empty list of distances.
-fn of_rows() -> CenterDistanceSpec {
+fn no_distances() -> CenterDistanceSpec {
     CenterDistanceSpec::Distances(Vec::new())
 }
 

@@ -23,18 +23,19 @@ mod trace;
 mod uncertainty;
 mod value;
 
+pub use assembly::MAX_DISTANCES;
 pub use assembly::{
     AccuracySpec, AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, CompareSpec,
-    DesignatedDistanceSpec, DistanceBandSpec, DistanceEndsSpec, GreatestSpec, MeasuredSpec,
+    DesignatedDistanceSpec, DistanceBandSpec, DistanceEndsSpec, EitherSenseSpec, MeasuredSpec,
     MisalignmentSpec, Phases, Revolutions, SweepSpec,
 };
-pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MAX_DISTANCES};
+pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases};
 pub use explained::explained;
 pub(crate) use explained::{as_clause, members};
 pub use flanks::{FaceRunoutSpec, PitchSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
 pub use gearlash_tables::TableFileSpec;
-pub use gearlash_text::written::Decimal as DecimalSign;
+pub use gearlash_text::file_numbers::Decimal as DecimalSign;
 pub use lead::{
     EndReliefSpec, FlankLeadSpec, LeadSpec, ReliefEnd, SlopeLength, SpurSlopeSpec, TeethEnd,
 };
@@ -51,8 +52,8 @@ pub use thickness::{
     ChordSpec, CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
 pub use tolerance::{
-    AxesScatterSpec, GearToleranceSpec, LeadScatterSpec, PhaseName, PitchScatterSpec, ScatterName,
-    ScatterSpec, SpreadSpec, ToleranceSpec,
+    AxesScatterSpec, GearToleranceSpec, LeadScatterSpec, MAX_ASSEMBLIES, PhaseName,
+    PitchScatterSpec, ScatterName, ScatterSpec, SpreadSpec, ToleranceSpec,
 };
 pub use trace::{FlankSpec, FlanksSpec, TraceDirection, TraceSpec};
 pub use uncertainty::UncertaintySpec;

@@ -56,6 +56,16 @@ impl PairSpec {
             },
         })
     }
+
+    /// Wheel or pinion by its data; `None` for an outline.
+    pub fn data(&self, member: Member) -> Option<&GearSpec> {
+        [&self.wheel, &self.pinion][member as usize].data()
+    }
+
+    /// Wheel and pinion by their data; `None` where one is an outline.
+    pub fn by_data(&self) -> Option<[&GearSpec; 2]> {
+        Some([self.wheel.data()?, self.pinion.data()?])
+    }
 }
 
 /// One cylindrical gear and what was measured on it.
@@ -111,17 +121,5 @@ impl EitherGearSpec {
             EitherGearSpec::Data(spec) => spec.reference_face,
             EitherGearSpec::Outline(spec) => spec.reference_face,
         }
-    }
-}
-
-impl PairSpec {
-    /// Wheel or pinion by its data; `None` for an outline.
-    pub fn data(&self, member: Member) -> Option<&GearSpec> {
-        [&self.wheel, &self.pinion][member as usize].data()
-    }
-
-    /// Wheel and pinion by their data; `None` where one is an outline.
-    pub fn by_data(&self) -> Option<[&GearSpec; 2]> {
-        Some([self.wheel.data()?, self.pinion.data()?])
     }
 }

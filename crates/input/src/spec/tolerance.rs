@@ -8,13 +8,16 @@ use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_with::skip_serializing_none;
 
+/// Most assemblies of a run.
+pub const MAX_ASSEMBLIES: u64 = 1_000_000_000;
+
 /// Scatter of assemblies, for gearlash tolerance.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ToleranceSpec {
     /// Assemblies drawn.
-    #[schemars(transform = whole(1, 1_000_000_000))]
+    #[schemars(transform = whole(1, MAX_ASSEMBLIES as u32))]
     pub assemblies: u32,
     /// Seed of the draws.
     #[schemars(transform = whole(0, u32::MAX))]

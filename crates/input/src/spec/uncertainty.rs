@@ -98,7 +98,7 @@ impl UncertaintySpec {
                 .misalignment_um
                 .zip(assembly.over_mm())
                 .map_or(0.0, |(um, over)| um * mm / over),
-            distance_at: assembly.holds_at(),
+            distance_at: assembly.distance_place_mm(),
             coverage: self.coverage_factor,
         }
     }

@@ -1,6 +1,6 @@
-//! Measured gears that are drawn as a whole: their files by names and patterns, and the bands of thickness that they and a pair file state.
+//! Measured gears, of which each assembly takes one at random: their files, and the bands of thickness that they and a pair file state.
 
-use crate::read::PairFile;
+use crate::files::PairFile;
 use crate::spec::{GearSpec, GearToleranceSpec, ToleranceSpec};
 use crate::temperature::REFERENCE_C;
 use gearlash::error::GearError;
@@ -37,7 +37,7 @@ pub fn gears(
     let wrong = |reason: String, help: &str| file.add(key, reason, help);
     let (mut files, mut warnings) = (Vec::new(), Vec::new());
     for name in names {
-        let found = named(file.reading().folder(), name);
+        let found = matching_files(file.reading().folder(), name);
         if found.files.is_empty() && found.faults.is_empty() {
             let beside = found.left_out.iter().take(MAX_WARNINGS);
             let beside: String = beside.map(|left_out| format!("; {left_out}")).collect();
@@ -62,7 +62,7 @@ pub fn gears(
         files.truncate(MAX_GEARS);
     }
     let (mut gears, mut banded) = (Vec::new(), Vec::new());
-    let mut grouped = GroupedWarnings::default();
+    let mut grouped = GroupedLines::default();
     for path in files {
         match read_one(&path, member, file.reading()) {
             Ok((gear, has_band, warned)) => {
@@ -130,7 +130,7 @@ fn read_one(
 const MAX_VISITED: usize = 200_000;
 
 #[derive(Debug, Default)]
-pub struct Named {
+pub struct MatchingFiles {
     /// Files, in the order of their names.
     pub files: Vec<PathBuf>,
     /// Matches that are ignored, and why.
@@ -141,31 +141,31 @@ pub struct Named {
 
 /// The files that `name` stands for, relative to `folder`. `*`, `?` and `[` match letters within one path component. Case
 /// matters.
-pub fn named(folder: &Path, name: &str) -> Named {
-    let mut named = Named::default();
+pub fn matching_files(folder: &Path, name: &str) -> MatchingFiles {
+    let mut files = MatchingFiles::default();
     if !name.contains(['*', '?', '[']) {
         let path = folder.join(name);
         match path.symlink_metadata() {
             Err(error) if error.kind() == ErrorKind::NotFound => (),
-            _ => named.add(path, false),
+            _ => files.add(path, false),
         }
-        return named;
+        return files;
     }
-    let found = found(folder, name, &mut named.faults).unwrap_or_else(|error| {
-        named.faults.push(format!("{name:?}: {error}"));
+    let found = found(folder, name, &mut files.faults).unwrap_or_else(|error| {
+        files.faults.push(format!("{name:?}: {error}"));
         Vec::new()
     });
     for (path, is_as_written) in found {
         if is_as_written {
-            named.add(path, true)
+            files.add(path, true)
         } else {
-            named.left_out.push(format!(
+            files.left_out.push(format!(
                 "{}: is as {name:?} but for capital letters, and is left out",
                 path.display()
             ))
         }
     }
-    named
+    files
 }
 
 /// Every path that matches the pattern `name`, in the order of the names, and whether case matched. Read errors are added to `faults`.
@@ -247,7 +247,7 @@ fn entries(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
     }
 }
 
-impl Named {
+impl MatchingFiles {
     /// Adds the file at `path`. A folder is ignored where a pattern matched it.
     fn add(&mut self, path: PathBuf, is_of_pattern: bool) {
         let name = path.display();
@@ -287,7 +287,7 @@ fn duplicates(files: &[PathBuf]) -> Vec<String> {
 }
 
 /// A warning for each band of `pair` that `tolerance` does not draw from, with the key to write.
-pub fn left_out(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<String> {
+pub fn unused_band_warnings(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<String> {
     let mut warnings = Vec::new();
     for member in Member::BOTH {
         let is_drawn = |spec: &GearToleranceSpec| spec.thickness.is_some() || spec.gears.is_some();
@@ -345,11 +345,11 @@ pub fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
 
 /// Texts, each with its files.
 #[derive(Debug, Default)]
-pub(crate) struct GroupedWarnings {
+pub(crate) struct GroupedLines {
     each: Vec<(String, PathBuf, usize)>,
 }
 
-impl GroupedWarnings {
+impl GroupedLines {
     /// Adds the `texts` of `file`.
     pub fn add(&mut self, file: &Path, texts: &[String]) {
         for text in texts {

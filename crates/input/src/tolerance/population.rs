@@ -1,10 +1,11 @@
 //! From a pair file with `[tolerance]` to a population.
 
-use crate::read::PairFile;
+use crate::files::PairFile;
 use crate::spec::{
     GearSpec, GearToleranceSpec, PhaseName, ScatterName, ScatterSpec, SpreadSpec, ToleranceSpec,
 };
-use crate::tolerance::gears::{MeasuredGear, gears, left_out, thickness_band};
+use crate::temperature::REFERENCE_C;
+use crate::tolerance::gears::{MeasuredGear, gears, thickness_band, unused_band_warnings};
 use crate::{common_face, lead, pair, with_tree};
 use gearlash::analysis::phases::phase;
 use gearlash::error::GearError;
@@ -29,7 +30,7 @@ pub struct ToleranceFile {
     pub population: Population,
     /// The limits that each assembly must keep.
     pub requirement: AssemblyLimits,
-    /// Tables of the gears that are drawn as a whole, for wheel and pinion.
+    /// The measured gears to take from, for wheel and pinion.
     pub(super) measured: [Vec<MeasuredGear>; 2],
     /// Warnings about it, in addition to those of the pair.
     pub warnings: Vec<String>,
@@ -40,10 +41,10 @@ pub struct ToleranceFile {
 /// # Errors
 /// As [`crate::read`].
 pub fn read_tolerance(path: &Path) -> Result<ToleranceFile, InputError> {
-    with_tree(path, |tree| understood(pair(tree)?, &tree.table()))
+    with_tree(path, |tree| tolerance_file(pair(tree)?, &tree.table()))
 }
 
-fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
+fn tolerance_file(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     let Some(tolerance) = pair.spec.tolerance.clone() else {
         return file.refuse(
             "tolerance",
@@ -52,15 +53,14 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
         );
     };
     // Its problems come first. A drawn gear can give the pair a face.
-    let own = own_distance(&pair, file);
-    let band = pair.study.distance_band;
-    let band = band.zip(pair.spec.assembly.own_distance());
+    let nominal = nominal_distance(&pair, file);
+    let band = pair.study.distance_band.zip(pair.spec.assembly.single_distance_mm());
     let band = band.map(|(band, nominal)| band.map(|mm| mm - nominal));
     let place = (file, "tolerance.center_distance");
     let center_distance = scatter(&tolerance.center_distance, band, place);
     let place = (file, "tolerance.bearing_play");
     let bearing_clearance = scatter(&tolerance.bearing_play, None, place);
-    let mut warnings = left_out(&pair, &tolerance);
+    let mut warnings = unused_band_warnings(&pair, &tolerance);
     let mut gear = |spec, member| gear(spec, member, &pair, (file, &mut warnings));
     let wheel = gear(&tolerance.wheel, Member::Wheel);
     let pinion = gear(&tolerance.pinion, Member::Pinion);
@@ -89,7 +89,7 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     } else {
         common_face::reason_of_gears(measured.into_iter().flatten())
     };
-    file.reading().keep(common_face::complete(&mut pair, why))?;
+    file.reading().keep(common_face::add_to(&mut pair, why))?;
     for (member, gears) in [(Member::Wheel, &wheels), (Member::Pinion, &pinions)] {
         let mut gears = gears.iter();
         if let Some(other) = gears.find_map(|one| shape_difference(&one.spec, &pair, member)) {
@@ -97,9 +97,9 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
             return file.refuse(&format!("tolerance.{}.gears", member.name()), other, help);
         }
     }
-    let own = own_pair(&pair, own?, file)?;
-    let first = marked_tooth(&pair, &own);
-    let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
+    let mean = mean_pair(&pair, nominal?, file)?;
+    let first = marked_tooth(&pair, &mean);
+    let population = Population::new(mean, scatters).map_err(|error| refused(file, &error));
     let population = file.reading().keep(population)?;
     let clearance = pair.study.bearing_clearance;
     let requirement = AssemblyLimits::of(&pair.study.requirements);
@@ -119,9 +119,9 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
 }
 
 /// The nominal centre distance of a pair that can scatter, mm.
-fn own_distance(pair: &PairFile, file: &Table) -> Option<f64> {
+fn nominal_distance(pair: &PairFile, file: &Table) -> Option<f64> {
     let spec = &pair.spec.assembly;
-    if spec.temperature_c.is_some_and(|celsius| celsius != 20.0) {
+    if spec.temperature_c.is_some_and(|c| c != REFERENCE_C) {
         return file.refuse(
             "assembly.temperature_c",
             "given together with tolerance, whose numbers are those of 20 °C",
@@ -140,7 +140,7 @@ fn own_distance(pair: &PairFile, file: &Table) -> Option<f64> {
             "state signed deviations and one clearance for each gear",
         );
     }
-    spec.own_distance().or_else(|| {
+    spec.single_distance_mm().or_else(|| {
         file.refuse(
             "assembly.center_distance_mm",
             "several distances, tolerance needs the one about which it scatters",
@@ -150,7 +150,7 @@ fn own_distance(pair: &PairFile, file: &Table) -> Option<f64> {
 }
 
 /// The mean pair of the population at a centre distance, mm: the middle of thickness bands.
-fn own_pair(pair: &PairFile, distance: f64, file: &Table) -> Option<AssembledPair> {
+fn mean_pair(pair: &PairFile, distance: f64, file: &Table) -> Option<AssembledPair> {
     let study = &pair.study;
     let is_lost = |member: &Member| {
         let ends = study.drawn.first().zip(study.drawn.last());
@@ -191,7 +191,7 @@ fn lean(tolerance: &ToleranceSpec, pair: &PairFile, file: &Table) -> Option<[Opt
             "add misalignment = { over_mm = … } to [assembly], or remove it",
         );
     };
-    if stated.in_plane_um.is_some() && assembly.holds_at() != 0.0 {
+    if stated.in_plane_um.is_some() && assembly.distance_place_mm() != 0.0 {
         return file.refuse(
             &format!("{KEY}.in_plane_um"),
             "given beside a centre distance that holds off the wheel's measuring plane",
@@ -258,7 +258,7 @@ fn gear(
         face: [0.0, 1.0],
         ..Lead::default()
     };
-    let shape = lead::to_add_to(own).map(|(_, shape, share)| (shape, share));
+    let shape = lead::lead_base(own).map(|(_, shape, share)| (shape, share));
     let (shape, share) = shape.unwrap_or((none, 1.0));
     let width_mm = shape.face[1] - shape.face[0];
     let one_spread = |spec: Option<SpreadSpec>, name: &str, um, is_vector| {
@@ -310,10 +310,12 @@ pub(crate) fn shape_difference(gear: &GearSpec, pair: &PairFile, member: Member)
         return None;
     }
     let ends = |gear: &GearSpec| Some(gear.heights()?.map(|end| gear.scale() * end));
-    let other = match (gear.hand == own.hand, ends(gear) == ends(own)) {
-        (false, _) => "hand",
-        (_, false) => "face_mm",
-        _ => return None,
+    let other = if gear.hand != own.hand {
+        "hand"
+    } else if ends(gear) != ends(own) {
+        "face_mm"
+    } else {
+        return None;
     };
     Some(format!(
         "{other} is another than {name}.{other} of the pair file"
@@ -381,7 +383,7 @@ fn marked_tooth(pair: &PairFile, own: &AssembledPair) -> u32 {
     phase(own, &mating)
 }
 
-const MM: f64 = 1e-3;
+const MM_PER_UM: f64 = 1e-3;
 
 /// The normal distribution about 0, or that of the amount of a vector, at `key` of the pair file, in units of `um` µm; `Some(None)` where
 /// none is stated.
@@ -413,11 +415,11 @@ fn scatter(
         return Some(None);
     };
     let limits = match (spec.lower_um, spec.upper_um) {
-        (Some(low), Some(high)) => Some([low * MM, high * MM]),
+        (Some(low), Some(high)) => Some([low * MM_PER_UM, high * MM_PER_UM]),
         _ => band,
     };
     let middle = |limits: [f64; 2]| 0.5 * (limits[0] + limits[1]);
-    let um = |value: Option<f64>| value.map(|um| um * MM);
+    let um = |value: Option<f64>| value.map(|um| um * MM_PER_UM);
     let within = |of: &dyn Fn([f64; 2]) -> Result<Scatter, ScatterError>| limits.map(of);
     let made = match spec.scatter {
         ScatterName::Fixed => um(spec.value_um).map(Scatter::fixed),
@@ -439,7 +441,7 @@ fn scatter(
             (None, None) => None,
         },
         ScatterName::Table => spec.values_um.as_ref().map(|values| {
-            let values: Vec<f64> = values.iter().map(|um| um * MM).collect();
+            let values: Vec<f64> = values.iter().map(|um| um * MM_PER_UM).collect();
             Scatter::table(&values)
         }),
     };

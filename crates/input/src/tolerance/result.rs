@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// Description of the population of a run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct About {
+pub struct PopulationSummary {
     /// Title of the pair file.
     pub title: String,
     /// Least `j_wt` required, mm.
@@ -22,7 +22,7 @@ pub struct About {
     /// Names of the quantities that scatter.
     pub quantities: Vec<&'static str>,
     /// Names of the unbounded quantities. The worst case cuts them at their limits.
-    pub without_end: Vec<&'static str>,
+    pub unbounded: Vec<&'static str>,
     /// `j_wt`, mm, at the mean, in the worst case and by the root sum of squares, least and greatest each; `None` for whole
     /// gears.
     pub limit_cases: Option<[[Option<f64>; 2]; 3]>,
@@ -32,7 +32,7 @@ pub struct About {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToleranceResult {
     /// The population.
-    pub about: About,
+    pub about: PopulationSummary,
     /// Version of gearlash.
     pub version: &'static str,
     /// SHA-256 of the pair as understood, and of all drawn gears.

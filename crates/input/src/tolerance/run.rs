@@ -1,7 +1,7 @@
 //! A run: a population, a seed and a number of assemblies.
 
 use super::population::ToleranceFile;
-use super::result::{About, ToleranceResult, limits};
+use super::result::{PopulationSummary, ToleranceResult, limits};
 use super::worst::sha256;
 use gearlash::error::Error;
 use gearlash::population::{
@@ -41,7 +41,7 @@ pub struct ToleranceRun<'a> {
     seed: u64,
     assemblies: u64,
     input_sha256: String,
-    about: About,
+    about: PopulationSummary,
 }
 
 impl<'a> ToleranceRun<'a> {
@@ -56,16 +56,16 @@ impl<'a> ToleranceRun<'a> {
         seed: Option<u64>,
     ) -> Result<ToleranceRun<'a>, Error> {
         let factors = file.population.factors();
-        let without_end = factors.iter().filter(|factor| has_no_end(file, **factor));
+        let unbounded = factors.iter().filter(|factor| is_unbounded(file, **factor));
         let cases = limit_cases(&file.population)?;
-        let about = About {
+        let about = PopulationSummary {
             title: file.pair.spec.title.clone(),
             min_mm: file.requirement.min(),
             max_mm: file.requirement.max(),
             others: limits(&file.requirement),
             max_ppm: file.tolerance.max_ppm,
             quantities: factors.iter().map(|factor| factor.name()).collect(),
-            without_end: without_end.map(|factor| factor.name()).collect(),
+            unbounded: unbounded.map(|factor| factor.name()).collect(),
             limit_cases: cases.map(|found| [found.mean, found.worst, found.root_sum_of_squares]),
         };
         Ok(ToleranceRun {
@@ -192,22 +192,24 @@ impl<'a> ToleranceRun<'a> {
 }
 
 /// Whether the scatter of `factor` has no limits of its own.
-fn has_no_end(file: &ToleranceFile, factor: Factor) -> bool {
+fn is_unbounded(file: &ToleranceFile, factor: Factor) -> bool {
     let scatters = file.population.scatters();
-    let open = |scatter: &Option<Scatter>| {
+    let unbounded = |scatter: &Option<Scatter>| {
         scatter
             .as_ref()
             .is_some_and(|scatter| !scatter.is_bounded())
     };
     match factor {
-        Factor::Thickness(member) => open(&scatters.of(member).thickness),
-        Factor::Thicknesses => open(&scatters.wheel.thickness) || open(&scatters.pinion.thickness),
-        Factor::Runout(member) => open(&scatters.of(member).runout),
+        Factor::Thickness(member) => unbounded(&scatters.of(member).thickness),
+        Factor::Thicknesses => {
+            unbounded(&scatters.wheel.thickness) || unbounded(&scatters.pinion.thickness)
+        }
+        Factor::Runout(member) => unbounded(&scatters.of(member).runout),
         Factor::Pitch(_) => true,
-        Factor::PerTooth(member) => open(&scatters.of(member).per_tooth),
+        Factor::PerTooth(member) => unbounded(&scatters.of(member).per_tooth),
         Factor::Lead(_) | Factor::Wobble(_) | Factor::Misalignment => true,
-        Factor::CenterDistance => open(&scatters.center_distance),
-        Factor::BearingClearance => open(&scatters.bearing_clearance),
+        Factor::CenterDistance => unbounded(&scatters.center_distance),
+        Factor::BearingClearance => unbounded(&scatters.bearing_clearance),
         Factor::Gear(_) | Factor::Phase => false,
     }
 }

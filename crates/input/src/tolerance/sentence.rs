@@ -1,6 +1,6 @@
 //! The result of a run in one sentence, for production managers and designers.
 
-use super::result::{About, ToleranceResult, required_ends};
+use super::result::{PopulationSummary, ToleranceResult, required_ends};
 use gearlash::pair::Member;
 use gearlash::population::{Contributions, Factor, OutcomeKind, Share};
 use gearlash_text::numbers::{rounded, shortest};
@@ -81,7 +81,7 @@ pub fn shares(result: &ToleranceResult) -> String {
 }
 
 /// The reason for no worst case; `None` where there is one.
-pub fn without_worst_case(about: &About) -> Option<&'static str> {
+pub fn without_worst_case(about: &PopulationSummary) -> Option<&'static str> {
     if about.limit_cases.is_some() {
         return None;
     }
@@ -95,7 +95,7 @@ pub fn without_worst_case(about: &About) -> Option<&'static str> {
 }
 
 /// The assembly phases of worst case and root sum of squares; `None` where the phase does not scatter.
-pub fn phases_of_limits(about: &About) -> Option<&'static str> {
+pub fn phases_of_limits(about: &PopulationSummary) -> Option<&'static str> {
     let phase = Factor::Phase.name();
     let scatters = about.quantities.contains(&phase);
     (scatters && about.limit_cases.is_some()).then_some(

@@ -2,7 +2,7 @@
 
 use super::gears::thickness_band;
 use super::population::ToleranceFile;
-use crate::lead::with_further;
+use crate::lead::with_added_leads;
 use crate::spec::{
     BearingClearanceSpec, Either, EitherGearSpec, FaceRunoutSpec, GearSpec, PairSpec, PitchSpec,
     Revolutions, RunoutSpec, StatementSpec, SweepSpec, TeethEnd, ThicknessSpec,
@@ -63,7 +63,7 @@ pub fn worst_file(
         }
     }
     let text = worst.to_toml();
-    (worst_name(index), text.map(|text| signed(&text)))
+    (worst_name(index), text.map(|text| with_hash(&text)))
 }
 
 /// Start of the first line of such a file; the hash of all other lines follows.
@@ -75,7 +75,7 @@ pub fn sha256(text: &str) -> String {
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn signed(text: &str) -> String {
+fn with_hash(text: &str) -> String {
     format!("{WRITTEN}{}\n{text}", sha256(text))
 }
 
@@ -98,8 +98,8 @@ fn wobble(gear: &AsBuilt, own: &GearSpec) -> Option<FaceRunoutSpec> {
 
 /// Whether `text` is an unchanged file of [`worst_file`].
 pub fn is_worst_file(text: &str) -> bool {
-    let signed = text.strip_prefix(WRITTEN);
-    let parts = signed.and_then(|rest| rest.split_once('\n'));
+    let hashed = text.strip_prefix(WRITTEN);
+    let parts = hashed.and_then(|rest| rest.split_once('\n'));
     parts.is_some_and(|(stated, below)| stated == sha256(below))
 }
 
@@ -258,7 +258,7 @@ impl ToleranceFile {
                 ..PitchSpec::default()
             }),
             lead: match self.population.leads(draw, member) {
-                Some(further) => with_further(own, &further),
+                Some(further) => with_added_leads(own, &further),
                 None => own.lead.clone(),
             },
             ..own.clone()

@@ -7,7 +7,7 @@ use crate::pose_name::phase_name;
 use gearlash::analysis::curves::{Course, DistancePoint, Followed};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
-use gearlash_results::grades::GearGrades;
+use gearlash_results::gauge::GearGrades;
 use gearlash_text::numbers::stated_distance;
 use maud::{Markup, PreEscaped, Render, html};
 

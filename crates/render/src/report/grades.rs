@@ -7,7 +7,7 @@ use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::gauge::{GradedReading, PitchReadings};
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, GradedQuantity, PitchAxis};
 use gearlash::metrology::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
-use gearlash_results::grades::GearGrades;
+use gearlash_results::gauge::GearGrades;
 use gearlash_text::numbers::{fixed, um};
 use maud::{Markup, html};
 

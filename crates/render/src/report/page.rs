@@ -10,7 +10,7 @@ use gearlash::analysis::curves::Course;
 use gearlash::analysis::outcome::{Agreement, AtDistance, Outcome};
 use gearlash::error::{Error, Tick};
 use gearlash_input::PairFile;
-use gearlash_results::grades::GearGrades;
+use gearlash_results::gauge::GearGrades;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use std::ops::ControlFlow;
 

@@ -11,7 +11,7 @@ use gearlash::population::{
     CONFIDENCE, JACKKNIFE_GROUPS, LIMIT_SIGMAS, OutcomeKind, PITCH_LIMIT_SIGMAS,
 };
 use gearlash_input::tolerance::{
-    About, Limit, ToleranceFile, ToleranceResult, sentence, without_worst_case,
+    Limit, PopulationSummary, ToleranceFile, ToleranceResult, sentence, without_worst_case,
 };
 use gearlash_results::population;
 use gearlash_text::numbers::{rounded, shortest};
@@ -119,7 +119,7 @@ fn stated_table(caption: &str, table: &serde_json::Value) -> Markup {
 }
 
 /// The requirement for each assembly, in words.
-fn required(about: &About) -> String {
+fn required(about: &PopulationSummary) -> String {
     let own = Limit {
         quantity: "j_wt".to_owned(),
         unit: "µm".to_owned(),
@@ -243,7 +243,7 @@ fn method(result: &ToleranceResult) -> Markup {
                 p {
                     "Worst case: every scatter at its limit. Without an end, and so cut at "
                     (shortest(LIMIT_SIGMAS)) " standard deviations or at stated limits: "
-                    (if about.without_end.is_empty() { "none".to_owned() } else { plain(&about.without_end.join(", ")) })
+                    (if about.unbounded.is_empty() { "none".to_owned() } else { plain(&about.unbounded.join(", ")) })
                     ". Pitch: flanks in contact " (shortest(PITCH_LIMIT_SIGMAS))
                     " standard deviations of their cumulative deviation out. Root sum of squares: of what each changes alone."
                 }

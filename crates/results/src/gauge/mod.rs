@@ -1,5 +1,6 @@
 //! Readings of the gauges as JSON, CSV and tables.
 
+mod grades;
 mod json;
 mod lengths;
 mod readings;
@@ -11,6 +12,7 @@ use gearlash_input::short_for_span;
 use gearlash_input::spec::GearSpec;
 use gearlash_input::{NoGearFile, gauged_file};
 
+pub use grades::{GearGrades, grades};
 pub use json::json;
 pub use lengths::{ByTooth, Length, length_table, lengths};
 pub use readings::{Chart, teeth_csv, tooth_table};

@@ -6,7 +6,7 @@ use super::{CORRECT, FlankTrace, LEADS, P40, PROFILES};
 use crate::data_file::DataFile;
 use crate::protocol::{self, is_unmeasured};
 use gearlash::gear::Flank;
-use gearlash_text::written::{tooth as tooth_number, without_zero};
+use gearlash_text::file_numbers::{point_number, tooth as tooth_number};
 
 const DIAMETERS: [(&str, &str); 2] = [
     ("Fußkreisdurchmesser", "root diameters"),
@@ -128,7 +128,7 @@ impl<'f> Data<'f> {
             },
             Open::Diameters(name) => {
                 p40.count_unused(name, words().count());
-                if !words().all(|word| without_zero(word).is_some()) {
+                if !words().all(|word| point_number(word).is_some()) {
                     wrong(not_understood());
                 }
                 Open::Diameters(name)
@@ -198,7 +198,7 @@ fn take_values(
 ) -> Result<bool, String> {
     let of = curve.line;
     for word in text.split_whitespace() {
-        let number = without_zero(word).filter(|found| found.value.abs() <= 1e7);
+        let number = point_number(word).filter(|found| found.value.abs() <= 1e7);
         // A word that is no number is reported and leaves a gap: the values behind it keep their places.
         if number.is_none() {
             let (word, place) = (file.quote(word), curve.values.len() + 1);
@@ -273,7 +273,7 @@ fn head_of_trace(file: &DataFile, line: u64, text: &str, title: Title) -> Result
         &["x=", "z=", "d="]
     };
     let is_tag = tag.len() <= 1 && tag.chars().all(|c| c.is_ascii_lowercase());
-    let is_good = is_tag && axes.contains(&axis) && without_zero(at).is_some();
+    let is_good = is_tag && axes.contains(&axis) && point_number(at).is_some();
     let (Some(tooth), Some(flank), Some(count), true) = (number, flank, count, is_good) else {
         return Err(wrong());
     };
@@ -303,6 +303,6 @@ fn is_position(text: &str) -> bool {
     let [tooth, "R" | "L", numbers @ ..] = &words[..] else {
         return false;
     };
-    let are_numbers = numbers.iter().all(|word| without_zero(word).is_some());
+    let are_numbers = numbers.iter().all(|word| point_number(word).is_some());
     tooth_number(tooth).is_some() && numbers.len() == 4 && are_numbers
 }

@@ -9,18 +9,18 @@ mod curves;
 mod traces;
 
 use super::column::Quantity;
-use super::header::Header;
 use super::protocol::Blocks;
+use super::protocol_header::ProtocolHeader;
 use super::request::{Coverage, Request, Wanted};
 use super::rows::Row;
 use crate::data_file::DataFile;
 use curves::Data;
 use gearlash::gear::Flank;
-use gearlash_text::written::without_zero;
+use gearlash_text::file_numbers::point_number;
 use std::collections::{BTreeMap, HashSet};
 
 const CORRECT: &str = "correct the line, or name a file as the machine wrote it";
-/// Names of parts of a file in [`P40::unused`].
+/// Names of parts of a file in [`P40::unread`].
 const PITCH: &str = "blocks of pitch";
 const PROFILES: &str = "profile traces";
 const LEADS: &str = "lead traces";
@@ -46,7 +46,7 @@ struct Numbered {
 
 #[derive(Debug, Default)]
 pub struct P40<'a> {
-    header: Header,
+    header: ProtocolHeader,
     numbered: Vec<Numbered>,
     /// `PROFILE` of the preamble: the quantity that the profile is measured over.
     profile_by: Option<&'a str>,
@@ -62,7 +62,7 @@ pub struct P40<'a> {
 }
 
 /// Whether `text` is a curve file by its first line.
-pub fn is_one(text: &str) -> bool {
+pub fn is_curve_file(text: &str) -> bool {
     is_of_kind(text, "KS.MK.FILE")
 }
 
@@ -77,7 +77,7 @@ fn is_of_kind(text: &str, kind: &str) -> bool {
 }
 
 /// The rows that are wanted, and the header lines.
-pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, Header)> {
+pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, ProtocolHeader)> {
     let (file, wanted) = (request.file, request.wanted);
     let p40 = parse(file, text)?;
     if wanted.has(Quantity::Height) {
@@ -96,7 +96,7 @@ pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, Header)> {
     let wanted = Wanted { teeth, ..wanted };
     let rows = p40.blocks.rows(&Request { wanted, ..*request })?;
     let mut header = p40.header.clone();
-    header.left_unused(file, &p40.unused(PITCH));
+    header.set_unread(file, &p40.unread(PITCH));
     Some((rows, header))
 }
 
@@ -155,7 +155,7 @@ impl<'a> P40<'a> {
     }
 
     /// The parts of the file that are not used beside `used`, for a remark.
-    fn unused(&self, used: &str) -> String {
+    fn unread(&self, used: &str) -> String {
         let mut there = self.never_used.clone();
         there.insert(PROFILES, self.profiles.len());
         there.insert(LEADS, self.leads.len());
@@ -192,7 +192,7 @@ impl<'a> P40<'a> {
         let value = value.trim();
         let words = value.to_lowercase();
         let allowed = match key {
-            "UNDEFINED" => match without_zero(value) {
+            "UNDEFINED" => match point_number(value) {
                 Some(number) => {
                     self.unmeasured = Some(number.value);
                     None
@@ -226,7 +226,7 @@ impl<'a> P40<'a> {
             _ => first.to_owned(),
         };
         self.header.state(file, line, [code, label, fields], &first);
-        let numbers = words.filter_map(without_zero).map(|number| number.value);
+        let numbers = words.filter_map(point_number).map(|number| number.value);
         let (label, numbers) = (label.to_lowercase(), numbers.collect());
         self.numbered.push(Numbered {
             line,

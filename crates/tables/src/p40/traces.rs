@@ -2,7 +2,7 @@
 
 use super::{FlankTrace, LEADS, P40, PROFILES};
 use crate::data_file::DataFile;
-use crate::header::Header;
+use crate::protocol_header::ProtocolHeader;
 use crate::rows::Row;
 use gearlash_text::numbers::ascii;
 
@@ -28,7 +28,7 @@ pub fn profiles(
     file: &DataFile,
     p40: &P40,
     (teeth, base): (Option<u32>, Option<f64>),
-) -> Option<(Vec<Row>, Header)> {
+) -> Option<(Vec<Row>, ProtocolHeader)> {
     let help = "give the traces in a table";
     let Some(first) = p40.profiles.first() else {
         return file.refuse("has no profile trace (Profil:)", help);
@@ -79,18 +79,18 @@ pub fn profiles(
     let holes = values.filter(|(_, value)| value.is_none()).count();
     let words = format!(
         "{}; of the profiles {holes} values were not measured; they are read at equal steps of roll length, {} to {} mm, which the file does not say",
-        p40.unused(PROFILES),
+        p40.unread(PROFILES),
         ascii(ends[0], 4),
         ascii(ends[1], 4)
     );
     let mut header = p40.header.clone();
-    header.left_unused(file, &words);
+    header.set_unread(file, &words);
     Some((rows, header))
 }
 
 /// The leads of a curve file: heights, mm, and deviations, µm; and its header with a warning of what the format leaves open. `teeth` are those of
 /// the pair file.
-pub fn leads(file: &DataFile, p40: &P40, teeth: Option<u32>) -> Option<(Vec<Row>, Header)> {
+pub fn leads(file: &DataFile, p40: &P40, teeth: Option<u32>) -> Option<(Vec<Row>, ProtocolHeader)> {
     let help = "give the traces in a table";
     if p40.leads.is_empty() {
         return file.refuse("has no lead trace (Flankenlinie:)", help);
@@ -106,9 +106,9 @@ pub fn leads(file: &DataFile, p40: &P40, teeth: Option<u32>) -> Option<(Vec<Row>
     let mut header = p40.header.clone();
     let words = format!(
         "{}; the leads count from the reference face over the face width, {width} mm, plus as more material, which the file does not say",
-        p40.unused(LEADS)
+        p40.unread(LEADS)
     );
-    header.left_unused(file, &words);
+    header.set_unread(file, &words);
     header.warn(
         file,
         "the format leaves open where lead traces begin and end and which sign is more material; compare with the printed chart, and give the traces in a table where they differ",

@@ -3,10 +3,10 @@
 use super::assembly;
 use super::check::Checked;
 use super::common_face;
+use super::files::PairFile;
 use super::gear::GearPart;
-use super::measured::Measured;
+use super::measured::RigResults;
 use super::outlines;
-use super::read::PairFile;
 use super::spec::{
     AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, EitherGearSpec, MAX_DISTANCES,
     MisalignmentSpec, PAIR, PairSpec, RequireSpec, ToleranceSpec, UncertaintySpec,
@@ -47,13 +47,13 @@ pub struct PairTables<'a> {
 
 /// `[sweep]` and `[measured]`: `None` for a table with a problem, `Some(None)` for an absent one.
 struct PosesRead {
-    measured: Option<Option<Measured>>,
+    measured: Option<Option<RigResults>>,
     /// `Some(None)`: exactly the measured rows are run.
     sweep: Option<Option<Sweep>>,
 }
 
 /// The gears in each material at their centre distances, in the wheel's measuring plane and at the temperature of the pair.
-struct Placed {
+struct PlacedGears {
     materials: Vec<(Material, AsBuilt, AsBuilt)>,
     drawn: Vec<(Material, OutlineGear, OutlineGear)>,
     stated: CenterDistanceSpec,
@@ -91,7 +91,7 @@ impl<'a> PairTables<'a> {
         let gears = [&self.wheel, &self.pinion];
         let mut warnings = gears.map(|gear| &gear.warnings[..]).concat();
         let mut remarks = gears.map(|gear| &gear.remarks[..]).concat();
-        let Placed {
+        let PlacedGears {
             materials,
             drawn,
             stated,
@@ -114,16 +114,16 @@ impl<'a> PairTables<'a> {
         let bearings = assembly.bearing_clearance_mm;
         warnings.extend(unit_slips::warnings("assembly", &assembly));
         warnings.extend(unit_slips::warnings("tolerance", &tolerance));
-        warnings.extend(pair_slips::in_bearings(&bearings));
-        warnings.extend(pair_slips::in_faces(gears));
-        warnings.extend(pair_slips::in_distances(
+        warnings.extend(pair_slips::bearing_slips(&bearings));
+        warnings.extend(pair_slips::face_slip(gears));
+        warnings.extend(pair_slips::distance_slips(
             &self.wheel,
             &self.pinion,
             &center_distances,
         ));
-        let compared = pair_slips::in_tolerance("compare.tolerance_um", compare.tolerance_um);
+        let compared = pair_slips::tolerance_slip("compare.tolerance_um", compare.tolerance_um);
         warnings.extend(compared);
-        warnings.extend(measured.as_ref().and_then(Measured::equal_rows));
+        warnings.extend(measured.as_ref().and_then(RigResults::equal_rows));
 
         let built = match materials.first() {
             Some((_, wheel, pinion)) => [Some(wheel), Some(pinion)],
@@ -139,12 +139,12 @@ impl<'a> PairTables<'a> {
             assembly: AssemblySpec {
                 center_distance_mm: stated,
                 misalignment: assembly.misalignment.map(|stated| MisalignmentSpec {
-                    at_mm: Some(assembly.holds_at()),
+                    at_mm: Some(assembly.distance_place_mm()),
                     ..stated
                 }),
                 ..assembly
             },
-            measured: measured.as_ref().map(Measured::spec),
+            measured: measured.as_ref().map(RigResults::spec),
             sweep: sweep.as_ref().map(|sweep| sweep.spec.clone()),
             accuracy: (!self.is_drawn).then_some(accuracy),
             compare: (!self.is_drawn).then_some(compare),
@@ -173,7 +173,7 @@ impl<'a> PairTables<'a> {
                 .as_ref()
                 .is_some_and(|sweep| sweep.spec.extremes.is_some()),
             sweep: sweep.map(|sweep| sweep.plan),
-            measured: measured.map_or_else(Vec::new, Measured::into_rows),
+            measured: measured.map_or_else(Vec::new, RigResults::into_rows),
             chordal_error: accuracy.chord_um / 1000.0,
             tolerance_um: compare.tolerance_um,
             allow_off_line_contact: compare.allow_off_line_contact,
@@ -196,7 +196,7 @@ impl<'a> PairTables<'a> {
     }
 
     /// The gears of a pair with an outline.
-    fn drawn(&self, warnings: &mut Vec<String>, remarks: &mut Vec<String>) -> Option<Placed> {
+    fn drawn(&self, warnings: &mut Vec<String>, remarks: &mut Vec<String>) -> Option<PlacedGears> {
         let (table, gears) = (self.table(), [&self.wheel, &self.pinion]);
         outlines::refuse_limits(table);
         outlines::refuse_uncertainties(&self.file, gears);
@@ -216,7 +216,7 @@ impl<'a> PairTables<'a> {
         Temperature::read(table, assembly, gears)?;
         remarks.extend(table.reading().take_remarks());
         remarks.extend(meaning(&stated));
-        Some(Placed {
+        Some(PlacedGears {
             materials: Vec::new(),
             drawn: in_materials(&wheel, &pinion),
             stated,
@@ -227,7 +227,11 @@ impl<'a> PairTables<'a> {
     }
 
     /// The gears of a pair by data.
-    fn by_data(&self, warnings: &mut Vec<String>, remarks: &mut Vec<String>) -> Option<Placed> {
+    fn by_data(
+        &self,
+        warnings: &mut Vec<String>,
+        remarks: &mut Vec<String>,
+    ) -> Option<PlacedGears> {
         let table = self.table();
         let base_radii = self.base_radii();
         let assembly = self.assembly.as_ref();
@@ -244,7 +248,7 @@ impl<'a> PairTables<'a> {
         let (lean, open_lean) = (assembly.lean(), assembly.open_lean());
         let bearing_ends = assembly.bearing_clearance_mm.ends();
         if open_lean != [0.0; 2] {
-            if assembly.holds_at() != 0.0 && open_lean[0] != 0.0 {
+            if assembly.distance_place_mm() != 0.0 && open_lean[0] != 0.0 {
                 return table.refuse(
                     "assembly.misalignment.at_mm",
                     "given beside an in-plane deviation of unknown sense, allowed is 0",
@@ -253,7 +257,7 @@ impl<'a> PairTables<'a> {
             }
             remarks.push("assembly.misalignment: least and greatest of the verdict are over all deviations up to max, in either sense; single poses have none".to_owned());
         }
-        if assembly.holds_at() != 0.0 && lean != [0.0; 2] {
+        if assembly.distance_place_mm() != 0.0 && lean != [0.0; 2] {
             self.poses
                 .check_rows(table, "assembly.misalignment.at_mm")?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
@@ -286,7 +290,7 @@ impl<'a> PairTables<'a> {
         let base_radii = materials
             .first()
             .map(|(_, wheel, pinion)| wheel.gear().base_radius() + pinion.gear().base_radius())?;
-        let is_shifted = temperature.is_some() || assembly.holds_at() != 0.0;
+        let is_shifted = temperature.is_some() || assembly.distance_place_mm() != 0.0;
         let mut distances = center_distances.iter();
         let overlap = distances.find_map(|&a| assembly::overlap(a, base_radii));
         if let Some(reason) = overlap.filter(|_| is_shifted) {
@@ -306,7 +310,7 @@ impl<'a> PairTables<'a> {
         warnings.extend(shafts::check(table, assembly, materials.first())?);
         remarks.extend(meaning(&stated));
         let face_offset_mm = assembly.face_offset_mm;
-        let warm = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
+        let warm = temperature.map_or([1.0; 2], |temperature| temperature.gear_factors());
         let factors = [self.wheel.scale * warm[0], self.pinion.scale * warm[1]];
         temperature::check_unequal(table, factors)?;
         // The distance of the measuring planes expands as the wheel does.
@@ -347,7 +351,7 @@ impl<'a> PairTables<'a> {
                 *pinion = pinion.section_at(-offset);
             }
         }
-        Some(Placed {
+        Some(PlacedGears {
             materials,
             drawn: Vec::new(),
             stated,
@@ -379,7 +383,7 @@ impl PosesRead {
     fn new(file: &Checked, teeth: (Option<u32>, Option<u32>)) -> PosesRead {
         PosesRead {
             measured: if file.means("measured") {
-                Measured::read(file, teeth).map(Some)
+                RigResults::read(file, teeth).map(Some)
             } else {
                 Some(None)
             },
@@ -474,7 +478,7 @@ impl PosesRead {
 }
 
 /// The centre distances of measured rows, checked against the sum of `base_radii`, mm, if it is known.
-fn measured_distances(measured: &Measured, base_radii: Option<f64>) -> Vec<f64> {
+fn measured_distances(measured: &RigResults, base_radii: Option<f64>) -> Vec<f64> {
     let list = measured.distances();
     measured.file.list(|| {
         for &(line, a) in &list {

@@ -202,7 +202,7 @@ impl<W: Write> Json<W> {
     }
 }
 
-/// `value` as JSON inside `depth` objects and lists. A character that acts occurs only inside strings, so no piece ends within one.
+/// `value` as JSON inside `depth` objects and lists. Unsafe characters occur only inside strings, so each piece can be escaped alone.
 fn json_at(depth: usize, value: &impl Serialize) -> Result<String> {
     let mut format = PrettyFormatter::new();
     for _ in 0..depth {

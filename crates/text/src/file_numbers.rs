@@ -38,7 +38,7 @@ impl Decimal {
 
 /// A well-formed number.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Written<'a> {
+pub struct FileNumber<'a> {
     /// As written.
     pub text: &'a str,
     /// The number, if its sign is a decimal one.
@@ -54,7 +54,7 @@ pub struct Written<'a> {
 /// Reads `text` as a number: a sign (a hyphen or the true minus U+2212), digits, at most one decimal sign between digits, an exponent.
 ///
 /// `None` for anything else, including `nan`, `inf` and numbers that overflow to it.
-pub fn written(text: &str) -> Option<Written<'_>> {
+pub fn number(text: &str) -> Option<FileNumber<'_>> {
     let (mantissa, exponent) = match unsigned(text).split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, Some(exponent)),
         None => (unsigned(text), None),
@@ -80,7 +80,7 @@ pub fn written(text: &str) -> Option<Written<'_>> {
         return None;
     }
     let value: f64 = text.replace(',', ".").replace(MINUS, "-").parse().ok()?;
-    value.is_finite().then_some(Written {
+    value.is_finite().then_some(FileNumber {
         text,
         value,
         decimal,
@@ -92,22 +92,22 @@ pub fn written(text: &str) -> Option<Written<'_>> {
     })
 }
 
-/// Reads `word` as [`written`] with a decimal point. The 0 before the point can be missing, as in the files of P40.
-pub fn without_zero(word: &str) -> Option<Written<'_>> {
+/// Reads `word` as [`number`] with a decimal point. The 0 before the point can be missing, as in the files of P40.
+pub fn point_number(word: &str) -> Option<FileNumber<'_>> {
     let at = usize::from(word.starts_with(['-', '+']));
     if !word[at..].starts_with('.') {
-        let found = written(word)?;
-        return (found.decimal != Some(Decimal::Comma) && !zero_first(word)).then_some(found);
+        let found = number(word)?;
+        return (found.decimal != Some(Decimal::Comma) && !has_leading_zero(word)).then_some(found);
     }
     let full = format!("{}0{}", &word[..at], &word[at..]);
-    let Written {
+    let FileNumber {
         value,
         decimal,
         may_be_thousands,
         rounding,
         ..
-    } = written(&full)?;
-    Some(Written {
+    } = number(&full)?;
+    Some(FileNumber {
         text: word,
         value,
         decimal,
@@ -117,7 +117,7 @@ pub fn without_zero(word: &str) -> Option<Written<'_>> {
 }
 
 /// Whether the whole part begins with 0 and has more digits, such as `05`: its decimal sign is lost. No table writes such a cell.
-pub fn zero_first(text: &str) -> bool {
+pub fn has_leading_zero(text: &str) -> bool {
     let mut signs = unsigned(text).bytes();
     signs.next() == Some(b'0') && signs.next().is_some_and(|b| b.is_ascii_digit())
 }

@@ -2,7 +2,7 @@
 
 use crate::data_file::DataFile;
 use gearlash::gear::GearDesign;
-use gearlash_text::written::{self, Decimal, Written};
+use gearlash_text::file_numbers::{self, Decimal, FileNumber};
 
 /// Labels, the equivalent key, and the usual number of the line. `*` is the umlaut, which the code pages of old machines write as
 /// one strange character or as two letters.
@@ -21,11 +21,11 @@ const UNITS: [&str; 4] = ["mm", "Grad", "°", "deg"];
 
 /// The header lines of one protocol; a plain table has none.
 #[derive(Debug, Clone, Default)]
-pub struct Header {
+pub struct ProtocolHeader {
     stated: Vec<Stated>,
     warnings: Vec<String>,
     /// The file, and its parts that are read but not used, in words.
-    unused: Option<(DataFile, String)>,
+    unread: Option<(DataFile, String)>,
 }
 
 #[derive(Debug, Clone)]
@@ -38,9 +38,9 @@ struct Stated {
     rounding: f64,
 }
 
-/// The quantities that header lines can state, as in the pair file.
+/// The quantities that header lines can state, as expected by the pair file.
 #[derive(Debug, Clone, Copy)]
-pub struct StatedGear<'a> {
+pub struct ExpectedGear<'a> {
     /// The gear, its tip diameter filled in.
     pub design: &'a GearDesign,
     /// `α`, degrees as written.
@@ -49,7 +49,7 @@ pub struct StatedGear<'a> {
     pub helix_angle_deg: f64,
 }
 
-impl Header {
+impl ProtocolHeader {
     /// Reads a line of a protocol. Lines other than numbered header lines are skipped.
     ///
     /// `  22 :Zähnezahl.............: 44` or `21 Normalmodul 3.000 mm`: a number, a label, dots or a colon or neither, the value.
@@ -107,8 +107,8 @@ impl Header {
             return;
         }
         let number =
-            written::written(value).filter(|number| number.decimal != Some(Decimal::Comma));
-        let is_count = |number: &Written| {
+            file_numbers::number(value).filter(|number| number.decimal != Some(Decimal::Comma));
+        let is_count = |number: &FileNumber| {
             (1.0..=10_000.0).contains(&number.value) && number.value.fract() == 0.0
         };
         let (number, found, allowed) = match key {
@@ -124,7 +124,7 @@ impl Header {
             ),
             _ => (number, file.quote(value), "a number with a decimal point"),
         };
-        let Some(Written {
+        let Some(FileNumber {
             value, rounding, ..
         }) = number
         else {
@@ -144,8 +144,8 @@ impl Header {
     }
 
     /// Records which parts of `file` are not used.
-    pub fn left_unused(&mut self, file: &DataFile, words: &str) {
-        self.unused = Some((file.clone(), words.to_owned()));
+    pub fn set_unread(&mut self, file: &DataFile, words: &str) {
+        self.unread = Some((file.clone(), words.to_owned()));
     }
 
     /// Adds a warning about `file`.
@@ -156,7 +156,7 @@ impl Header {
 
     /// A remark on the parts of the file that are not used.
     pub fn remark(&self) -> Option<String> {
-        let (file, words) = self.unused.as_ref()?;
+        let (file, words) = self.unread.as_ref()?;
         Some(format!(
             "{}: {}: read and not used here: {words}",
             file.key(),
@@ -165,8 +165,8 @@ impl Header {
     }
 
     /// The parts of the file that are not used, in words.
-    pub fn unused(&self) -> Option<&str> {
-        self.unused.as_ref().map(|(_, words)| &words[..])
+    pub fn unread(&self) -> Option<&str> {
+        self.unread.as_ref().map(|(_, words)| &words[..])
     }
 
     /// The number of teeth that a line states.
@@ -206,16 +206,16 @@ impl Header {
     }
 
     /// Reports contradictions to the pair file beyond the rounding of the printed value.
-    pub fn check(&self, drawn: &StatedGear) {
-        let design = drawn.design;
+    pub fn check(&self, expected: &ExpectedGear) {
+        let design = expected.design;
         for statement in &self.stated {
             let stated = match statement.key {
                 "teeth" => f64::from(design.basic_data.teeth()),
                 "module_mm" => design.basic_data.module(),
-                "pressure_angle_deg" => drawn.pressure_angle_deg,
+                "pressure_angle_deg" => expected.pressure_angle_deg,
                 "profile_shift" => design.profile_shift,
                 "tip_diameter_mm" => 2.0 * design.tip_radius(),
-                _ => drawn.helix_angle_deg,
+                _ => expected.helix_angle_deg,
             };
             // Rounding of the comparison itself: some ulps of the value.
             let allowed = statement.rounding + 1e-12 * stated.abs();
@@ -233,13 +233,13 @@ impl Header {
 }
 
 /// The helix angle in `fields`, without its sign, which some machines do not print. Zeros can be beside it.
-fn helix_angle<'a>(fields: &'a str, value: &'a str) -> Option<Written<'a>> {
+fn helix_angle<'a>(fields: &'a str, value: &'a str) -> Option<FileNumber<'a>> {
     let words = fields.split([' ', '\t', ':', '°']).chain([value]);
-    let numbers: Vec<Written> = words.filter_map(written::written).collect();
+    let numbers: Vec<FileNumber> = words.filter_map(file_numbers::number).collect();
     let mut angles = numbers.iter().filter(|number| number.value != 0.0);
     let angle = angles.next().or(numbers.first())?;
     let is_one = angles.all(|other| other.value.abs() == angle.value.abs());
-    is_one.then_some(Written {
+    is_one.then_some(FileNumber {
         value: angle.value.abs(),
         ..*angle
     })

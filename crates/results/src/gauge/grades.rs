@@ -5,7 +5,7 @@ use gearlash::gauge::{graded, leads, pitches, profiles};
 use gearlash::gear::Inspection;
 use gearlash_input::PairFile;
 
-/// Pitch and runout of one gear as measured by the gauge, and the required grade.
+/// The accuracy grades of one gear as the gauge measures it, and the required grade.
 #[derive(Debug, Clone)]
 pub struct GearGrades {
     /// `wheel` or `pinion`.

@@ -31,7 +31,7 @@ impl Heading {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub struct Head {
+pub struct ColumnHeader {
     /// Its line in the file, from 1.
     pub line: u64,
     pub at: usize,
@@ -42,7 +42,7 @@ pub struct Head {
     pub headings: Vec<Heading>,
 }
 
-impl Head {
+impl ColumnHeader {
     /// Factor from the values at `place`, in the unit of their heading, to those of `column`: 1000 for mm in place of µm.
     pub fn to_unit_of(&self, column: Column, place: usize) -> f64 {
         let unit = self.headings.get(place).and_then(|heading| heading.unit);
@@ -54,7 +54,7 @@ impl Head {
     }
 
     /// The line at place `at` of `lines`, read as a header.
-    pub fn of(lines: &[Line], at: usize) -> Head {
+    pub fn of(lines: &[Line], at: usize) -> ColumnHeader {
         let line = &lines[at];
         let groups = at.checked_sub(1).map(|above| &lines[above]);
         let groups = groups.filter(|above| !above.is_comment() && !above.has_number());
@@ -101,7 +101,7 @@ impl Head {
         if !has_groups {
             headings.truncate(line.cells.len());
         }
-        Head {
+        ColumnHeader {
             line: line.number,
             at,
             has_groups,
@@ -112,8 +112,12 @@ impl Head {
 
     /// The first line of `lines` that is a header by `is_one`; or the line below, where that is a header with the first as its
     /// groups. A line that the pair file names takes precedence.
-    pub fn find(lines: &[Line], choice: &Choice, is_one: impl Fn(&Head) -> bool) -> Option<Head> {
-        let good = |at: usize| Some(Head::of(lines, at)).filter(|head| is_one(head));
+    pub fn find(
+        lines: &[Line],
+        choice: &Choice,
+        is_one: impl Fn(&ColumnHeader) -> bool,
+    ) -> Option<ColumnHeader> {
+        let good = |at: usize| Some(ColumnHeader::of(lines, at)).filter(|head| is_one(head));
         if let Some(row) = choice.table.header_row {
             return good(
                 lines
@@ -132,7 +136,7 @@ impl Head {
             return Some(first);
         }
         // Words that have a meaning with those above belong to the header, even if it then lacks a wanted column.
-        let below = Head::of(lines, first.at + 1);
+        let below = ColumnHeader::of(lines, first.at + 1);
         let means = |heading: &Heading| {
             let quantity = heading.quantity();
             !heading.own.is_empty()
@@ -159,7 +163,7 @@ impl Head {
     }
 
     /// The columns that `name` can mean: by their heading, or else by their letter.
-    fn named(&self, name: &str) -> Vec<usize> {
+    fn columns_called(&self, name: &str) -> Vec<usize> {
         let name = name.trim();
         let is = |text: &str| text == name || heading::name_and_unit(text).0 == name;
         let places =
@@ -174,7 +178,7 @@ impl Head {
     /// The columns that can be `wanted`, by `choice` or by their headings.
     pub fn places_of(&self, wanted: Column, choice: &Choice) -> Vec<usize> {
         match choice.column(wanted.key()) {
-            Some(name) => self.named(name),
+            Some(name) => self.columns_called(name),
             None => self.places(|heading| {
                 heading
                     .meaning
@@ -186,7 +190,7 @@ impl Head {
     /// The columns that can hold tooth numbers of a table with `wanted` columns.
     pub fn teeth(&self, wanted: &[Column], choice: &Choice) -> Vec<usize> {
         if let Some(name) = choice.column(TOOTH) {
-            return self.named(name);
+            return self.columns_called(name);
         }
         let wants = |quantity| wanted.iter().any(|column| column.quantity == quantity);
         let teeth = self.places(|heading| match heading.quantity() {

@@ -440,13 +440,13 @@ impl Request<'_> {
 
     /// Whether the line `at` is the header of a table without any of the wanted columns. A row of numbers is none.
     pub fn begins_other_table(&self, lines: &[Line], at: usize) -> bool {
-        let is_missing = |head: &Head| {
+        let is_missing = |head: &ColumnHeader| {
             let mut columns = self.wanted.columns.iter();
             columns.all(|column| self.is_missing(head, *column))
         };
         lines[at].first().number().is_none()
             && names_columns(lines, at)
-            && is_missing(&Head::of(lines, at))
+            && is_missing(&ColumnHeader::of(lines, at))
     }
 
     /// Checks that no column is read as two quantities.

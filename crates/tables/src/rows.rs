@@ -72,7 +72,7 @@ impl<'a> Found<'a> {
             .find(|at| request.begins_other_table(&grid.lines, *at));
         let (below, of_others) =
             below.split_at(next.map_or(below.len(), |at| at + below.len() - grid.lines.len()));
-        left_out.extend(of_others.iter().map(|line| (line.number, "")));
+        unread.extend(of_others.iter().map(|line| (line.number, "")));
         for line in below {
             if grid.sheet.is_none() && line.cells.iter().any(Cell::has_unbalanced_quote) {
                 return file.refuse_at(

@@ -54,7 +54,10 @@ fn tolerance_file(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     };
     // Its problems come first. A drawn gear can give the pair a face.
     let nominal = nominal_distance(&pair, file);
-    let band = pair.study.distance_band.zip(pair.spec.assembly.single_distance_mm());
+    let band = pair
+        .study
+        .distance_band
+        .zip(pair.spec.assembly.single_distance_mm());
     let band = band.map(|(band, nominal)| band.map(|mm| mm - nominal));
     let place = (file, "tolerance.center_distance");
     let center_distance = scatter(&tolerance.center_distance, band, place);

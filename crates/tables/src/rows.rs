@@ -67,13 +67,11 @@ impl<'a> Found<'a> {
             }
         }
         let mut rows = Vec::new();
-        let below = &grid.lines[head.at + 1 + usize::from(head.has_units)..];
-        let next = (grid.lines.len() - below.len()..grid.lines.len())
-            .find(|at| request.begins_other_table(&grid.lines, *at));
-        let (below, of_others) =
-            below.split_at(next.map_or(below.len(), |at| at + below.len() - grid.lines.len()));
-        unread.extend(of_others.iter().map(|line| (line.number, "")));
-        for line in below {
+        let (from, end) = (head.at + 1 + usize::from(head.has_units), grid.lines.len());
+        let next = (from..end).find(|at| request.begins_other_table(&grid.lines, *at));
+        let next = next.unwrap_or(end);
+        unread.extend(grid.lines[next..].iter().map(|line| (line.number, "")));
+        for line in &grid.lines[from..next] {
             if grid.sheet.is_none() && line.cells.iter().any(Cell::has_unbalanced_quote) {
                 return file.refuse_at(
                     line.number,

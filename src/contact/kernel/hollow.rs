@@ -155,10 +155,12 @@ impl Stretch {
         let chord = b - a;
         let length = chord.norm();
         let normal = C::new(chord.im, -chord.re) / length;
-        let normal = match length > 0.0 {
-            true if dot(normal, middle) < 0.0 => -normal,
-            true => normal,
-            false => middle,
+        let normal = if !(length > 0.0) {
+            middle
+        } else if dot(normal, middle) < 0.0 {
+            -normal
+        } else {
+            normal
         };
         // On a hollow curve the normal turns one way: to the middle and from there by less than a right angle.
         let turns_little = dot(na, middle) > 0.0 && dot(middle, nb) > 0.0;

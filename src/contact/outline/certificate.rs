@@ -147,29 +147,25 @@ impl<'a> PlacedStretch<'a> {
     fn farthest(&self, greatest: &mut f64, finest: f64, left: &mut u32) {
         let [one, other] = self.end_radii();
         let far = one.max(other);
-        match self.is_coarse(finest) {
-            // The curve goes through the ends of its chords, not through the middle of a disc.
-            true if far + self.error <= *greatest => (),
-            true if charge(left, LOOK) => self
-                .halves()
-                .iter()
-                .for_each(|half| half.farthest(greatest, finest, left)),
-            true => (),
-            false => *greatest = greatest.max(far),
+        if !self.is_coarse(finest) {
+            *greatest = greatest.max(far);
+        // The curve goes through the ends of its chords, not through the middle of a disc.
+        } else if far + self.error > *greatest && charge(left, LOOK) {
+            for half in self.halves() {
+                half.farthest(greatest, finest, left);
+            }
         }
     }
 
     /// Lowers `least` to its least distance from the origin, mm, if that is less. Halving stops when nothing is `left`.
     fn nearest(&self, least: &mut f64, finest: f64, left: &mut u32) {
         let near = closest(&self.ends, &[Point2::origin(); 2]).distance;
-        match self.is_coarse(finest) {
-            true if near - self.error >= *least => (),
-            true if charge(left, LOOK) => self
-                .halves()
-                .iter()
-                .for_each(|half| half.nearest(least, finest, left)),
-            true => (),
-            false => *least = least.min(near),
+        if !self.is_coarse(finest) {
+            *least = least.min(near);
+        } else if near - self.error < *least && charge(left, LOOK) {
+            for half in self.halves() {
+                half.nearest(least, finest, left);
+            }
         }
     }
 }
@@ -216,11 +212,13 @@ impl<'a> PosedHalves<'a> {
                 _ => "a pair touches before",
             });
         }
-        match self.pairs.iter().any(|pair| !seen(free[1], pair)) {
+        if self.pairs.iter().all(|pair| seen(free[1], pair)) {
+            Err("nothing touches there")
+        } else if left == 0 {
             // Without effort, an unproven clearance need not be a touch.
-            true if left == 0 => Err(SPENT),
-            true => Ok(()),
-            false => Err("nothing touches there"),
+            Err(SPENT)
+        } else {
+            Ok(())
         }
     }
 

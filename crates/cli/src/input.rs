@@ -7,6 +7,7 @@ use gearlash_input::{GearsFile, PairFile};
 use gearlash_input::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 use gearlash_text::characters::plain;
 use gearlash_text::{InputError, Problem, Sources, numbers};
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 /// A file that was read.
@@ -59,11 +60,11 @@ pub(super) fn check_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Prints the names of the files that were read for `pairs`, one per line. The first pair that cannot be read is the error, after the others.
+/// Prints the names of the files that were read for `pairs`, each once and one per line. The first pair that cannot be read is the error, after the others.
 pub(super) fn print_inputs(
     pairs: impl IntoIterator<Item = Result<PairFile, InputError>>,
 ) -> Result<u8, Error> {
-    let (mut lines, mut failed) = (String::new(), None);
+    let (mut lines, mut names, mut failed) = (String::new(), HashSet::new(), None);
     for pair in pairs {
         let pair = match pair {
             Ok(pair) => pair,
@@ -79,7 +80,9 @@ pub(super) fn print_inputs(
                 let reason = "this name cannot be printed as it is; rename the file";
                 return Err(Error::Usage(format!("{name}: {reason}")));
             };
-            lines += &format!("{text}\n");
+            if names.insert(text.to_owned()) {
+                lines += &format!("{text}\n");
+            }
         }
     }
     print(&lines)?;

@@ -264,7 +264,7 @@ pub(super) struct DrawnArgs {
     /// Unit of drawings that state none; of two drawings A,B
     #[arg(long, value_name = "UNIT", value_delimiter = ',', value_parser = Unit::NAMED.map(|(name, _)| name))]
     units: Vec<String>,
-    /// Axes of drawings: of the circle through the tips, or of the one inside; of two drawings A,B [default: 0,0]
+    /// Axes of drawings: of the circle through the tips, or of the one inside; of two drawings A,B [default: the origin]
     #[arg(long, value_name = "HOW", value_delimiter = ',', value_parser = ["fit", "bore"])]
     center: Vec<String>,
     /// DXF layer to read; of two drawings A,B

@@ -7,14 +7,15 @@ use gearlash_input::PairFile;
 use gearlash_text::numbers::{fixed, trimmed, um, within};
 use serde_json::{Map, Value, json};
 
-/// The keys of a result with notes on `file`; without any a key is left out.
+/// The keys of a result with notes on `file`. Only `warnings` stands there without any.
 pub(super) fn entries(file: &PairFile) -> impl Iterator<Item = (&'static str, Value)> {
     let each = [
         ("fitted_involutes", fitted_records(file)),
         ("warnings", json!(file.warnings)),
         ("remarks", json!(file.remarks)),
     ];
-    each.into_iter().filter(|(_, list)| *list != json!([]))
+    each.into_iter()
+        .filter(|(key, list)| *key == "warnings" || *list != json!([]))
 }
 
 /// The notes on each gear by its name; `None` without any.

@@ -784,8 +784,8 @@ pub fn short_title(title: &str) -> &str {
 fn doubt_sentences(verdict: &Verdict, most: usize) -> Vec<String> {
     let mut about: Vec<(Vec<[String; 2]>, String)> = Vec::new();
     for (name, of_others, is_least) in [
-        ("least", "least of the other runs", true),
-        ("greatest", "greatest of the other runs", false),
+        ("least", "least elsewhere", true),
+        ("greatest", "greatest elsewhere", false),
     ] {
         let ends = verdict.runs.iter().map(|run| [&run.greatest, &run.least]);
         let extremes: Vec<&RunExtreme> = ends

@@ -289,11 +289,11 @@ const MESH_WIDTH: f64 = 1e-5;
 /// Limit of searches of the cycle (one or two are usual).
 const MESH_STEPS: usize = 40;
 
-/// Poses of a pitch that are examined beside a pose out of mesh, and their limit in all (tuned: some 40 ms, or 0.3 s for drawn gears).
+/// Poses of a pitch that are examined beside a pose out of mesh, and their limit in all (tuned).
 const POSES_A_PITCH: f64 = 8.0;
 const MOST_POSES_BESIDE: u64 = 8192;
 
-/// Least step, pitches, to a pose beside one out of mesh (tuned: a tenth of it moves the distance by less than its bracket).
+/// Least step, pitches, to a pose beside one out of mesh (tuned).
 const LEAST_STEP: f64 = 1e-4;
 
 /// The lost motion at a distance, mm, where the teeth of a mating meet.
@@ -340,7 +340,7 @@ impl AtDistance<'_> {
 /// distance. Where no examined pose is, the whole cycle is searched.
 ///
 /// # Errors
-/// Those of the poses and searches of `pair`.
+/// A pose or search of `pair` fails.
 pub(super) fn meshes_to(
     [nearest, own]: [f64; 2],
     found: &Extremes,

@@ -783,10 +783,7 @@ pub fn short_title(title: &str) -> &str {
 /// The reasons why extremes are not proven, and their brackets; equal reasons share a sentence.
 fn doubt_sentences(verdict: &Verdict, most: usize) -> Vec<String> {
     let mut about: Vec<(Vec<[String; 2]>, String)> = Vec::new();
-    for (name, of_others, is_least) in [
-        ("least", "least elsewhere", true),
-        ("greatest", "greatest elsewhere", false),
-    ] {
+    for (name, is_least) in [("least", true), ("greatest", false)] {
         let ends = verdict.runs.iter().map(|run| [&run.greatest, &run.least]);
         let extremes: Vec<&RunExtreme> = ends
             .filter_map(|ends| ends[usize::from(is_least)].as_ref())
@@ -798,11 +795,12 @@ fn doubt_sentences(verdict: &Verdict, most: usize) -> Vec<String> {
         }
         let words = bracket(is_least, &extremes);
         // The verdict names a run that is jammed or out of mesh.
-        let name = if extremes.len() < verdict.runs.len() {
-            of_others
+        let elsewhere = if extremes.len() < verdict.runs.len() {
+            " elsewhere"
         } else {
-            name
+            ""
         };
+        let name = format!("{name}{elsewhere}");
         let in_full = words.as_ref().map(|words| format!("{name} ({words})"));
         let short = words.map(|words| format!("{name} {words}"));
         let names = [in_full, short].map(|words| words.unwrap_or(name.to_owned()));

@@ -94,7 +94,7 @@ impl Quantity {
 pub struct Column {
     /// The flank that a heading names. A wanted column has one where it is of pitch.
     pub side: Option<Side>,
-    /// What its values are.
+    /// The quantity of its values.
     pub quantity: Quantity,
 }
 

@@ -13,7 +13,7 @@ pub struct XmlError {
     pub line: u32,
     /// From 1.
     pub column: u32,
-    /// What is wrong.
+    /// The fault.
     pub reason: String,
     /// Whether the text has a document type, which is not read.
     pub has_dtd: bool,

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 /// Source of the allowances, shown beside every one of them.
 pub const DIN_3967_SOURCE: &str =
-    "after DIN 3967:1978, by the equal tables of two public programs; standard not consulted";
+    "after DIN 3967:1978, as two public programs tabulate it alike; standard not consulted";
 
 /// The series of upper allowances, the greatest first.
 const SERIES: [&str; 11] = ["a", "ab", "b", "bc", "c", "cd", "d", "e", "f", "g", "h"];

@@ -111,10 +111,11 @@ fn deviation(text: &str) -> Option<f64> {
     }
 }
 
-/// `30 +0.03/0`, `30 +0.03 -0.01`: the nominal distance, and both deviations in either order.
-fn two_deviations(text: &str) -> Option<(f64, Tolerance)> {
+/// `30 +0.03/0`, `30 +0.03 -0.01`, `30 +0.03`: the nominal distance, and both deviations in either order. The second is 0 where it is missing.
+fn deviations(text: &str) -> Option<(f64, Tolerance)> {
     let (head, second) = match text.split_once('/') {
         Some(parts) => parts,
+        None if text.matches(SIGNS).count() == 1 => (text, "0"),
         None => text.split_at(text.rfind(SIGNS)?),
     };
     let head = head.trim();
@@ -141,8 +142,8 @@ impl FromStr for DesignatedDistance {
                 let mm = plain_number(mm)?;
                 return Some((plain_number(nominal)?, Tolerance::Deviations([-mm, mm])));
             }
-            if text.contains('/') || text.matches(SIGNS).count() == 2 {
-                return two_deviations(text);
+            if text.contains('/') || text.contains(SIGNS) {
+                return deviations(text);
             }
             let mut field = *FIELDS.iter().find(|(letter, ..)| text.contains(letter))?;
             let (nominal, grade) = text.split_once(field.0)?;

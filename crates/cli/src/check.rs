@@ -1,7 +1,7 @@
 //! `gearlash check`: whether the pair interferes, where, why, and how much backlash it loses.
 
 use crate::console::print_note;
-use crate::distances;
+use crate::distances::{self, Distances};
 use crate::error::Error;
 use crate::input;
 use crate::judged::{self, JudgedFormat, print_outcome};
@@ -32,9 +32,9 @@ pub(super) struct Args {
     /// Pair files, - for standard input; or drawings (.dxf, .svg, .csv, .txt) of wheel and pinion
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
-    /// Centre distance in place of all of the file, mm [default of drawings: without play]
-    #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
-    center_distance: Option<f64>,
+    /// Centre distance in place of all of the file, mm, or a scan FROM..TO:STEP [default of drawings: without play]
+    #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
+    center_distance: Option<Distances>,
     #[command(flatten)]
     drawn: DrawnArgs,
     /// Only print the names of all files that are read, one a line
@@ -71,7 +71,9 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
             let path = PathBuf::from(&pair.stem);
             vec![(path, Ok(pair))]
         }
-        None => judged::read(&args.pairs, |path| moved(path, args.center_distance))?,
+        None => judged::read(&args.pairs, |path| {
+            moved(path, args.center_distance.as_ref())
+        })?,
     };
     let mut map = None;
     let judge = |path: &Path, file: &PairFile| pair(args, path, file, &mut map);
@@ -130,7 +132,11 @@ fn drawings(args: &Args) -> Result<Option<PairFile>, Error> {
         drawings.center_distance_mm = distance;
         warning = Some(taken);
     }
-    input::drawings(&drawings, warning).map(Some)
+    let pair = input::drawings(&drawings, warning)?;
+    Ok(Some(match &args.center_distance {
+        Some(Distances(scan)) if scan.len() > 1 => pair.at(scan.clone())?,
+        _ => pair,
+    }))
 }
 
 /// Two drawings on the command line, apart if no distance is given; `None` for pair files.
@@ -139,7 +145,10 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
         [wheel, pinion] if is_drawing(wheel) && is_drawing(pinion) => Ok(Some(Drawings {
             wheel,
             pinion,
-            center_distance_mm: args.center_distance.unwrap_or(APART_MM),
+            center_distance_mm: args
+                .center_distance
+                .as_ref()
+                .map_or(APART_MM, |Distances(scan)| scan[0]),
             options: args.drawn.options()?,
         })),
         paths if paths.iter().any(|path| is_drawing(path)) => Err(not_two_drawings(
@@ -158,23 +167,30 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
     }
 }
 
-/// The pair file at `path`, at the centre distance of the command line if there is one.
-fn moved(path: &Path, mm: Option<f64>) -> Result<PairFile, InputError> {
+/// The pair file at `path`, at the centre distances of the command line if there are any.
+fn moved(path: &Path, distances: Option<&Distances>) -> Result<PairFile, InputError> {
     const OPTION: &str = "--center-distance";
     let pair = gearlash_input::read(path)?;
-    let Some(mm) = mm else { return Ok(pair) };
-    let moved = pair.at(vec![mm]).map_err(|reason| InputError {
+    let Some(Distances(scan)) = distances else {
+        return Ok(pair);
+    };
+    let shown = match &scan[..] {
+        [first, .., last] => format!("{first} … {last}"),
+        [one] => one.to_string(),
+        [] => String::new(),
+    };
+    let moved = pair.at(scan.clone()).map_err(|reason| InputError {
         file: display_path(path).to_path_buf(),
         problems: vec![Problem {
             key: OPTION.to_owned(),
-            value: Some(mm.to_string()),
+            value: Some(shown.clone()),
             reason: distance_refused(&reason),
             help: "or leave it out".to_owned(),
         }],
         text: String::new(),
     });
     let words = format!(
-        "assembly.center_distance_mm: {mm} mm of {OPTION} replaces every distance of the file"
+        "assembly.center_distance_mm: {shown} mm of {OPTION} replaces every distance of the file"
     );
     moved.map(|mut pair| {
         pair.warnings.push(words);

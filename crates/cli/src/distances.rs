@@ -1,4 +1,4 @@
-//! `--center-distance` of `simulate`: one centre distance, or a scan.
+//! `--center-distance`: one centre distance, or a scan.
 
 use gearlash_input::spec::MAX_DISTANCES;
 

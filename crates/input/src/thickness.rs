@@ -8,7 +8,7 @@ use gearlash::gear::{Deviations, GearDesign, MeasuringBody, thickness};
 use gearlash::metrology::{self, ThicknessStatement, Toleranced};
 use gearlash_tables::{Column, Coverage, Quantity, Sheet, Wanted};
 use gearlash_text::Table;
-use gearlash_text::numbers::ascii;
+use gearlash_text::numbers::{ascii, rounded};
 use std::collections::HashSet;
 
 /// The table of the second statement, below the gear's.
@@ -117,7 +117,7 @@ pub fn check_body(gear: &Table, spec: &ThicknessSpec, design: &GearDesign) -> Op
     named
 }
 
-/// Fills in readings of a `quantity` and their places, which `key` states: from the table's file, or tooth by tooth where every tooth has
+/// Fills in the limits of a drawn length, or readings of a `quantity` and their places, which `key` states: from the table's file, or tooth by tooth where every tooth has
 /// a reading.
 fn complete_readings(
     table: &Table,
@@ -140,9 +140,23 @@ fn complete_readings(
         length.mm = Some(Either::Other(sheet.values(0)));
         return Some(());
     }
+    if let (Some(Either::One(mm)), Some(upper), Some(lower)) =
+        (&length.mm, length.upper_um, length.lower_um)
+    {
+        let [min, max] = [lower, upper].map(|um| Some(rounded(mm + um / 1000.0, 7)));
+        *length = LengthSpec {
+            min_mm: min,
+            max_mm: max,
+            ..LengthSpec::default()
+        };
+    }
     let Some(Either::Other(mm)) = &length.mm else {
         return Some(());
     };
+    if length.upper_um.is_some() {
+        let reason = "given beside readings, expected one drawn length";
+        return table.refuse("upper_um", reason, "leave out upper_um and lower_um");
+    }
     let (teeth, readings) = (teeth?, mm.len());
     let help = "give the number of each reading, in the order of mm";
     let wrong = |reason: String, help: String| table.refuse(key, reason, help);

@@ -77,7 +77,15 @@ impl ComparedPair<'_> {
     fn first_line(&self) -> String {
         let within = format!("{} µm + error bound", self.tolerance_um);
         match self.agreement() {
-            Agreement::Agrees => format!("Simulated and analytic backlash agree within {within}."),
+            Agreement::Agrees => {
+                let off = |run: &RunTally| run.count(PoseVerdict::OffLine);
+                let off: usize = self.runs.iter().map(off).sum();
+                let where_they_agree = match off {
+                    0 => String::new(),
+                    off => format!(", except at {off} poses that touch off the line of action"),
+                };
+                format!("Simulated and analytic backlash agree within {within}{where_they_agree}.")
+            }
             Agreement::Disagrees => {
                 format!("Simulated and analytic backlash do not agree within {within}.")
             }
@@ -161,7 +169,7 @@ impl ComparedPair<'_> {
             if off > 0 && self.allows_off_line() {
                 let _ = writeln!(
                     text,
-                    "  {off} poses touch off the line of action (allowed by the pair file)"
+                    "  {off} poses differ, as they touch off the line of action (allowed by the pair file)"
                 );
             }
         }

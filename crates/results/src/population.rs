@@ -99,7 +99,7 @@ row_type!(row: ContributionRow {
 
 /// Sentences below the table that define a share of the variance.
 pub const SHARES: &str = "A share counts joint effects at each quantity that takes part, so shares can add to more than 100 %; \
-     by itself leaves joint effects out. ± is the standard error: a small share can come out negative within it.";
+     by itself leaves joint effects out. ± is the standard error: within it a small share can be negative, and one by itself the larger.";
 
 fn percent(index: Estimate) -> String {
     within(100.0 * index.value, 100.0 * index.error)

@@ -20,13 +20,14 @@ pub fn imported(imported: &Imported, screen: &Screen) -> String {
     for reason in &imported.not_read {
         text += &screen.fold(&format!("Not read: {}\n\n", line(reason)));
     }
-    let mut left_out = imported
-        .tables
-        .iter()
-        .filter_map(|table| table.left_out_numbers.as_ref());
-    if let Some(letter) = left_out.next() {
+    let mut tables = imported.tables.iter();
+    let left_out = |table: &ImportedTable| {
+        let (_, teeth) = table.columns.first()?.heading.clone()?;
+        Some([teeth, table.left_out_numbers.clone()?])
+    };
+    if let Some([teeth, letter]) = tables.find_map(left_out) {
         text += &screen.fold(&format!(
-            "To read a column that is left out, name it: --only runout --column {letter}. Pitch has two: --only pitch --left {letter} --right …\n\n"
+            "To read a column that is left out, name it: --only runout --column {letter}. Pitch has two: --only pitch --tooth-column {teeth} --left {letter} --right …\n\n"
         ));
     }
     let _ = writeln!(text, "For a pair file beside {}:", line(&imported.file));
@@ -134,6 +135,9 @@ pub fn listed_outlines(
         if rows.len() > 1 || !outline.is_centred {
             text += "center_mm = \"fit\"\n";
         }
+    }
+    if let Some(mm) = drawing.mesh_distance_mm() {
+        text += &format!("\n[assembly]\ncenter_distance_mm = {mm:.4}  # as drawn\n");
     }
     text
 }

@@ -2,8 +2,11 @@
 
 use gearlash::analysis::remedies::{Change, Gears, NoRemedy, Remedies, Remedy};
 use gearlash::analysis::verdict::{RequirementOutcome, Verdict};
+use gearlash::gear::thickness;
+use gearlash::metrology::chord_height;
 use gearlash::pair::Member;
 use gearlash_input::PairFile;
+use gearlash_input::spec::{BandSpec, Either, EitherGearSpec};
 use gearlash_text::numbers::{ascii, fixed, rounded, unit_of};
 use serde::Serialize;
 
@@ -69,11 +72,107 @@ impl RemedyRecord {
             value,
             bracket: remedy.bracket.map(|at| (at + shift) * scale),
             sentence: format!(
-                "{name}{of}: {} {unit} instead of {present}",
-                ascii(value, decimals)
+                "{name}{of}: {} {unit} instead of {present}{}",
+                ascii(value, decimals),
+                statements(file, remedy)
             ),
         }
     }
+}
+
+/// The changed statements of thickness, each on a line; empty where the remedy's own value is the statement.
+fn statements(file: &PairFile, remedy: &Remedy) -> String {
+    let lines = Member::BOTH.into_iter().filter_map(|member| {
+        let is_changed = [Gears::Both, Gears::One(member)].contains(&remedy.gears);
+        let change = remedy.value - remedy.present[member as usize];
+        let spec = match member {
+            Member::Wheel => &file.spec.wheel,
+            Member::Pinion => &file.spec.pinion,
+        };
+        let stated = match remedy.what {
+            Change::CenterDistance => None,
+            Change::FlankOffset => offset_band(spec, change),
+            Change::ThicknessAllowance => statement(file, member, spec, change),
+        };
+        let stated = stated.filter(|_| is_changed)?;
+        Some(format!("\n    {}: {stated}", member.name()))
+    });
+    lines.collect()
+}
+
+/// The stated band of flank offsets, moved by `change` mm; `None` for one offset.
+fn offset_band(spec: &EitherGearSpec, change: f64) -> Option<String> {
+    let stated = match spec {
+        EitherGearSpec::Data(spec) => spec.thickness.statement.flank_offset_mm.as_ref()?,
+        EitherGearSpec::Outline(spec) => spec.thickness.as_ref()?.flank_offset_mm.as_ref()?,
+    };
+    let Either::Other(BandSpec { min, max }) = stated else {
+        return None;
+    };
+    let [min, max] = [min, max].map(|mm| ascii(mm + change, 3));
+    Some(format!("flank_offset_mm = {{ min = {min}, max = {max} }}"))
+}
+
+/// The stated thickness of a gear by its data, whose allowance changes by `change` mm; `None` for one allowance.
+fn statement(
+    file: &PairFile,
+    member: Member,
+    spec: &EitherGearSpec,
+    change: f64,
+) -> Option<String> {
+    let scale = spec.scale().unwrap_or(1.0);
+    let stated = &spec.data()?.thickness.statement;
+    let gears = file.study.materials.iter();
+    let gears = gears.map(|(_, wheel, pinion)| match member {
+        Member::Wheel => wheel.gear(),
+        Member::Pinion => pinion.gear(),
+    });
+    let (most, least) = (gears.clone().next()?, gears.last()?);
+    let data = most.basic_data();
+    // Of the length that `length` gives at a base thickness, mm.
+    let by = |name: &str, length: &dyn Fn(f64) -> f64| {
+        let base = most.base_thickness();
+        let changed = base + change * scale * thickness::per_normal_thickness(data);
+        let by = (length(changed) - length(base)) / scale;
+        let word = if by < 0.0 { "smaller" } else { "larger" };
+        Some(format!("{name} {} mm {word}", ascii(by.abs(), 3)))
+    };
+    if let Some(span) = &stated.span {
+        let k = span.teeth;
+        return by(&format!("span W_{k}"), &|base| {
+            thickness::span_from_base(data, k, base)
+        });
+    }
+    if let Some(pins) = &stated.over_pins {
+        let (body, pin) = (pins.kind.unwrap_or_default(), pins.pin_mm * scale);
+        return by("dimension over pins", &|base| {
+            thickness::over_from_base(data, body, pin, base)
+        });
+    }
+    if let Some(chord) = &stated.chordal_thickness {
+        let height = chord.height_mm.map(|mm| mm * scale);
+        let height = chord_height(most.design(), height);
+        return by("chordal thickness", &|base| {
+            thickness::chord_from_base(data, most.tip_radius(), height, base)
+        });
+    }
+    if stated.base_thickness_mm.is_some() {
+        return by("base thickness", &|base| {
+            thickness::span_from_base(data, 1, base)
+        });
+    }
+    if stated.arc_thickness_mm.is_some() {
+        return by("arc thickness", &|base| {
+            base / thickness::per_normal_thickness(data)
+        });
+    }
+    let is_band = most.base_thickness() != least.base_thickness();
+    let [min, max] = [least, most].map(|gear| {
+        let nominal = gear.design().nominal_base_thickness();
+        let allowance = thickness::allowance_from_base(data, nominal, gear.base_thickness());
+        ascii((allowance / scale + change) * 1e3, 0)
+    });
+    is_band.then(|| format!("allowance_um = {{ min = {min}, max = {max} }}"))
 }
 
 /// The remedies of a pair file.
@@ -117,7 +216,9 @@ impl RemedyRecords {
         };
         let mut text = String::new();
         if !self.changes.is_empty() {
-            text += &format!("\nEach of these changes alone makes the pair {what}:\n");
+            text += &format!(
+                "\nEach of these changes alone makes the pair {what}; other checks may still fail:\n"
+            );
             for change in &self.changes {
                 text += &format!("  {}\n", change.sentence);
             }

@@ -83,7 +83,7 @@ pub(crate) fn designation_fault(schema: &Value, text: &str) -> Option<String> {
     };
     Some(match fault {
         GearError::DistanceField => "no distance with a tolerance that is known: js, H, h, F or f with grade 5 … 10, ±, or deviations, as in \"30 js7\", \"30 ±0.02\" or \"30 +0.03/0\"".to_owned(),
-        GearError::ThicknessField => format!("{fault}, allowed is 21 … 30 with a … h, ab, bc or cd, such as \"25cd\""),
+        GearError::ThicknessField => format!("{fault}, allowed is 21 … 30 with a … h, ab, bc or cd, such as \"25cd\"; for another standard, as DIN 58405, give allowance_um or span"),
         other => other.to_string(),
     })
 }

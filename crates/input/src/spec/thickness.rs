@@ -142,7 +142,7 @@ pub struct SpanSpec {
     pub table: Option<TableFileSpec>,
 }
 
-/// A measured length: one value, a list, or the least and the greatest.
+/// A length: one value, with deviations if it is a drawing's; measured values; or the least and the greatest.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LengthSpec {
@@ -155,6 +155,12 @@ pub struct LengthSpec {
     /// Greatest measured.
     #[schemars(transform = length())]
     pub max_mm: Option<f64>,
+    /// Upper deviation of the drawing from mm.
+    #[schemars(transform = deviation())]
+    pub upper_um: Option<f64>,
+    /// Lower deviation.
+    #[schemars(transform = deviation())]
+    pub lower_um: Option<f64>,
 }
 
 /// Chordal tooth thickness: one value, or the least and the greatest.
@@ -232,4 +238,6 @@ fn chord_keys(schema: &mut Schema) {
 /// One value, least and greatest, or a table.
 fn length_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["mm"], &["min_mm", "max_mm"], &["file"]]);
+    beside(schema, "upper_um", &[&["mm", "lower_um"]]);
+    beside(schema, "lower_um", &[&["mm", "upper_um"]]);
 }

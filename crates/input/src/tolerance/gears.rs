@@ -4,10 +4,11 @@ use crate::files::PairFile;
 use crate::spec::{GearSpec, GearToleranceSpec, ToleranceSpec};
 use crate::temperature::REFERENCE_C;
 use gearlash::error::GearError;
-use gearlash::gear::thickness::per_normal_thickness;
+use gearlash::gear::thickness::{allowance_from_base, per_normal_thickness};
 use gearlash::gear::{AsBuilt, Deviations};
 use gearlash::pair::Member;
-use gearlash_text::numbers::shortest;
+use gearlash::population::Scatter;
+use gearlash_text::numbers::{shortest, um_ascii};
 use gearlash_text::{Reading, Table};
 use glob::{MatchOptions, Pattern};
 use std::collections::BTreeMap;
@@ -305,6 +306,27 @@ pub fn unused_band_warnings(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<S
         );
     }
     warnings
+}
+
+/// A warning that the `drawn` thickness repeats the stated one, to which it is added: its mean is the stated allowance, or beyond the band.
+pub fn repeated_thickness(pair: &PairFile, member: Member, drawn: &Scatter) -> Option<String> {
+    const ROUNDING_MM: f64 = 5e-4;
+    let (_, wheel, pinion) = pair.study.materials.first()?;
+    let gear = [wheel, pinion][member as usize].gear();
+    let nominal = gear.design().nominal_base_thickness();
+    let most = allowance_from_base(gear.basic_data(), nominal, gear.base_thickness());
+    let [_, half] = thickness_band(pair, member).unwrap_or_default();
+    let (stated, mean) = (most - half, drawn.mean());
+    let is_stated = (mean - stated).abs() <= ROUNDING_MM;
+    let is_beyond = half > 0.0 && mean.abs() >= half;
+    let is_repeated = mean.abs() > ROUNDING_MM && (is_stated || is_beyond);
+    is_repeated.then(|| {
+        let name = member.name();
+        let [mean, stated] = [mean, stated].map(|mm| um_ascii(mm, 1));
+        format!(
+            "tolerance.{name}.thickness: its mean, {mean} µm, is added to the stated allowance, {stated} µm; if its limits repeat those of the {name}, leave them out"
+        )
+    })
 }
 
 /// The gear in the middle between the thickest and the thinnest.

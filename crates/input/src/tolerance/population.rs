@@ -5,7 +5,9 @@ use crate::spec::{
     GearSpec, GearToleranceSpec, PhaseName, ScatterName, ScatterSpec, SpreadSpec, ToleranceSpec,
 };
 use crate::temperature::REFERENCE_C;
-use crate::tolerance::gears::{MeasuredGear, gears, thickness_band, unused_band_warnings};
+use crate::tolerance::gears::{
+    MeasuredGear, gears, repeated_thickness, thickness_band, unused_band_warnings,
+};
 use crate::{common_face, lead, pair, with_tree};
 use gearlash::analysis::phases::phase;
 use gearlash::error::GearError;
@@ -16,6 +18,7 @@ use gearlash::population::{
     AssemblyLimits, GearScatter, LIMIT_SIGMAS, LeadScatter, Population, PopulationError, Scatter,
     ScatterError, Scatters,
 };
+use gearlash_text::numbers::um_ascii;
 use gearlash_text::{InputError, Table};
 use std::path::Path;
 
@@ -63,6 +66,7 @@ fn tolerance_file(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     let center_distance = scatter(&tolerance.center_distance, band, place);
     let place = (file, "tolerance.bearing_play");
     let bearing_clearance = scatter(&tolerance.bearing_play, None, place);
+    let bearing_clearance = bearing_clearance.and_then(|made| not_negative(made, place));
     let mut warnings = unused_band_warnings(&pair, &tolerance);
     let mut gear = |spec, member| gear(spec, member, &pair, (file, &mut warnings));
     let wheel = gear(&tolerance.wheel, Member::Wheel);
@@ -223,7 +227,10 @@ fn gear(
     let one =
         |spec: &Option<ScatterSpec>, name: &str, band| scatter(spec, band, (file, &key(name)));
     let thickness = one(&spec.thickness, "thickness", thickness_band(pair, member));
+    let repeated = thickness.as_ref().and_then(Option::as_ref);
+    warnings.extend(repeated.and_then(|drawn| repeated_thickness(pair, member, drawn)));
     let runout = one(&spec.runout, "runout", None);
+    let runout = runout.and_then(|made| not_negative(made, (file, &key("runout"))));
     let Some((_, wheel, pinion)) = pair.study.materials.first() else {
         // Other keys are refused with a pair that has an outline.
         let scatters = GearScatter {
@@ -341,14 +348,6 @@ pub(crate) fn placed(gear: AsBuilt, pair: &PairFile, member: Member) -> AsBuilt 
 /// The problem of an impossible population, at its key.
 fn refused(file: &Table, error: &PopulationError) -> gearlash_text::Problem {
     let (key, help) = match error {
-        PopulationError::Negative { what, .. } if what.contains("play") => (
-            "tolerance.bearing_play",
-            "take a distribution that ends at 0 or above",
-        ),
-        PopulationError::Negative { .. } => (
-            "tolerance",
-            "take a rayleigh distribution, or one that ends at 0 or above, for each runout",
-        ),
         PopulationError::Correlation(_) | PopulationError::NothingToCorrelate => (
             "tolerance.thickness_correlation",
             "remove it, or give both gears a thickness",
@@ -365,9 +364,10 @@ fn refused(file: &Table, error: &PopulationError) -> gearlash_text::Problem {
             "tolerance",
             "give at least one distribution, such as center_distance = { scatter = \"normal\", sigma_um = 5 }",
         ),
-        PopulationError::Pitch(_) | PopulationError::WholeGears | PopulationError::NoFace => {
-            ("tolerance", "correct it")
-        }
+        PopulationError::Negative { .. }
+        | PopulationError::Pitch(_)
+        | PopulationError::WholeGears
+        | PopulationError::NoFace => ("tolerance", "correct it"),
     };
     file.problem(key, error.to_string(), help)
 }
@@ -406,6 +406,24 @@ fn spread(
         (None, max) => Scatter::normal(0.0, max / LIMIT_SIGMAS / um),
     };
     file.keep(key, made, "correct the number").map(Some)
+}
+
+/// `made`, if no value is below 0.
+fn not_negative(made: Option<Scatter>, (file, key): (&Table, &str)) -> Option<Option<Scatter>> {
+    let least = |made: &Scatter| made.at(f64::MIN_POSITIVE).min(made.limits()[0]);
+    let least = made.as_ref().map_or(0.0, least);
+    if least >= 0.0 {
+        return Some(made);
+    }
+    let reason = format!(
+        "reaches {} µm, it cannot be below 0; a normal distribution is not cut at its limits",
+        um_ascii(least, 1)
+    );
+    file.refuse(
+        key,
+        reason,
+        "take a rayleigh distribution, or one that ends at 0 or above",
+    )
 }
 
 /// The distribution at `key` of the pair file, mm; `Some(None)` where none is stated. Absent limits are those of the `band`, mm.

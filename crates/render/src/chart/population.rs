@@ -172,8 +172,8 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
     }
     marks.push(Mark::upright(0.0, [0.0, count], Look::Plain, 1.0));
     let entries = [
-        ("total effect (with interactions)", Look::Right),
-        ("first-order effect", Look::Left),
+        ("with joint effects (total effect)", Look::Right),
+        ("by itself (first-order effect)", Look::Left),
     ];
     let entries = entries.map(|(name, look)| entry(name, look, Swatch::Bar));
     let x = Axis::new("share of the variance, %; lines: ± 2 standard errors", x);

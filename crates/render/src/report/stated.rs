@@ -71,6 +71,7 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
             mm: chord.mm.map(Either::One),
             min_mm: chord.min_mm,
             max_mm: chord.max_mm,
+            ..LengthSpec::default()
         };
         parts.push(format!("chordal thickness {} mm", measured(&length)));
     }

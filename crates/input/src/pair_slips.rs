@@ -2,8 +2,8 @@
 
 use super::gear::GearPart;
 use super::spec::{BearingClearanceSpec, GearSpec};
-use gearlash::gear::Gear;
 use gearlash::gear::involute::{inv, inv_of_roll, roll_at, roll_of_inv};
+use gearlash::gear::{AsBuilt, Gear};
 use gearlash_text::numbers::{ascii, signed, um_ascii};
 
 /// Radial play above which a bearing is no bearing, mm: plain bearings of 100 mm bore have 0.1 mm in diameter.
@@ -79,6 +79,13 @@ pub fn face_slip(gears: [&GearPart; 2]) -> Option<String> {
     })
 }
 
+/// Both gears in their most material; `None` unless both have data.
+fn both<'a>(wheel: &'a GearPart, pinion: &'a GearPart) -> Option<[&'a AsBuilt; 2]> {
+    let wheel = wheel.as_built.as_ref()?.most();
+    let pinion = pinion.as_built.as_ref()?.most();
+    Some([wheel, pinion])
+}
+
 /// Whether a gear's data distinguish its teeth.
 fn has_tooth_data(gear: &GearSpec) -> bool {
     let per_tooth = gear.thickness.per_tooth_um.as_ref();
@@ -88,20 +95,19 @@ fn has_tooth_data(gear: &GearSpec) -> bool {
 /// Runouts that take more than half of the radial clearance.
 fn large_runout(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
     let a = distances.iter().copied().reduce(f64::min)?;
-    let gears = [("wheel", wheel), ("pinion", pinion)]
-        .map(|(name, part)| Some(((name, part.scale), part.as_built.as_ref()?.most())));
-    let [Some(wheel), Some(pinion)] = gears else {
-        return None;
-    };
-    let clearance = [(wheel, pinion), (pinion, wheel)]
-        .map(|(tip, root)| a - tip.1.gear().tip_radius() - root.1.gear().root_radius())
-        .into_iter()
-        .reduce(f64::min)?;
+    let gears = both(wheel, pinion)?;
+    let clearance =
+        |tip: &AsBuilt, root: &AsBuilt| a - tip.gear().tip_radius() - root.gear().root_radius();
+    let clearance = clearance(gears[0], gears[1]).min(clearance(gears[1], gears[0]));
     // Without clearance, the check of radial clearance reports the fault.
-    let large = |gear: &(_, &gearlash::gear::AsBuilt)| {
-        clearance > 0.0 && 2.0 * gear.1.eccentricity() > MAX_OF_CLEARANCE * clearance
+    let large = |(_, _, gear): &(_, _, &AsBuilt)| {
+        clearance > 0.0 && 2.0 * gear.eccentricity() > MAX_OF_CLEARANCE * clearance
     };
-    let ((name, scale), gear) = [wheel, pinion].into_iter().find(large)?;
+    let named = [
+        ("wheel", wheel.scale, gears[0]),
+        ("pinion", pinion.scale, gears[1]),
+    ];
+    let (name, scale, gear) = named.into_iter().find(large)?;
     let um = 2000.0 * gear.eccentricity();
     let scaled = match scale {
         1.0 => String::new(),
@@ -121,10 +127,7 @@ fn large_runout(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Optio
 /// Exact for involutes: `j_t = 2 r_b (inv α_wt − inv α_w0)/cos α_t` with `r_b` the sum of both base radii, at the reference circles.
 fn excessive_backlash(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
     let least = distances.iter().copied().reduce(f64::min)?;
-    let gears = [wheel, pinion].map(|part| Some(part.as_built.as_ref()?.most().gear()));
-    let [Some(wheel), Some(pinion)] = gears else {
-        return None;
-    };
+    let [wheel, pinion] = both(wheel, pinion)?.map(AsBuilt::gear);
     let data = wheel.basic_data();
     let base = wheel.base_radius() + pinion.base_radius();
     let at = inv_of_roll(roll_at(least, base));
@@ -179,11 +182,8 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
     let teeth = f64::from(wheel.teeth? + pinion.teeth?);
     let scaled = |gear: &GearPart| Some(gear.scale * gear.module_mm? * f64::from(gear.teeth?));
     let module = (scaled(wheel)? + scaled(pinion)?) / teeth;
-    let shifts = [wheel, pinion].map(|part| {
-        let gear = part.as_built.as_ref()?;
-        Some(gear.most().gear().design().profile_shift)
-    });
-    let (x_1, x_2) = (shifts[0]?, shifts[1]?);
+    let gears = both(wheel, pinion)?.map(AsBuilt::gear);
+    let [x_1, x_2] = gears.map(|gear| gear.design().profile_shift);
     let (angle, helix_deg) = (wheel.pressure_angle_deg?, wheel.helix?.angle_deg);
     // Module, pressure angle and shifts are those of the normal section.
     let nominal = |degrees: f64, helix_deg: f64, shift: f64| {
@@ -198,13 +198,10 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
         let near = |a: &&f64| (**a - mm).abs() <= within * module;
         mm.is_finite() && distances.iter().any(|a| near(&a))
     };
-    let gears = [wheel, pinion].map(|part| Some(part.as_built.as_ref()?.most().gear()));
-    if let [Some(wheel), Some(pinion)] = gears
-        && (is_thick(wheel) || is_thick(pinion))
-    {
+    if gears.into_iter().any(is_thick) {
         // Thick teeth need a greater distance than nominal ones.
-        let base = wheel.base_radius() + pinion.base_radius();
-        let own = base * roll_of_inv(inv_without_backlash([wheel, pinion])).hypot(1.0);
+        let base = gears[0].base_radius() + gears[1].base_radius();
+        let own = base * roll_of_inv(inv_without_backlash(gears)).hypot(1.0);
         if suits(own, MIN_DIFFERENCE) {
             return None;
         }

@@ -43,13 +43,13 @@ pub struct ColumnHeader {
 }
 
 impl ColumnHeader {
-    /// Factor from the values at `place`, in the unit of their heading, to those of `column`: 1000 for mm in place of µm.
-    pub fn to_unit_of(&self, column: Column, place: usize) -> f64 {
-        let unit = self.headings.get(place).and_then(|heading| heading.unit);
-        if column.unit() == "µm" && unit == Some("mm") {
-            1000.0
-        } else {
-            1.0
+    /// Factor from the values at `place`, in the unit of their heading, to those of `column`: 1000 for mm in place of µm. `None` for
+    /// a unit that `column` does not allow.
+    pub fn to_unit_of(&self, column: Column, place: usize) -> Option<f64> {
+        match (self.headings[place].unit, column.unit()) {
+            (None, _) => Some(1.0),
+            (Some("mm"), "µm") => Some(1000.0),
+            (Some(unit), needed) => (unit == needed).then_some(1.0),
         }
     }
 

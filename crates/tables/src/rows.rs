@@ -228,7 +228,8 @@ impl<'a> Found<'a> {
                 continue;
             }
             let number = cell.number();
-            let factor = self.head.to_unit_of(*column, *place);
+            // A column in a unit that is not allowed was refused before.
+            let factor = self.head.to_unit_of(*column, *place)?;
             match number.filter(|number| limits.range.contains(&(factor * number.value))) {
                 Some(number) => {
                     values.push(factor * number.value);

@@ -202,7 +202,7 @@ impl ImportedTable {
         let letters = headings.filter_map(|column| Some(&column.heading.as_ref()?.1[..]));
         let letters: Vec<&str> = letters.collect();
         self.left_out = self.unread.words(&letters);
-        self.left_out_numbers = self.unread.numbers(&letters);
+        self.left_out_numbers = self.unread.first_number_column(&letters);
         self.in_other_table = self.unread.elsewhere(&letters);
     }
 }

@@ -9,9 +9,10 @@ use crate::options::ScreenArgs;
 use crate::output::check_not_input;
 use clap::ValueEnum;
 use gearlash_input::PairFile;
-use gearlash_results::judged::{JudgedFile, Judgement, Outcome};
+use gearlash_results::judged::{FileProblem, JudgedFile, Judgement, Outcome};
 use gearlash_text::{InputError, Sources};
 use std::io::Write;
+use std::iter;
 use std::path::{Path, PathBuf};
 
 /// The output formats for pair files.
@@ -89,13 +90,16 @@ fn judged_file(
     if !is_shown {
         print_error_text(&explain(&error));
     }
+    let lines = match &error {
+        Error::Input(error) => error.lines_of_problems(),
+        _ => Vec::new(),
+    };
+    let lines = lines.into_iter().chain(iter::repeat(None));
+    let problems = error.lines().into_iter().zip(lines);
+    let problems = problems.map(|(message, line)| FileProblem { message, line });
     Ok(JudgedFile::Unreadable {
         file: path.display().to_string(),
-        problems: error.lines(),
-        lines: match &error {
-            Error::Input(error) => error.lines_of_problems(),
-            _ => Vec::new(),
-        },
+        problems: problems.collect(),
     })
 }
 

@@ -89,10 +89,17 @@ pub enum JudgedFile {
         /// The file as named on the command line.
         file: String,
         /// All its problems.
-        problems: Vec<String>,
-        /// The line of each problem in the file, from 1, where one is known.
-        lines: Vec<Option<usize>>,
+        problems: Vec<FileProblem>,
     },
+}
+
+/// A problem of a file.
+#[derive(Debug)]
+pub struct FileProblem {
+    /// In words, on one line.
+    pub message: String,
+    /// Its line in the file, from 1, where one is known.
+    pub line: Option<usize>,
 }
 
 impl JudgedFile {
@@ -174,7 +181,7 @@ impl Outcome {
                 JudgedFile::Unreadable { problems, .. } => {
                     let _ = writeln!(text, "{}  {name}", screen.toned(Tone::Bad, "error"));
                     for problem in problems {
-                        let _ = writeln!(text, "  {}", plain(problem));
+                        let _ = writeln!(text, "  {}", plain(&problem.message));
                     }
                     text.push('\n');
                 }
@@ -216,7 +223,7 @@ impl Outcome {
         let files = self.files.iter().map(|file| match file {
             JudgedFile::Judged(judged) => judged.json.clone(),
             JudgedFile::Unreadable { file, problems, .. } => {
-                json!({ "file": file, "error": problems.join("\n") })
+                json!({ "file": file, "error": joined(problems) })
             }
         });
         characters::json_of(&json!({
@@ -240,17 +247,11 @@ impl Outcome {
         };
         for file in &self.files {
             match file {
-                JudgedFile::Unreadable {
-                    file,
-                    problems,
-                    lines,
-                } => {
-                    for (k, problem) in problems.iter().enumerate() {
-                        let number = lines.get(k).copied().flatten();
-                        let number =
-                            number.map_or(String::new(), |number| format!(",line={number}"));
-                        let place = escape_property(file) + &number;
-                        line(true, "error", &place, "cannot be read", problem);
+                JudgedFile::Unreadable { file, problems } => {
+                    for problem in problems {
+                        let number = problem.line.map(|number| format!(",line={number}"));
+                        let place = escape_property(file) + &number.unwrap_or_default();
+                        line(true, "error", &place, "cannot be read", &problem.message);
                     }
                 }
                 JudgedFile::Judged(judged) => {
@@ -287,7 +288,7 @@ impl Outcome {
                 JudgedFile::Unreadable { problems, .. } => {
                     let _ = writeln!(text, "\n### {} {name}\n", mark(false));
                     for problem in problems {
-                        let _ = writeln!(text, "- **error** {}", escape_markdown(problem));
+                        let _ = writeln!(text, "- **error** {}", escape_markdown(&problem.message));
                     }
                 }
                 JudgedFile::Judged(judged) => {
@@ -334,6 +335,12 @@ impl Outcome {
     }
 }
 
+/// The messages of `problems`, one per line.
+fn joined(problems: &[FileProblem]) -> String {
+    let messages = problems.iter().map(|problem| &problem.message[..]);
+    messages.collect::<Vec<_>>().join("\n")
+}
+
 type Xml = Writer<Vec<u8>>;
 
 /// The name of a judged property, and why it fails (`failure`) or cannot be judged (`error`).
@@ -343,7 +350,7 @@ impl JudgedFile {
     fn test_cases(&self) -> Vec<TestCase<'_>> {
         match self {
             JudgedFile::Unreadable { problems, .. } => {
-                vec![("read", Some(("error", problems.join("\n"))))]
+                vec![("read", Some(("error", joined(problems))))]
             }
             JudgedFile::Judged(judged) => {
                 let cases = judged.cases.iter().map(|case| {

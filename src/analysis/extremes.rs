@@ -333,7 +333,7 @@ fn of_plans(
     let all = || plans.iter().zip(&found);
     let own = all().flat_map(|(planned, (searched, _))| {
         let poses: Vec<&PosedPair> = searched.poses.iter().flatten().collect();
-        // Those of one pair share a run.
+        // Poses that follow each other and have the same pair share a run.
         let runs = poses.chunk_by(|one, other| one.assembly == other.assembly);
         runs.map(|poses| pose_plan(planned, poses))
             .collect::<Vec<_>>()

@@ -844,7 +844,7 @@ impl AsBuilt {
         self.inwards() * self.height
     }
 
-    /// This section with its outline turned by `angle`, rad, counter-clockwise about the axis, all teeth alike.
+    /// This section with its outline turned about the axis by `angle`, rad. All teeth turn by the same angle, counter-clockwise.
     pub(crate) fn turned(self, angle: f64) -> AsBuilt {
         let basic_data = self.gear.basic_data();
         let teeth = self.face.ascending() * angle / basic_data.angular_pitch();

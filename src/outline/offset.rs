@@ -1,8 +1,9 @@
 //! Outlines moved along their normals, as a kerf, a nozzle or a burn moves them.
 //!
-//! Moved out by `d`, a region gains the points within `d` of it. Moved in, it keeps the points farther than `d` from its outside. A
-//! line and an arc stay a line and an arc. A corner on the growing side becomes an arc of radius `d`, other joints are trimmed, and
-//! what is too small vanishes: `cavalier_contours` does this for paths of lines and arcs. A cubic curve becomes arcs first.
+//! A region that is moved out by `d` gains the points within `d` of it. A region that is moved in by `d` keeps the points farther
+//! than `d` from its outside. Lines stay lines, and arcs stay arcs. A corner on the growing side becomes an arc of radius `d`. Other
+//! joints are trimmed. Parts that are too small vanish. `cavalier_contours` does this for paths of lines and arcs. Cubic curves are
+//! replaced by arcs first.
 //!
 //! Both operations preserve the distance of two regions: a path within `ε` of another is within `ε` of it when both are moved.
 

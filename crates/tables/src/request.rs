@@ -107,7 +107,7 @@ impl Places {
 pub struct Request<'a> {
     /// The file.
     pub file: &'a DataFile,
-    /// What the pair file says of its place.
+    /// The keys of the pair file that say where the table is.
     pub choice: &'a Choice,
     /// Columns and rows.
     pub wanted: Wanted<'a>,

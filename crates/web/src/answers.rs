@@ -294,7 +294,7 @@ impl Page {
         }
     }
 
-    /// A problem with files that the program does not see. `what` is the case, `names` the files.
+    /// The answer to a problem that the page finds before it calls the program. `what` names the problem. `names` lists the files.
     pub fn said(&self, what: &str, names: &str) -> Value {
         let (reason, help) = match what {
             "not UTF-8" => ("is not UTF-8", "save it as UTF-8"),

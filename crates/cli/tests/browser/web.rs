@@ -503,7 +503,8 @@ pub fn page_fits_its_window(browser: &Chromium, _: &Site) {
     }
 }
 
-/// Verdict, mesh and curve stand on paper, no wider than A4, without input and controls. Nothing moves by itself where less motion is preferred.
+/// The printed page shows verdict, mesh and curve. It is no wider than A4. It has no input and no controls. Nothing moves by itself
+/// where the user prefers reduced motion.
 pub fn page_prints_its_result(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, 1280);
     tab.until("document.getElementById('viewer-picture') !== null");

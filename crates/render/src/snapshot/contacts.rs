@@ -144,7 +144,6 @@ pub fn limits(
     group
 }
 
-/// The gears with the contact on their fillet or root.
 /// The gears below whose form circle `contact` lies.
 pub fn below_form<'a>(
     scene: &'a Scene,

@@ -276,7 +276,7 @@ impl<'a> FaceSideCell<'a> {
                 continue;
             }
             let simple = [0, 1].map(|k| pair.simple(k, pair.face));
-            // What it leaves open must be covered by `most`, unless another pair leaves as much open.
+            // `open` is the greatest open rest of the pairs so far. `most` must also cover what this pair leaves open beyond it.
             let more = pair.at_fillet(pair.face) + (pair.open - open).max(0.0);
             if (0..2).all(|k| line[k] + simple[k] + more <= most[k]) {
                 continue;

@@ -594,10 +594,10 @@ impl<'a> AlongFace<'a> {
         [0, 1].map(|k| -leads[k] / bases[k])
     }
 
-    /// Bound of the gap of a pair of leaning axes on the face, less what leads add.
+    /// Upper bound, over the face, of the gap of a pair of teeth with leaning axes. The part that leads add is left out.
     ///
-    /// Without leads it is linear along the stretch on the line of action, with a slight concave bend. Beyond the stretch it falls, against a
-    /// rate of up to the lean. The touch of spur gears is concave over the face.
+    /// Without leads the gap is linear, with a slight concave bend, along the stretch on the line of action. Beyond the stretch the gap
+    /// falls. The lean lets it rise at most at the rate of the lean. The gap of spur gears is concave over the face.
     fn most_of_leaning(&self, pair: &PairOfTeeth) -> f64 {
         if self.leaning.is_none() {
             return f64::INFINITY;

@@ -179,15 +179,14 @@ fn moved(path: &Path, distances: Option<&Distances>) -> Result<PairFile, InputEr
         [one] => one.to_string(),
         [] => String::new(),
     };
-    let moved = pair.at(scan.clone()).map_err(|reason| InputError {
-        file: display_path(path).to_path_buf(),
-        problems: vec![Problem {
+    let moved = pair.at(scan.clone()).map_err(|reason| {
+        let problem = Problem {
             key: OPTION.to_owned(),
             value: Some(shown.clone()),
             reason: distance_refused(&reason),
             help: "or leave it out".to_owned(),
-        }],
-        text: String::new(),
+        };
+        InputError::of(display_path(path), vec![problem])
     });
     let words = format!(
         "assembly.center_distance_mm: {shown} mm of {OPTION} replaces every distance of the file"

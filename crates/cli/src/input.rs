@@ -123,21 +123,18 @@ pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error>
     let Bound {
         most, bytes, of, ..
     } = bound;
-    Err(Error::Input(InputError {
-        file: file.to_path_buf(),
-        problems: vec![Problem {
-            key: "sweep".to_owned(),
-            value: None,
-            reason: format!(
-                "{poses} poses over all centre distances and materials, about {} of {of}; allowed here are up to {} million, {}",
-                numbers::bytes(poses.saturating_mul(*bytes)),
-                most / 1_000_000,
-                numbers::bytes(most * bytes),
-            ),
-            help: bound.help.to_owned(),
-        }],
-        text: String::new(),
-    }))
+    let problem = Problem {
+        key: "sweep".to_owned(),
+        value: None,
+        reason: format!(
+            "{poses} poses over all centre distances and materials, about {} of {of}; allowed here are up to {} million, {}",
+            numbers::bytes(poses.saturating_mul(*bytes)),
+            most / 1_000_000,
+            numbers::bytes(most * bytes),
+        ),
+        help: bound.help.to_owned(),
+    };
+    Err(InputError::of(file, vec![problem]).into())
 }
 
 /// Number of poses from which on number and size are reported (tuned: gigabytes, and minutes of work).

@@ -329,11 +329,7 @@ impl Page {
         if bytes <= most {
             return Value::Null;
         }
-        problems(&InputError {
-            file: name.to_path_buf(),
-            problems: vec![too_large(bytes, most)],
-            text: String::new(),
-        })
+        problems(&InputError::of(name, vec![too_large(bytes, most)]))
     }
 
     /// A pair file for two of the drawings, at the centre distance without play: `{text}`, or all problems of the drawings.

@@ -76,12 +76,11 @@ fn diameter(text: &str) -> Result<f64, String> {
 
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = read(args)?;
-    let materials = |gear| materials(gear);
     let chosen = options::choose(&args.file, args.gear, args.material, &file, materials)?;
     let mut own = Vec::new();
-    for (gear, material, on_gauge) in &chosen {
+    for (gear, material, (data, _)) in &chosen {
         own.extend(possible_files(&stem(gear.name, *material)));
-        if let Some((as_built, _)) = on_gauge.data {
+        if let Some((as_built, _)) = data {
             check_span(args, gear.name, as_built)?;
         }
     }
@@ -101,11 +100,11 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
         steps_per_pitch: args.steps_per_pitch,
         ..Settings::default()
     };
-    let by_data = chosen.iter().filter_map(|(_, _, on_gauge)| on_gauge.data);
+    let by_data = chosen.iter().filter_map(|(_, _, (data, _))| *data);
     let poses = by_data.map(|(gear, spec)| pose_count(gear, &spec.gauge_settings(given)));
     let progress = Progress::of(poses.sum(), "poses");
     let mut gears = Vec::new();
-    for (gear, material, OnGauge { data, outline }) in chosen {
+    for (gear, material, (data, outline)) in chosen {
         progress.now(&format!("({} {})", gear.name, material.name()));
         let more = |poses| progress.more(poses);
         let read = |(as_built, spec): (&AsBuilt, &GearSpec)| {
@@ -151,33 +150,16 @@ fn read(args: &Args) -> Result<GearsFile, Error> {
 }
 
 /// A gear on the gauge: by its data with its table, or by its outline.
-struct OnGauge<'a> {
-    data: Option<(&'a AsBuilt, &'a GearSpec)>,
-    outline: Option<&'a OutlineGear>,
-}
+type OnGauge<'a> = (Option<(&'a AsBuilt, &'a GearSpec)>, Option<&'a OutlineGear>);
 
 /// A gear in each of its materials.
 fn materials(gear: &GearEntry) -> Vec<(Material, OnGauge<'_>)> {
-    let data = gear.materials.iter().map(|(material, as_built)| {
-        let data = Some(as_built).zip(gear.spec.data());
-        (
-            *material,
-            OnGauge {
-                data,
-                outline: None,
-            },
-        )
-    });
-    let drawn = gear.drawn.iter().map(|(material, outline)| {
-        let outline = Some(outline);
-        (
-            *material,
-            OnGauge {
-                data: None,
-                outline,
-            },
-        )
-    });
+    let data = gear
+        .materials
+        .iter()
+        .map(|(material, as_built)| (*material, (Some(as_built).zip(gear.spec.data()), None)));
+    let drawn = gear.drawn.iter();
+    let drawn = drawn.map(|(material, outline)| (*material, (None, Some(outline))));
     data.chain(drawn).collect()
 }
 

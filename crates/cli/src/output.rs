@@ -22,32 +22,20 @@ static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished {
 });
 
 /// Temporary files and new folders of the process. A thread that creates or renames one holds the lock.
-struct Unfinished {
+pub(super) struct Unfinished {
     temporary: Vec<PathBuf>,
     /// Folders created for results, innermost last.
     made: Vec<PathBuf>,
     /// Whether a file has been renamed to its target.
-    written: bool,
+    pub(super) written: bool,
 }
 
 fn unfinished() -> MutexGuard<'static, Unfinished> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A lock: while it is held, nothing is unfinished and nothing new begins.
-pub struct EndLock {
-    held: MutexGuard<'static, Unfinished>,
-}
-
-impl EndLock {
-    /// Whether a file had been renamed to its target.
-    pub fn written(&self) -> bool {
-        self.held.written
-    }
-}
-
-/// Removes everything unfinished, for the thread that ends the process. Other threads that write wait until then.
-pub fn remove_unfinished() -> EndLock {
+/// Removes everything unfinished, for the thread that ends the process. While it holds the lock, nothing new begins.
+pub(super) fn remove_unfinished() -> MutexGuard<'static, Unfinished> {
     let mut held = unfinished();
     for path in std::mem::take(&mut held.temporary) {
         let _ = std::fs::remove_file(path);
@@ -56,7 +44,7 @@ pub fn remove_unfinished() -> EndLock {
         // Fails for a folder with files, which must stay.
         let _ = std::fs::remove_dir(path);
     }
-    EndLock { held }
+    held
 }
 
 fn failed(path: &Path) -> impl Fn(std::io::Error) -> Error {

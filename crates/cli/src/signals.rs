@@ -36,7 +36,7 @@ fn end(code: i32) -> ! {
     let ended = output::remove_unfinished();
     print_error_line(&match &*hint {
         Some(hint) => format!("error: interrupted; {hint}"),
-        None if ended.written() => {
+        None if ended.written => {
             "error: interrupted; what had been written before is complete".to_owned()
         }
         None => format!("error: {}", Error::INTERRUPTED),

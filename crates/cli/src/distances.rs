@@ -11,17 +11,13 @@ pub(super) struct Distances(pub Vec<f64>);
 /// Values are rounded to the decimals that were typed, so that 132.0 + 3 · 0.01 is 132.03.
 pub(super) fn parse(text: &str) -> Result<Distances, String> {
     const FORM: &str = "a centre distance in mm, or a scan FROM..TO:STEP such as 132.0..132.4:0.01";
-    let number = |text: &str| {
-        let value: f64 = text.trim().parse().ok()?;
-        (value.is_finite() && value > 0.0).then_some(value)
-    };
     let Some((from, rest)) = text.split_once("..") else {
         return one(text)
             .map(|a| Distances(vec![a]))
             .map_err(|wrong| format!("{wrong}; give {FORM}"));
     };
     let (to, step) = rest.split_once(':').ok_or(FORM)?;
-    let (Some(first), Some(last), Some(width)) = (number(from), number(to), number(step)) else {
+    let (Ok(first), Ok(last), Ok(width)) = (one(from), one(to), one(step)) else {
         return Err(FORM.to_owned());
     };
     if last < first {

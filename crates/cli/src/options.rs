@@ -291,18 +291,12 @@ impl DrawnArgs {
 
     /// Whether any of them is given.
     pub(super) fn given(&self) -> bool {
-        !self.units.is_empty()
-            || !self.center.is_empty()
-            || !self.layer.is_empty()
-            || !self.id.is_empty()
-            || !self.number.is_empty()
-            || !self.at_mm.is_empty()
-            || !self.reference_face.is_empty()
+        self.counts().iter().any(|(_, count)| *count > 0)
     }
 
-    /// The options of `N` drawings. One value applies to all of them.
-    pub(super) fn options<const N: usize>(&self) -> Result<[OutlineOptions<'_>; N], Error> {
-        let counts = [
+    /// Each option with the number of its values.
+    fn counts(&self) -> [(&'static str, usize); 7] {
+        [
             ("--units", self.units.len()),
             ("--center", self.center.len()),
             ("--layer", self.layer.len()),
@@ -310,8 +304,13 @@ impl DrawnArgs {
             ("--number", self.number.len()),
             ("--at-mm", self.at_mm.len()),
             ("--reference-face", self.reference_face.len()),
-        ];
-        if let Some((name, count)) = counts.into_iter().find(|(_, count)| *count > N) {
+        ]
+    }
+
+    /// The options of `N` drawings. One value applies to all of them.
+    pub(super) fn options<const N: usize>(&self) -> Result<[OutlineOptions<'_>; N], Error> {
+        let mut counts = self.counts().into_iter();
+        if let Some((name, count)) = counts.find(|(_, count)| *count > N) {
             return Err(Error::Usage(format!(
                 "{name} has {count} values for {N} {}; give one for each",
                 if N == 1 { "drawing" } else { "drawings" }

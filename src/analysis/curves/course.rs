@@ -5,6 +5,7 @@ use crate::analysis::extremes::{RunExtreme, RunExtremes};
 use crate::analysis::study::Material;
 use crate::contact::{Contact, End, PoseResult, Status, first_least};
 use crate::gear::Side;
+use crate::outline::AssembledPair;
 use crate::pair::{Mating, Member, ToothNumbers};
 
 /// All curves of one centre distance and phase.
@@ -153,26 +154,20 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
             let Some(first) = poses.first() else {
                 continue;
             };
-            let scale = Scale::of(assembly, || {
-                poses.iter().map(|pose| pose.simulated.pose.mating())
-            });
-            (span, teeth) = (scale.span(), scale.teeth);
             let first = first.simulated.pose.mating();
+            let matings = poses.iter().map(|pose| pose.simulated.pose.mating());
+            let pitches: Vec<f64> = pitches_from_first(matings).collect();
+            let scale = Scale::new(assembly, first, &pitches);
+            (span, teeth) = (scale.span(), scale.teeth);
             let first = first.at_flank(assembly, Side::Right);
             start = (first.wheel_tooth, first.pinion_tooth);
-            let x: Vec<f64> = scale
-                .places(poses.iter().map(|pose| pose.simulated.pose.mating()))
-                .collect();
-            let points = x.iter().zip(&poses);
-            placed.extend(
-                points
-                    .clone()
-                    .map(|(x, pose)| (*x, run.run.material, *pose)),
-            );
+            let x = pitches.iter().map(|pitches| scale.place(*pitches));
+            let points = x.zip(poses.iter().copied());
+            placed.extend(points.clone().map(|(x, pose)| (x, run.run.material, pose)));
             lines.push(CourseLine {
                 material: run.run.material,
                 flank,
-                points: points.map(|(x, pose)| point(*x, pose)).collect(),
+                points: points.map(|(x, pose)| point(x, pose)).collect(),
             });
         }
     }
@@ -232,18 +227,15 @@ struct Scale {
     sense: f64,
     pitches: f64,
     /// Number of wheel teeth if places are tooth numbers.
-    pub teeth: Option<u32>,
+    teeth: Option<u32>,
 }
 
 impl Scale {
-    /// The scale of consecutive `matings`.
-    pub fn of<'a, I: Iterator<Item = &'a Mating>>(
-        assembly: &impl ToothNumbers,
-        matings: impl Fn() -> I,
-    ) -> Scale {
-        let pitches = pitch_count(matings());
+    /// The scale of consecutive poses from the mating `first` on, at these `pitches` from it.
+    fn new(assembly: &AssembledPair, first: &Mating, pitches: &[f64]) -> Scale {
+        // The last step counts in whole.
+        let pitches = pitches.last().map_or(0.0, |last| last.floor()) + 1.0;
         let teeth = assembly.teeth(Member::Wheel);
-        let first = matings().next().map_or(1, |mating| mating.wheel_tooth);
         if pitches > f64::from(teeth) {
             return Scale {
                 start: 0.0,
@@ -253,31 +245,23 @@ impl Scale {
             };
         }
         Scale {
-            start: f64::from(first),
+            start: f64::from(first.wheel_tooth),
             sense: wheel_sense(assembly),
             pitches,
             teeth: Some(teeth),
         }
     }
 
-    /// The place of each of `matings`.
-    pub fn places<'a>(
-        &self,
-        matings: impl Iterator<Item = &'a Mating>,
-    ) -> impl Iterator<Item = f64> {
-        pitches_from_first(matings).map(|pitches| self.start + self.sense * pitches)
+    /// The place at `pitches` from the first pose.
+    fn place(&self, pitches: f64) -> f64 {
+        self.start + self.sense * pitches
     }
 
     /// First and last place.
-    pub fn span(&self) -> [f64; 2] {
-        let end = self.start + self.sense * self.pitches;
+    fn span(&self) -> [f64; 2] {
+        let end = self.place(self.pitches);
         [self.start.min(end), self.start.max(end)]
     }
-}
-
-/// Number of pitches of consecutive `matings`, including the whole last step.
-fn pitch_count<'a>(matings: impl Iterator<Item = &'a Mating>) -> f64 {
-    pitches_from_first(matings).last().unwrap_or(0.0).floor() + 1.0
 }
 
 /// Pitches from the first mating's tooth to each of `matings`: one more with each change of teeth.
@@ -297,7 +281,7 @@ pub(super) fn pitches_from_first<'a>(
 /// The sense in which wheel tooth numbers come into mesh: +1 ascending, −1 descending.
 ///
 /// Ascending teeth of the locked gear come into mesh. On its mate numbers ascend with them if the two faces point in opposite directions.
-fn wheel_sense(assembly: &impl ToothNumbers) -> f64 {
+fn wheel_sense(assembly: &AssembledPair) -> f64 {
     let ascending = |member| assembly.shown_face(member).ascending();
     match assembly.locked() {
         Member::Wheel => 1.0,

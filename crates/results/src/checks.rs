@@ -12,7 +12,7 @@ use gearlash::analysis::diagnosis::{
     Check, CheckVerdict, CheckedPair, Diagnosis, Map as ContactMap, MapCell,
 };
 use gearlash::analysis::verdict::{RequirementOutcome, Verdict};
-use gearlash::pair::{BacklashUnit, Member};
+use gearlash::pair::Member;
 use gearlash_input::PairFile;
 use gearlash_text::numbers::{ascii, fixed, stated_distance, um_ascii};
 use serde_json::json;
@@ -255,7 +255,7 @@ fn rows(diagnosis: &Diagnosis) -> Vec<CheckRow> {
 
 /// The table of checks for a page.
 pub fn table(diagnosis: &Diagnosis) -> Vec<PeopleColumn> {
-    CheckRow::columns().for_people(&rows(diagnosis), |_| f64::NAN, BacklashUnit::Um)
+    CheckRow::columns().in_um(&rows(diagnosis))
 }
 
 /// The worst occurrence of each check: worst verdict, then greatest loss of backlash where it has one, then least margin, then the

@@ -454,6 +454,11 @@ impl<R: Row> Columns<R> {
         shown.collect()
     }
 
+    /// The columns of `rows` for people, backlash in µm.
+    pub(crate) fn in_um(&self, rows: &[R]) -> Vec<PeopleColumn> {
+        self.for_people(rows, |_| f64::NAN, BacklashUnit::Um)
+    }
+
     /// A table of `rows` for a terminal, as [`Columns::for_people`].
     pub fn table(
         &self,
@@ -480,7 +485,7 @@ impl<R: Row> Columns<R> {
 
     /// A table of `rows` in Markdown, backlash in µm.
     pub fn markdown(&self, rows: &[R]) -> String {
-        let shown = self.for_people(rows, |_| f64::NAN, BacklashUnit::Um);
+        let shown = self.in_um(rows);
         let line = |cell: &dyn Fn(&PeopleColumn) -> String| {
             let cells: Vec<String> = shown.iter().map(cell).collect();
             format!("| {} |\n", cells.join(" | "))

@@ -2,7 +2,6 @@
 
 use crate::column::{PeopleColumn, Row, Value, json_text, list, row_type, shown};
 use crate::layout::Screen;
-use gearlash::pair::BacklashUnit;
 use gearlash::population::{
     CONFIDENCE, Contribution, Contributions, Estimate, LIMIT_SHARE, LIMIT_SIGMAS, OutcomeKind,
     PITCH_LIMIT_SIGMAS, QUANTILES, Share, SpreadStatistics,
@@ -337,23 +336,19 @@ fn contributions_json(found: &Contributions) -> serde_json::Value {
     json!({ "rows": found.rows, "rows_left_out": found.unused_rows, "each": list(&found.each) })
 }
 
-fn for_people<R: Row>(rows: &[R]) -> Vec<PeopleColumn> {
-    R::columns().for_people(rows, |_| f64::NAN, BacklashUnit::Um)
-}
-
 /// The spread for people: quantiles, extremes and limit cases.
 pub fn spread(result: &ToleranceResult) -> Vec<PeopleColumn> {
-    for_people(&spread_rows(result))
+    SpreadRow::columns().in_um(&spread_rows(result))
 }
 
 /// The contributions for people; empty where none were computed.
 pub fn contributions(result: &ToleranceResult) -> Vec<PeopleColumn> {
-    for_people(&contribution_rows(result))
+    ContributionRow::columns().in_um(&contribution_rows(result))
 }
 
 /// The worst assemblies for people.
 pub fn worst(result: &ToleranceResult) -> Vec<PeopleColumn> {
-    for_people(&worst_rows(result))
+    WorstRow::columns().in_um(&worst_rows(result))
 }
 
 /// Remarks on the spread, one sentence each: capability, and exclusions from its numbers.

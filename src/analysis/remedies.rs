@@ -130,16 +130,6 @@ pub struct Remedies {
     pub missing: Vec<NoRemedy>,
 }
 
-impl Remedies {
-    /// Adds `changes` of the thickness of `gears`, or that there are none.
-    fn add(&mut self, gears: Gears, changes: Vec<Remedy>) {
-        if changes.is_empty() {
-            self.missing.push(NoRemedy::NoThickness(gears));
-        }
-        self.changes.extend(changes);
-    }
-}
-
 /// The remedies of `study`, if `verdict` says that it does not assemble or misses a requirement; otherwise none. Thicknesses are of
 /// wheel and pinion as `stated`: before their factors, and as flank offsets where these state them.
 ///
@@ -202,7 +192,10 @@ pub fn remedies(
         Some(teeth) => {
             for gears in Gears::EACH {
                 let changes = search.thickness(&teeth, gears, &effort())?;
-                found.add(gears, changes);
+                if changes.is_empty() {
+                    found.missing.push(NoRemedy::NoThickness(gears));
+                }
+                found.changes.extend(changes);
             }
         }
         None => found.missing.push(NoRemedy::Drawn),

@@ -98,13 +98,10 @@ pub(super) fn each_block<E: From<Error>>(
             each(Vec::new())?;
             continue;
         }
-        let cut = cuts
-            .iter()
-            .find(|(material, _)| *material == plan.run.material);
-        let (cut, clearance) = (
-            cut.and_then(|(_, cut)| cut.as_ref()),
-            study.bearing_clearance,
-        );
+        let mut cuts = cuts.iter();
+        let cut = cuts.find(|(material, _)| *material == plan.run.material);
+        let cut = cut.and_then(|(_, cut)| cut.as_ref());
+        let clearance = study.bearing_clearance;
         sweep_blocks(assembly, cut, method, matings, clearance, tick, &mut each)?;
     }
     Ok(())

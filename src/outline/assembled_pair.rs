@@ -208,13 +208,10 @@ impl AssembledPair {
 
     /// Whether both gears can be changed like this. In a pair with a drawn gear fewer changes are possible.
     pub fn allows(&self, changes: &[GearChange; 2]) -> bool {
-        let is_possible =
-            |member, pair: &OutlinePair| changes[member as usize].is_possible(pair.gear(member));
-        let drawn = self.drawn();
-        drawn.is_none_or(|pair| {
-            Member::BOTH
-                .into_iter()
-                .all(|member| is_possible(member, pair))
+        self.drawn().is_none_or(|pair| {
+            let is_possible =
+                |member: Member| changes[member as usize].is_possible(pair.gear(member));
+            Member::BOTH.into_iter().all(is_possible)
         })
     }
 

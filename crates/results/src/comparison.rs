@@ -314,12 +314,8 @@ impl ComparedRow {
         trouble_counts(&self.run).map_or(verdict.clone(), |what| format!("{verdict}; {what}"))
     }
 
-    fn worst(&self) -> Option<(&ComparedPose, f64)> {
-        self.run.worst()
-    }
-
     fn worst_mating(&self) -> Option<&Mating> {
-        Some(self.worst()?.0.simulated.pose.mating())
+        Some(self.run.worst()?.0.simulated.pose.mating())
     }
 
     /// The first unproven poses.
@@ -345,13 +341,13 @@ row_type!(row: ComparedRow {
     "above" Plain => row.run.count(PoseVerdict::Above);
     "max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
     "max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
-    "worst" Plain => row.worst().map_or(Value::Null, |_| Value::Absent);
+    "worst" Plain => row.run.worst().map_or(Value::Null, |_| Value::Absent);
     "worst.wheel_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.wheel_tooth));
     "worst.pinion_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.pinion_tooth));
     "worst.flank" Plain => Value::optional(row.worst_mating().map(|mating| mating.flank.name()));
     "worst.fraction" Plain => Value::optional(row.worst_mating().map(|mating| mating.fraction));
-    "worst.difference_um" Plain => Value::optional(row.worst().map(|(_, mm)| mm * 1e3));
-    "worst.error_bound_um" Plain => Value::optional(row.worst().map(|(pose, _)| Value::um(pose.simulated.error_bound)));
+    "worst.difference_um" Plain => Value::optional(row.run.worst().map(|(_, mm)| mm * 1e3));
+    "worst.error_bound_um" Plain => Value::optional(row.run.worst().map(|(pose, _)| Value::um(pose.simulated.error_bound)));
     "unproven" Plain => row.run.count(PoseVerdict::Unproven);
     "unproven_poses" Plain => Value::optional(row.unproven_poses().map(serde_json::Value::Array));
     "" Plain [people(shown("verdict").left())] => row.verdict();

@@ -29,6 +29,7 @@ pub fn revolution(
     course: &Course,
 ) -> Result<Chart, PictureError> {
     let of_um = |um| unit.of_um(um, course.center_distance);
+    let unproven = unproven_note(unproven_of(course.lines.iter()));
     let points = |line: &CourseLine| -> Vec<Point> {
         let points = line.points.iter();
         points
@@ -46,7 +47,6 @@ pub fn revolution(
     let Some(y) = backlash_range(values, of_um(1.0)) else {
         let words = format!("no pose has a backlash: {}", without());
         let panel = empty(course_axis(course), &words);
-        let unproven = unproven_note(unproven_of(course.lines.iter()));
         let details = unproven + &course_caption(course);
         return sheet::draw(heading, &details, &[], &[panel]);
     };
@@ -130,7 +130,6 @@ pub fn revolution(
     } else {
         String::new()
     };
-    let unproven = unproven_note(unproven_of(course.lines.iter()));
     let details = format!("{unproven}{}{gaps}", course_caption(course));
     sheet::draw(heading, &details, &legend, &[panel])
 }

@@ -98,7 +98,7 @@ impl RunColumns {
         let all = viewed.numbers.len() == run.poses.len();
         RunColumns {
             label: readout::run(&viewed.shown),
-            center_distance_mm: assembly.center_distance(),
+            center_distance_mm: a,
             outlines: outline_of(outlines, run),
             pitch_radius_mm: Member::BOTH
                 .map(|member| rounded(assembly.operating_pitch_radius(member), precision.decimals)),

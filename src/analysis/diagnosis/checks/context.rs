@@ -159,16 +159,13 @@ impl CheckContext<'_> {
     fn clearance(&self, member: Member, pitches: &[Mating], tick: &Tick) -> Result<Check, Error> {
         let module = self.module();
         let formula = self.assembly.radial_clearance(member);
-        // Along the face of helical gears the eccentricities have all directions to a tooth: take the worst.
-        let off = if self.assembly.is_helical() {
-            Member::BOTH.map(|member| self.assembly.gear(member).eccentricity())
+        let (off, found) = if self.assembly.is_helical() {
+            // Along the face the eccentricities have all directions to a tooth: take the worst.
+            let off = Member::BOTH.map(|member| self.assembly.gear(member).eccentricity());
+            (off, None)
         } else {
-            [0.0; 2]
-        };
-        let found = if self.assembly.is_helical() {
-            None
-        } else {
-            least_over(self.assembly, member, pitches, tick)?
+            let found = least_over(self.assembly, member, pitches, tick)?;
+            ([0.0; 2], found)
         };
         let outlines = match found {
             Some(found) => Some(found.distance),
@@ -257,15 +254,6 @@ impl CheckContext<'_> {
         }
     }
 
-    /// The formula's verdict, confirmed by the outlines or not.
-    fn confirmed(margin: f64, below: usize) -> CheckVerdict {
-        if below > 0 {
-            CheckVerdict::Fail
-        } else {
-            CheckVerdict::unless(met(margin), CheckVerdict::Warn)
-        }
-    }
-
     /// K (8): how far the mate's tip reaches along the line of action towards `member`'s base circle.
     fn k_8(&self, member: Member) -> Check {
         let mate = self.gear(member.mate());
@@ -313,7 +301,11 @@ impl CheckContext<'_> {
             outlines,
             limit: Some(form),
             margin: least.map(|least| least - form),
-            verdict: CheckContext::confirmed(margin, below),
+            // Contact below the involute confirms the formula.
+            verdict: match below {
+                0 => CheckVerdict::unless(met(margin), CheckVerdict::Warn),
+                _ => CheckVerdict::Fail,
+            },
             details: vec![
                 ("form_margin_on_line_of_action_mm", margin),
                 ("poses_below_percent", percent(below, poses)),
@@ -487,10 +479,7 @@ impl CheckContext<'_> {
                 0 => least.map_or(String::new(), |least| {
                     format!("least j_wt {} µm", hundredths(least))
                 }),
-                _ => format!(
-                    "jammed in {jammed} of {} poses",
-                    self.evidence.contact.poses()
-                ),
+                _ => format!("jammed in {jammed} of {} poses", contact.poses()),
             },
             ..Check::named(
                 "backlash_condition",

@@ -146,7 +146,16 @@ pub(super) fn print_outcome(
         JudgedFormat::Text => outcome.text(&screen.screen()),
         JudgedFormat::Json => outcome.json().map_err(Error::unwritable("the outcome"))?,
         JudgedFormat::Junit => outcome.junit().map_err(Error::unwritable("the outcome"))?,
-        JudgedFormat::Github => outcome.github(),
+        JudgedFormat::Github => {
+            // A pipe has been read already.
+            outcome.github(|file| {
+                if Path::new(file).is_file() {
+                    std::fs::read_to_string(file).unwrap_or_default()
+                } else {
+                    String::new()
+                }
+            })
+        }
         JudgedFormat::Markdown => outcome.markdown(),
     })?;
     summary.append(&outcome.markdown())?;

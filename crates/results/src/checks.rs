@@ -162,6 +162,7 @@ pub fn checked(
         markdown: String::new(),
         json,
         verdict: lines,
+        misses_limit: !verdict.unmet.is_empty(),
     }
 }
 

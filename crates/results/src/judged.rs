@@ -7,6 +7,7 @@ use crate::layout::{Screen, Tone};
 use crate::verdict::VerdictLines;
 use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash_text::characters::{self, plain};
+use gearlash_text::location;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 use quick_xml::{ElementWriter, Writer};
 use serde_json::{Value, json};
@@ -24,6 +25,8 @@ pub struct Judgement {
     pub passes: bool,
     /// The verdict on the pair.
     pub verdict: VerdictLines,
+    /// Whether a limit of `[require]` is missed, or not proven to be kept.
+    pub misses_limit: bool,
     /// The judged cases.
     pub cases: Vec<Case>,
     /// Ambiguities in the file.
@@ -233,8 +236,8 @@ impl Outcome {
         }))
     }
 
-    /// GitHub workflow commands: errors and warnings; nothing for passing cases.
-    pub fn github(&self) -> String {
+    /// GitHub workflow commands: errors and warnings, at their line in the `text_of` a file; nothing for passing cases.
+    pub fn github(&self, text_of: impl Fn(&str) -> String) -> String {
         // GitHub shows some ten errors of a step: what decides a file comes first.
         let mut lines: [String; 2] = Default::default();
         let mut line = |decides: bool, kind: &str, place: &str, title: &str, words: &str| {
@@ -249,13 +252,16 @@ impl Outcome {
             match file {
                 JudgedFile::Unreadable { file, problems } => {
                     for problem in problems {
-                        let number = problem.line.map(|number| format!(",line={number}"));
-                        let place = escape_property(file) + &number.unwrap_or_default();
+                        let place = place(file, problem.line);
                         line(true, "error", &place, "cannot be read", &problem.message);
                     }
                 }
                 JudgedFile::Judged(judged) => {
-                    let place = &escape_property(&judged.file);
+                    let text = text_of(&judged.file);
+                    let at = |key: &str| {
+                        let lines = location::lines_of_keys(&text, [key].into_iter());
+                        place(&judged.file, lines.into_iter().flatten().next())
+                    };
                     for case in &judged.cases {
                         let kind = match case.verdict {
                             CheckVerdict::Pass => continue,
@@ -263,10 +269,16 @@ impl Outcome {
                             CheckVerdict::Unproven | CheckVerdict::Fail => "error",
                         };
                         let decides = case.name == VERDICT;
-                        line(decides, kind, place, &case.name, &case.message);
+                        let place = if decides && judged.misses_limit {
+                            at("require")
+                        } else {
+                            place(&judged.file, None)
+                        };
+                        line(decides, kind, &place, &case.name, &case.message);
                     }
                     for warning in &judged.warnings {
-                        line(false, "warning", place, "input", warning);
+                        let key = warning.split(": ").next().unwrap_or_default();
+                        line(false, "warning", &at(key), "input", warning);
                     }
                 }
             }
@@ -333,6 +345,12 @@ impl Outcome {
         })?;
         Ok(String::from_utf8_lossy(&xml.into_inner()).into_owned() + "\n")
     }
+}
+
+/// `file` and the line in it as properties of a workflow command.
+fn place(file: &str, line: Option<usize>) -> String {
+    let line = line.map_or(String::new(), |line| format!(",line={line}"));
+    escape_property(file) + &line
 }
 
 /// The messages of `problems`, one per line.

@@ -84,9 +84,8 @@ impl InputError {
 
     /// The line of each problem in a TOML file, from 1, where its place is known.
     pub fn lines_of_problems(&self) -> Vec<Option<usize>> {
-        let line = |span: Range<usize>| 1 + self.text[..span.start].matches('\n').count();
-        let spans = self.spans().into_iter();
-        spans.map(|span| span.map(line)).collect()
+        let keys = self.problems.iter().map(|problem| problem.key.as_str());
+        location::lines_of_keys(&self.text, keys)
     }
 
     /// The place of each problem in a TOML file, in bytes of its text; `None` for a problem without one, and in JSON.

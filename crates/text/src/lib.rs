@@ -8,7 +8,7 @@ pub mod encoding;
 mod error;
 pub mod file_numbers;
 mod inches;
-mod location;
+pub mod location;
 pub mod node;
 pub mod numbers;
 mod reading;

@@ -27,6 +27,13 @@ pub fn of_keys<'k>(text: &str, keys: impl Iterator<Item = &'k str>) -> Vec<Optio
     }
 }
 
+/// The line in `text` of each of the dotted `keys`, from 1; as [`of_keys`].
+pub fn lines_of_keys<'k>(text: &str, keys: impl Iterator<Item = &'k str>) -> Vec<Option<usize>> {
+    let line = |span: Range<usize>| 1 + text[..span.start].matches('\n').count();
+    let spans = of_keys(text, keys).into_iter();
+    spans.map(|span| span.map(line)).collect()
+}
+
 /// The syntax errors of `text` in its order. Each line has one, as further errors mostly follow from the first. A text over the
 /// limit has one in all.
 pub fn syntax_errors(text: &str) -> Vec<Error> {

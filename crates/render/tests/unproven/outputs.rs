@@ -155,7 +155,7 @@ fn texts_say_so() {
         ("simulate", simulated),
         ("compare", compared.text(&screen)),
         ("junit", compared.junit().unwrap()),
-        ("github", compared.github()),
+        ("github", compared.github(|_| String::new())),
         ("markdown", compared.markdown()),
         ("check", checked),
     ] {

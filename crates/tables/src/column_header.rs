@@ -3,7 +3,7 @@
 use super::choice::{Choice, TOOTH};
 use super::column::{Column, Quantity};
 use super::grid::{Cell, Line, letter};
-use super::heading;
+use super::heading::{self, Named};
 use crate::data_file::DataFile;
 use gearlash_text::Problem;
 use gearlash_text::characters::listed;
@@ -21,6 +21,8 @@ pub struct Heading {
     /// `None` where the words are not known.
     pub meaning: Option<Column>,
     pub unit: Option<&'static str>,
+    /// Diameter of a ball or pin, mm.
+    pub ball_mm: Option<f64>,
 }
 
 impl Heading {
@@ -73,12 +75,12 @@ impl ColumnHeader {
             // The text of a merged cell is in its upper line, and in its first column.
             let group = if own.is_empty() { direct } else { filled };
             let group = Some(group).filter(|group| is_group(group, direct == *group));
-            let (name, unit) = heading::name_and_unit(own);
-            let (group_name, group_unit) = heading::name_and_unit(group.unwrap_or_default());
+            let Named { name, unit, ball_mm } = heading::named(own);
+            let of_group = heading::named(group.unwrap_or_default());
             let meaning = if name.is_empty() {
-                heading::meaning(group_name, None)
+                heading::meaning(&of_group.name, None)
             } else {
-                heading::meaning(name, group.map(|_| group_name))
+                heading::meaning(&name, group.map(|_| &*of_group.name))
             };
             has_groups |= group.is_some();
             let below = units.and_then(|units| heading::unit(units.cell(place).text()));
@@ -92,8 +94,9 @@ impl ColumnHeader {
                 unit: if differ {
                     Some("two units")
                 } else {
-                    unit.or(below).or(group_unit)
+                    unit.or(below).or(of_group.unit)
                 },
+                ball_mm: ball_mm.or(of_group.ball_mm),
             }
         });
         let mut headings: Vec<Heading> = headings.collect();
@@ -165,7 +168,7 @@ impl ColumnHeader {
     /// The columns that `name` can mean: by their heading, or else by their letter.
     fn columns_called(&self, name: &str) -> Vec<usize> {
         let name = name.trim();
-        let is = |text: &str| text == name || heading::name_and_unit(text).0 == name;
+        let is = |text: &str| text == name || heading::named(text).name == name;
         let places =
             self.places(|heading| !name.is_empty() && (is(&heading.own) || is(&heading.shown)));
         if !places.is_empty() {
@@ -230,7 +233,7 @@ impl ColumnHeader {
 
 /// Whether `text` heads a group of columns: a pitch or a flank. Directly above its column any known heading does.
 fn is_group(text: &str, is_above: bool) -> bool {
-    let meaning = heading::meaning(heading::name_and_unit(text).0, None);
+    let meaning = heading::meaning(&heading::named(text).name, None);
     meaning.is_some_and(|Column { quantity, .. }| {
         is_above || quantity == Quantity::Unstated || quantity.is_pitch()
     })

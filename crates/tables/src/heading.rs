@@ -4,7 +4,7 @@
 
 use super::column::{Column, Quantity};
 use gearlash::gear::Side;
-use gearlash_text::Node;
+use gearlash_text::{Node, file_numbers};
 use serde::{Deserialize, Deserializer};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::LazyLock;
@@ -35,6 +35,7 @@ struct Flanks {
 #[derive(Debug, Default, Deserialize)]
 struct Words {
     fillers: Set,
+    ball: Set,
     no_unit: Set,
 }
 
@@ -79,9 +80,51 @@ pub fn is_no_unit(text: &str) -> bool {
     VOCABULARY.words.no_unit.contains(&bare.to_lowercase())
 }
 
+/// A heading without its unit and the diameter of its ball.
+#[derive(Debug, Default)]
+pub struct Named {
+    pub name: String,
+    pub unit: Option<&'static str>,
+    /// Diameter of a ball or pin, mm.
+    pub ball_mm: Option<f64>,
+}
+
+/// Splits unit and diameter off a heading: `Fr (ball 2.5 mm) [µm]` has both.
+pub fn named(text: &str) -> Named {
+    let without = without_ball(text);
+    let (bare, ball_mm) = without.map_or((text.to_owned(), None), |(bare, mm)| (bare, Some(mm)));
+    let (name, unit) = name_and_unit(&bare);
+    Named {
+        name: name.to_owned(),
+        unit,
+        ball_mm,
+    }
+}
+
+/// A heading with a length after a word for a ball: the rest, and the length, mm. `Kugel 2,5 mm` and `D=2.75mm` have one.
+fn without_ball(text: &str) -> Option<(String, f64)> {
+    let separators = |c: char| c.is_whitespace() || "=:()[]".contains(c);
+    let word = |part: &&str| !part.trim_end_matches(separators).is_empty();
+    let parts: Vec<&str> = text.split_inclusive(separators).filter(word).collect();
+    let words = parts.iter().map(|part| part.trim_end_matches(separators));
+    let words: Vec<&str> = words.collect();
+    let is_ball = |at: &usize| VOCABULARY.words.ball.contains(&plain(words[*at]));
+    (0..words.len()).filter(is_ball).find_map(|at| {
+        // The unit stands in the word of the number, or in the next one.
+        let lengths =
+            (at + 2..=words.len().min(at + 3)).map(|end| (end, words[at + 1..end].concat()));
+        let mut numbers = lengths.filter_map(|(end, length)| {
+            let number = length.strip_suffix("mm")?;
+            Some((end, file_numbers::number(number)?.value))
+        });
+        let (end, mm) = numbers.next()?;
+        Some((parts[..at].concat() + &parts[end..].concat(), mm))
+    })
+}
+
 /// Splits the unit off a heading: `left (µm)`, `left [µm]`, `left_um` and `left / µm` have one. Other text in brackets is part of
 /// the name.
-pub fn name_and_unit(text: &str) -> (&str, Option<&'static str>) {
+fn name_and_unit(text: &str) -> (&str, Option<&'static str>) {
     let text = text.trim();
     for (open, close) in [('(', ')'), ('[', ']')] {
         if let Some((name, inner)) = text

@@ -76,6 +76,8 @@ pub struct Origin {
     pub kind: Option<PitchKind>,
     /// Whether the rows are numbered by spaces.
     pub by_space: bool,
+    /// Diameter of the ball or pins by the headings, mm.
+    pub ball_mm: Option<f64>,
     /// Parts of the file that are not part of the table.
     pub unread: Unread,
 }
@@ -185,6 +187,7 @@ impl Origin {
             by_space: headings
                 .iter()
                 .any(|(heading, _)| heading::has_space(&heading.shown)),
+            ball_mm: headings.iter().find_map(|(heading, _)| heading.ball_mm),
             columns: headings
                 .iter()
                 .map(|(heading, letter)| (heading.shown.clone(), letter.clone()))

@@ -49,6 +49,9 @@ pub struct ImportedTable {
     /// Whether its rows are numbered by spaces.
     #[serde(skip)]
     pub(super) by_space: bool,
+    /// Diameter of the ball or pins by its headings, mm.
+    #[serde(skip)]
+    pub(super) ball_mm: Option<f64>,
     /// Its sheet, where a workbook has several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheet: Option<String>,
@@ -177,6 +180,7 @@ impl ImportedTable {
             title,
             pitch_kind: None,
             by_space: origin.is_some_and(|origin| origin.by_space),
+            ball_mm: origin.and_then(|origin| origin.ball_mm),
             sheet: origin.and_then(|origin| origin.sheet.clone()),
             header_row: origin.map(|origin| origin.header_row),
             left_out: match origin {

@@ -40,7 +40,9 @@ pub(super) fn lines(
             lines += &format!("# The file has the other kind, too: kind = \"{kind}\"\n");
             continue;
         }
-        let by_space = table.by_space && table.kind == Kind::Runout;
+        // A ball stands in a space.
+        let by_space = (table.by_space || table.ball_mm.is_some()) && table.kind == Kind::Runout;
+        let pin = table.ball_mm.is_none().then_some(PIN);
         let (below, open) = match table.kind {
             Kind::Runout if by_space => ("runout", None),
             Kind::Pitch => ("pitch", table.pitch_kind.is_none().then_some(PITCH_KIND)),
@@ -52,9 +54,9 @@ pub(super) fn lines(
             ),
             // A second statement is compared with the first.
             Kind::OverPins if written.contains(&Kind::Span) => {
-                ("thickness.cross_check.over_pins", Some(PIN))
+                ("thickness.cross_check.over_pins", pin)
             }
-            Kind::OverPins => ("thickness.over_pins", Some(PIN)),
+            Kind::OverPins => ("thickness.over_pins", pin),
             Kind::Trace => ("profile.trace", None),
             Kind::Lead => ("lead.trace", None),
         };
@@ -76,6 +78,11 @@ pub(super) fn lines(
         let mut block = format!("[{gear}.{below}]\nfile = {}\n", text(&name));
         if by_space {
             block += "at = \"space\"\n";
+        }
+        match (table.kind, table.ball_mm) {
+            (Kind::Runout, Some(mm)) => block += &format!("ball_mm = {mm:?}\n"),
+            (Kind::OverPins, Some(mm)) => block += &format!("pin_mm = {mm:?}\n"),
+            _ => {}
         }
         match (open, table.pitch_kind, table.spanned()) {
             (Some((_, line)), ..) => block += &format!("{line}\n"),

@@ -100,6 +100,15 @@ impl ColumnHeader {
             }
         });
         let mut headings: Vec<Heading> = headings.collect();
+        // Beside a cumulative pitch of the same flank, one of an unstated kind is the single one.
+        let meanings: Vec<Column> = headings.iter().filter_map(|one| one.meaning).collect();
+        for Column { side, quantity } in headings.iter_mut().filter_map(|one| one.meaning.as_mut()) {
+            let has = |quantity| meanings.contains(&Column { side: *side, quantity });
+            let is_single = has(Quantity::CumulativePitch) && !has(Quantity::SinglePitch);
+            if *quantity == Quantity::Pitch && is_single {
+                *quantity = Quantity::SinglePitch;
+            }
+        }
         // A title may be wider than the table.
         if !has_groups {
             headings.truncate(line.cells.len());

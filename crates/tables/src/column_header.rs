@@ -113,6 +113,13 @@ impl ColumnHeader {
         if !has_groups {
             headings.truncate(line.cells.len());
         }
+        let rows = lines[at + 1..].iter().filter_map(|row| row.cell(0).tooth());
+        if let Some(first) = headings.first_mut()
+            && heading::is_counting(&first.shown)
+            && rows.take(3).eq(1..=3)
+        {
+            first.meaning = Some(Column::of(Quantity::Number));
+        }
         ColumnHeader {
             line: line.number,
             at,

@@ -4,6 +4,7 @@
 //! columns. A file has at most 64 MiB, but packed it can hold a thousand times as much, and 64 million commas are 64 million
 //! cells of 32 bytes each.
 
+use super::heading;
 use crate::data_file::DataFile;
 use gearlash_text::file_numbers::{self, Decimal, FileNumber};
 
@@ -69,7 +70,7 @@ impl Cell {
 
     pub fn tooth(&self) -> Option<u32> {
         match self {
-            Cell::Text(text) => file_numbers::tooth(text),
+            Cell::Text(text) => file_numbers::tooth(heading::tooth_number(text)),
             // The cast saturates.
             Cell::Number(number) => (number.fract() == 0.0).then_some(*number as u32),
             Cell::Empty | Cell::Other(_) => None,

@@ -36,6 +36,7 @@ struct Flanks {
 struct Words {
     fillers: Set,
     ball: Set,
+    counting: Set,
     no_unit: Set,
 }
 
@@ -151,6 +152,19 @@ pub fn meaning(name: &str, group: Option<&str>) -> Option<Column> {
         Some(quantity) if quantity != Quantity::Unstated && !quantity.is_pitch() => own,
         _ => of_words(&format!("{group} {name}")),
     }
+}
+
+/// Whether `name` heads tooth numbers where the column counts 1, 2, 3.
+pub fn is_counting(name: &str) -> bool {
+    VOCABULARY.words.counting.contains(&plain(name))
+}
+
+/// The number of a tooth without a word before it: `7`, `Z7` and `Zahn 7`.
+pub fn tooth_number(text: &str) -> &str {
+    let number = text.trim_start_matches(|c: char| !c.is_ascii_digit());
+    let word = &text[..text.len() - number.len()];
+    let is_known = is_counting(word) || of_word(word) == Some(Quantity::Tooth);
+    if is_known { number } else { text }
 }
 
 /// The flank that a word or letter in a cell names.

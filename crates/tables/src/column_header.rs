@@ -45,14 +45,14 @@ pub struct ColumnHeader {
 }
 
 impl ColumnHeader {
-    /// Factor from the values at `place`, in the unit of their heading, to those of `column`: 1000 for mm in place of µm. `None` for
-    /// a unit that `column` does not allow.
-    pub fn to_unit_of(&self, column: Column, place: usize) -> Option<f64> {
-        match (self.headings[place].unit, column.unit()) {
-            (None, _) => Some(1.0),
-            (Some("mm"), "µm") => Some(1000.0),
-            (Some(unit), needed) => (unit == needed).then_some(1.0),
+    /// Factor from `cell` at `place`, in its own unit or that of its heading, to the unit of `column`; `None` where the units do not fit.
+    pub fn to_unit_of(&self, column: Column, place: usize, cell: &Cell) -> Option<f64> {
+        let stated = self.headings.get(place).and_then(|heading| heading.unit);
+        let own = cell.unit();
+        if own.is_some_and(|own| stated.is_some_and(|stated| stated != own)) {
+            return None;
         }
+        column.from_unit(own.or(stated))
     }
 
     /// The line at place `at` of `lines`, read as a header.

@@ -68,6 +68,11 @@ impl Cell {
         self.text().contains('\n') && self.text().contains([',', ';', '\t'])
     }
 
+    /// The unit after its number.
+    pub fn unit(&self) -> Option<&'static str> {
+        number_and_unit(self.text()).1
+    }
+
     pub fn tooth(&self) -> Option<u32> {
         match self {
             Cell::Text(text) => file_numbers::tooth(heading::tooth_number(text)),
@@ -80,7 +85,8 @@ impl Cell {
     pub fn number(&self) -> Option<FileNumber<'_>> {
         match self {
             Cell::Text(text) => {
-                file_numbers::number(text).filter(|_| !file_numbers::has_leading_zero(text))
+                let (number, _) = number_and_unit(text);
+                file_numbers::number(number).filter(|_| !file_numbers::has_leading_zero(number))
             }
             Cell::Number(number) => number.is_finite().then_some(FileNumber {
                 value: *number,
@@ -116,6 +122,15 @@ impl Line {
     /// Whether a cell is a number: no header has one.
     pub fn has_number(&self) -> bool {
         self.cells.iter().any(|cell| cell.number().is_some())
+    }
+}
+
+/// Splits the unit off a number: `2,4 µm` has one.
+fn number_and_unit(text: &str) -> (&str, Option<&'static str>) {
+    let number = text.trim_end_matches(char::is_alphabetic);
+    match heading::unit(&text[number.len()..]) {
+        Some(unit) => (number.trim_end(), Some(unit)),
+        None => (text, None),
     }
 }
 

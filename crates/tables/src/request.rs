@@ -107,7 +107,7 @@ impl Places {
 pub struct Request<'a> {
     /// The file.
     pub file: &'a DataFile,
-    /// The keys of the pair file that say where the table is.
+    /// What the pair file says of its place.
     pub choice: &'a Choice,
     /// Columns and rows.
     pub wanted: Wanted<'a>,
@@ -545,26 +545,24 @@ impl Request<'_> {
         head.problem(self.file, reason, help)
     }
 
-    /// Checks that the unit at `place`, where one is stated, can be converted to that of `column`; a tooth has none.
+    /// Checks that the unit at `place`, where one is stated, is that of `column`; a tooth has none.
     fn check_unit(
         &self,
         head: &ColumnHeader,
         place: usize,
         column: Option<Column>,
     ) -> Result<(), Problem> {
-        let Some(unit) = head.headings[place].unit else {
+        let needed = column.map(Column::unit);
+        let is_wrong = |unit: &&str| column.is_none_or(|of| of.from_unit(Some(unit)).is_none());
+        let Some(unit) = head.headings[place].unit.filter(is_wrong) else {
             return Ok(());
         };
         let shown = head.shown_one(self.file, place);
-        let (reason, help) = match column {
-            Some(column) if head.to_unit_of(column, place).is_some() => return Ok(()),
-            Some(column) => {
-                let needed = column.unit();
-                (
-                    format!("column {shown} is in {unit}, allowed is {needed}"),
-                    format!("convert its values to {needed} and write that unit in its heading"),
-                )
-            }
+        let (reason, help) = match needed {
+            Some(needed) => (
+                format!("column {shown} is in {unit}, allowed is {needed}"),
+                format!("convert its values to {needed} and write that unit in its heading"),
+            ),
             None => (
                 format!("column {shown} has a unit, a tooth number has none"),
                 "remove the unit from its heading".to_owned(),

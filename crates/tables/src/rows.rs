@@ -227,13 +227,16 @@ impl<'a> Found<'a> {
                 }
                 continue;
             }
-            let number = cell.number();
-            // A column in a unit that is not allowed was refused before.
-            let factor = self.head.to_unit_of(*column, *place)?;
-            match number.filter(|number| limits.range.contains(&(factor * number.value))) {
-                Some(number) => {
-                    values.push(factor * number.value);
+            let factor = self.head.to_unit_of(*column, *place, cell);
+            let number = cell.number().zip(factor);
+            let number = number.map(|(number, factor)| (number, factor * number.value));
+            match number.filter(|(_, value)| limits.range.contains(value)) {
+                Some((number, value)) => {
+                    values.push(value);
                     numbers.push((line.number, *column, number));
+                }
+                None if factor.is_none() => {
+                    wrong(column.name(), cell, "a number in the unit of its heading")
                 }
                 None => wrong(column.name(), cell, limits.allowed),
             }
@@ -313,7 +316,7 @@ impl Unread {
     }
 
     /// The letter of the first column of numbers; those with the letters `elsewhere` do not count.
-    pub fn first_number_column(&self, elsewhere: &[&str]) -> Option<String> {
+    pub fn numbers(&self, elsewhere: &[&str]) -> Option<String> {
         let mut columns = self.columns.iter();
         let found =
             columns.find(|column| column.has_numbers && !elsewhere.contains(&&column.letter[..]));

@@ -4,7 +4,7 @@ use super::grid::{Cell, Grid, Line};
 use crate::data_file::{DataFile, line_of};
 use gearlash_text::Problem;
 use gearlash_text::encoding::{utf_16, windows_1252};
-use gearlash_text::file_numbers::Decimal;
+use gearlash_text::file_numbers::{self, Decimal};
 use std::borrow::Cow;
 
 /// Separators of columns, and the decimal sign that each implies.
@@ -66,6 +66,10 @@ fn grids(file: &DataFile, text: &str, most: usize) -> Result<Vec<Grid>, Problem>
     let mut lines_of_text = (1..).zip(text.lines());
     let first = lines_of_text.find(|(_, line)| !line.trim().is_empty());
     let (first, line) = first.ok_or_else(empty)?;
+    if is_of_fixed_widths(text) {
+        let reason = "columns at fixed widths are not read";
+        return Err(file.problem_at(first, reason, "save as CSV"));
+    }
     let stated = stated_separator(line);
     let mut separators = SEPARATORS.to_vec();
     separators.retain(|(separator, _)| match stated {
@@ -127,6 +131,16 @@ fn lines(file: &DataFile, text: &str, separator: char) -> Result<Vec<Line>, Prob
         }
     }
     Ok(lines)
+}
+
+/// Whether most lines of `text` are numbers with only blanks between them.
+fn is_of_fixed_widths(text: &str) -> bool {
+    let lines = text.lines().filter(|line| !line.trim().is_empty());
+    let are_numbers = |line: &&str| {
+        let mut words = line.split_whitespace();
+        line.trim().contains(' ') && words.all(|word| file_numbers::number(word).is_some())
+    };
+    !text.contains([';', '\t']) && 2 * lines.clone().filter(are_numbers).count() > lines.count()
 }
 
 /// The separator that a line `sep=;` states.

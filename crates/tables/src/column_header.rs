@@ -168,6 +168,24 @@ impl ColumnHeader {
         }
     }
 
+    /// The first line of words above a line of numbers; both may have other cells, but fewer.
+    pub fn likely(lines: &[Line]) -> Option<ColumnHeader> {
+        let is_most = |line: &Line, is_one: fn(&Cell) -> bool| {
+            let all = line.cells.iter().filter(|cell| **cell != Cell::Empty).count();
+            let count = line.cells.iter().filter(|cell| is_one(cell)).count();
+            count > 1 && 2 * count > all
+        };
+        let mut heads = (0..lines.len().min(MAX_SEARCHED)).filter(|at| {
+            let is_word = |cell: &Cell| !cell.text().is_empty() && cell.number().is_none();
+            is_most(&lines[*at], is_word)
+        });
+        heads.find_map(|at| {
+            let head = ColumnHeader::of(lines, at);
+            let below = lines.get(at + 1 + usize::from(head.has_units))?;
+            is_most(below, |cell| cell.number().is_some()).then_some(head)
+        })
+    }
+
     /// The columns whose heading `fits`.
     pub fn places(&self, fits: impl Fn(&Heading) -> bool) -> Vec<usize> {
         let headings = self.headings.iter().enumerate();

@@ -23,12 +23,14 @@ mod xlsx;
 
 pub use choice::{Choice, TableFileSpec};
 pub use column::{Column, Quantity};
+use column_header::ColumnHeader;
 pub use data_file::DataFile;
 use gearlash::metrology::PitchKind;
 use gearlash_text::Table;
 use gearlash_text::file_numbers::Decimal;
 pub use grid::MAX_CELLS;
-use grid::{Cell, Grid, Line, letter};
+use gearlash_text::characters::first_of;
+use grid::{Cell, Grid, Line, MAX_NAMED, letter};
 pub use protocol_header::{ExpectedGear, ProtocolHeader};
 pub use request::{Coverage, Request, Wanted};
 use rows::Found;
@@ -310,6 +312,23 @@ impl Content {
                 columns.any(|column| protocol::has(text, *column))
             }
         }
+    }
+
+    /// The columns that a line above numbers names, where none has what `request` wants; `None` without such a line.
+    pub fn heading_without(&self, request: &Request, wanted: &str) -> Option<String> {
+        let Content::Cells(grids) = self else {
+            return None;
+        };
+        let mut heads = grids.iter().filter_map(|grid| ColumnHeader::likely(&grid.lines));
+        let head = heads.next()?;
+        let has_tooth = !head.teeth(request.wanted.columns, request.choice).is_empty();
+        let names = head.all().into_iter().map(|place| head.shown_one(request.file, place));
+        Some(format!(
+            "line {} looks like a heading, but no column of {} is among {}",
+            head.line,
+            if has_tooth { wanted } else { "teeth" },
+            first_of(names, MAX_NAMED)
+        ))
     }
 
     /// Whether there is one column for each wanted one.

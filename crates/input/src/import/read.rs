@@ -92,10 +92,14 @@ pub(super) fn tables(
         );
     }
     if tables.is_empty() && reading.is_good() && not_read.is_empty() {
-        file.add(
-            "no line names a column of teeth and one of pitch, runout, thickness, span or dimension over pins, nor of a profile or lead",
-            super::NAME_COLUMNS,
-        );
+        const VALUES: &str = "pitch, runout, thickness, span or dimension over pins";
+        let columns = [Quantity::Runout, Quantity::Span].map(Column::of);
+        let request = from.request(&columns, Coverage::SomeTeeth);
+        let reason = content.heading_without(&request, VALUES);
+        let reason = reason.unwrap_or_else(|| {
+            format!("no line names a column of teeth and one of {VALUES}, nor of a profile or lead")
+        });
+        file.add(reason, super::NAME_COLUMNS);
     }
     let all = tables.clone();
     for table in &mut tables {

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// Reads every table of the file as a pair file does: pitch, runout, thickness, spans and pins by tooth, profile and lead traces. Prints
 /// their numbers, the parts of the file that were left out, and the TOML to paste into a pair file or gear file; writes nothing
 /// else.
-/// The options are the keys that a pair file may have beside `file`; errors name them so.
+/// The options are the keys that a pair file may have beside `file`.
 ///
 /// Lists the outlines of a drawing (.dxf, .svg) by number, layer, place and size.
 ///
@@ -86,6 +86,17 @@ enum Format {
     /// One JSON object, for a program
     Json,
 }
+
+/// The keys beside `file` that options state.
+const KEYS: [&str; 7] = [
+    "sheet",
+    "header_row",
+    "tooth_column",
+    "left",
+    "right",
+    "column",
+    "decimal",
+];
 
 impl Args {
     /// Whether an option for tables alone is given.
@@ -165,15 +176,15 @@ fn outlines(args: &Args) -> Result<u8, Error> {
 fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
     let row = args.header_row.map(|row| row.to_string());
     let stated = [
-        ("sheet", &args.sheet),
-        ("header_row", &row),
-        ("tooth_column", &args.tooth_column),
-        ("left", &args.left),
-        ("right", &args.right),
-        ("column", &args.column),
-        ("decimal", &args.decimal),
+        &args.sheet,
+        &row,
+        &args.tooth_column,
+        &args.left,
+        &args.right,
+        &args.column,
+        &args.decimal,
     ];
-    let stated = stated.into_iter();
+    let stated = KEYS.into_iter().zip(stated);
     let keys = stated.filter_map(|(key, stated)| Some((key, stated.clone()?)));
     let keys: Vec<(&str, String)> = keys.collect();
     let kind = |only: &String| Kind::NAMED.into_iter().find(|(name, _)| name == only);
@@ -189,8 +200,28 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
             problem.help +=
                 "; as options --only pitch --tooth-column A --left B --right C, or --only span --column B";
         }
+        for problem in error.problems.iter_mut().filter(|_| args.of_tables()) {
+            problem.help = as_options(&problem.help);
+        }
         error
     })?)
+}
+
+/// Words about keys of a pair file in those of options: `tooth_column = "A"` is `--tooth-column A`.
+fn as_options(words: &str) -> String {
+    let mut words = words.to_owned();
+    for key in KEYS {
+        let option = format!("--{} ", key.replace('_', "-"));
+        while let Some((before, rest)) = words.split_once(&format!("{key} = ")) {
+            let quoted = rest.strip_prefix('"').and_then(|rest| rest.split_once('"'));
+            // A name with blanks keeps its quotation marks.
+            words = match quoted.filter(|(name, _)| !name.contains(' ')) {
+                Some((name, after)) => format!("{before}{option}{name}{after}"),
+                None => format!("{before}{option}{rest}"),
+            };
+        }
+    }
+    words
 }
 
 fn show(args: &Args, found: &Imported) -> Result<u8, Error> {

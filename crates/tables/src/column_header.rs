@@ -75,7 +75,11 @@ impl ColumnHeader {
             // The text of a merged cell is in its upper line, and in its first column.
             let group = if own.is_empty() { direct } else { filled };
             let group = Some(group).filter(|group| is_group(group, direct == *group));
-            let Named { name, unit, ball_mm } = heading::named(own);
+            let Named {
+                name,
+                unit,
+                ball_mm,
+            } = heading::named(own);
             let of_group = heading::named(group.unwrap_or_default());
             let meaning = if name.is_empty() {
                 heading::meaning(&of_group.name, None)
@@ -102,8 +106,14 @@ impl ColumnHeader {
         let mut headings: Vec<Heading> = headings.collect();
         // Beside a cumulative pitch of the same flank, one of an unstated kind is the single one.
         let meanings: Vec<Column> = headings.iter().filter_map(|one| one.meaning).collect();
-        for Column { side, quantity } in headings.iter_mut().filter_map(|one| one.meaning.as_mut()) {
-            let has = |quantity| meanings.contains(&Column { side: *side, quantity });
+        for Column { side, quantity } in headings.iter_mut().filter_map(|one| one.meaning.as_mut())
+        {
+            let has = |quantity| {
+                meanings.contains(&Column {
+                    side: *side,
+                    quantity,
+                })
+            };
             let is_single = has(Quantity::CumulativePitch) && !has(Quantity::SinglePitch);
             if *quantity == Quantity::Pitch && is_single {
                 *quantity = Quantity::SinglePitch;
@@ -171,7 +181,11 @@ impl ColumnHeader {
     /// The first line of words above a line of numbers; both may have other cells, but fewer.
     pub fn likely(lines: &[Line]) -> Option<ColumnHeader> {
         let is_most = |line: &Line, is_one: fn(&Cell) -> bool| {
-            let all = line.cells.iter().filter(|cell| **cell != Cell::Empty).count();
+            let all = line
+                .cells
+                .iter()
+                .filter(|cell| **cell != Cell::Empty)
+                .count();
             let count = line.cells.iter().filter(|cell| is_one(cell)).count();
             count > 1 && 2 * count > all
         };
@@ -243,6 +257,12 @@ impl ColumnHeader {
         let first = self.headings.first().and_then(Heading::quantity);
         let is_number = first == Some(Quantity::Number);
         if is_number { vec![0] } else { Vec::new() }
+    }
+
+    /// The column of numbers of spaces.
+    pub fn space(&self) -> Option<usize> {
+        let is_space = |heading: &Heading| heading.quantity() == Some(Quantity::Space);
+        self.places(is_space).first().copied()
     }
 
     /// The column at `place` for a message: "\"Fp links\" (C)".

@@ -26,11 +26,11 @@ pub use column::{Column, Quantity};
 use column_header::ColumnHeader;
 pub use data_file::DataFile;
 use gearlash::metrology::PitchKind;
-use gearlash_text::Table;
-use gearlash_text::file_numbers::Decimal;
-pub use grid::MAX_CELLS;
 use gearlash_text::characters::first_of;
-use grid::{Cell, Grid, Line, MAX_NAMED, letter};
+use gearlash_text::file_numbers::Decimal;
+use gearlash_text::{Problem, Table};
+pub use grid::MAX_CELLS;
+use grid::{Cell, Grid, Line, letter};
 pub use protocol_header::{ExpectedGear, ProtocolHeader};
 pub use request::{Coverage, Request, Wanted};
 use rows::Found;
@@ -49,6 +49,9 @@ const NOT_READ: [(&[u8], &str); 2] = [
 ];
 /// An OpenDocument archive holds this text uncompressed in its first part.
 const OPEN_DOCUMENT: &[u8] = b"mimetypeapplication/vnd.oasis.opendocument";
+
+/// Headings that a message lists. Tuned: a sentence of some 25 words.
+const MAX_HEADINGS: usize = 4;
 
 /// A table that was read.
 #[derive(Debug, Clone)]
@@ -319,16 +322,31 @@ impl Content {
         let Content::Cells(grids) = self else {
             return None;
         };
-        let mut heads = grids.iter().filter_map(|grid| ColumnHeader::likely(&grid.lines));
+        let mut heads = grids
+            .iter()
+            .filter_map(|grid| ColumnHeader::likely(&grid.lines));
         let head = heads.next()?;
-        let has_tooth = !head.teeth(request.wanted.columns, request.choice).is_empty();
-        let names = head.all().into_iter().map(|place| head.shown_one(request.file, place));
+        let has_tooth = !head
+            .teeth(request.wanted.columns, request.choice)
+            .is_empty();
+        let names = head
+            .all()
+            .into_iter()
+            .map(|place| head.shown_one(request.file, place));
         Some(format!(
-            "line {} looks like a heading, but no column of {} is among {}",
+            "line {} looks like a heading, but no column of {} is among these: {}",
             head.line,
             if has_tooth { wanted } else { "teeth" },
-            first_of(names, MAX_NAMED)
+            first_of(names, MAX_HEADINGS)
         ))
+    }
+
+    /// Why the columns of pitch that `request` wants are not read where their rows are numbered by spaces.
+    pub fn pitch_by_spaces(&self, request: &Request) -> Option<Problem> {
+        match self {
+            Content::Cells(grids) => request.by_spaces(grids),
+            Content::Protocol(_) | Content::P40(_) => None,
+        }
     }
 
     /// Whether there is one column for each wanted one.

@@ -133,6 +133,46 @@ impl Request<'_> {
         grids.any(|grid| ColumnHeader::find(&grid.lines, self.choice, is_head).is_some())
     }
 
+    /// Why the wanted columns are not read where their rows are numbered by spaces.
+    pub fn by_spaces(&self, grids: &[Grid]) -> Option<Problem> {
+        let columns = self.wanted.columns.iter();
+        let places = |head: &ColumnHeader| {
+            let all = columns
+                .clone()
+                .map(|of| (head.places_of(*of, self.choice), of.key()));
+            let mut all: Vec<_> = all.filter(|(at, _)| at.len() == 1).collect();
+            all.sort();
+            all
+        };
+        let is_one = |head: &ColumnHeader| {
+            let no_tooth = head.teeth(self.wanted.columns, self.choice).is_empty();
+            no_tooth && head.space().is_some() && places(head).len() == columns.len()
+        };
+        let mut grids = grids.iter();
+        let head = grids.find_map(|grid| ColumnHeader::find(&grid.lines, self.choice, is_one))?;
+        let places = places(&head);
+        let open = places.iter();
+        let open = open.filter(|(_, key)| self.choice.column(key).is_none());
+        let options = open.map(|(at, key)| format!(" --{key} {}", letter(at[0])));
+        let options: Vec<String> = options.collect();
+        let read = if options.len() < places.len() {
+            "add"
+        } else {
+            "read them by --only pitch"
+        };
+        let help = format!(
+            "where pitch k ends at tooth k, {read} --tooth-column {}{}",
+            head.space().map(letter).unwrap_or_default(),
+            options.concat()
+        );
+        let places: Vec<usize> = places.into_iter().flat_map(|(at, _)| at).collect();
+        let reason = format!(
+            "columns {} are numbered by spaces, pitch belongs to teeth",
+            head.shown(self.file, &places)
+        );
+        Some(head.problem(self.file, reason, help))
+    }
+
     fn is_head(&self, head: &ColumnHeader, wanted: &[Column]) -> bool {
         let has = |column: Column| !head.places_of(column, self.choice).is_empty();
         if self.wanted.is_points() {
@@ -193,9 +233,13 @@ impl Request<'_> {
             let nearly = |head: &ColumnHeader| self.is_nearly_head(head);
             let in_grid =
                 |grid: &'g Grid| Some((grid, ColumnHeader::find(&grid.lines, choice, nearly)?));
-            let mut nearly = grids.iter().filter_map(in_grid);
-            if let (Some(only), None) = (nearly.next(), nearly.next()) {
-                return Some(only);
+            let mut nearly: Vec<_> = grids.iter().filter_map(in_grid).collect();
+            // Columns named by letters are in every line: known words tell the header from other lines.
+            if nearly.len() > 1 {
+                nearly.retain(|(grid, head)| names_columns(&grid.lines, head.at));
+            }
+            if nearly.len() == 1 {
+                return nearly.pop();
             }
         }
         let is_text = grids.first().is_some_and(|grid| grid.sheet.is_none());
@@ -258,10 +302,12 @@ impl Request<'_> {
                 let help = if !wanted.is_by_tooth() {
                     format!("name the columns {columns}")
                 } else {
-                    let keys = wanted.columns.iter().zip('B'..);
-                    let keys = keys.map(|(column, letter)| format!("{} = \"{letter}\"", column.key()));
-                    let keys = keys.collect::<Vec<_>>().join(", ");
-                    format!("say where they are, by letter or heading: header_row = {row}, tooth_column = \"A\", {keys}")
+                    let columns = wanted.columns.iter().map(|column| column.key());
+                    let keys = [TOOTH].into_iter().chain(columns).zip('A'..);
+                    let open = keys.filter(|(key, _)| choice.column(key).is_none());
+                    let open: String =
+                        open.map(|(key, letter)| format!(", {key} = \"{letter}\"")).collect();
+                    format!("say where they are, by letter or heading: header_row = {row}{open}")
                 };
                 file.problem(format!("{what} the columns {columns}{place}"), help)
             }
@@ -526,7 +572,13 @@ impl Request<'_> {
         };
         let help = match key {
             "" => "name it there".to_owned(),
-            _ => format!("name it there, or say which it is, by heading or letter: {key} = \"…\""),
+            _ => {
+                let space = head.space().filter(|_| key == TOOTH).map(letter);
+                let column = space.as_deref().unwrap_or("…");
+                format!(
+                    "name it there, or say which it is, by heading or letter: {key} = \"{column}\""
+                )
+            }
         };
         head.problem(self.file, reason, help)
     }

@@ -140,8 +140,13 @@ impl TableSource<'_> {
             let other = self.request(&others, Coverage::EveryTooth);
             let is_default =
                 requested && kind == PitchKind::Cumulative && !self.content.has(&other);
-            if !self.content.has(&request) && !is_default {
-                continue;
+            if !self.content.has(&request) {
+                let by_spaces = self.content.pitch_by_spaces(&request);
+                if by_spaces.is_some() || !is_default {
+                    // Named columns are of either kind.
+                    not_read.extend(by_spaces.filter(|one| !not_read.contains(one)));
+                    continue;
+                }
             }
             let (sheet, bad) = self
                 .file

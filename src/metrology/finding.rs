@@ -200,6 +200,12 @@ impl Finding {
             | Finding::ProfileOfSomeTeeth { .. }
             | Finding::LeadOfSomeTeeth { .. }
             | Finding::ThicknessField { .. } => true,
+            Finding::RunoutReadings(readings) => {
+                let agree = |(pitch, apart): (Eccentricity, f64)| {
+                    apart <= readings.left_um.max(SAME_ECCENTRICITY * pitch.um)
+                };
+                readings.in_pitch.is_some_and(agree)
+            }
             Finding::EccentricityInPitch(note) => {
                 let same = SAME_ECCENTRICITY * note.in_pitch.um;
                 note.is_alone || note.difference_um.is_some_and(|um| um <= same)
@@ -235,8 +241,10 @@ pub struct FittedReadings {
     pub probe: Probe,
     /// Greatest change of the eccentricity by another ball, µm; `None` with a stated ball or a fork.
     pub by_ball_um: Option<f64>,
-    /// The gear's eccentricity.
+    /// The eccentricity of the readings.
     pub eccentricity: Eccentricity,
+    /// The eccentricity of datum-axis pitch where it is the gear's, and its distance from that of the readings, µm.
+    pub in_pitch: Option<(Eccentricity, f64)>,
     /// The readings' first harmonic without any effect of the flanks.
     pub first_harmonic: Eccentricity,
     /// Whether the effect of the stated flanks on that harmonic was removed.

@@ -1,7 +1,9 @@
 //! Runout: an amount with a high tooth, or readings of a ball or a fork and the eccentricity fitted to them.
 
 use super::error::MeasurementError;
-use super::finding::{Eccentricity, Finding, FittedReadings, FlankKnowledge, RunoutContradiction};
+use super::finding::{
+    Eccentricity, EccentricityNote, Finding, FittedReadings, FlankKnowledge, RunoutContradiction,
+};
 use super::thickness_statement::Toleranced;
 use crate::error::GearError;
 use crate::gear::{
@@ -206,13 +208,20 @@ impl ReadingsFit {
         (self.plain.eccentricity > 0.0).then(|| eccentricity(&self.plain))
     }
 
-    /// Findings about the readings; `all` is the fit with all known deviations.
-    pub(super) fn findings(&self, knowledge: FlankKnowledge, all: &RunoutFit) -> Vec<Finding> {
+    /// Findings about the readings; `all` is the fit with all known deviations, `note` on the eccentricity in datum-axis pitch.
+    pub(super) fn findings(
+        &self,
+        knowledge: FlankKnowledge,
+        all: &RunoutFit,
+        note: Option<&EccentricityNote>,
+    ) -> Vec<Finding> {
+        let in_pitch = note.filter(|note| !note.stated_counts);
         let mut findings = vec![Finding::RunoutReadings(FittedReadings {
             knowledge,
             probe: self.probe,
             by_ball_um: self.by_ball_um,
             eccentricity: eccentricity(&self.fit),
+            in_pitch: in_pitch.and_then(|note| Some((note.in_pitch, note.difference_um?))),
             first_harmonic: eccentricity(&self.plain),
             flanks_taken_out: self.plain != self.fit,
             range_um: 1000.0 * all.range,

@@ -208,6 +208,7 @@ impl FlankStatements<'_> {
         if !by_runout {
             fit = fit_readings(self.readings, &mut runout, &gears, &deviations)?;
         }
+        let note = in_pitch.map(|found| eccentricity_note(found, counts, &runout, basic_data));
         let of_readings = match (&fit, self.readings) {
             (Some(fit), Some(readings)) => {
                 let knowledge = match (&deviations.pitch, by_runout) {
@@ -220,11 +221,10 @@ impl FlankStatements<'_> {
                 } else {
                     fit.fit.clone()
                 };
-                fit.findings(knowledge, &all)
+                fit.findings(knowledge, &all, note.as_ref())
             }
             _ => Vec::new(),
         };
-        let note = in_pitch.map(|found| eccentricity_note(found, counts, &runout, basic_data));
         let (eccentricity, high_tooth) = match note.filter(|note| !note.stated_counts) {
             Some(note) => (note.in_pitch.um / 1000.0, Some(note.in_pitch.high_tooth)),
             None => (runout.eccentricity(), runout.high_tooth),

@@ -277,8 +277,8 @@ pub fn describe(statements: &Statements, finding: &Finding) -> String {
         } => (
             "pitch.axis",
             format!(
-                "the values look as if they were measured about the datum axis. Their first harmonic is that of an eccentricity of {}; {}: \
-                 if so, write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\"",
+                "the values look as if they were measured about the datum axis. Write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\" \
+                 if so. Their first harmonic is that of an eccentricity of {}; {}",
                 shown(*in_pitch),
                 match runout {
                     RunoutSource::Total => format!(
@@ -460,12 +460,20 @@ fn runout_readings(readings: &FittedReadings) -> String {
             },
         ),
         FlankKnowledge::Pitch => format!(
-            "the readings contain an eccentricity of {fitted}, with the stated flanks' effect on {} removed. Their first harmonic itself is {}. \
+            "{}, without the flanks' effect on {}. With it, their first harmonic is {}. \
              F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored{}",
+            match readings.in_pitch {
+                None => format!("the eccentricity used, {fitted}, is from these readings"),
+                Some((used, apart)) => format!(
+                    "the eccentricity used, {}, is from [pitch]. That of these readings, {} µm from it, is {fitted}",
+                    shown(used),
+                    ascii(apart, 3)
+                ),
+            },
             probe(readings.probe),
             shown(readings.first_harmonic),
             readings.by_ball_um.map_or(String::new(), |um| format!(
-                ". The ball is taken to touch at the reference circle; another that fits changes it by up to {} µm: state it as ball_mm",
+                ". State ball_mm: the ball is taken to touch at the reference circle; another that fits changes it by up to {} µm",
                 ascii(um, 3)
             ))
         ),

@@ -107,7 +107,7 @@ impl Places {
 pub struct Request<'a> {
     /// The file.
     pub file: &'a DataFile,
-    /// What the pair file says of its place.
+    /// The keys of the pair file that say where the table is.
     pub choice: &'a Choice,
     /// Columns and rows.
     pub wanted: Wanted<'a>,
@@ -597,7 +597,7 @@ impl Request<'_> {
         head.problem(self.file, reason, help)
     }
 
-    /// Checks that the unit at `place`, where one is stated, is that of `column`; a tooth has none.
+    /// Checks that the unit at `place`, where one is stated, can be converted to that of `column`; a tooth has none.
     fn check_unit(
         &self,
         head: &ColumnHeader,

@@ -316,7 +316,7 @@ impl Unread {
     }
 
     /// The letter of the first column of numbers; those with the letters `elsewhere` do not count.
-    pub fn numbers(&self, elsewhere: &[&str]) -> Option<String> {
+    pub fn first_number_column(&self, elsewhere: &[&str]) -> Option<String> {
         let mut columns = self.columns.iter();
         let found =
             columns.find(|column| column.has_numbers && !elsewhere.contains(&&column.letter[..]));

@@ -117,7 +117,7 @@ fn own_axis_pitch_that_holds_the_runout_is_reported() {
     let warning = |runout: &str| {
         let warnings = pair(&format!("{keys}runout = {{ {runout} }}")).warnings;
         warnings.iter().any(|warning| {
-            warning.starts_with("wheel.pitch.axis: ") && warning.contains("write axis = \"datum\"")
+            warning.starts_with("wheel.pitch.axis: ") && warning.contains("Write axis = \"datum\"")
         })
     };
     assert!(warning("total_um = 40, high_tooth = 33"));

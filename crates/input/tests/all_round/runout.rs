@@ -257,7 +257,7 @@ fn datum_pitch_stated_as_own_takes_the_eccentricity_of_readings() {
     };
     assert!(!warning("count twice"), "{:#?}", study.warnings);
     for words in [
-        "write axis = \"datum\"",
+        "Write axis = \"datum\"",
         &format!("{:.3} µm", 1e3 * left),
         "explain the readings and leave",
     ] {

@@ -36,6 +36,11 @@ pub struct Deviations {
 }
 
 impl Deviations {
+    /// Whether lead deviations change the span of a gear: where it is helical, the contacts are apart along the face.
+    pub(crate) fn leads_turn_spans(&self, basic_data: &BasicGearData) -> bool {
+        basic_data.hand().is_some() && !self.leads.iter().all(Lead::is_none)
+    }
+
     /// Adds the rotations by thickness and pitch to the `offsets` of the right and left flanks, rad, counter-clockwise.
     fn offsets(
         &self,

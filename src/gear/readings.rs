@@ -1,6 +1,6 @@
 //! Readings all round a gear, and the displacements of the flanks.
 
-use super::{BasicGearData, Deviations, Flank};
+use super::{BasicGearData, Deviations, Flank, Gear, Hand, Lead, thickness};
 use crate::error::GearError;
 use std::collections::HashSet;
 
@@ -120,10 +120,51 @@ impl FlankShifts {
         })
     }
 
-    /// Adds further displacements, which may be empty.
-    pub(super) fn add(&mut self, more: &FlankShifts) {
+    /// The displacements by `leads` where the anvils of a span over `k` teeth touch a helical gear; empty for a spur gear.
+    ///
+    /// A span is normal to the helix: its contacts are `W_k sin β_b` apart along the face, on both sides of the height at which the thickness
+    /// was measured. A lead deviation counts along the transverse base tangent, as a profile deviation does.
+    ///
+    /// # Errors
+    /// As [`Lead::curves`].
+    pub(crate) fn of_leads(
+        gear: &Gear,
+        leads: &[Lead; 2],
+        k: u32,
+    ) -> Result<FlankShifts, GearError> {
+        let basic_data = gear.basic_data();
+        let Some(hand) = basic_data.hand() else {
+            return Ok(FlankShifts::default());
+        };
+        let span = thickness::span_from_base(basic_data, k, gear.base_thickness());
+        let half = 0.5 * span * basic_data.base_helix_angle().abs().sin();
+        let cos = basic_data.transverse_pressure_angle().cos();
+        let teeth = basic_data.teeth();
+        let of_side = |own: Flank| -> Result<Vec<f64>, GearError> {
+            let lead = &leads[own.index()];
+            if lead.is_none() {
+                return Ok(vec![0.0; teeth as usize]);
+            }
+            let curves = lead.curves(teeth)?;
+            let is_above = (own == Flank::Right) != (hand == Hand::Right);
+            let height = lead.zero + if is_above { half } else { -half };
+            let shift = |tooth: usize| {
+                let curve = &curves[tooth.min(curves.len() - 1)];
+                -own.sense() / cos * curve.at(height)
+            };
+            Ok((0..teeth as usize).map(shift).collect())
+        };
+        Ok(FlankShifts {
+            right: of_side(Flank::Right)?,
+            left: of_side(Flank::Left)?,
+        })
+    }
+
+    /// Adds further displacements; either may be empty.
+    pub(crate) fn add(&mut self, more: &FlankShifts) {
         let both = [(&mut self.right, &more.right), (&mut self.left, &more.left)];
         for (shifts, more) in both {
+            shifts.resize(shifts.len().max(more.len()), 0.0);
             for (shift, more) in shifts.iter_mut().zip(more) {
                 *shift += more;
             }

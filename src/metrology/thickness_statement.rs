@@ -243,7 +243,8 @@ impl ThicknessStatement {
         self.check_range()?;
         let basic_data = &design.basic_data;
         let nominal = design.nominal_base_thickness();
-        let modified = !known.profiles.iter().all(Modification::is_none);
+        let modified = !known.profiles.iter().all(Modification::is_none)
+            || (self.span().is_some() && known.leads_turn_spans(basic_data));
         match self {
             ThicknessStatement::Nominal => Ok(Toleranced::Single(nominal)),
             ThicknessStatement::AllowanceUm(um) => um.try_map(|&um| {
@@ -328,6 +329,7 @@ impl ThicknessStatement {
         let teeth = design.basic_data.teeth();
         let profiles = Deviations {
             profiles: known.profiles.clone(),
+            leads: known.leads.clone(),
             ..Deviations::default()
         };
         let all = |mm: f64| (1..=teeth).map(|place| (place, mm)).collect();
@@ -386,17 +388,32 @@ impl ThicknessStatement {
         known: &Deviations,
         before: &FlankShifts,
     ) -> Result<FlankShifts, GearError> {
-        let Some(excess) = Excess::new(gear, &known.profiles)? else {
-            return Ok(FlankShifts::default());
+        let mut shifts = match Excess::new(gear, &known.profiles)? {
+            None => FlankShifts::default(),
+            Some(excess) => match self {
+                ThicknessStatement::Span { teeth, .. }
+                | ThicknessStatement::SpanReadings { teeth, .. } => {
+                    excess.by_span(*teeth, known)?
+                }
+                ThicknessStatement::OverPins { pin_mm, .. }
+                | ThicknessStatement::PinReadings { pin_mm, .. } => {
+                    excess.by_pins(*pin_mm, known, before)?
+                }
+                _ => FlankShifts::default(),
+            },
         };
+        if let Some(k) = self.span() {
+            shifts.add(&FlankShifts::of_leads(gear, &known.leads, k)?);
+        }
+        Ok(shifts)
+    }
+
+    /// `k` of a span.
+    fn span(&self) -> Option<u32> {
         match self {
             ThicknessStatement::Span { teeth, .. }
-            | ThicknessStatement::SpanReadings { teeth, .. } => excess.by_span(*teeth, known),
-            ThicknessStatement::OverPins { pin_mm, .. }
-            | ThicknessStatement::PinReadings { pin_mm, .. } => {
-                excess.by_pins(*pin_mm, known, before)
-            }
-            _ => Ok(FlankShifts::default()),
+            | ThicknessStatement::SpanReadings { teeth, .. } => Some(*teeth),
+            _ => None,
         }
     }
 

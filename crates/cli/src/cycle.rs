@@ -53,7 +53,7 @@ pub(super) enum Wanted {
 }
 
 /// Kinds of contact, by the touching part.
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub(super) enum Binding {
     /// The edge that undercut leaves
     UndercutEdge,
@@ -118,15 +118,12 @@ pub(super) fn find(
             let pose = greatest.pose.simulated.clone();
             (of.material, greatest.assembly.clone(), pose)
         }),
-        Wanted::LeastOf(binding) => least_of(binding, &study, &found)?,
+        Wanted::LeastOf(binding) => Some(least_of(option, binding, &study, &found)?),
     };
     let Some((material, assembly, pose)) = chosen else {
-        return Err(Error::Usage(match wanted {
-            Wanted::LeastOf(_) => format!(
-                "{option}: no pose of the pair file has such a contact; `gearlash check` counts the kinds that gears by data have"
-            ),
-            _ => format!("{option}: no pose is in mesh; there is none to draw"),
-        }));
+        return Err(Error::Usage(format!(
+            "{option}: no pose is in mesh; there is none to draw"
+        )));
     };
     Ok(Found {
         material,
@@ -136,18 +133,26 @@ pub(super) fn find(
     })
 }
 
-/// The pose with the least backlash that a contact of this kind bounds, among the extremes and the poses of `study`.
+/// The pose with the least backlash that a contact of this kind bounds, among the extremes and the poses of `study`. A jam without a
+/// backlash is the least.
 fn least_of(
+    option: &str,
     binding: Binding,
     study: &Study,
     found: &CycleExtremes,
-) -> Result<Option<(Material, AssembledPair, PoseResult)>, Error> {
+) -> Result<(Material, AssembledPair, PoseResult), Error> {
     let mut least: Option<(f64, Material, AssembledPair, Mating)> = None;
+    let mut others: Vec<Binding> = Vec::new();
     let mut add = |material: Material, assembly: &AssembledPair, poses: &[ComparedPose]| {
         for pose in poses.iter().map(|pose| &pose.simulated) {
-            let Some(backlash) = pose.backlash else {
-                continue;
-            };
+            let new = |kind: &&Binding| !others.contains(kind) && kind.bounds(assembly, pose);
+            let new: Vec<Binding> = Binding::value_variants()
+                .iter()
+                .filter(new)
+                .copied()
+                .collect();
+            others.extend(new);
+            let backlash = pose.backlash.unwrap_or(f64::NEG_INFINITY);
             let is_less = least.as_ref().is_none_or(|(least, ..)| backlash < *least);
             if is_less && binding.bounds(assembly, pose) {
                 least = Some((backlash, material, assembly.clone(), *pose.pose.mating()));
@@ -174,10 +179,19 @@ fn least_of(
         take,
     )?;
     let Some((_, material, assembly, mating)) = least else {
-        return Ok(None);
+        let names = others.iter().filter_map(ValueEnum::to_possible_value);
+        let names: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();
+        let kinds = match &names[..] {
+            [] if study.drawn.is_empty() => "all are between involutes".to_owned(),
+            [] => "kinds are known of gears by data alone".to_owned(),
+            names => format!("the kinds here are {}", names.join(", ")),
+        };
+        return Err(Error::Usage(format!(
+            "{option}: no pose of the pair file has such a contact; {kinds}"
+        )));
     };
     let pose = lost_motion_at(&assembly, mating)?;
-    Ok(Some((material, assembly, pose)))
+    Ok((material, assembly, pose))
 }
 
 fn narrowed(

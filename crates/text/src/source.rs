@@ -231,7 +231,13 @@ fn not_toml(text: &str, error: &toml::de::Error) -> Problem {
         _ => String::new(),
     };
     let place = format!("{named} at line {line} column {column}");
-    if is_bare_word(error.message(), text.get(start..).unwrap_or_default()) {
+    let rest = text.get(start..).unwrap_or_default();
+    if is_bare_word(error.message(), rest) {
+        let first = rest.trim_start_matches([' ', '\t']).chars().next();
+        if first.is_none_or(|first| "\r\n#".contains(first)) {
+            let reason = format!("not TOML: a value is missing{place}");
+            return Problem::of_file(reason, "write it after the =, or remove the key");
+        }
         return Problem::of_file(
             format!("not TOML: a word without quotes{place}"),
             "write a number in digits, text in quotes",

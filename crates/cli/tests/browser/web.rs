@@ -32,6 +32,11 @@ const DRAWN: [&str; 3] = [
     "fixtures/outlines/wheel_20.dxf",
     "fixtures/outlines/pinion_20.svg",
 ];
+const EXAMPLE: [&str; 3] = [
+    "crates/web/page/example/drawn.toml",
+    "crates/web/page/example/wheel.dxf",
+    "crates/web/page/example/tooth.svg",
+];
 const SHEET: [&str; 2] = ["docs/files/sheet.toml", "docs/files/wheel.csv"];
 const JAMS: [&str; 1] = ["docs/files/jams.toml"];
 const HELICAL: [&str; 1] = ["docs/files/helical.toml"];
@@ -136,7 +141,7 @@ fn written(name: &str, content: &str) -> (tempfile::TempDir, PathBuf) {
 /// Each example gives the verdict of the program.
 pub fn page_examples_have_the_verdict_of_the_program(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, 1280);
-    for names in [&DRAWING[..], &DRAWN, &SHEET, &JAMS, &HELICAL] {
+    for names in [&DRAWING[..], &DRAWN, &EXAMPLE, &SHEET, &JAMS, &HELICAL] {
         give(&mut tab, names);
         assert_verdict(&mut tab, &path(names[0]));
     }

@@ -184,7 +184,7 @@ fn least_of(
         let kinds = match &names[..] {
             [] if study.drawn.is_empty() => "all are between involutes".to_owned(),
             [] => "kinds are known of gears by data alone".to_owned(),
-            names => format!("the kinds here are {}", names.join(", ")),
+            names => format!("kinds here: {}", names.join(", ")),
         };
         return Err(Error::Usage(format!(
             "{option}: no pose of the pair file has such a contact; {kinds}"

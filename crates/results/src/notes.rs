@@ -108,7 +108,7 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
     };
     let like = match &standard.collect::<Vec<_>>()[..] {
         [] => format!(
-            "an involute of module {} mm at 20°, which is no standard one (m cos α = {base_module} mm)",
+            "an involute of module {} mm at 20°, not a standard one, with m cos α = {base_module} mm",
             trimmed(cosine * found.base_radius / 20f64.to_radians().cos(), 1, 4)
         ),
         several => several.join(", or "),

@@ -858,7 +858,7 @@ pub(crate) fn doubt_words(doubt: Doubt) -> &'static str {
         Doubt::ContactLost => "contact lost at a pose",
         Doubt::Drawing => "the drawings leave more open",
         Doubt::Sections => "sections of leaning axes leave more open",
-        Doubt::Axes => "all places of the axes bounded together",
+        Doubt::Axes => "axes bounded together",
     }
 }
 

@@ -36,8 +36,8 @@ pub struct Deviations {
 }
 
 impl Deviations {
-    /// Whether lead deviations change the span of a gear: where it is helical, the contacts are apart along the face.
-    pub(crate) fn leads_turn_spans(&self, basic_data: &BasicGearData) -> bool {
+    /// Whether leads change spans. They do on helical gears: the contacts of a span are apart along the face.
+    pub(crate) fn leads_change_spans(&self, basic_data: &BasicGearData) -> bool {
         basic_data.hand().is_some() && !self.leads.iter().all(Lead::is_none)
     }
 

@@ -122,9 +122,9 @@ impl FlankShifts {
 
     /// The displacements by `leads` where the anvils of a span over `k` teeth touch a helical gear; empty for a spur gear.
     ///
-    /// A span is normal to the helix: its contacts are `W_k sin β_b` apart along the face, on both sides of the height at which the thickness
-    /// was measured. A lead deviation counts along the transverse base tangent, as a profile deviation does. Anvils that rock on a slope are
-    /// neglected: 1 nm at 10 µm over 24 mm.
+    /// A span is normal to the helix. Its contacts are `W_k sin β_b` apart along the face. The height at which the thickness was measured is
+    /// midway between them. A lead deviation counts along the transverse base tangent, as a profile deviation does. That the anvils follow a
+    /// slope is neglected: 1 nm at 10 µm over 24 mm.
     ///
     /// # Errors
     /// As [`Lead::curves`].

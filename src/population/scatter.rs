@@ -218,6 +218,11 @@ impl Scatter {
         self.limits
     }
 
+    /// The lowest value; of a normal distribution, that at the least probability.
+    pub fn least(&self) -> f64 {
+        self.at(f64::MIN_POSITIVE).min(self.limits[0])
+    }
+
     /// Whether no value exceeds the limits.
     pub fn is_bounded(&self) -> bool {
         !matches!(self.law, Law::Normal { .. } | Law::Rayleigh { .. })

@@ -234,9 +234,7 @@ impl GearScatter {
 }
 
 pub(super) fn not_negative(what: &'static str, scatter: &Scatter) -> Result<(), PopulationError> {
-    let [low, _] = scatter.limits();
-    // The lowest value; a normal distribution has none.
-    let least = scatter.at(f64::MIN_POSITIVE).min(low);
+    let least = scatter.least();
     let right = least >= 0.0;
     right
         .then_some(())

@@ -18,6 +18,8 @@ use gearlash_results::{RemedyRecords, checked};
 use gearlash_text::{InputError, Problem, display_path};
 use std::path::{Path, PathBuf};
 
+const OPTION: &str = "--center-distance";
+
 const NOT_FOUND: &str = "two drawings need their centre distance, as none is found at which they mesh without play: add --center-distance A";
 
 /// Check a pair: clearances, interference, backlash and limits, by formula and on the outlines
@@ -32,7 +34,7 @@ pub(super) struct Args {
     /// Pair files, - for standard input; or drawings (.dxf, .svg, .csv, .txt) of wheel and pinion
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
-    /// Centre distance in place of all of the file, mm, or a scan FROM..TO:STEP [default of drawings: without play]
+    /// Centre distance, mm, or a scan FROM..TO:STEP, in place of those of the file [default of drawings: without play]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
     #[command(flatten)]
@@ -133,10 +135,15 @@ fn drawings(args: &Args) -> Result<Option<PairFile>, Error> {
         warning = Some(taken);
     }
     let pair = input::drawings(&drawings, warning)?;
-    Ok(Some(match &args.center_distance {
-        Some(Distances(scan)) if scan.len() > 1 => pair.at(scan.clone())?,
-        _ => pair,
-    }))
+    let scan = args.center_distance.as_ref();
+    let Some(scan) = scan.filter(|Distances(scan)| scan.len() > 1) else {
+        return Ok(Some(pair));
+    };
+    let moved = pair.at(scan.0.clone()).map_err(|reason| {
+        let reason = distance_refused(&reason);
+        Error::Usage(format!("{OPTION} {scan}: {reason}"))
+    });
+    moved.map(Some)
 }
 
 /// Two drawings on the command line, apart if no distance is given; `None` for pair files.
@@ -169,27 +176,21 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
 
 /// The pair file at `path`, at the centre distances of the command line if there are any.
 fn moved(path: &Path, distances: Option<&Distances>) -> Result<PairFile, InputError> {
-    const OPTION: &str = "--center-distance";
     let pair = gearlash_input::read(path)?;
-    let Some(Distances(scan)) = distances else {
+    let Some(distances) = distances else {
         return Ok(pair);
     };
-    let shown = match &scan[..] {
-        [first, .., last] => format!("{first} … {last}"),
-        [one] => one.to_string(),
-        [] => String::new(),
-    };
-    let moved = pair.at(scan.clone()).map_err(|reason| {
+    let moved = pair.at(distances.0.clone()).map_err(|reason| {
         let problem = Problem {
             key: OPTION.to_owned(),
-            value: Some(shown.clone()),
+            value: Some(distances.to_string()),
             reason: distance_refused(&reason),
             help: "or leave it out".to_owned(),
         };
         InputError::of(display_path(path), vec![problem])
     });
     let words = format!(
-        "assembly.center_distance_mm: {shown} mm of {OPTION} replaces every distance of the file"
+        "assembly.center_distance_mm: {distances} mm of {OPTION} replaces every distance of the file"
     );
     moved.map(|mut pair| {
         pair.warnings.push(words);

@@ -11,7 +11,7 @@ use gearlash::analysis::extremes::{CycleExtremes, extremes, run_count};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::{Piece, RunTally, simulate_by_blocks};
 use gearlash::analysis::verdict::Verdict;
-use gearlash::contact::{ContactClass, ContactKind, Method, PoseResult, lost_motion_at};
+use gearlash::contact::{ContactClass, ContactKind, Method, PoseResult, Status, lost_motion_at};
 use gearlash::error::go_on;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
@@ -152,7 +152,10 @@ fn least_of(
                 .copied()
                 .collect();
             others.extend(new);
-            let backlash = pose.backlash.unwrap_or(f64::NEG_INFINITY);
+            let jam = (pose.status() == Status::Jammed).then_some(f64::NEG_INFINITY);
+            let Some(backlash) = pose.backlash.or(jam) else {
+                continue;
+            };
             let is_less = least.as_ref().is_none_or(|(least, ..)| backlash < *least);
             if is_less && binding.bounds(assembly, pose) {
                 least = Some((backlash, material, assembly.clone(), *pose.pose.mating()));
@@ -182,7 +185,7 @@ fn least_of(
         let names = others.iter().filter_map(ValueEnum::to_possible_value);
         let names: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();
         let kinds = match &names[..] {
-            [] if study.drawn.is_empty() => "all are between involutes".to_owned(),
+            [] if study.drawn.is_empty() => "involutes alone touch, if anything does".to_owned(),
             [] => "kinds are known of gears by data alone".to_owned(),
             names => format!("kinds here: {}", names.join(", ")),
         };

@@ -6,6 +6,15 @@ use gearlash_input::spec::MAX_DISTANCES;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Distances(pub Vec<f64>);
 
+impl std::fmt::Display for Distances {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match &self.0[..] {
+            [first, .., last] => write!(f, "{first} … {last}"),
+            all => all.iter().try_for_each(|one| write!(f, "{one}")),
+        }
+    }
+}
+
 /// `132.1`, or `132.0..132.4:0.01`: from, to (included), step.
 ///
 /// Values are rounded to the decimals that were typed, so that 132.0 + 3 · 0.01 is 132.03.

@@ -200,8 +200,10 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
             problem.help +=
                 "; as options --only pitch --tooth-column A --left B --right C, or --only span --column B";
         }
-        for problem in error.problems.iter_mut().filter(|_| args.of_tables()) {
-            problem.help = as_options(&problem.help);
+        if args.of_tables() {
+            for problem in &mut error.problems {
+                problem.help = as_options(&problem.help);
+            }
         }
         error
     })?)
@@ -214,14 +216,15 @@ fn as_options(words: &str) -> String {
         let option = format!("--{} ", key.replace('_', "-"));
         while let Some((before, rest)) = words.split_once(&format!("{key} = ")) {
             let quoted = rest.strip_prefix('"').and_then(|rest| rest.split_once('"'));
-            // A name with blanks keeps its quotation marks.
-            words = match quoted.filter(|(name, _)| !name.contains(' ')) {
+            // A name of a shell's signs keeps its quotation marks.
+            let is_plain = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '…');
+            words = match quoted.filter(|(name, _)| is_plain(name)) {
                 Some((name, after)) => format!("{before}{option}{name}{after}"),
                 None => format!("{before}{option}{rest}"),
             };
         }
     }
-    words
+    words.replace(", --", " --")
 }
 
 fn show(args: &Args, found: &Imported) -> Result<u8, Error> {

@@ -278,7 +278,7 @@ pub fn describe(statements: &Statements, finding: &Finding) -> String {
             "pitch.axis",
             format!(
                 "the values look as if they were measured about the datum axis. Write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\" \
-                 if so. Their first harmonic is that of an eccentricity of {}; {}",
+                 if so. The first harmonic of the values is that of an eccentricity of {}; {}",
                 shown(*in_pitch),
                 match runout {
                     RunoutSource::Total => format!(

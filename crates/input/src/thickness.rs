@@ -117,8 +117,8 @@ pub fn check_body(gear: &Table, spec: &ThicknessSpec, design: &GearDesign) -> Op
     named
 }
 
-/// Fills in the limits of a drawn length, or readings of a `quantity` and their places, which `key` states: from the table's file, or tooth by tooth where every tooth has
-/// a reading.
+/// Fills in the limits of a drawn length, or the readings of a `quantity` and their places. Places are those that `key` states, those of the
+/// table's file, or 1, 2, … where every tooth has a reading.
 fn complete_readings(
     table: &Table,
     (quantity, key): (Quantity, &str),

@@ -131,7 +131,7 @@ impl ComparedPair<'_> {
             markdown: self.markdown(),
             json: self.record(&verdict, agrees && kept),
             verdict: lines,
-            misses_limit: !verdict.unmet.is_empty(),
+            misses_limit: verdict.unmet.iter().any(|unmet| unmet.found.is_some()),
         }
     }
 

@@ -25,7 +25,7 @@ pub struct Judgement {
     pub passes: bool,
     /// The verdict on the pair.
     pub verdict: VerdictLines,
-    /// Whether a limit of `[require]` is missed, or not proven to be kept.
+    /// Whether a value misses a limit of `[require]`, or is not proven to keep it.
     pub misses_limit: bool,
     /// The judged cases.
     pub cases: Vec<Case>,

@@ -135,7 +135,7 @@ fn statement(
         let changed = base + change * scale * thickness::per_normal_thickness(data);
         let by = (length(changed) - length(base)) / scale;
         let word = if by < 0.0 { "smaller" } else { "larger" };
-        Some(format!("{name} {} mm {word}", ascii(by.abs(), 3)))
+        Some(format!("{name} {} mm {word}", ascii(by.abs(), 4)))
     };
     if let Some(span) = &stated.span {
         let k = span.teeth;
@@ -170,7 +170,7 @@ fn statement(
     let [min, max] = [least, most].map(|gear| {
         let nominal = gear.design().nominal_base_thickness();
         let allowance = thickness::allowance_from_base(data, nominal, gear.base_thickness());
-        ascii((allowance / scale + change) * 1e3, 0)
+        rounded((allowance / scale + change) * 1e3, 1)
     });
     is_band.then(|| format!("allowance_um = {{ min = {min}, max = {max} }}"))
 }

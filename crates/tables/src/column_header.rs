@@ -104,6 +104,17 @@ impl ColumnHeader {
             }
         });
         let mut headings: Vec<Heading> = headings.collect();
+        // A title may be wider than the table.
+        if !has_groups {
+            headings.truncate(line.cells.len());
+        }
+        let rows = lines[at + 1..].iter().filter_map(|row| row.cell(0).tooth());
+        if let Some(first) = headings.first_mut()
+            && heading::is_counting(&first.shown)
+            && rows.take(3).eq(1..=3)
+        {
+            first.meaning = Some(Column::of(Quantity::Number));
+        }
         // Beside a cumulative pitch of the same flank, one of an unstated kind is the single one.
         let meanings: Vec<Column> = headings.iter().filter_map(|one| one.meaning).collect();
         for Column { side, quantity } in headings.iter_mut().filter_map(|one| one.meaning.as_mut())
@@ -118,17 +129,6 @@ impl ColumnHeader {
             if *quantity == Quantity::Pitch && is_single {
                 *quantity = Quantity::SinglePitch;
             }
-        }
-        // A title may be wider than the table.
-        if !has_groups {
-            headings.truncate(line.cells.len());
-        }
-        let rows = lines[at + 1..].iter().filter_map(|row| row.cell(0).tooth());
-        if let Some(first) = headings.first_mut()
-            && heading::is_counting(&first.shown)
-            && rows.take(3).eq(1..=3)
-        {
-            first.meaning = Some(Column::of(Quantity::Number));
         }
         ColumnHeader {
             line: line.number,

@@ -36,6 +36,7 @@ struct Flanks {
 struct Words {
     fillers: Set,
     ball: Set,
+    diameter_sign: Set,
     counting: Set,
     no_unit: Set,
 }
@@ -102,21 +103,30 @@ pub fn named(text: &str) -> Named {
     }
 }
 
-/// A heading with a length after a word for a ball: the rest, and the length, mm. `Kugel 2,5 mm` and `D=2.75mm` have one.
+/// A heading with a length after a word for a ball: the rest, and the length, mm. `Kugel 2,5 mm` and `Ball D=2.75mm` have one.
 fn without_ball(text: &str) -> Option<(String, f64)> {
     let separators = |c: char| c.is_whitespace() || "=:()[]".contains(c);
     let word = |part: &&str| !part.trim_end_matches(separators).is_empty();
     let parts: Vec<&str> = text.split_inclusive(separators).filter(word).collect();
     let words = parts.iter().map(|part| part.trim_end_matches(separators));
     let words: Vec<&str> = words.collect();
-    let is_ball = |at: &usize| VOCABULARY.words.ball.contains(&plain(words[*at]));
+    let known = &VOCABULARY.words;
+    let is_body = |word: &&str| {
+        known.ball.contains(&plain(word)) || of_word(word) == Some(Quantity::OverPins)
+    };
+    let is_ball = |at: &usize| {
+        let word = plain(words[*at]);
+        let is_sign = known.diameter_sign.contains(&word);
+        known.ball.contains(&word) || (is_sign && words[..*at].iter().any(is_body))
+    };
     (0..words.len()).filter(is_ball).find_map(|at| {
         // The unit stands in the word of the number, or in the next one.
         let lengths =
             (at + 2..=words.len().min(at + 3)).map(|end| (end, words[at + 1..end].concat()));
         let mut numbers = lengths.filter_map(|(end, length)| {
             let number = length.strip_suffix("mm")?;
-            Some((end, file_numbers::number(number)?.value))
+            let mm = file_numbers::number(number)?.value;
+            (mm > 0.0).then_some((end, mm))
         });
         let (end, mm) = numbers.next()?;
         Some((parts[..at].concat() + &parts[end..].concat(), mm))

@@ -167,7 +167,7 @@ impl Request<'_> {
         );
         let places: Vec<usize> = places.into_iter().flat_map(|(at, _)| at).collect();
         let reason = format!(
-            "columns {} are numbered by spaces, pitch belongs to teeth",
+            "columns {} have rows numbered by spaces; pitch belongs to teeth",
             head.shown(self.file, &places)
         );
         Some(head.problem(self.file, reason, help))

@@ -143,7 +143,7 @@ impl TableSource<'_> {
             if !self.content.has(&request) {
                 let by_spaces = self.content.pitch_by_spaces(&request);
                 if by_spaces.is_some() || !is_default {
-                    // Named columns are of either kind.
+                    // Columns that options name can be of either kind: they are tried as cumulative, once.
                     not_read.extend(by_spaces.filter(|one| !not_read.contains(one)));
                     continue;
                 }

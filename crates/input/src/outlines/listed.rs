@@ -49,9 +49,9 @@ impl ListedOutlines {
             return None;
         };
         let distance = (wheel.centre? - pinion.centre?).norm();
-        let [wheel, pinion] = [wheel, pinion].map(|outline| 0.5 * outline.size_mm.max());
+        let [r_1, r_2] = [wheel, pinion].map(|outline| 0.5 * outline.size_mm.max());
         // Tips reach past each other, and no centre is inside the other gear.
-        (wheel.max(pinion)..wheel + pinion)
+        (r_1.max(r_2)..r_1 + r_2)
             .contains(&distance)
             .then_some(distance)
     }

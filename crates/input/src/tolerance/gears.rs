@@ -316,7 +316,8 @@ pub fn repeated_thickness(pair: &PairFile, member: Member, drawn: &Scatter) -> O
     let nominal = gear.design().nominal_base_thickness();
     let most = allowance_from_base(gear.basic_data(), nominal, gear.base_thickness());
     let [_, half] = thickness_band(pair, member).unwrap_or_default();
-    let (stated, mean) = (most - half, drawn.mean());
+    let scale = pair.spec.data(member)?.scale();
+    let (stated, mean) = ((most - half) / scale, drawn.mean());
     let is_stated = (mean - stated).abs() <= ROUNDING_MM;
     let is_beyond = half > 0.0 && mean.abs() >= half;
     let is_repeated = mean.abs() > ROUNDING_MM && (is_stated || is_beyond);

@@ -410,15 +410,16 @@ fn spread(
 
 /// `made`, if no value is below 0.
 fn not_negative(made: Option<Scatter>, (file, key): (&Table, &str)) -> Option<Option<Scatter>> {
-    let least = |made: &Scatter| made.at(f64::MIN_POSITIVE).min(made.limits()[0]);
-    let least = made.as_ref().map_or(0.0, least);
-    if least >= 0.0 {
+    let Some(negative) = made.as_ref().filter(|made| made.least() < 0.0) else {
         return Some(made);
-    }
-    let reason = format!(
-        "reaches {} µm, it cannot be below 0; a normal distribution is not cut at its limits",
-        um_ascii(least, 1)
-    );
+    };
+    let cut = if negative.is_bounded() {
+        ""
+    } else {
+        "; a normal distribution is not cut at its limits"
+    };
+    let least = um_ascii(negative.least(), 1);
+    let reason = format!("reaches {least} µm, it cannot be below 0{cut}");
     file.refuse(
         key,
         reason,

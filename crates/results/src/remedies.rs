@@ -123,11 +123,9 @@ fn statement(
     let scale = spec.scale().unwrap_or(1.0);
     let stated = &spec.data()?.thickness.statement;
     let gears = file.study.materials.iter();
-    let gears = gears.map(|(_, wheel, pinion)| match member {
-        Member::Wheel => wheel.gear(),
-        Member::Pinion => pinion.gear(),
-    });
-    let (most, least) = (gears.clone().next()?, gears.last()?);
+    let mut gears = gears.map(|(_, wheel, pinion)| [wheel, pinion][member as usize].gear());
+    let most = gears.next()?;
+    let least = gears.next_back().unwrap_or(most);
     let data = most.basic_data();
     // Of the length that `length` gives at a base thickness, mm.
     let by = |name: &str, length: &dyn Fn(f64) -> f64| {

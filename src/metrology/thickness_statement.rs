@@ -383,7 +383,7 @@ impl ThicknessStatement {
 
     /// Excess of the flanks of `gear`, by profiles and leads, where this measurement touches them.
     ///
-    /// What leads add where balls and pins touch is neglected: some 0.2 µm a flank at a slope of 10 µm over 24 mm.
+    /// The excess by leads where balls and pins touch is neglected: some 0.2 µm a flank at a slope of 10 µm over 24 mm.
     pub(super) fn touched(
         &self,
         gear: &Gear,

@@ -1,7 +1,7 @@
 //! Outlines moved along their normals, as a kerf, a nozzle or a burn moves them.
 //!
-//! A region that is moved out by `d` gains the points within `d` of it. A region that is moved in by `d` keeps the points farther
-//! than `d` from its outside. Lines stay lines, and arcs stay arcs. A corner on the growing side becomes an arc of radius `d`. Other
+//! A region that is moved out by `d` gains the points within `d` of it. A region that is moved in by `d` keeps the points that are
+//! more than `d` from its outside. Lines stay lines, and arcs stay arcs. A corner on the growing side becomes an arc of radius `d`. Other
 //! joints are trimmed. Parts that are too small vanish. `cavalier_contours` does this for paths of lines and arcs. Cubic curves are
 //! replaced by arcs first.
 //!

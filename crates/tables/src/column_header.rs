@@ -115,7 +115,7 @@ impl ColumnHeader {
         {
             first.meaning = Some(Column::of(Quantity::Number));
         }
-        // Beside a cumulative pitch of the same flank, one of an unstated kind is the single one.
+        // A pitch of an unstated kind is the single one if a cumulative one of the same flank is there.
         let meanings: Vec<Column> = headings.iter().filter_map(|one| one.meaning).collect();
         for Column { side, quantity } in headings.iter_mut().filter_map(|one| one.meaning.as_mut())
         {

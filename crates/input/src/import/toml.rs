@@ -40,7 +40,7 @@ pub(super) fn lines(
             lines += &format!("# The file has the other kind, too: kind = \"{kind}\"\n");
             continue;
         }
-        // A ball stands in a space.
+        // A ball is put into a space.
         let by_space = (table.by_space || table.ball_mm.is_some()) && table.kind == Kind::Runout;
         let pin = table.ball_mm.is_none().then_some(PIN);
         let (below, open) = match table.kind {

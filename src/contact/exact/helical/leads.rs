@@ -596,8 +596,8 @@ impl<'a> AlongFace<'a> {
 
     /// Upper bound, over the face, of the gap of a pair of teeth with leaning axes. The part that leads add is left out.
     ///
-    /// Without leads the gap is linear, with a slight concave bend, along the stretch on the line of action. Beyond the stretch the gap
-    /// falls. The lean lets it rise at most at the rate of the lean. The gap of spur gears is concave over the face.
+    /// Without leads the gap is linear, with a slight concave bend, along the stretch on the line of action. The gap falls
+    /// beyond the stretch. The lean lets it rise at most at the rate of the lean. The gap of spur gears is concave over the face.
     fn most_of_leaning(&self, pair: &PairOfTeeth) -> f64 {
         if self.leaning.is_none() {
             return f64::INFINITY;

@@ -146,6 +146,11 @@ impl<'a> Verdict<'a> {
         }
     }
 
+    /// Whether a value of the pair misses a limit, or is not proven to keep it. A pair that jams has no value.
+    pub fn misses_limit(&self) -> bool {
+        self.unmet.iter().any(|unmet| unmet.found.is_some())
+    }
+
     /// The verdict for a heading, from assembly and limits. Checks are judged separately.
     pub fn state(&self) -> CheckVerdict {
         match (self.assembles(), self.requirement) {

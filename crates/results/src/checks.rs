@@ -162,7 +162,7 @@ pub fn checked(
         markdown: String::new(),
         json,
         verdict: lines,
-        misses_limit: verdict.unmet.iter().any(|unmet| unmet.found.is_some()),
+        misses_limit: verdict.misses_limit(),
     }
 }
 

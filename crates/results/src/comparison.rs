@@ -80,11 +80,11 @@ impl ComparedPair<'_> {
             Agreement::Agrees => {
                 let off = |run: &RunTally| run.count(PoseVerdict::OffLine);
                 let off: usize = self.runs.iter().map(off).sum();
-                let where_they_agree = match off {
+                let exception = match off {
                     0 => String::new(),
                     off => format!(", except at {off} poses that touch off the line of action"),
                 };
-                format!("Simulated and analytic backlash agree within {within}{where_they_agree}.")
+                format!("Simulated and analytic backlash agree within {within}{exception}.")
             }
             Agreement::Disagrees => {
                 format!("Simulated and analytic backlash do not agree within {within}.")
@@ -131,7 +131,7 @@ impl ComparedPair<'_> {
             markdown: self.markdown(),
             json: self.record(&verdict, agrees && kept),
             verdict: lines,
-            misses_limit: verdict.unmet.iter().any(|unmet| unmet.found.is_some()),
+            misses_limit: verdict.misses_limit(),
         }
     }
 

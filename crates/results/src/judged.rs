@@ -7,12 +7,13 @@ use crate::layout::{Screen, Tone};
 use crate::verdict::VerdictLines;
 use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash_text::characters::{self, plain};
-use gearlash_text::location;
+use gearlash_text::lines_of_keys;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 use quick_xml::{ElementWriter, Writer};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::io;
+use std::iter;
 
 /// The outcome for a file that was judged.
 #[derive(Debug)]
@@ -257,11 +258,13 @@ impl Outcome {
                     }
                 }
                 JudgedFile::Judged(judged) => {
-                    let text = text_of(&judged.file);
-                    let at = |key: &str| {
-                        let lines = location::lines_of_keys(&text, [key].into_iter());
-                        place(&judged.file, lines.into_iter().flatten().next())
-                    };
+                    let keys = judged
+                        .warnings
+                        .iter()
+                        .filter_map(|words| words.split(": ").next());
+                    let keys = iter::once("require").chain(keys);
+                    let lines = lines_of_keys(&text_of(&judged.file), keys);
+                    let (of_limits, of_warnings) = (lines[0], &lines[1..]);
                     for case in &judged.cases {
                         let kind = match case.verdict {
                             CheckVerdict::Pass => continue,
@@ -269,16 +272,13 @@ impl Outcome {
                             CheckVerdict::Unproven | CheckVerdict::Fail => "error",
                         };
                         let decides = case.name == VERDICT;
-                        let place = if decides && judged.misses_limit {
-                            at("require")
-                        } else {
-                            place(&judged.file, None)
-                        };
+                        let at = of_limits.filter(|_| decides && judged.misses_limit);
+                        let place = place(&judged.file, at);
                         line(decides, kind, &place, &case.name, &case.message);
                     }
-                    for warning in &judged.warnings {
-                        let key = warning.split(": ").next().unwrap_or_default();
-                        line(false, "warning", &at(key), "input", warning);
+                    for (warning, at) in judged.warnings.iter().zip(of_warnings) {
+                        let place = place(&judged.file, *at);
+                        line(false, "warning", &place, "input", warning);
                     }
                 }
             }

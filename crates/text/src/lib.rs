@@ -8,7 +8,7 @@ pub mod encoding;
 mod error;
 pub mod file_numbers;
 mod inches;
-pub mod location;
+mod location;
 pub mod node;
 pub mod numbers;
 mod reading;
@@ -19,7 +19,7 @@ pub mod xml;
 
 pub use error::{InputError, Problem};
 pub use inches::MM_PER_INCH;
-pub use location::below;
+pub use location::{below, lines_of_keys};
 pub use node::Node;
 pub use reading::{Problems, Reading};
 pub use source::{MAX_BYTES, too_large};

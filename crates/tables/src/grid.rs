@@ -128,6 +128,9 @@ impl Line {
 /// Splits the unit off a number: `2,4 µm` has one.
 fn number_and_unit(text: &str) -> (&str, Option<&'static str>) {
     let number = text.trim_end_matches(char::is_alphabetic);
+    if number.len() == text.len() {
+        return (text, None);
+    }
     match heading::unit(&text[number.len()..]) {
         Some(unit) => (number.trim_end(), Some(unit)),
         None => (text, None),

@@ -6,6 +6,7 @@ use super::column::{Column, Quantity};
 use gearlash::gear::Side;
 use gearlash_text::{Node, file_numbers};
 use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::LazyLock;
 
@@ -84,27 +85,40 @@ pub fn is_no_unit(text: &str) -> bool {
 
 /// A heading without its unit and the diameter of its ball.
 #[derive(Debug, Default)]
-pub struct Named {
-    pub name: String,
+pub struct Named<'a> {
+    pub name: Cow<'a, str>,
     pub unit: Option<&'static str>,
     /// Diameter of a ball or pin, mm.
     pub ball_mm: Option<f64>,
 }
 
 /// Splits unit and diameter off a heading: `Fr (ball 2.5 mm) [µm]` has both.
-pub fn named(text: &str) -> Named {
-    let without = without_ball(text);
-    let (bare, ball_mm) = without.map_or((text.to_owned(), None), |(bare, mm)| (bare, Some(mm)));
-    let (name, unit) = name_and_unit(&bare);
-    Named {
-        name: name.to_owned(),
-        unit,
-        ball_mm,
+pub fn named(text: &str) -> Named<'_> {
+    match without_ball(text) {
+        None => {
+            let (name, unit) = name_and_unit(text);
+            Named {
+                name: name.into(),
+                unit,
+                ball_mm: None,
+            }
+        }
+        Some((rest, mm)) => {
+            let (name, unit) = name_and_unit(&rest);
+            Named {
+                name: name.to_owned().into(),
+                unit,
+                ball_mm: Some(mm),
+            }
+        }
     }
 }
 
 /// A heading with a length after a word for a ball: the rest, and the length, mm. `Kugel 2,5 mm` and `Ball D=2.75mm` have one.
 fn without_ball(text: &str) -> Option<(String, f64)> {
+    if !text.contains('m') || !text.contains(|c: char| c.is_ascii_digit()) {
+        return None;
+    }
     let separators = |c: char| c.is_whitespace() || "=:()[]".contains(c);
     let word = |part: &&str| !part.trim_end_matches(separators).is_empty();
     let parts: Vec<&str> = text.split_inclusive(separators).filter(word).collect();
@@ -120,7 +134,7 @@ fn without_ball(text: &str) -> Option<(String, f64)> {
         known.ball.contains(&word) || (is_sign && words[..*at].iter().any(is_body))
     };
     (0..words.len()).filter(is_ball).find_map(|at| {
-        // The unit stands in the word of the number, or in the next one.
+        // The unit is in the word of the number, or in the next one.
         let lengths =
             (at + 2..=words.len().min(at + 3)).map(|end| (end, words[at + 1..end].concat()));
         let mut numbers = lengths.filter_map(|(end, length)| {
@@ -173,6 +187,9 @@ pub fn is_counting(name: &str) -> bool {
 pub fn tooth_number(text: &str) -> &str {
     let number = text.trim_start_matches(|c: char| !c.is_ascii_digit());
     let word = &text[..text.len() - number.len()];
+    if word.is_empty() {
+        return text;
+    }
     let is_known = is_counting(word) || of_word(word) == Some(Quantity::Tooth);
     if is_known { number } else { text }
 }

@@ -136,7 +136,7 @@ pub fn listed_outlines(
             text += "center_mm = \"fit\"\n";
         }
     }
-    if let Some(mm) = drawing.mesh_distance_mm() {
+    if let Some(mm) = drawing.mesh_distance_mm {
         text += &format!("\n[assembly]\ncenter_distance_mm = {mm:.4}  # as drawn\n");
     }
     text

@@ -2,10 +2,10 @@
 
 use super::pair::{OutlineOptions, by_flags};
 use super::paths::{outlines, start};
-use gearlash::outline::fit_centre;
+use gearlash::outline::{PathSegment, fit_centre};
 use gearlash_drawing::{Format, Options, Unit};
 use gearlash_text::{InputError, Problem, source};
-use nalgebra::{Point2, Vector2};
+use nalgebra::Vector2;
 use std::path::Path;
 
 /// The outlines of a drawing.
@@ -17,6 +17,8 @@ pub struct ListedOutlines {
     pub units: Option<String>,
     /// In the order of the file.
     pub outlines: Vec<ListedOutline>,
+    /// Distance of the centres of two gears that are drawn in mesh, mm.
+    pub mesh_distance_mm: Option<f64>,
     /// Ignored and repaired elements.
     pub remarks: Vec<String>,
 }
@@ -34,27 +36,23 @@ pub struct ListedOutline {
     pub size_mm: Vector2<f64>,
     /// Whether its axis can be the origin of the drawing: the middle of its box is near.
     pub is_centred: bool,
-    /// Centre of the circle through the tips, mm; `None` for an outline without teeth.
-    pub centre: Option<Point2<f64>>,
     /// Lines, arcs and curves.
     pub parts: usize,
     /// Closed paths inside it.
     pub inside: usize,
 }
 
-impl ListedOutlines {
-    /// Distance of the centres of two gears that are drawn in mesh, mm; `None` of others.
-    pub fn mesh_distance_mm(&self) -> Option<f64> {
-        let [wheel, pinion] = &self.outlines[..] else {
-            return None;
-        };
-        let distance = (wheel.centre? - pinion.centre?).norm();
-        let [r_1, r_2] = [wheel, pinion].map(|outline| 0.5 * outline.size_mm.max());
-        // Tips reach past each other, and no centre is inside the other gear.
-        (r_1.max(r_2)..r_1 + r_2)
-            .contains(&distance)
-            .then_some(distance)
-    }
+/// Distance of the centres of two gears that are drawn in mesh, mm; `None` of others.
+fn mesh_distance_mm(gears: &[(&[PathSegment], f64)]) -> Option<f64> {
+    let [(wheel, r_1), (pinion, r_2)] = *gears else {
+        return None;
+    };
+    let centre = |outline| fit_centre(outline).ok().map(|fitted| fitted.centre);
+    let distance = (centre(wheel)? - centre(pinion)?).norm();
+    // Tips reach past each other, and no centre is inside the other gear.
+    (r_1.max(r_2)..r_1 + r_2)
+        .contains(&distance)
+        .then_some(distance)
 }
 
 /// Largest distance of a gear's axis from the middle of its outline, of half the diagonal of its box. Runout is below 0.01 of it.
@@ -98,12 +96,17 @@ pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutline
             start: start(path),
             size_mm: high - low,
             is_centred: (low.coords + high.coords).norm() <= OFF_CENTRE * (high - low).norm(),
-            centre: fit_centre(&path.segments).ok().map(|fitted| fitted.centre),
             parts: path.segments.len(),
             inside: outline.inside.len(),
         }
     });
+    let gears = outlines.iter().map(|outline| {
+        let [low, high] = outline.ends;
+        let segments = &read.loops[outline.index].segments;
+        (&segments[..], 0.5 * (high - low).max())
+    });
     Ok(ListedOutlines {
+        mesh_distance_mm: mesh_distance_mm(&gears.collect::<Vec<_>>()),
         unit_mm: read.unit_mm,
         units: needed.units.map(str::to_owned),
         outlines: each.collect(),

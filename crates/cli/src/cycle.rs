@@ -66,6 +66,12 @@ pub(super) enum Binding {
 }
 
 impl Binding {
+    /// The kind that `kind` belongs to; `None` where involutes alone touch.
+    fn of(kind: ContactKind) -> Option<Binding> {
+        let mut all = Binding::value_variants().iter().copied();
+        all.find(|binding| binding.includes(kind))
+    }
+
     fn includes(self, kind: ContactKind) -> bool {
         let own: &[ContactKind] = match self {
             Binding::UndercutEdge => &[ContactKind::Edge],
@@ -76,15 +82,13 @@ impl Binding {
         own.contains(&kind)
     }
 
-    /// Whether one of the contacts of `pose` is of this kind.
-    fn bounds(self, assembly: &AssembledPair, pose: &PoseResult) -> bool {
-        let Some((found, pair)) = pose.proven().zip(assembly.data()) else {
-            return false;
-        };
-        Side::BOTH.into_iter().any(|side| {
-            let contact = found.on(side);
-            let class = contact.map(|contact| ContactClass::of(pair, side, &contact));
-            class.is_some_and(|class| self.includes(class.kind))
+    /// The kinds of the contacts of `pose`.
+    fn bounding(assembly: &AssembledPair, pose: &PoseResult) -> [Option<Binding>; 2] {
+        let found = pose.proven().zip(assembly.data());
+        Side::BOTH.map(|side| {
+            let (found, pair) = found?;
+            let contact = found.on(side)?;
+            Binding::of(ContactClass::of(pair, side, &contact).kind)
         })
     }
 }
@@ -142,22 +146,21 @@ fn least_of(
     found: &CycleExtremes,
 ) -> Result<(Material, AssembledPair, PoseResult), Error> {
     let mut least: Option<(f64, Material, AssembledPair, Mating)> = None;
-    let mut others: Vec<Binding> = Vec::new();
+    let mut seen: Vec<Binding> = Vec::new();
     let mut add = |material: Material, assembly: &AssembledPair, poses: &[ComparedPose]| {
         for pose in poses.iter().map(|pose| &pose.simulated) {
-            let new = |kind: &&Binding| !others.contains(kind) && kind.bounds(assembly, pose);
-            let new: Vec<Binding> = Binding::value_variants()
-                .iter()
-                .filter(new)
-                .copied()
-                .collect();
-            others.extend(new);
+            let bounding = Binding::bounding(assembly, pose);
+            for kind in bounding.into_iter().flatten() {
+                if !seen.contains(&kind) {
+                    seen.push(kind);
+                }
+            }
             let jam = (pose.status() == Status::Jammed).then_some(f64::NEG_INFINITY);
             let Some(backlash) = pose.backlash.or(jam) else {
                 continue;
             };
             let is_less = least.as_ref().is_none_or(|(least, ..)| backlash < *least);
-            if is_less && binding.bounds(assembly, pose) {
+            if is_less && bounding.contains(&Some(binding)) {
                 least = Some((backlash, material, assembly.clone(), *pose.pose.mating()));
             }
         }
@@ -182,7 +185,7 @@ fn least_of(
         take,
     )?;
     let Some((_, material, assembly, mating)) = least else {
-        let names = others.iter().filter_map(ValueEnum::to_possible_value);
+        let names = seen.iter().filter_map(ValueEnum::to_possible_value);
         let names: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();
         let kinds = match &names[..] {
             [] if study.drawn.is_empty() => "involutes alone touch, if anything does".to_owned(),

@@ -228,11 +228,7 @@ impl CyclePair for GearPair {
         let wheel = self.gear(Member::Wheel).gear();
         let basic_data = wheel.basic_data();
         let per_allowance = thickness::per_normal_thickness(basic_data);
-        let allowance = |member: Member| {
-            let gear = self.gear(member).gear();
-            let nominal = gear.design().nominal_base_thickness();
-            thickness::allowance_from_base(gear.basic_data(), nominal, gear.base_thickness())
-        };
+        let allowance = |member: Member| thickness::allowance(self.gear(member).gear());
         Some(ThinnedTeeth {
             material: Member::BOTH.map(allowance),
             most: MOST_THICKNESS * wheel.base_thickness() / per_allowance,

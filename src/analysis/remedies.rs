@@ -58,7 +58,8 @@ impl Gears {
         }
     }
 
-    fn has(self, member: Member) -> bool {
+    /// Whether this gear is one of them.
+    pub fn has(self, member: Member) -> bool {
         self == Gears::Both || self == Gears::One(member)
     }
 

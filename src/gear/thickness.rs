@@ -178,6 +178,12 @@ pub fn allowance_from_base(
     (base_thickness - nominal_base) / per_normal_thickness(basic_data)
 }
 
+/// Thickness allowance `A_sn` of `gear` at the reference circle in the normal section, mm.
+pub fn allowance(gear: &Gear) -> f64 {
+    let nominal = gear.design().nominal_base_thickness();
+    allowance_from_base(gear.basic_data(), nominal, gear.base_thickness())
+}
+
 /// The virtual radius `r_n = r_y/cos²β_y` of the normal section at the radius `r_y`, and `cos β_y`, with `tan β_y = r_y tan β/r`.
 fn virtual_radius(basic_data: &BasicGearData, radius: f64) -> [f64; 2] {
     let tan = basic_data.helix_angle().tan() * radius / basic_data.reference_radius();

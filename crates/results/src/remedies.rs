@@ -82,20 +82,18 @@ impl RemedyRecord {
 
 /// The changed statements of thickness, each on a line; empty where the remedy's own value is the statement.
 fn statements(file: &PairFile, remedy: &Remedy) -> String {
-    let lines = Member::BOTH.into_iter().filter_map(|member| {
-        let is_changed = [Gears::Both, Gears::One(member)].contains(&remedy.gears);
+    let gears = [&file.spec.wheel, &file.spec.pinion];
+    let changed = Member::BOTH.into_iter();
+    let changed = changed.filter(|member| remedy.gears.has(*member));
+    let lines = changed.filter_map(|member| {
         let change = remedy.value - remedy.present[member as usize];
-        let spec = match member {
-            Member::Wheel => &file.spec.wheel,
-            Member::Pinion => &file.spec.pinion,
-        };
+        let spec = gears[member as usize];
         let stated = match remedy.what {
             Change::CenterDistance => None,
             Change::FlankOffset => offset_band(spec, change),
-            Change::ThicknessAllowance => statement(file, member, spec, change),
+            Change::ThicknessAllowance => statement(file, member, change),
         };
-        let stated = stated.filter(|_| is_changed)?;
-        Some(format!("\n    {}: {stated}", member.name()))
+        Some(format!("\n    {}: {}", member.name(), stated?))
     });
     lines.collect()
 }
@@ -114,20 +112,15 @@ fn offset_band(spec: &EitherGearSpec, change: f64) -> Option<String> {
 }
 
 /// The stated thickness of a gear by its data, whose allowance changes by `change` mm; `None` for one allowance.
-fn statement(
-    file: &PairFile,
-    member: Member,
-    spec: &EitherGearSpec,
-    change: f64,
-) -> Option<String> {
-    let scale = spec.scale().unwrap_or(1.0);
-    let stated = &spec.data()?.thickness.statement;
+fn statement(file: &PairFile, member: Member, change: f64) -> Option<String> {
+    let spec = file.spec.data(member)?;
+    let (scale, stated) = (spec.scale(), &spec.thickness.statement);
     let gears = file.study.materials.iter();
     let mut gears = gears.map(|(_, wheel, pinion)| [wheel, pinion][member as usize].gear());
     let most = gears.next()?;
     let least = gears.next_back().unwrap_or(most);
     let data = most.basic_data();
-    // Of the length that `length` gives at a base thickness, mm.
+    // `length` gives the stated length at a base thickness, mm.
     let by = |name: &str, length: &dyn Fn(f64) -> f64| {
         let base = most.base_thickness();
         let changed = base + change * scale * thickness::per_normal_thickness(data);
@@ -165,11 +158,8 @@ fn statement(
         });
     }
     let is_band = most.base_thickness() != least.base_thickness();
-    let [min, max] = [least, most].map(|gear| {
-        let nominal = gear.design().nominal_base_thickness();
-        let allowance = thickness::allowance_from_base(data, nominal, gear.base_thickness());
-        rounded((allowance / scale + change) * 1e3, 1)
-    });
+    let [min, max] =
+        [least, most].map(|gear| rounded((thickness::allowance(gear) / scale + change) * 1e3, 1));
     is_band.then(|| format!("allowance_um = {{ min = {min}, max = {max} }}"))
 }
 

@@ -27,7 +27,7 @@ pub fn of_keys<'k>(text: &str, keys: impl Iterator<Item = &'k str>) -> Vec<Optio
     }
 }
 
-/// The line in `text` of each of the dotted `keys`, from 1; as [`of_keys`].
+/// The line in `text` of each of the dotted `keys`, from 1. A key that is not there has the line of the innermost table.
 pub fn lines_of_keys<'k>(text: &str, keys: impl Iterator<Item = &'k str>) -> Vec<Option<usize>> {
     let line = |span: Range<usize>| 1 + text[..span.start].matches('\n').count();
     let spans = of_keys(text, keys).into_iter();

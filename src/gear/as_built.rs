@@ -591,13 +591,15 @@ impl AsBuilt {
 
     /// Lead deviation of a tooth's flank, mm, `b` mm from this section away from the viewer.
     pub fn lead(&self, side: Side, tooth: u32, b: f64) -> f64 {
-        self.lead_jet(side, tooth, b)[0]
+        self.lead_jet(self.lead_curve(side, tooth), b)[0]
     }
 
-    /// Lead deviation of a tooth's flank, mm, `b` mm from this section away from the viewer, and its rate, mm per mm.
-    pub(crate) fn lead_jet(&self, side: Side, tooth: u32, b: f64) -> [f64; 2] {
+    /// Lead deviation, mm, `b` mm from this section away from the viewer, and its rate, mm per mm; `curve` is that of
+    /// [`AsBuilt::lead_curve`].
+    #[inline]
+    pub(crate) fn lead_jet(&self, curve: Option<&DeviationCurve>, b: f64) -> [f64; 2] {
         let inwards = self.inwards();
-        self.lead_curve(side, tooth).map_or([0.0; 2], |curve| {
+        curve.map_or([0.0; 2], |curve| {
             let [lead, rate, _] = curve.jet(self.height + inwards * b);
             [lead, inwards * rate]
         })

@@ -1,6 +1,6 @@
 //! Two teeth that face each other, with their leads along the face.
 
-use crate::gear::{AsBuilt, Side};
+use crate::gear::{AsBuilt, DeviationCurve, Side};
 
 /// A tooth of each gear, locked and free, that touch on one side.
 #[derive(Debug, Clone, Copy)]
@@ -8,6 +8,8 @@ pub(crate) struct FacingTeeth<'a> {
     pub side: Side,
     /// Gear and number of both teeth.
     pub teeth: [(&'a AsBuilt, u32); 2],
+    /// Their lead deviations; `None` without any.
+    curves: [Option<&'a DeviationCurve>; 2],
     /// Their leads in the measuring plane, mm, which their places contain.
     in_plane: [f64; 2],
     /// Height at which each tooth touches in the section at 0, mm along its own axis, and its rate along the face.
@@ -17,10 +19,12 @@ pub(crate) struct FacingTeeth<'a> {
 impl<'a> FacingTeeth<'a> {
     /// These teeth of the locked and the free gear.
     pub fn new(side: Side, teeth: [(&'a AsBuilt, u32); 2]) -> FacingTeeth<'a> {
+        let curves = teeth.map(|(gear, tooth)| gear.lead_curve(side, tooth));
         FacingTeeth {
             side,
             teeth,
-            in_plane: teeth.map(|(gear, tooth)| gear.lead(side, tooth, 0.0)),
+            curves,
+            in_plane: [0, 1].map(|k| teeth[k].0.lead_jet(curves[k], 0.0)[0]),
             heights: [[0.0, 1.0]; 2],
         }
     }
@@ -45,8 +49,8 @@ impl<'a> FacingTeeth<'a> {
     /// Lead of each tooth at `b`, less that in the measuring plane, mm, and its rate, mm per mm.
     pub fn leads_and_rates(&self, b: f64) -> [[f64; 2]; 2] {
         [0, 1].map(|k| {
-            let (gear, tooth) = self.teeth[k];
-            let [lead, rate] = gear.lead_jet(self.side, tooth, self.height(k, b));
+            let (gear, _) = self.teeth[k];
+            let [lead, rate] = gear.lead_jet(self.curves[k], self.height(k, b));
             [lead - self.in_plane[k], self.heights[k][1] * rate]
         })
     }

@@ -177,8 +177,9 @@ impl Pose {
     /// `r_b1 τ_1 + r_b2 τ_2 = 0`. With unequal base pitches, the free gear's teeth follow its own twist instead of the locked gear's
     /// pitches.
     pub fn in_section(&self, assembly: &GearPair, b: f64) -> Pose {
-        // A section is its own measuring plane. Where axes lean, its distance gives other nominal rotations than this pose has.
-        if b == 0.0 {
+        // A section is its own measuring plane. Where axes lean, its distance gives other nominal rotations than this pose has. Teeth of spur
+        // gears do not wind.
+        if b == 0.0 || !assembly.is_helical() {
             return *self;
         }
         let locked = assembly.gear(assembly.locked());

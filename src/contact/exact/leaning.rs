@@ -30,6 +30,13 @@ pub(super) struct LeaningTouch {
     pub heights: [f64; 2],
     /// Turns of the flanks by twist up to these heights and by the stretch of the section, rad. Leads are not in them.
     pub turns: [f64; 2],
+    /// The point from the centre of each outline.
+    from_axes: [C; 2],
+    /// Leans of both toothings, and the normal out of the locked flank.
+    leans: [C; 2],
+    normal: C,
+    /// The gear whose corner touches; `None` on the line of action.
+    corner: Option<usize>,
 }
 
 impl LeaningFrame {
@@ -115,8 +122,9 @@ impl LeaningFrame {
         let turned = found.gap_turned(start);
         let centres = [here.centre, here.free_centre * turned];
         let (rolls, on) = (found.rolls(), found.rolls_on_arcs());
-        // The gear whose corner touches; on the line of action either has the point.
-        let k = usize::from(on[0] == rolls[0] && on[1] != rolls[1]);
+        let corner = [0, 1].into_iter().find(|&k| on[k] != rolls[k]);
+        // On the line of action either gear has the point.
+        let k = corner.unwrap_or(0);
         // E = ∓e^{iβ}, turned back to the corner's own tangent: P = C + r_b E (1 − iξ).
         let sign = if k == 0 { -1.0 } else { 1.0 };
         let e = sign * found.direction_turned(start, on[k] - rolls[k]);
@@ -127,9 +135,13 @@ impl LeaningFrame {
         let mut touch = LeaningTouch {
             heights: [0.0; 2],
             turns: [0.0; 2],
+            from_axes: centres.map(|centre| point - centre),
+            leans,
+            normal,
+            corner,
         };
         for k in [0, 1] {
-            let (lean, from_axis) = (leans[k], point - centres[k]);
+            let (lean, from_axis) = (leans[k], touch.from_axes[k]);
             let square = lean.norm_sqr();
             let root = (1.0 + square).sqrt();
             let along = dot(lean, from_axis);
@@ -142,5 +154,56 @@ impl LeaningFrame {
             }
         }
         touch
+    }
+
+    /// Turns of the flanks by twist up to the heights of a pair with these rolls on the line of action `found`, to first order, rad.
+    pub fn turns_on_line(
+        &self,
+        rolls: [f64; 2],
+        found: &Separation,
+        start: &NearStart,
+    ) -> [f64; 2] {
+        let leans = self.leans(found.gap_turned(start));
+        let direction = found.direction_turned(start, 0.0);
+        [0, 1].map(|k| {
+            let outward = if k == 0 { -direction } else { direction };
+            let from_axis = outward * C::new(1.0, -rolls[k]) * found.bases()[k];
+            self.twists[k] * dot(leans[k], from_axis)
+        })
+    }
+
+    /// Rates of [`LeaningTouch::heights`] and [`LeaningTouch::turns`] along the face. `turning` has the rates at which both teeth turn about
+    /// their centres, the free gear's rotation included, rad per mm. The free toothing's lean is taken as constant: it turns with the gap.
+    pub fn rates(
+        &self,
+        found: &Separation,
+        start: &NearStart,
+        touch: &LeaningTouch,
+        turning: [f64; 2],
+    ) -> [[f64; 2]; 2] {
+        let moves = self.moves(found.gap_turned(start));
+        let k = touch.corner.unwrap_or(0);
+        let own = match touch.corner {
+            Some(_) => C::i() * turning[k] * touch.from_axes[k],
+            None => {
+                // The line turns with the centres, and its point moves along it by the locked tooth's turn.
+                let line = found.line_turning(start, moves);
+                let outward = -found.direction_turned(start, 0.0);
+                let base = found.bases()[0];
+                C::i() * (line * touch.from_axes[0] - outward * (base * (line - turning[0])))
+            }
+        };
+        let other = if k == 0 { own + moves } else { own - moves };
+        let rates = if k == 0 { [own, other] } else { [other, own] };
+        [0, 1].map(|k| {
+            let lean = touch.leans[k];
+            let square = lean.norm_sqr();
+            let root = (1.0 + square).sqrt();
+            let along = dot(lean, rates[k]);
+            let height = (root - 1.0) + along / root;
+            let outward = if k == 0 { touch.normal } else { -touch.normal };
+            let stretch = along * dot(outward, lean) / (root * (root + 1.0));
+            [height, height * self.twists[k] - stretch / found.bases()[k]]
+        })
     }
 }

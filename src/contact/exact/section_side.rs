@@ -31,6 +31,8 @@ pub(super) struct SectionPlace<'a> {
     pub here: &'a Pose,
     /// The section, mm from the measuring plane.
     pub b: f64,
+    /// Places of the locked teeth that can be tightest. Leaning axes turn no others. `None`: perhaps all.
+    pub near: Option<&'a [usize]>,
 }
 
 impl<'a> SectionSide<'a> {
@@ -181,6 +183,10 @@ impl<'a> FlanksInSection<'a> {
         let Some((near, far)) = &self.leaning else {
             return [[0.0; 2]; 2];
         };
+        let (locked, _) = self.plane.places(step);
+        if far.is_none() && self.place.near.is_some_and(|near| !near.contains(&locked)) {
+            return [[0.0; 2]; 2];
+        }
         let step = self.plane.mirror() as i64 * (self.plane.onward + step);
         let own = near.turns(step);
         let Some(far) = far else {

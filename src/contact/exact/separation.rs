@@ -38,6 +38,9 @@ const SETTLED: (f64, f64) = (1e-7, 1e-6);
 /// direction.
 const LEVEL: f64 = -1e-3;
 
+/// Gap, rad, within which two touches on the line of action are the same: some roundings.
+const ROUNDED: f64 = 1e-15;
+
 /// An arc of an involute, or the whole involute.
 #[derive(Debug, Clone, Copy)]
 struct InvoluteArc {
@@ -335,6 +338,33 @@ impl Separation {
     /// These rolls, or those of the ends of the involutes beyond which they are.
     pub fn rolls_on_arcs(&self) -> [f64; 2] {
         [0, 1].map(|k| self.rolls[k].clamp(self.arcs[k].form, self.arcs[k].tip))
+    }
+
+    /// Base radii of the locked and the free gear, mm.
+    pub fn bases(&self) -> [f64; 2] {
+        self.arcs.map(|arc| arc.base)
+    }
+
+    /// Rate of the direction of the line of action, rad per mm, where the locked centre moves by `moves` against the free one, mm per mm.
+    ///
+    /// On the line `Re(e^{iβ} B*) = Σ`, and `Im(e^{iβ} B*)` is its length.
+    pub fn line_turning(&self, start: &NearStart, moves: C) -> f64 {
+        let length = self.arcs[0].base * self.rolls[0] + self.arcs[1].base * self.rolls[1];
+        (self.direction_turned(start, 0.0) * moves.conj()).re / length
+    }
+
+    /// This touch on the line of action with its teeth turned further by `turns`, rad. `None` where the line ends, or where an eccentric free
+    /// gear bends the gap by more than [`ROUNDED`].
+    pub fn turned_further(&self, turns: [f64; 2], free_off: f64) -> Option<Separation> {
+        let change = self.by_turn[0] * turns[0] + self.by_turn[1] * turns[1];
+        let turned = Separation {
+            gap: self.gap + change,
+            rolls: [self.rolls[0] - turns[0], self.rolls[1] - change - turns[1]],
+            ..*self
+        };
+        let bend = free_off * change * change / self.arcs[1].base;
+        (bend < ROUNDED && self.is_on_line([0.0; 2]) && turned.is_on_line([0.0; 2]))
+            .then_some(turned)
     }
 
     /// Room that involutes with ends have more than endless ones where these have `rolls` on the line of action, mm.

@@ -12,14 +12,14 @@
 //!
 //! [`deepest`]: super::super::deepest
 //!
-//! Where axes lean, the centres of a section move along the face and its flanks turn by what [`crate::pair::section_at`] derives. Both
-//! change smoothly, so their rate is taken from two sections beside each other.
+//! Where axes lean, the centres of a section move along the face and its flanks turn by what [`crate::pair::section_at`] derives;
+//! [`LeaningFrame::rates`] has the rates of both.
 
 use super::place_filter::TurnedTeeth;
 use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
-use crate::contact::exact::leaning::LeaningFrame;
+use crate::contact::exact::leaning::{LeaningFrame, LeaningTouch};
 use crate::contact::exact::path::InvolutePair;
 use crate::contact::exact::separation::{NearStart, Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
@@ -33,14 +33,8 @@ const EVALUATION: u64 = 1;
 /// Distance from a knot at which the rate beside it is taken, as a part of the stretch between knots.
 const BESIDE: f64 = 1e-7;
 
-/// Rounds to the section with a height of a leaning gear: the lean's square is left.
-const ROUNDS_OF_HEIGHTS: usize = 2;
-
 /// Distance, mm, within which two places are the same. A rate between knots is taken a little beside them.
 const AT_KNOT: f64 = 1e-6;
-
-/// Distance of the sections beside each other, mm, that give the rate of leaning axes.
-const NEIGHBOUR: f64 = 1e-3;
 
 /// Parts in which a stretch is examined where the leads are hollow, so that the gap may have several maxima (tuned).
 const HOLLOW_PARTS: usize = 8;
@@ -52,11 +46,17 @@ const FIRST_STEP: f64 = 1.0 / 64.0;
 /// passes the pitch point and the effect is that on an involute. The arms differ beside that place (tuned: twice is more than occurs).
 pub(super) const MOST_BY_ARMS: f64 = 2.0;
 
+/// Least change of a room by the gap, as a part of the free base radius, of a pair that can be the tightest.
+const LEAST_ARM: f64 = 0.5;
+
 /// Roll, rad, beyond the end of an involute that is still on the line of action: some roundings.
 const ON_LINE: f64 = 1e-12;
 
 /// Limit of steps to the maximum of a stretch. Six to twelve are usual.
 const MOST_STEPS: usize = 60;
+
+/// Limit of steps along a line of action, of which two are usual.
+const STEPS_ON_LINE: usize = 4;
 
 /// Gap, rad, by which two places are equally tight: some roundings.
 const ROUNDED: f64 = 4e-15;
@@ -64,8 +64,7 @@ const ROUNDED: f64 = 4e-15;
 /// Gap, rad, by which a step to a maximum may still change it: rounding.
 const SETTLED: f64 = 1e-15;
 
-/// [`SETTLED`] for leaning axes, whose rates are those between neighbouring sections. It is a millionth of what their sections leave out, or
-/// less.
+/// [`SETTLED`] for leaning axes. It is a millionth of what their sections leave out, or less.
 const SETTLED_LEANING: f64 = 1e-14;
 
 /// The teeth of one side of a pose over the common face.
@@ -83,6 +82,8 @@ pub(super) struct AlongFace<'a> {
     ends: [[f64; 2]; 2],
     /// Where axes lean: how the frame changes along the face.
     leaning: Option<LeaningFrame>,
+    /// Changes of the gap on the line of action at both ends of the face by the moves of the centres, rad.
+    centred: [f64; 2],
     /// Bound of the lean's effect on a gap of the face, mm along the base tangent.
     most_leaning: f64,
     bounds: FaceBounds,
@@ -131,10 +132,14 @@ struct PairOfTeeth<'a> {
     teeth: FacingTeeth<'a>,
     /// The stretch of the face on which it is on the line of action, mm; without one, the place nearest to it.
     window: [f64; 2],
+    /// Whether it is on the line of action there, up to the slight turns by leads at its ends.
+    is_on_line: bool,
     /// The sections in which it may touch in a fillet.
     fillets: Fillets,
     /// Bound of its gap without leads and leans.
     most: f64,
+    /// Bound of the gap of its involutes without leads.
+    most_leaning: f64,
 }
 
 /// Sections in which a touch in a fillet is searched.
@@ -152,6 +157,8 @@ struct GapInSection {
     b: f64,
     gap: f64,
     rate: f64,
+    /// Heights at which the teeth touch, as [`FacingTeeth::with_heights`].
+    heights: [[f64; 2]; 2],
 }
 
 /// The touch of a pair in a section.
@@ -161,9 +168,10 @@ struct Touch {
     by_turn: [f64; 2],
     /// Rate of the gap by the moves of both centres along the face, rad per mm.
     moving: f64,
-    /// Heights of the point over the section, mm, along each gear's own axis, and turns of the flanks by them, rad.
-    heights: [f64; 2],
-    turned: [f64; 2],
+    /// Rates of both leads at the heights of the point, mm per mm.
+    lead_rates: [f64; 2],
+    /// Where axes lean: the touch from which heights count.
+    leaning: Option<(Separation, NearStart, LeaningTouch)>,
 }
 
 /// Change of the gap of a `contact` by a turn of the locked and of the free tooth about the centres of their outlines. The points of both teeth
@@ -191,16 +199,27 @@ impl<'a> AlongFace<'a> {
         effort.spend(EVALUATION);
         let first = Separation::endless(posed, 0, nominal);
         let near = if first.touches { first.gap } else { nominal };
+        let start = NearStart::new(posed, near);
+        let leaning = LeaningFrame::new(assembly, posed);
+        let centred = assembly.face().map(|b| match &leaning {
+            None => 0.0,
+            Some(leaning) => {
+                effort.spend(EVALUATION);
+                let here = leaning.at(posed, b);
+                Separation::endless_near(&here, 0, [0.0; 2], &start).gap - first.gap
+            }
+        });
         AlongFace {
             assembly,
             posed,
             twists: members.map(|member| posed.twist(assembly, member)),
-            start: NearStart::new(posed, near),
+            start,
+            centred,
             first,
             first_pair: InvolutePair::new(posed, 0),
             ends: [&posed.problem.locked, &posed.problem.free]
                 .map(|teeth| [lowest_roll(&teeth.shape), teeth.shape.tip_roll]),
-            leaning: LeaningFrame::new(assembly, posed),
+            leaning,
             most_leaning: assembly.shift_bound() + assembly.lean_bound() * wound * reach,
             bounds,
             effort,
@@ -240,7 +259,7 @@ impl<'a> AlongFace<'a> {
         deepest: impl Iterator<Item = (i64, f64)>,
     ) -> (Vec<f64>, f64) {
         let (mut found, mut best) = (Vec::new(), floor);
-        let mut examine = |pair: &PairOfTeeth, best: &mut f64| {
+        let mut examine = |pair: &PairOfTeeth<'a>, best: &mut f64| {
             for (ends, most) in self.stretches(pair, *best - tie) {
                 if most <= *best - tie {
                     break;
@@ -251,19 +270,25 @@ impl<'a> AlongFace<'a> {
                 }
             }
         };
-        // Bound of the gap that leads and leans add to a pair on the endless line.
-        let more = self.bounds.most_lead[self.posed.problem.side.index()]
-            + self.bounds.lead_change
-            + self.most_leaning;
-        let more = self.of_moves(more);
+        let leads = self.bounds.most_lead[self.posed.problem.side.index()];
+        let heights = self.of_moves(2.0 * self.bounds.lead_change);
+        let more = self.of_moves(leads) + heights;
+        // Pairs of spur gears with one lead each differ by a constant along their line: by no more than their bounds.
+        let are_alike = self.assembly.has_one_lead() && self.twists == [0.0; 2];
+        let mut alike = f64::INFINITY;
         for endless in self.steps(floor - tie) {
-            if self.is_plain() && endless.gap + more <= best - tie {
+            let most = self.most_without_leads(&endless);
+            if self.is_plain() && most + more.min(alike) <= best - tie {
                 continue;
             }
-            let pair = self.pair(&endless, floor - tie);
+            let pair = self.pair(&endless, most, floor - tie);
             // Involutes do not tell where flanks touch whose profiles deviate: see [`super::profiles`].
             if !self.assembly.is_modified() || pair.fillets != Fillets::None {
+                let before = best;
                 examine(&pair, &mut best);
+                if are_alike && best > before && self.is_on_line(&endless) {
+                    alike = best - most + heights + self.of_moves(self.second_order());
+                }
             }
         }
         for pair in deepest.filter_map(|(step, b)| self.pair_at(step, b, floor)) {
@@ -281,9 +306,12 @@ impl<'a> AlongFace<'a> {
             let [from, to] = self.assembly.face();
             let plane = 0f64.clamp(from, to);
             let ties = |step: i64| {
-                let pair = self.pair(&self.endless(step), floor);
-                let turns = self.turns(&pair, plane);
-                let touch = self.touch(&pair, plane, turns);
+                let endless = self.endless(step);
+                let pair = self.pair(&endless, self.most_without_leads(&endless), floor);
+                // Endless involutes touch no later.
+                let leads = self.of_moves(pair.teeth.lead_sum(plane));
+                let is_known = self.is_plain() && endless.gap + leads < best - tie;
+                let touch = (!is_known).then(|| self.touch(&pair, plane)).flatten();
                 touch.is_some_and(|touch| touch.gap >= best - ROUNDED)
             };
             if places.first() != Some(&plane) && found.iter().any(|(step, _)| ties(*step)) {
@@ -293,14 +321,25 @@ impl<'a> AlongFace<'a> {
         (places, best)
     }
 
+    /// Places of the locked teeth that can be as tight as `floor` in any section, or become so by turns that leave leans out. `None`: perhaps
+    /// all.
+    pub fn near(&self, floor: f64) -> Option<Vec<usize>> {
+        if !self.is_plain() {
+            return None;
+        }
+        let leads = self.bounds.most_lead[self.posed.problem.side.index()];
+        let more = self.of_moves(leads + 2.0 * self.bounds.most_moved);
+        let near = self.steps(f64::NEG_INFINITY).into_iter();
+        let near = near.filter(|pair| self.most_without_leads(pair) + more > floor);
+        Some(near.map(|pair| self.posed.places(pair.step).0).collect())
+    }
+
     /// For spur gears with one lead each: a bound of the tightest gap, if the tightest pair is on the line of action over the whole face. All
     /// such pairs are tightest at one place, whatever the pose. `None` if another pair may be tightest: it is no tighter than endless involutes,
     /// less the room of the ends that it has passed.
     pub fn tightest_on_line(&self) -> Option<f64> {
         let turned = self.most_turned();
-        let bases = self.bases();
-        let low = self.ends[1][0];
-        let turning = bases[1] * (1.0 + low * low).sqrt() + self.posed.problem.free_off.norm();
+        let turning = self.most_turning();
         let (mut on, mut beside) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         for step in self.posed.steps_over([0.0; 2]) {
             let pair = self.endless(step);
@@ -308,12 +347,7 @@ impl<'a> AlongFace<'a> {
                 on = on.max(pair.gap);
                 continue;
             }
-            // Leads turn a tooth to either side. The room is least at an end of what they turn.
-            let room = [0, 1].map(|k| {
-                let of = |roll: f64| self.first.room_of(k, roll, self.ends[k]);
-                of(pair.rolls[k] - turned).min(of(pair.rolls[k] + turned))
-            });
-            let room = room[0] + room[1];
+            let room = self.least_room(pair.rolls);
             if room < 0.0 {
                 return None;
             }
@@ -322,6 +356,87 @@ impl<'a> AlongFace<'a> {
         let is_on = self.is_plain() && self.first.touches;
         let leads = self.of_moves(self.bounds.most_lead[self.posed.problem.side.index()]);
         (is_on && on > beside + self.posed.problem.tie).then_some(on + leads)
+    }
+
+    /// Bound of the gap of a pair of involutes over the face, without leads.
+    ///
+    /// The gap falls beyond the stretch on the line of action, and along it it is linear but for the second order of the leans. Off the line
+    /// the ends of the involutes leave room in the direction of the line. Heights turn no flank of spur gears.
+    fn most_without_leads(&self, pair: &EndlessPair) -> f64 {
+        let room = self.least_room(self.rolls_at(pair.rolls, pair.window[0]));
+        // An edge at the form circle can stand beyond the endless involute.
+        let turning = if room > 0.0 {
+            self.most_turning()
+        } else {
+            LEAST_ARM * self.bases()[1]
+        };
+        let apart = pair.gap - room / turning;
+        let is_spur = self.twists == [0.0; 2];
+        let Some(leaning) = self
+            .leaning
+            .as_ref()
+            .filter(|_| is_spur || self.is_on_line(pair))
+        else {
+            return apart + self.of_moves(self.most_leaning);
+        };
+        let [from, to] = self.assembly.face();
+        let [low, high] = self.centred;
+        let at_end = |b: f64| {
+            let share = if to > from {
+                (b - from) / (to - from)
+            } else {
+                0.0
+            };
+            let turns =
+                leaning.turns_on_line(self.rolls_at(pair.rolls, b), &self.first, &self.start);
+            let by_turn = self.first.by_turn;
+            low + share * (high - low) + turns[0] * by_turn[0] + turns[1] * by_turn[1]
+        };
+        let most = if is_spur {
+            low.max(high)
+        } else {
+            at_end(pair.window[0]).max(at_end(pair.window[1]))
+        };
+        apart + most.min(self.of_moves(self.most_leaning)) + self.of_moves(self.second_order())
+    }
+
+    /// Bound of the second order of the leans along a line of action, mm along the base tangent.
+    ///
+    /// Centres that move by `m` across the line, of the length `T`, bend the gap by `m²/(2T)`, and turn the line by `m/T`, which moves heights
+    /// by as much again. Four times that are taken for both gears.
+    fn second_order(&self) -> f64 {
+        let (rolls, bases) = (self.first.rolls(), self.bases());
+        let length = bases[0] * rolls[0] + bases[1] * rolls[1];
+        4.0 * self.most_leaning * self.most_leaning / length
+    }
+
+    /// Whether a pair is on the line of action at both ends of its stretch. Spur gears may leave it there by leads.
+    fn is_on_line(&self, pair: &EndlessPair) -> bool {
+        let is_spur = self.twists == [0.0; 2];
+        let play = if is_spur {
+            self.most_turned()
+        } else {
+            -ON_LINE
+        };
+        let at = |b: f64| self.are_on_arcs(self.rolls_at(pair.rolls, b), play);
+        pair.window.into_iter().all(at)
+    }
+
+    /// Least room of involutes with ends beyond that of endless ones, mm, where leads and leans turn teeth that have these rolls. It is that at
+    /// an end of what they turn.
+    fn least_room(&self, rolls: [f64; 2]) -> f64 {
+        let turned = self.most_turned();
+        let room = [0, 1].map(|k| {
+            let of = |roll: f64| self.first.room_of(k, roll, self.ends[k]);
+            of(rolls[k] - turned).min(of(rolls[k] + turned))
+        });
+        room[0] + room[1]
+    }
+
+    /// Greatest change of a room by the gap, mm, off the line of action.
+    fn most_turning(&self) -> f64 {
+        let low = self.ends[1][0];
+        self.bases()[1] * (1.0 + low * low).sqrt() + self.posed.problem.free_off.norm()
     }
 
     /// Whether no touch is beside the involutes and their ends.
@@ -387,23 +502,26 @@ impl<'a> AlongFace<'a> {
         room <= 2.0 * self.bounds.most_moved
     }
 
-    /// The pair of a step. Fillets are left out where its gap cannot exceed `floor`.
-    fn pair(&self, endless: &EndlessPair, floor: f64) -> PairOfTeeth<'a> {
+    /// The pair of a step, whose involutes have no greater gap than `most_leaning` without leads. Fillets are left out where its gap cannot exceed
+    /// `floor`.
+    fn pair(&self, pair: &EndlessPair, most_leaning: f64, floor: f64) -> PairOfTeeth<'a> {
         let &EndlessPair {
             step,
             gap: endless,
             rolls,
             window,
             ..
-        } = endless;
+        } = pair;
         let teeth = self.posed.facing_teeth(self.assembly, step);
         if self.is_plain() && self.are_on_arcs(self.rolls_at(rolls, window[0]), -ON_LINE) {
             return PairOfTeeth {
                 step,
                 teeth,
                 window,
+                is_on_line: self.is_on_line(pair),
                 fillets: Fillets::None,
                 most: endless,
+                most_leaning,
             };
         }
         // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
@@ -438,8 +556,10 @@ impl<'a> AlongFace<'a> {
             step,
             teeth,
             window,
+            is_on_line: false,
             fillets,
             most,
+            most_leaning: most_leaning.min(most + self.of_moves(self.most_leaning)),
         }
     }
 
@@ -452,8 +572,10 @@ impl<'a> AlongFace<'a> {
             step,
             teeth,
             window: [b; 2],
+            is_on_line: false,
             fillets: Fillets::All,
             most: contact.gap,
+            most_leaning: contact.gap + self.of_moves(self.most_leaning),
         })
     }
 
@@ -537,7 +659,7 @@ impl<'a> AlongFace<'a> {
 
     /// Stretches of the face between knots of both leads of a step in which its gap may exceed `floor`, with their bounds of it, the greatest
     /// first.
-    fn stretches(&self, pair: &PairOfTeeth, floor: f64) -> Vec<([f64; 2], f64)> {
+    fn stretches(&self, pair: &PairOfTeeth<'a>, floor: f64) -> Vec<([f64; 2], f64)> {
         let problem = self.posed.problem;
         let shapes = [&problem.locked.shape, &problem.free.shape];
         // An edge at the form circle stands beyond the endless involute.
@@ -554,21 +676,18 @@ impl<'a> AlongFace<'a> {
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
-            let most = from.max(to).max(middle) + bend + self.most_leaning;
-            (ends, pair.most + self.of_moves(most))
+            let most = from.max(to).max(middle) + bend + 2.0 * self.bounds.lead_change;
+            (ends, pair.most_leaning + self.of_moves(most))
         };
         // Leans move the ends of the face: far pairs are left out before that is known.
-        let leads = pair.teeth.lead_sum_bound(self.assembly.face());
-        if is_bound
-            && pair.fillets == Fillets::None
-            && (pair.most + self.of_moves(leads + self.most_leaning) <= floor
-                || self.most_of_leaning(pair)
-                    + self.of_moves(leads + 2.0 * self.bounds.lead_change)
-                    <= floor)
-        {
-            return Vec::new();
+        if is_bound && pair.fillets == Fillets::None {
+            let leads = pair.teeth.lead_sum_bound(self.assembly.face());
+            let leads = self.of_moves(leads + 2.0 * self.bounds.lead_change);
+            if pair.most_leaning + leads <= floor {
+                return Vec::new();
+            }
         }
-        let face = self.own_face(pair);
+        let face = self.own_face(pair, pair.window);
         let ends = [self.assembly.locked(), self.assembly.free()]
             .map(|member| self.assembly.own_face(member));
         let section = |k: usize, place: f64| {
@@ -594,85 +713,78 @@ impl<'a> AlongFace<'a> {
         [0, 1].map(|k| -leads[k] / bases[k])
     }
 
-    /// Upper bound, over the face, of the gap of a pair of teeth with leaning axes. The part that leads add is left out.
-    ///
-    /// Without leads the gap is linear, with a slight concave bend, along the stretch on the line of action. The gap falls
-    /// beyond the stretch. The lean lets it rise at most at the rate of the lean. The gap of spur gears is concave over the face.
-    fn most_of_leaning(&self, pair: &PairOfTeeth) -> f64 {
-        if self.leaning.is_none() {
-            return f64::INFINITY;
-        }
-        let base = self.bases()[1];
-        let gap = |b: f64| {
-            let leads = pair.teeth.lead_sum(b) / base;
-            let touch = self.touch(pair, b, self.turns(pair, b));
-            touch.map_or(f64::INFINITY, |touch| touch.gap - leads)
-        };
-        let [from, to] = self.assembly.face();
-        if self.twists[0] == 0.0 {
-            let [low, middle, high] = [from, 0.5 * (from + to), to].map(gap);
-            return middle.max(2.0 * middle - low.min(high));
-        }
-        let [start, end] = pair.window;
-        let wound = (self.twists[0] * self.bases()[0]).powi(2);
-        let most = gap(start).max(gap(end));
-        most + self.assembly.lean_bound().powi(2) * self.posed.problem.distance / (wound * base)
-    }
-
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
     fn gap_in_section(&self, pair: &PairOfTeeth, b: f64) -> Option<GapInSection> {
-        let bases = self.bases();
-        let jets = pair.teeth.leads_and_rates(b);
-        let turns = [0, 1].map(|k| -jets[k][0] / bases[k]);
-        let found = self.touch(pair, b, turns)?;
-        let (mut smooth, mut twists) = (found.moving, self.twists);
-        let mut rates = jets.map(|[_, rate]| rate);
-        if let Some(leaning) = &self.leaning {
-            let turned = [0, 1].map(|k| self.twists[k] * (b + NEIGHBOUR) + turns[k]);
-            let at = (pair.step, b + NEIGHBOUR);
-            let (_, _, after) = leaning.undisturbed(self.posed, at, turned, &self.start)?;
-            // Leads rise with heights. Their knots are there too, so that only what is smooth is taken from beside.
-            let mut rising = [1.0; 2];
-            for k in [0, 1] {
-                rising[k] += (after.heights[k] - found.heights[k]) / NEIGHBOUR;
-                twists[k] += (after.turns[k] - found.turned[k]) / NEIGHBOUR;
+        let (found, bases) = (self.touch(pair, b)?, self.bases());
+        let rate = |rates: [f64; 2]| {
+            let by_turns = [0, 1].map(|k| found.by_turn[k] * rates[k]);
+            found.moving + by_turns[0] + by_turns[1]
+        };
+        let plain = [0, 1].map(|k| self.twists[k] - found.lead_rates[k] / bases[k]);
+        let (mut turning, mut heights) = (plain, [[0.0, 1.0]; 2]);
+        if let (Some(leaning), Some((undisturbed, start, there))) = (&self.leaning, &found.leaning)
+        {
+            let turned = [plain[0], plain[1] + rate(plain)];
+            let [locked, free] = leaning.rates(undisturbed, start, there, turned);
+            for (k, [rising, more]) in [locked, free].into_iter().enumerate() {
+                turning[k] += more - found.lead_rates[k] * rising / bases[k];
+                heights[k] = [there.heights[k] - b * rising, 1.0 + rising];
             }
-            let heights = [0, 1].map(|k| [found.heights[k] + b * (1.0 - rising[k]), rising[k]]);
-            rates = pair.teeth.with_heights(heights).lead_rates(b);
-        }
-        for k in [0, 1] {
-            smooth += found.by_turn[k] * (twists[k] - rates[k] / bases[k]);
         }
         Some(GapInSection {
             b,
             gap: found.gap,
-            rate: smooth,
+            rate: rate(turning),
+            heights,
         })
     }
 
-    /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other. `turns` has their turns by leads without
-    /// heights, rad.
-    fn touch(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2]) -> Option<Touch> {
+    /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other.
+    fn touch(&self, pair: &PairOfTeeth, b: f64) -> Option<Touch> {
         self.effort.spend(EVALUATION);
         let (step, bases) = (pair.step, self.bases());
-        let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
-        let (here, start, turns, heights, turned) = match &self.leaning {
-            None => (*self.posed, self.start, turns, [0.0; 2], [0.0; 2]),
-            Some(leaning) => {
-                // As in a section, heights are those of the touch before they turn the teeth, of involutes and their ends.
-                let (here, undisturbed, there) =
-                    leaning.undisturbed(self.posed, (step, b), turns, &self.start)?;
-                let teeth = pair
-                    .teeth
-                    .with_heights(there.heights.map(|height| [height, 1.0]));
-                let (leads, plain) = (teeth.leads(b), pair.teeth.leads(b));
-                let turns =
-                    [0, 1].map(|k| turns[k] + there.turns[k] - (leads[k] - plain[k]) / bases[k]);
-                let start = self.start.at(&undisturbed);
-                (here, start, turns, there.heights, there.turns)
-            }
+        let by_leads =
+            |jets: [[f64; 2]; 2]| [0, 1].map(|k| self.twists[k] * b - jets[k][0] / bases[k]);
+        let plain = pair.teeth.leads_and_rates(b);
+        let turns = by_leads(plain);
+        let Some(leaning) = &self.leaning else {
+            let found = Separation::near(self.posed, step, turns, &self.start);
+            return self.touch_of(pair, self.posed, turns, &found, plain, None);
         };
-        let found = Separation::near(&here, step, turns, &start);
+        // As in a section, heights are those of the touch before they turn the teeth, of involutes and their ends.
+        let (here, undisturbed, there) =
+            leaning.undisturbed(self.posed, (step, b), turns, &self.start)?;
+        let teeth = pair
+            .teeth
+            .with_heights(there.heights.map(|height| [height, 1.0]));
+        let jets = teeth.leads_and_rates(b);
+        let more = [0, 1].map(|k| there.turns[k] - (jets[k][0] - plain[k][0]) / bases[k]);
+        let turns = [0, 1].map(|k| turns[k] + more[k]);
+        let start = self.start.at(&undisturbed);
+        let found = undisturbed
+            .turned_further(more, self.posed.problem.free_off.norm())
+            .unwrap_or_else(|| Separation::near(&here, step, turns, &start));
+        self.touch_of(
+            pair,
+            &here,
+            turns,
+            &found,
+            jets,
+            Some((undisturbed, start, there)),
+        )
+    }
+
+    /// The touch of a pair whose involutes touch as `found`, in a fillet where one is tighter. The teeth of the section are `here`, turned by
+    /// `turns`, rad.
+    fn touch_of(
+        &self,
+        pair: &PairOfTeeth,
+        here: &PosedFlanks,
+        turns: [f64; 2],
+        found: &Separation,
+        leads: [[f64; 2]; 2],
+        leaning: Option<(Separation, NearStart, LeaningTouch)>,
+    ) -> Option<Touch> {
         let is_searched = match pair.fillets {
             Fillets::None => false,
             Fillets::BelowForm => {
@@ -690,17 +802,17 @@ impl<'a> AlongFace<'a> {
         } else {
             f64::NEG_INFINITY
         };
-        let teeth = is_searched.then(|| TurnedTeeth::new(&here, step, turns));
+        let teeth = is_searched.then(|| TurnedTeeth::new(here, pair.step, turns));
         let contact = teeth.and_then(|teeth| teeth.in_fillets(floor, self.effort));
         let (gap, by_turn, moving) = match &contact {
             Some(contact) => (
                 contact.gap,
-                by_turn(&here, contact),
+                by_turn(here, contact),
                 self.moving_in_fillets(contact),
             ),
             None if found.touches && !self.assembly.is_modified() => {
                 let moving = self.leaning.as_ref();
-                let moving = moving.map_or(0.0, |leaning| leaning.rate(&found, &self.start));
+                let moving = moving.map_or(0.0, |leaning| leaning.rate(found, &self.start));
                 (found.gap, found.by_turn, -moving / found.turning)
             }
             None => return None,
@@ -709,8 +821,8 @@ impl<'a> AlongFace<'a> {
             gap,
             by_turn,
             moving,
-            heights,
-            turned,
+            lead_rates: leads.map(|[_, rate]| rate),
+            leaning,
         })
     }
 
@@ -724,55 +836,57 @@ impl<'a> AlongFace<'a> {
         (moves.conj() * contact.normal).re / about
     }
 
-    /// Both ends of the face of a pair, mm, where the teeth of both gears are in the section where they touch.
-    fn own_face(&self, pair: &PairOfTeeth) -> [f64; 2] {
+    /// Both ends of the face of a pair, mm, where the teeth of both gears are in the section where they touch. Heights are those at the places
+    /// `at`: near them the ends are exact.
+    fn own_face(&self, pair: &PairOfTeeth<'a>, at: [f64; 2]) -> [f64; 2] {
         let face = self.assembly.face();
         if self.leaning.is_none() {
             return face;
         }
         let members = [self.assembly.locked(), self.assembly.free()];
+        let first = self.heights(pair, at[0]);
+        let second = if at[0] == at[1] {
+            first
+        } else {
+            self.heights(pair, at[1])
+        };
         [0, 1].map(|which| {
             let own = members.map(|member| self.assembly.own_face(member)[which]);
-            let mut b = face[which];
-            // Each round leaves the lean's part of the last error.
-            for _ in 0..ROUNDS_OF_HEIGHTS {
-                let Some(heights) = self.heights(pair, b) else {
-                    return face[which];
-                };
-                let ends = [0, 1].map(|k| own[k] - heights[k]);
-                b = if which == 0 {
-                    ends[0].max(ends[1])
-                } else {
-                    ends[0].min(ends[1])
-                };
+            let Some(heights) = [first, second][which] else {
+                return face[which];
+            };
+            let ends = [0, 1].map(|k| heights.section_of(k, own[k]));
+            if which == 0 {
+                ends[0].max(ends[1])
+            } else {
+                ends[0].min(ends[1])
             }
-            b
         })
     }
 
-    /// Heights of the point over the section at `b`, mm, at which a pair touches there.
-    fn heights(&self, pair: &PairOfTeeth, b: f64) -> Option<[f64; 2]> {
-        let Some(leaning) = &self.leaning else {
-            return Some([0.0; 2]);
-        };
+    /// The teeth of a pair with the heights at which they touch in the section at `b`, mm; `None` where they do not face each other or axes are
+    /// parallel.
+    fn heights(&self, pair: &PairOfTeeth<'a>, b: f64) -> Option<FacingTeeth<'a>> {
+        let leaning = self.leaning.as_ref()?;
         self.effort.spend(EVALUATION);
         let turns = self.turns(pair, b);
         let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
-        let found = leaning.undisturbed(self.posed, (pair.step, b), turns, &self.start);
-        found.map(|(_, _, touch)| touch.heights)
+        let (_, found, touch) =
+            leaning.undisturbed(self.posed, (pair.step, b), turns, &self.start)?;
+        let gap_rate = found.by_turn[0] * self.twists[0] + found.by_turn[1] * self.twists[1];
+        let turning = [self.twists[0], self.twists[1] + gap_rate];
+        let rates = leaning.rates(&found, &self.start, &touch, turning);
+        let heights = [0, 1].map(|k| {
+            let rate = 1.0 + rates[k][0];
+            [touch.heights[k] + b * (1.0 - rate), rate]
+        });
+        Some(pair.teeth.with_heights(heights))
     }
 
     /// The section, mm, in which a pair touches at the height `own`, mm, of the gear `k`.
-    fn section_of(&self, pair: &PairOfTeeth, k: usize, own: f64) -> f64 {
-        let mut b = own;
-        // Each round leaves the lean's part of the last error.
-        for _ in 0..ROUNDS_OF_HEIGHTS {
-            let Some(heights) = self.heights(pair, b) else {
-                return own;
-            };
-            b = own - heights[k];
-        }
-        b
+    fn section_of(&self, pair: &PairOfTeeth<'a>, k: usize, own: f64) -> f64 {
+        let heights = self.heights(pair, own);
+        heights.map_or(own, |heights| heights.section_of(k, own))
     }
 
     /// The greatest gap of a step over a stretch in which it is concave, found from the part of the stretch nearest to its window. `None`
@@ -793,30 +907,42 @@ impl<'a> AlongFace<'a> {
         let plays = [play_at(pair.window[0], start), play_at(pair.window[1], end)];
         let middle = 0.5 * (start + end);
         let inner = [(start + plays[0]).min(middle), (end - plays[1]).max(middle)];
-        let low = self.gap_in_section(pair, inner[0])?;
-        let high = if inner[1] == inner[0] {
-            low
+        let look = |b: f64| self.gap_in_section(pair, b);
+        let on_line =
+            (pair.is_on_line && inner[0] < inner[1]).then(|| self.greatest_on_line(pair, inner));
+        let (left, right) = if let Some(on_line) = on_line.flatten() {
+            // A place beside an end of the face may be beyond it.
+            let is_left = on_line.b == inner[0] && on_line.rate <= 0.0;
+            let is_right = on_line.b == inner[1] && on_line.rate >= 0.0;
+            let outwards = |border: f64| self.greatest_outwards(pair, on_line, border, beside);
+            let left = is_left.then(|| outwards(from));
+            let right = is_right.then(|| outwards(to));
+            (left, right.or((!is_left).then_some(on_line)))
         } else {
-            self.gap_in_section(pair, inner[1])?
-        };
-        let middle = if self.leaning.is_some() && inner[0] < inner[1] {
-            self.gap_in_section(pair, middle)?
-        } else if low.rate > 0.0 {
-            high
-        } else {
-            low
-        };
-        let left = if low.rate <= 0.0 {
-            Some(self.greatest_outwards(pair, low, from, beside))
-        } else {
-            (middle.rate < 0.0)
-                .then(|| self.greatest_between(low, middle, |b| self.gap_in_section(pair, b)))
-        };
-        let right = if high.rate >= 0.0 {
-            Some(self.greatest_outwards(pair, high, to, beside))
-        } else {
-            (middle.rate >= 0.0)
-                .then(|| self.greatest_between(middle, high, |b| self.gap_in_section(pair, b)))
+            let low = look(inner[0])?;
+            let high = if inner[1] == inner[0] {
+                low
+            } else {
+                look(inner[1])?
+            };
+            let middle = if self.leaning.is_some() && inner[0] < inner[1] {
+                look(middle)?
+            } else if low.rate > 0.0 {
+                high
+            } else {
+                low
+            };
+            let left = if low.rate <= 0.0 {
+                Some(self.greatest_outwards(pair, low, from, beside))
+            } else {
+                (middle.rate < 0.0).then(|| self.greatest_between(low, middle, look))
+            };
+            let right = if high.rate >= 0.0 {
+                Some(self.greatest_outwards(pair, high, to, beside))
+            } else {
+                (middle.rate >= 0.0).then(|| self.greatest_between(middle, high, look))
+            };
+            (left, right)
         };
         let ends = [(start, -plays[0], from), (end, plays[1], to)];
         let beyond = ends.map(|(end, play, border)| {
@@ -824,9 +950,49 @@ impl<'a> AlongFace<'a> {
             let outer = outer.flatten().filter(|outer| outer.rate * play > 0.0);
             outer.map(|outer| self.greatest_outwards(pair, outer, border, beside))
         });
-        let found = left.into_iter().chain(right);
-        let found = found.chain(beyond.into_iter().flatten());
+        let found = [left, right].into_iter().chain(beyond).flatten();
         found.reduce(|one, other| if other.gap > one.gap { other } else { one })
+    }
+
+    /// The greatest gap of a step between two places, both included, between which it is on the line of action. There the gap is linear but for
+    /// the leads and the second order of leans: what leads leave of the rate in one section is about that of the others. `None` where the leads
+    /// are hollow, or where the second order counts, as leads make up for leans.
+    fn greatest_on_line(&self, pair: &PairOfTeeth, [from, to]: [f64; 2]) -> Option<GapInSection> {
+        let turning = self.first.turning;
+        let mut at = self.gap_in_section(pair, 0.5 * (from + to))?;
+        for _ in 0..STEPS_ON_LINE {
+            let teeth = pair.teeth.with_heights(at.heights);
+            let by_leads = |b: f64| {
+                let jets = teeth.leads_and_rates(b);
+                [0, 1].map(|k| (jets[0][k] + jets[1][k]) / turning)
+            };
+            let smooth = at.rate - by_leads(at.b)[1];
+            let of_line = |b: f64| {
+                let [lead, rate] = by_leads(b);
+                GapInSection {
+                    b,
+                    gap: lead + smooth * (b - at.b),
+                    rate: smooth + rate,
+                    heights: at.heights,
+                }
+            };
+            let [low, middle, high] = [from, 0.5 * (from + to), to].map(of_line);
+            if middle.rate > low.rate || high.rate > middle.rate {
+                return None;
+            }
+            let b = if low.rate <= 0.0 {
+                from
+            } else if high.rate >= 0.0 {
+                to
+            } else {
+                self.greatest_between(low, high, |b| Some(of_line(b))).b
+            };
+            if b == at.b || (at.rate * (b - at.b)).abs() < self.settled() {
+                return Some(at);
+            }
+            at = self.gap_in_section(pair, b)?;
+        }
+        None
     }
 
     /// The place inside a stretch at which the sum of both leads is greatest, if the teeth are on the line of action there. The gap of a pair
@@ -839,7 +1005,12 @@ impl<'a> AlongFace<'a> {
         let leads = |b: f64| {
             let [locked, free] = pair.teeth.leads_and_rates(b);
             let [gap, rate] = [0, 1].map(|k| (locked[k] + free[k]) / base);
-            GapInSection { b, gap, rate }
+            GapInSection {
+                b,
+                gap,
+                rate,
+                heights: [[0.0, 1.0]; 2],
+            }
         };
         let (low, high) = (leads(start), leads(end));
         if !(low.rate > 0.0 && high.rate < 0.0) {
@@ -857,8 +1028,7 @@ impl<'a> AlongFace<'a> {
         let turned = self.most_turned();
         match self.leaning {
             Some(_) if self.twists[0] != 0.0 => {
-                let twist = self.twists[0].abs().min(self.twists[1].abs());
-                (turned / twist).max(2.0 * NEIGHBOUR)
+                turned / self.twists[0].abs().min(self.twists[1].abs())
             }
             _ => 0.0,
         }
@@ -872,14 +1042,23 @@ impl<'a> AlongFace<'a> {
         border: f64,
         beside: f64,
     ) -> GapInSection {
-        let greatest_outwards = (border - last.b).signum();
+        let outwards = (border - last.b).signum();
         let mut way = FIRST_STEP * (border - last.b).abs();
         loop {
             let left = (border - last.b).abs();
             if left <= 2.0 * beside {
-                return self.gap_in_section(pair, border).unwrap_or(last);
+                // Beyond the line heights bend: an end of the face is found again there. The border may also be a knot near it.
+                let [low, high] = self.own_face(pair, [border; 2]);
+                let play = 2.0 * self.assembly.height_bound();
+                let is_near = |end: &f64| (border - end).abs() <= play;
+                let ends = [low, high].into_iter().filter(is_near);
+                let inside = Some(border).filter(|border| (low..=high).contains(border));
+                let found = ends.chain(inside);
+                let found = found.filter_map(|b| self.gap_in_section(pair, b));
+                let best = found.reduce(|one, other| if other.gap > one.gap { other } else { one });
+                return best.unwrap_or(last);
             }
-            let b = last.b + greatest_outwards * way.min(left - beside);
+            let b = last.b + outwards * way.min(left - beside);
             let Some(next) = self.gap_in_section(pair, b) else {
                 // Too far out.
                 way *= 0.5;
@@ -888,8 +1067,8 @@ impl<'a> AlongFace<'a> {
                 }
                 continue;
             };
-            if next.rate * greatest_outwards <= 0.0 {
-                let (low, high) = if greatest_outwards > 0.0 {
+            if next.rate * outwards <= 0.0 {
+                let (low, high) = if outwards > 0.0 {
                     (last, next)
                 } else {
                     (next, last)
@@ -901,6 +1080,15 @@ impl<'a> AlongFace<'a> {
         }
     }
 
+    /// Gap, rad, by which a step to a maximum may still change it.
+    fn settled(&self) -> f64 {
+        if self.leaning.is_some() {
+            SETTLED_LEANING
+        } else {
+            SETTLED
+        }
+    }
+
     /// The greatest gap between two places, from which it rises inwards.
     fn greatest_between(
         &self,
@@ -908,11 +1096,7 @@ impl<'a> AlongFace<'a> {
         mut high: GapInSection,
         look: impl Fn(f64) -> Option<GapInSection>,
     ) -> GapInSection {
-        let settled = if self.leaning.is_some() {
-            SETTLED_LEANING
-        } else {
-            SETTLED
-        };
+        let settled = self.settled();
         // Regula falsi, halving the rate of an end that stays twice (Illinois).
         let mut rates = [low.rate, high.rate];
         let mut last_moved = None;

@@ -13,7 +13,7 @@ use crate::contact::exact::section_side::{SectionPlace, SectionSide};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::gear::Side;
-use crate::pair::{GearPair, Mating, Member, Pose};
+use crate::pair::{GearPair, Mating, Pose};
 
 /// Number of poses of a pitch in which teeth on the line of action are sought. With a contact ratio above 1 most poses have them.
 const POSES: u32 = 8;
@@ -63,10 +63,7 @@ impl SearchFreeSections {
     /// This solver of `helical` with [`SearchFreeSections::one_place`].
     pub fn with_one_place(self, helical: &Helical) -> SearchFreeSections {
         let assembly = &helical.assembly;
-        let has_one_lead = Member::BOTH
-            .iter()
-            .all(|member| assembly.gear(*member).has_one_lead());
-        if !has_one_lead || assembly.is_helical() || assembly.leans() {
+        if !assembly.has_one_lead() || assembly.is_helical() || assembly.leans() {
             return self;
         }
         let one_place = self.sides.each_ref().map(|problem| {
@@ -120,6 +117,7 @@ impl SearchFreeSections {
             whole: pose,
             here,
             b,
+            near: None,
         };
         let side = |problem| SectionSide::new(&helical.plane, problem, place, None);
         let [right, left] = self.sides.each_ref().map(side);
@@ -166,13 +164,14 @@ impl SearchFreeSections {
         }
         // The radius of a far corner is less than one and a half base radii.
         let moved = 2.0 * helical.bounds.most_moved + assembly.shift_bound();
-        let mut section = |b: f64| {
+        let mut section = |b: f64, near: Option<&[usize]>| {
             let here = pose.in_section(assembly, b);
             let place = SectionPlace {
                 assembly,
                 whole: pose,
                 here: &here,
                 b,
+                near,
             };
             let at = SectionSide::new(&helical.plane, problem, place, Some((&self.solver, moved)))?;
             let contact = helical.plane.contact(&at.posed(), &self.solver, effort)?;
@@ -181,16 +180,17 @@ impl SearchFreeSections {
         // Fillets are searched only for what exceeds a known contact.
         let floor = if helical.bounds.in_fillets {
             let [from, to] = assembly.face();
-            gap_at(section(0f64.clamp(from, to))?)
+            gap_at(section(0f64.clamp(from, to), None)?)
         } else {
             f64::NEG_INFINITY
         };
         let (places, tightest) = helical.places_of_leads(&along, &posed, nominal, floor);
+        let near = assembly.leans().then(|| along.near(tightest)).flatten();
         for b in places {
-            section(b)?;
+            section(b, near.as_deref())?;
         }
-        // Without a place that is tight, or with a contact tighter than those of `places`, sections are searched.
+        // Without a place that is tight, or with another contact than those of `places`, sections are searched.
         let gap = gap_at(over.beyond(side)?);
-        (gap <= tightest + problem.tie + helical.omitted_error).then_some(())
+        ((gap - tightest).abs() <= problem.tie + helical.omitted_error).then_some(())
     }
 }

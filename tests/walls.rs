@@ -254,7 +254,7 @@ fn crates(options: &[&str]) -> Option<Vec<String>> {
     Some(names)
 }
 
-/// README states both numbers.
+/// ARCHITECTURE.md states both numbers.
 #[test]
 fn the_library_stands_on_few_crates() {
     let (Some(all), Some(least)) = (crates(&[]), crates(&["--no-default-features"])) else {
@@ -264,10 +264,10 @@ fn the_library_stands_on_few_crates() {
     let named = |name: &str| least.iter().any(|one| one.split(' ').next() == Some(name));
     let named = ["nalgebra", "rayon", "serde"].map(named);
     assert_eq!(named, [true, false, false], "{least:?}");
-    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let architecture = Path::new(env!("CARGO_MANIFEST_DIR")).join("ARCHITECTURE.md");
     let stated = format!("{} crates, or {} without", all.len(), least.len());
-    let readme = fs::read_to_string(readme).unwrap().replace('\n', " ");
-    assert!(readme.contains(&stated), "{stated}");
+    let architecture = fs::read_to_string(architecture).unwrap();
+    assert!(architecture.contains(&stated), "{stated}");
 }
 
 /// Tables and drawings know no pair file; `input` alone knows both.

@@ -101,6 +101,8 @@ pub enum NoRemedy {
     Spread {
         /// The limited quantity.
         quantity: Quantity,
+        /// The centre distance, mm, where that of the other runs differs.
+        distance: Option<f64>,
         /// Its least and greatest value, in its unit.
         found: [f64; 2],
         /// Its limits.
@@ -232,8 +234,10 @@ fn spread(study: &Study, runs: &[RunExtremes]) -> Option<NoRemedy> {
         let greatest = all(End::Greatest).collect::<Option<Vec<f64>>>()?;
         let least = least.into_iter().reduce(f64::min)?;
         let greatest = greatest.into_iter().reduce(f64::max)?;
+        let here = first.assembly.center_distance();
         (greatest - least > limits[1] - limits[0]).then_some(NoRemedy::Spread {
             quantity: *quantity,
+            distance: (!runs.iter().all(|run| is_together(first, run))).then_some(here),
             found: [least, greatest],
             limits,
         })

@@ -204,7 +204,9 @@ impl Finding {
                 let agree = |(pitch, apart): (Eccentricity, f64)| {
                     apart <= readings.left_um.max(SAME_ECCENTRICITY * pitch.um)
                 };
-                readings.in_pitch.is_some_and(agree)
+                // The user has stated that the readings count, and EccentricityInPitch tells where they differ.
+                readings.knowledge == FlankKnowledge::DatumPitch
+                    || readings.in_pitch.is_some_and(agree)
             }
             Finding::EccentricityInPitch(note) => {
                 let same = SAME_ECCENTRICITY * note.in_pitch.um;

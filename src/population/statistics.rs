@@ -89,8 +89,9 @@ pub struct Statistics {
     pub least: SpreadStatistics,
     /// Greatest `j_wt`. Assemblies out of mesh count as higher than any value.
     pub greatest: SpreadStatistics,
-    /// `(max − min)/(6 σ)`, the greater σ of both; `None` without both limits. It implies shares only for normal
-    /// populations of assemblies that have both extremes.
+    /// `(max − min − d)/(6 σ)`, the greater σ of both, where the mean of the greatest is `d` above that of the least: [`Statistics::cpk`] of
+    /// centred assemblies with that σ. `None` without both limits. It implies shares only for normal populations of assemblies that have both
+    /// extremes.
     pub cp: Option<f64>,
     /// The lesser of `(mean of the least − min)/(3 σ)` and `(max − mean of the greatest)/(3 σ)`, of the existing limits.
     pub cpk: Option<f64>,
@@ -114,15 +115,20 @@ impl Statistics {
             sigmas[1],
         );
         let widest = sigmas.into_iter().flatten().reduce(f64::max);
+        let limits = low.zip(high).map(|(min, max)| [min, max]);
+        let means = least.mean.zip(greatest.mean);
+        let means = means.map(|(least, greatest)| [least, greatest]);
         Statistics {
             total,
             below: Share::of(tally.below, total),
             above: Share::of(tally.above, total),
             outside: Share::of(tally.outside, total),
-            cp: low
-                .zip(high)
+            cp: limits
                 .zip(widest)
-                .map(|((min, max), sigma)| (max - min) / (6.0 * sigma)),
+                .zip(means)
+                .map(|((limits, sigma), means)| {
+                    (limits[1] - limits[0] - (means[1] - means[0])) / (6.0 * sigma)
+                }),
             cpk: below.into_iter().chain(above).reduce(f64::min),
             least,
             greatest,

@@ -40,10 +40,10 @@ pub(super) struct Args {
     /// Teeth spanned [default: as stated, else contact near mid-height]
     #[arg(long, visible_alias = "span", value_name = "K", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     span_teeth: Option<u32>,
-    /// Diameter of the pins, mm [default: as stated, else contact near mid-height]
+    /// Diameter of the pins, mm [default: as stated, else contact at mid-height, rounded up]
     #[arg(long, visible_alias = "pin", value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
     pin_mm: Option<f64>,
-    /// Diameter of the runout ball, mm [default: the pin's]
+    /// Diameter of the runout ball, mm [default: as stated, else the pin's]
     #[arg(long, value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
     ball_mm: Option<f64>,
     /// Teeth of the master gear [default: 30, or as the tips need]

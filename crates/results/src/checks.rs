@@ -225,7 +225,7 @@ pub fn text(
     let mut text = heading(&file.study.title, &lines, screen);
     if diagnosis.groups.is_empty() {
         for sentence in &lines.left_out {
-            let _ = writeln!(text, "{sentence}.\n");
+            let _ = writeln!(text, "Note: {sentence}.\n");
         }
         return screen.fold(&(text + &drawn_notes(file) + &remedies));
     }
@@ -239,7 +239,7 @@ pub fn text(
         let _ = writeln!(text, "\n{word}: {reason}.");
     }
     for sentence in &lines.left_out {
-        let _ = writeln!(text, "\n{sentence}.");
+        let _ = writeln!(text, "\nNote: {sentence}.");
     }
     text += &contact(diagnosis, verdict.requirement);
     text += &remedies;
@@ -344,7 +344,7 @@ fn outcome(diagnosis: &Diagnosis, requirement: RequirementOutcome) -> String {
     let all = distinct(governing(diagnosis).iter().map(|(_, check)| check.title)).len();
     let named = |count: &str, titles: &[&str]| {
         format!(
-            "{} of {all} checks {count}: {}.",
+            "{} of {all} checks {count}, counted by title: {}.",
             titles.len(),
             titles.join(", ")
         )

@@ -114,9 +114,8 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
         several => several.join(", or "),
     };
     format!(
-        "Found, not used: the {name} looks like {like} (residual {} µm over the middle of its flanks, of {} µm allowed).",
-        um(found.residual, 2),
-        um(found.limit, 2)
+        "Not used: the {name} looks like {like}; the middle of its flanks is within {} µm of that involute.",
+        um(found.residual, 2)
     )
 }
 

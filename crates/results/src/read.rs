@@ -61,11 +61,14 @@ fn origin(table: &ImportedTable) -> String {
     if !named.is_empty() {
         let _ = writeln!(text, "  read: {}", named.join(", "));
     }
+    if let Some(words) = table.unit_slip() {
+        let _ = writeln!(text, "  warning: {words}; or write the unit in its heading");
+    }
     if let Some(words) = &table.left_out {
         let _ = writeln!(text, "  left out: {}", line(words));
     }
     if let Some(words) = &table.in_other_table {
-        let _ = writeln!(text, "  in another table: {}", line(words));
+        let _ = writeln!(text, "  read into another table: {}", line(words));
     }
     text
 }

@@ -225,6 +225,7 @@ fn sentence(reason: NoRemedy) -> String {
     let words = match reason {
         NoRemedy::Spread {
             quantity,
+            distance,
             found,
             limits,
         } => {
@@ -234,8 +235,9 @@ fn sentence(reason: NoRemedy) -> String {
                     [greatest - least, least, greatest].map(|value| fixed(value * per, decimals));
                 format!("{} {unit} ({} … {})", shown[0], shown[1], shown[2])
             });
+            let at = distance.map_or(String::new(), |mm| format!(" at a = {} mm", fixed(mm, 3)));
             return format!(
-                "No single change is enough: {name} spreads over {found}, its limits over {limits}."
+                "No single change is enough: {name}{at} spreads over {found}, its limits over {limits}."
             );
         }
         NoRemedy::TooLittleAndTooGreat => {

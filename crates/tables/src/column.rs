@@ -175,12 +175,16 @@ impl Column {
         self.description().2
     }
 
-    /// Factor from values in `unit`, by default its own: 1000 for mm in place of µm; `None` for any other unit.
+    /// Factor from values in `unit`, by default its own: 1000 for mm in place of µm. Inches and thousandths of an inch are converted.
+    /// `None` for any other unit.
     pub fn from_unit(self, unit: Option<&str>) -> Option<f64> {
         match (self.unit(), unit) {
             (_, None) => Some(1.0),
             (own, Some(unit)) if unit == own => Some(1.0),
             ("µm", Some("mm")) => Some(1000.0),
+            ("µm", Some("in")) => Some(25_400.0),
+            ("µm", Some("mil")) | ("mm", Some("in")) => Some(25.4),
+            ("mm", Some("mil")) => Some(0.0254),
             _ => None,
         }
     }

@@ -1,5 +1,6 @@
 //! One table of a file: its content, place and columns.
 
+use crate::unit_slips;
 use gearlash_tables::{Quantity, Row, Sheet, Unread};
 use serde::Serialize;
 
@@ -104,6 +105,24 @@ impl ImportedTable {
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
+    }
+
+    /// The warning of a column whose numbers look like another unit than µm.
+    pub fn unit_slip(&self) -> Option<String> {
+        let columns = self.columns.iter();
+        let greatest = columns
+            .filter(|column| column.name.ends_with("_um"))
+            .filter_map(|column| {
+                let numbers = column.values.iter().filter_map(|value| match value {
+                    Value::Number(number) => Some(*number),
+                    _ => None,
+                });
+                let greatest = numbers.max_by(|one, other| one.abs().total_cmp(&other.abs()));
+                Some((column.name, greatest?))
+            });
+        let greatest = greatest.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()));
+        let (name, value) = greatest?;
+        unit_slips::in_unit(name, "um", value)
     }
 
     /// The one number in the heading of its values, such as the teeth in "Wk 3 [mm]" or "Zahnweite über 3 Zähne".

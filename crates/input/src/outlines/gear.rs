@@ -248,8 +248,9 @@ fn centre(
             others => gear.refuse(
                 "outline.center_mm",
                 format!(
-                    "needs circles about one centre inside the outline, {} are drawn{}",
+                    "needs circles about one centre inside the outline, {} are drawn in {}{}",
                     others.len(),
+                    spec.file,
                     centres(others)
                 ),
                 "state the centre as [x, y] in mm, or \"fit\"",

@@ -113,6 +113,7 @@ impl GearSpec {
         Settings {
             span_teeth: given.span_teeth.or(self.thickness.span_teeth()),
             pin: given.pin.or(self.thickness.pin_mm()),
+            ball: given.ball.or(self.runout.ball_mm),
             face: self.face().unwrap_or_default(),
             evaluation: self.evaluation_radii(),
             lead_range: range.map(|range| range.map(|height| self.scale() * height)),

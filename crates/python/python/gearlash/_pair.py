@@ -96,7 +96,10 @@ class Pair(Stated[_core.Pair]):
         center_distance_mm: float | None = None,
         material: str | None = None,
     ) -> Pose:
-        """Lost motion where these teeth mate: the exact method, proven and checked by polygons. For many poses: :meth:`lost_motions`."""
+        """Lost motion where these teeth mate: the exact method, proven and checked by polygons. For many poses: :meth:`lost_motions`.
+
+        Without ``center_distance_mm`` and ``material`` it is that of the first run: of a band the least distance, and most material.
+        """
         teeth = (wheel_tooth, pinion_tooth)
         found = _core.lost_motion(
             self._core, teeth, is_left(flank), fraction, center_distance_mm, material
@@ -116,7 +119,7 @@ class Pair(Stated[_core.Pair]):
         threads: int | None = None,
     ) -> Poses:
         """Lost motion at n poses: whole numbers, flanks (``"right"``/``"left"`` or :class:`Flank`) and numbers of pitches, each a value or
-        of shape (n,). Bearing clearance is not applied.
+        of shape (n,). Bearing clearance is not applied. Distance and material by default: as :meth:`lost_motion`.
 
         ``certify=False`` leaves out the proof of each pose, which takes a few times as long as the pose.
         ``threads``: as many of its own, or ``None`` for those that all calls share. The interpreter's lock is released.

@@ -1,6 +1,6 @@
 //! Joins the loose ends of drawn pieces into loops.
 //!
-//! Ends that are one point but for rounding are joined first. Then the remaining ends nearer than `join` are. This keeps a short
+//! Ends that are one point but for rounding are joined first. Then the remaining ends at most `join` apart are. This keeps a short
 //! line between two others. Ends are looked up in a grid of squares of that size, so that n pieces take O(n).
 
 use super::DrawingError;
@@ -73,7 +73,7 @@ impl Open {
     }
 }
 
-/// Joins `pieces`. Ends nearer than `join` mm are one point; a gap larger than rounding is closed by a straight line.
+/// Joins `pieces`. Ends at most `join` mm apart are one point; a gap larger than rounding is closed by a straight line.
 pub fn chain(pieces: Vec<DrawnPath>, join: f64) -> Result<Chains, DrawingError> {
     let ends: Vec<Point2<f64>> = pieces.iter().flat_map(DrawnPath::ends).collect();
     let mut mates = vec![None; ends.len()];

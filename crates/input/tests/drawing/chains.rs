@@ -56,6 +56,9 @@ fn small_gaps_are_closed_and_told() {
     assert!((0.004..0.0042).contains(&join_mm), "{join_mm}");
     let drawing = drawn("dxf", &gapped(0.004), &Options { join_mm, ..in_mm() }).unwrap();
     assert!((drawing.loops[0].bound_mm - 0.002).abs() < 1e-15);
+    // A gap of join_mm itself is closed: 5.5 and 5 have no rounding.
+    let drawing = drawn("dxf", &gapped(0.5), &Options { join_mm: 0.5, ..in_mm() }).unwrap();
+    assert_eq!(drawing.loops[0].bound_mm, 0.25);
 }
 
 /// A line shorter than join_mm between two others stays: its ends meet theirs exactly.

@@ -362,6 +362,7 @@ impl<'a> AlongFace<'a> {
     ///
     /// The gap falls beyond the stretch on the line of action, and along it it is linear but for the second order of the leans. Off the line
     /// the ends of the involutes leave room in the direction of the line. Heights turn no flank of spur gears.
+    #[inline(never)]
     fn most_without_leads(&self, pair: &EndlessPair) -> f64 {
         let room = self.least_room(self.rolls_at(pair.rolls, pair.window[0]));
         // An edge at the form circle can stand beyond the endless involute.
@@ -714,6 +715,7 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
+    #[inline(never)]
     fn gap_in_section(&self, pair: &PairOfTeeth, b: f64) -> Option<GapInSection> {
         let (found, bases) = (self.touch(pair, b)?, self.bases());
         let rate = |rates: [f64; 2]| {
@@ -740,6 +742,7 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other.
+    #[inline(never)]
     fn touch(&self, pair: &PairOfTeeth, b: f64) -> Option<Touch> {
         self.effort.spend(EVALUATION);
         let (step, bases) = (pair.step, self.bases());
@@ -838,6 +841,7 @@ impl<'a> AlongFace<'a> {
 
     /// Both ends of the face of a pair, mm, where the teeth of both gears are in the section where they touch. Heights are those at the places
     /// `at`: near them the ends are exact.
+    #[inline(never)]
     fn own_face(&self, pair: &PairOfTeeth<'a>, at: [f64; 2]) -> [f64; 2] {
         let face = self.assembly.face();
         if self.leaning.is_none() {
@@ -866,6 +870,7 @@ impl<'a> AlongFace<'a> {
 
     /// The teeth of a pair with the heights at which they touch in the section at `b`, mm; `None` where they do not face each other or axes are
     /// parallel.
+    #[inline(never)]
     fn heights(&self, pair: &PairOfTeeth<'a>, b: f64) -> Option<FacingTeeth<'a>> {
         let leaning = self.leaning.as_ref()?;
         self.effort.spend(EVALUATION);
@@ -935,12 +940,12 @@ impl<'a> AlongFace<'a> {
             let left = if low.rate <= 0.0 {
                 Some(self.greatest_outwards(pair, low, from, beside))
             } else {
-                (middle.rate < 0.0).then(|| self.greatest_between(low, middle, look))
+                (middle.rate < 0.0).then(|| self.greatest_between(low, middle, &look))
             };
             let right = if high.rate >= 0.0 {
                 Some(self.greatest_outwards(pair, high, to, beside))
             } else {
-                (middle.rate >= 0.0).then(|| self.greatest_between(middle, high, look))
+                (middle.rate >= 0.0).then(|| self.greatest_between(middle, high, &look))
             };
             (left, right)
         };
@@ -985,7 +990,7 @@ impl<'a> AlongFace<'a> {
             } else if high.rate >= 0.0 {
                 to
             } else {
-                self.greatest_between(low, high, |b| Some(of_line(b))).b
+                self.greatest_between(low, high, &|b| Some(of_line(b))).b
             };
             if b == at.b || (at.rate * (b - at.b)).abs() < self.settled() {
                 return Some(at);
@@ -1016,7 +1021,7 @@ impl<'a> AlongFace<'a> {
         if !(low.rate > 0.0 && high.rate < 0.0) {
             return None;
         }
-        let b = self.greatest_between(low, high, |b| Some(leads(b))).b;
+        let b = self.greatest_between(low, high, &|b| Some(leads(b))).b;
         let rolls = self.rolls_at(self.endless(pair.step).rolls, b);
         let is_on = self.are_on_arcs(rolls, self.most_turned());
         is_on.then_some(b)
@@ -1073,7 +1078,7 @@ impl<'a> AlongFace<'a> {
                 } else {
                     (next, last)
                 };
-                return self.greatest_between(low, high, |b| self.gap_in_section(pair, b));
+                return self.greatest_between(low, high, &|b| self.gap_in_section(pair, b));
             }
             last = next;
             way *= 2.0;
@@ -1094,7 +1099,7 @@ impl<'a> AlongFace<'a> {
         &self,
         mut low: GapInSection,
         mut high: GapInSection,
-        look: impl Fn(f64) -> Option<GapInSection>,
+        look: &dyn Fn(f64) -> Option<GapInSection>,
     ) -> GapInSection {
         let settled = self.settled();
         // Regula falsi, halving the rate of an end that stays twice (Illinois).

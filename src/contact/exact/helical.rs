@@ -43,7 +43,7 @@ use crate::gear::Side;
 use crate::numeric::rank;
 use crate::pair::{GearPair, Member, Pose, beyond_ends_bound, section_at};
 use edges::Edges;
-use leads::{AlongFace, FaceBounds, MOST_BY_ARMS};
+use leads::{AlongFace, EndlessPair, FaceBounds, MOST_BY_ARMS};
 use place_filter::{GapLimits, PlaceFilter};
 use profiles::{AlongFlanks, HighestPlace, LEVEL};
 use search_free_sections::SearchFreeSections;
@@ -257,10 +257,11 @@ impl Helical {
     }
 
     /// Places, mm, at which leads and leans make a pair of `posed` tightest, with a gap above `floor`, and the tightest gap. The nominal
-    /// rotation is at the gap `nominal`.
+    /// rotation is at the gap `nominal`; `steps` are those of [`AlongFace::steps`].
     fn places_of_leads(
         &self,
         along: &AlongFace,
+        steps: &[(EndlessPair, f64)],
         posed: &PosedFlanks,
         nominal: f64,
         floor: f64,
@@ -274,7 +275,7 @@ impl Helical {
         let deepest = self.edges.iter().filter(|_| in_fillets);
         let deepest = deepest.flat_map(|edges| edges.deepest(assembly, posed, stands));
         let tie = posed.problem.tie;
-        along.places(floor + tie, tie, deepest)
+        along.places(steps, floor + tie, tie, deepest)
     }
 
     /// Both contacts of `pose`, where no section needs a search; `None` where [`Helical::over`] has to find them.
@@ -421,7 +422,8 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let known = self.over.beyond(side);
         let floor = known.map_or(f64::NEG_INFINITY, |known| nominal - side.sense() * known);
         let along = helical.along_face(&posed, nominal, self.effort);
-        let (places, _) = helical.places_of_leads(&along, &posed, nominal, floor);
+        let steps = along.steps(floor);
+        let (places, _) = helical.places_of_leads(&along, &steps, &posed, nominal, floor);
         for b in places {
             self.section(b, None, 0.0)?;
         }

@@ -39,6 +39,17 @@ pub(super) struct LeaningTouch {
     corner: Option<usize>,
 }
 
+impl LeaningTouch {
+    /// Heights along each gear's own axis, mm, in the section at 0, and their rates along the face, mm per mm. The touch is in the section at `b`,
+    /// mm, and `rates` are its [`LeaningFrame::rates`].
+    pub fn heights_along(&self, b: f64, rates: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+        [0, 1].map(|k| {
+            let rate = 1.0 + rates[k][0];
+            [self.heights[k] + b * (1.0 - rate), rate]
+        })
+    }
+}
+
 impl LeaningFrame {
     /// `None` where axes are parallel.
     pub fn new(assembly: &GearPair, posed: &PosedFlanks) -> Option<LeaningFrame> {

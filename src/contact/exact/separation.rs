@@ -349,8 +349,12 @@ impl Separation {
     ///
     /// On the line `Re(e^{iβ} B*) = Σ`, and `Im(e^{iβ} B*)` is its length.
     pub fn line_turning(&self, start: &NearStart, moves: C) -> f64 {
-        let length = self.arcs[0].base * self.rolls[0] + self.arcs[1].base * self.rolls[1];
-        (self.direction_turned(start, 0.0) * moves.conj()).re / length
+        (self.direction_turned(start, 0.0) * moves.conj()).re / self.line_length()
+    }
+
+    /// Length of the line of action of a touch on it, mm.
+    pub fn line_length(&self) -> f64 {
+        self.arcs[0].base * self.rolls[0] + self.arcs[1].base * self.rolls[1]
     }
 
     /// This touch on the line of action with its teeth turned further by `turns`, rad. `None` where the line ends, or where an eccentric free

@@ -116,7 +116,7 @@ fn parts(teeth: &FacingTeeth, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64
 
 /// A pair of teeth with endless involutes in the measuring plane.
 #[derive(Debug, Clone, Copy)]
-struct EndlessPair {
+pub(super) struct EndlessPair {
     step: i64,
     gap: f64,
     rolls: [f64; 2],
@@ -138,8 +138,8 @@ struct PairOfTeeth<'a> {
     fillets: Fillets,
     /// Bound of its gap without leads and leans.
     most: f64,
-    /// Bound of the gap of its involutes without leads.
-    most_leaning: f64,
+    /// Bound of the gap of its involutes with leans and without leads.
+    most_without_leads: f64,
 }
 
 /// Sections in which a touch in a fillet is searched.
@@ -171,7 +171,7 @@ struct Touch {
     /// Rates of both leads at the heights of the point, mm per mm.
     lead_rates: [f64; 2],
     /// Where axes lean: the touch from which heights count.
-    leaning: Option<(Separation, NearStart, LeaningTouch)>,
+    leaning: Option<(Separation, LeaningTouch)>,
 }
 
 /// Change of the gap of a `contact` by a turn of the locked and of the free tooth about the centres of their outlines. The points of both teeth
@@ -251,9 +251,10 @@ impl<'a> AlongFace<'a> {
 
     /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest`
     /// has the steps and places at which edges touch fillets tightest without leads and leans. The second result is the tightest gap, or
-    /// `floor`.
+    /// `floor`. `steps` are those of [`AlongFace::steps`].
     pub fn places(
         &self,
+        steps: &[(EndlessPair, f64)],
         floor: f64,
         tie: f64,
         deepest: impl Iterator<Item = (i64, f64)>,
@@ -274,19 +275,18 @@ impl<'a> AlongFace<'a> {
         let heights = self.of_moves(2.0 * self.bounds.lead_change);
         let more = self.of_moves(leads) + heights;
         // Pairs of spur gears with one lead each differ by a constant along their line: by no more than their bounds.
-        let are_alike = self.assembly.has_one_lead() && self.twists == [0.0; 2];
+        let are_alike = self.assembly.has_one_lead() && !self.assembly.is_helical();
         let mut alike = f64::INFINITY;
-        for endless in self.steps(floor - tie) {
-            let most = self.most_without_leads(&endless);
+        for (endless, most) in steps {
             if self.is_plain() && most + more.min(alike) <= best - tie {
                 continue;
             }
-            let pair = self.pair(&endless, most, floor - tie);
+            let pair = self.pair(endless, *most, floor - tie);
             // Involutes do not tell where flanks touch whose profiles deviate: see [`super::profiles`].
             if !self.assembly.is_modified() || pair.fillets != Fillets::None {
                 let before = best;
                 examine(&pair, &mut best);
-                if are_alike && best > before && self.is_on_line(&endless) {
+                if are_alike && best > before && self.is_on_line(endless) {
                     alike = best - most + heights + self.of_moves(self.second_order());
                 }
             }
@@ -321,17 +321,19 @@ impl<'a> AlongFace<'a> {
         (places, best)
     }
 
-    /// Places of the locked teeth that can be as tight as `floor` in any section, or become so by turns that leave leans out. `None`: perhaps
-    /// all.
-    pub fn near(&self, floor: f64) -> Option<Vec<usize>> {
+    /// Places of the locked teeth of those `steps` that can be as tight as `floor` in any section, or become so by turns that leave leans out.
+    /// `None`: perhaps all.
+    pub fn near(&self, steps: &[(EndlessPair, f64)], floor: f64) -> Option<Vec<usize>> {
         if !self.is_plain() {
             return None;
         }
         let leads = self.bounds.most_lead[self.posed.problem.side.index()];
         let more = self.of_moves(leads + 2.0 * self.bounds.most_moved);
-        let near = self.steps(f64::NEG_INFINITY).into_iter();
-        let near = near.filter(|pair| self.most_without_leads(pair) + more > floor);
-        Some(near.map(|pair| self.posed.places(pair.step).0).collect())
+        let near = steps.iter().filter(|(_, most)| most + more > floor);
+        Some(
+            near.map(|(pair, _)| self.posed.places(pair.step).0)
+                .collect(),
+        )
     }
 
     /// For spur gears with one lead each: a bound of the tightest gap, if the tightest pair is on the line of action over the whole face. All
@@ -362,7 +364,6 @@ impl<'a> AlongFace<'a> {
     ///
     /// The gap falls beyond the stretch on the line of action, and along it it is linear but for the second order of the leans. Off the line
     /// the ends of the involutes leave room in the direction of the line. Heights turn no flank of spur gears.
-    #[inline(never)]
     fn most_without_leads(&self, pair: &EndlessPair) -> f64 {
         let room = self.least_room(self.rolls_at(pair.rolls, pair.window[0]));
         // An edge at the form circle can stand beyond the endless involute.
@@ -372,12 +373,9 @@ impl<'a> AlongFace<'a> {
             LEAST_ARM * self.bases()[1]
         };
         let apart = pair.gap - room / turning;
-        let is_spur = self.twists == [0.0; 2];
-        let Some(leaning) = self
-            .leaning
-            .as_ref()
-            .filter(|_| is_spur || self.is_on_line(pair))
-        else {
+        let is_spur = !self.assembly.is_helical();
+        let leaning = self.leaning.as_ref();
+        let Some(leaning) = leaning.filter(|_| is_spur || self.is_on_line(pair)) else {
             return apart + self.of_moves(self.most_leaning);
         };
         let [from, to] = self.assembly.face();
@@ -406,9 +404,7 @@ impl<'a> AlongFace<'a> {
     /// Centres that move by `m` across the line, of the length `T`, bend the gap by `m²/(2T)`, and turn the line by `m/T`, which moves heights
     /// by as much again. Four times that are taken for both gears.
     fn second_order(&self) -> f64 {
-        let (rolls, bases) = (self.first.rolls(), self.bases());
-        let length = bases[0] * rolls[0] + bases[1] * rolls[1];
-        4.0 * self.most_leaning * self.most_leaning / length
+        4.0 * self.most_leaning * self.most_leaning / self.first.line_length()
     }
 
     /// Whether a pair is on the line of action at both ends of its stretch. Spur gears may leave it there by leads.
@@ -452,8 +448,8 @@ impl<'a> AlongFace<'a> {
         (moves + off / (base - off) * moves.abs()) / base
     }
 
-    /// The steps whose gap may exceed `floor`, those first that are likely to be tightest.
-    fn steps(&self, floor: f64) -> Vec<EndlessPair> {
+    /// The steps whose gap may exceed `floor`, those first that are likely to be tightest, with the bounds of their gaps without leads.
+    pub fn steps(&self, floor: f64) -> Vec<(EndlessPair, f64)> {
         if !self.first.touches {
             return Vec::new();
         }
@@ -464,7 +460,8 @@ impl<'a> AlongFace<'a> {
         let level = self.level(&pairs).max(floor);
         pairs.retain(|pair| self.can_reach(pair, level));
         pairs.sort_by_cached_key(|pair| rank(-pair.about));
-        pairs
+        let bounded = |pair| (pair, self.most_without_leads(&pair));
+        pairs.into_iter().map(bounded).collect()
     }
 
     /// Rolls at `b`, mm, of a pair that has these in the measuring plane.
@@ -503,9 +500,9 @@ impl<'a> AlongFace<'a> {
         room <= 2.0 * self.bounds.most_moved
     }
 
-    /// The pair of a step, whose involutes have no greater gap than `most_leaning` without leads. Fillets are left out where its gap cannot exceed
+    /// The pair of a step, whose involutes have no greater gap than `most_without_leads`. Fillets are left out where its gap cannot exceed
     /// `floor`.
-    fn pair(&self, pair: &EndlessPair, most_leaning: f64, floor: f64) -> PairOfTeeth<'a> {
+    fn pair(&self, pair: &EndlessPair, most_without_leads: f64, floor: f64) -> PairOfTeeth<'a> {
         let &EndlessPair {
             step,
             gap: endless,
@@ -522,7 +519,7 @@ impl<'a> AlongFace<'a> {
                 is_on_line: self.is_on_line(pair),
                 fillets: Fillets::None,
                 most: endless,
-                most_leaning,
+                most_without_leads,
             };
         }
         // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
@@ -560,7 +557,7 @@ impl<'a> AlongFace<'a> {
             is_on_line: false,
             fillets,
             most,
-            most_leaning: most_leaning.min(most + self.of_moves(self.most_leaning)),
+            most_without_leads: most_without_leads.min(most + self.of_moves(self.most_leaning)),
         }
     }
 
@@ -576,7 +573,7 @@ impl<'a> AlongFace<'a> {
             is_on_line: false,
             fillets: Fillets::All,
             most: contact.gap,
-            most_leaning: contact.gap + self.of_moves(self.most_leaning),
+            most_without_leads: contact.gap + self.of_moves(self.most_leaning),
         })
     }
 
@@ -678,13 +675,13 @@ impl<'a> AlongFace<'a> {
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
             let most = from.max(to).max(middle) + bend + 2.0 * self.bounds.lead_change;
-            (ends, pair.most_leaning + self.of_moves(most))
+            (ends, pair.most_without_leads + self.of_moves(most))
         };
         // Leans move the ends of the face: far pairs are left out before that is known.
         if is_bound && pair.fillets == Fillets::None {
             let leads = pair.teeth.lead_sum_bound(self.assembly.face());
             let leads = self.of_moves(leads + 2.0 * self.bounds.lead_change);
-            if pair.most_leaning + leads <= floor {
+            if pair.most_without_leads + leads <= floor {
                 return Vec::new();
             }
         }
@@ -708,14 +705,13 @@ impl<'a> AlongFace<'a> {
         bounded
     }
 
-    /// Turns of both teeth of a pair by their leads at `b`, mm, without heights, rad.
-    fn turns(&self, pair: &PairOfTeeth, b: f64) -> [f64; 2] {
-        let (leads, bases) = (pair.teeth.leads(b), self.bases());
-        [0, 1].map(|k| -leads[k] / bases[k])
+    /// Turns of both teeth by twist and `leads`, mm, at `b`, mm, without heights, rad.
+    fn turns(&self, b: f64, leads: [f64; 2]) -> [f64; 2] {
+        let bases = self.bases();
+        [0, 1].map(|k| self.twists[k] * b - leads[k] / bases[k])
     }
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
-    #[inline(never)]
     fn gap_in_section(&self, pair: &PairOfTeeth, b: f64) -> Option<GapInSection> {
         let (found, bases) = (self.touch(pair, b)?, self.bases());
         let rate = |rates: [f64; 2]| {
@@ -724,14 +720,13 @@ impl<'a> AlongFace<'a> {
         };
         let plain = [0, 1].map(|k| self.twists[k] - found.lead_rates[k] / bases[k]);
         let (mut turning, mut heights) = (plain, [[0.0, 1.0]; 2]);
-        if let (Some(leaning), Some((undisturbed, start, there))) = (&self.leaning, &found.leaning)
-        {
+        if let (Some(leaning), Some((undisturbed, there))) = (&self.leaning, &found.leaning) {
             let turned = [plain[0], plain[1] + rate(plain)];
-            let [locked, free] = leaning.rates(undisturbed, start, there, turned);
-            for (k, [rising, more]) in [locked, free].into_iter().enumerate() {
+            let rates = leaning.rates(undisturbed, &self.start, there, turned);
+            for (k, [rising, more]) in rates.into_iter().enumerate() {
                 turning[k] += more - found.lead_rates[k] * rising / bases[k];
-                heights[k] = [there.heights[k] - b * rising, 1.0 + rising];
             }
+            heights = there.heights_along(b, rates);
         }
         Some(GapInSection {
             b,
@@ -742,14 +737,11 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The touch of a pair in the section at `b`, mm; `None` where its teeth do not face each other.
-    #[inline(never)]
     fn touch(&self, pair: &PairOfTeeth, b: f64) -> Option<Touch> {
         self.effort.spend(EVALUATION);
         let (step, bases) = (pair.step, self.bases());
-        let by_leads =
-            |jets: [[f64; 2]; 2]| [0, 1].map(|k| self.twists[k] * b - jets[k][0] / bases[k]);
         let plain = pair.teeth.leads_and_rates(b);
-        let turns = by_leads(plain);
+        let turns = self.turns(b, plain.map(|[lead, _]| lead));
         let Some(leaning) = &self.leaning else {
             let found = Separation::near(self.posed, step, turns, &self.start);
             return self.touch_of(pair, self.posed, turns, &found, plain, None);
@@ -763,18 +755,13 @@ impl<'a> AlongFace<'a> {
         let jets = teeth.leads_and_rates(b);
         let more = [0, 1].map(|k| there.turns[k] - (jets[k][0] - plain[k][0]) / bases[k]);
         let turns = [0, 1].map(|k| turns[k] + more[k]);
-        let start = self.start.at(&undisturbed);
         let found = undisturbed
             .turned_further(more, self.posed.problem.free_off.norm())
-            .unwrap_or_else(|| Separation::near(&here, step, turns, &start));
-        self.touch_of(
-            pair,
-            &here,
-            turns,
-            &found,
-            jets,
-            Some((undisturbed, start, there)),
-        )
+            .unwrap_or_else(|| {
+                let start = self.start.at(&undisturbed);
+                Separation::near(&here, step, turns, &start)
+            });
+        self.touch_of(pair, &here, turns, &found, jets, Some((undisturbed, there)))
     }
 
     /// The touch of a pair whose involutes touch as `found`, in a fillet where one is tighter. The teeth of the section are `here`, turned by
@@ -786,7 +773,7 @@ impl<'a> AlongFace<'a> {
         turns: [f64; 2],
         found: &Separation,
         leads: [[f64; 2]; 2],
-        leaning: Option<(Separation, NearStart, LeaningTouch)>,
+        leaning: Option<(Separation, LeaningTouch)>,
     ) -> Option<Touch> {
         let is_searched = match pair.fillets {
             Fillets::None => false,
@@ -841,7 +828,6 @@ impl<'a> AlongFace<'a> {
 
     /// Both ends of the face of a pair, mm, where the teeth of both gears are in the section where they touch. Heights are those at the places
     /// `at`: near them the ends are exact.
-    #[inline(never)]
     fn own_face(&self, pair: &PairOfTeeth<'a>, at: [f64; 2]) -> [f64; 2] {
         let face = self.assembly.face();
         if self.leaning.is_none() {
@@ -870,22 +856,16 @@ impl<'a> AlongFace<'a> {
 
     /// The teeth of a pair with the heights at which they touch in the section at `b`, mm; `None` where they do not face each other or axes are
     /// parallel.
-    #[inline(never)]
     fn heights(&self, pair: &PairOfTeeth<'a>, b: f64) -> Option<FacingTeeth<'a>> {
         let leaning = self.leaning.as_ref()?;
         self.effort.spend(EVALUATION);
-        let turns = self.turns(pair, b);
-        let turns = [0, 1].map(|k| self.twists[k] * b + turns[k]);
+        let turns = self.turns(b, pair.teeth.leads(b));
         let (_, found, touch) =
             leaning.undisturbed(self.posed, (pair.step, b), turns, &self.start)?;
         let gap_rate = found.by_turn[0] * self.twists[0] + found.by_turn[1] * self.twists[1];
         let turning = [self.twists[0], self.twists[1] + gap_rate];
         let rates = leaning.rates(&found, &self.start, &touch, turning);
-        let heights = [0, 1].map(|k| {
-            let rate = 1.0 + rates[k][0];
-            [touch.heights[k] + b * (1.0 - rate), rate]
-        });
-        Some(pair.teeth.with_heights(heights))
+        Some(pair.teeth.with_heights(touch.heights_along(b, rates)))
     }
 
     /// The section, mm, in which a pair touches at the height `own`, mm, of the gear `k`.
@@ -1032,7 +1012,7 @@ impl<'a> AlongFace<'a> {
     fn play_of_ends(&self) -> f64 {
         let turned = self.most_turned();
         match self.leaning {
-            Some(_) if self.twists[0] != 0.0 => {
+            Some(_) if self.assembly.is_helical() => {
                 turned / self.twists[0].abs().min(self.twists[1].abs())
             }
             _ => 0.0,
@@ -1052,7 +1032,7 @@ impl<'a> AlongFace<'a> {
         loop {
             let left = (border - last.b).abs();
             if left <= 2.0 * beside {
-                // Beyond the line heights bend: an end of the face is found again there. The border may also be a knot near it.
+                // Heights bend beyond the line, so an end of the face is found again there. The border may also be a knot near it.
                 let [low, high] = self.own_face(pair, [border; 2]);
                 let play = 2.0 * self.assembly.height_bound();
                 let is_near = |end: &f64| (border - end).abs() <= play;

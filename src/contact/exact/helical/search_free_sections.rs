@@ -76,7 +76,8 @@ impl SearchFreeSections {
                 let (posed, nominal) = helical.posed(problem, &pose);
                 let along = helical.along_face(&posed, nominal, &effort);
                 along.tightest_on_line()?;
-                Some(helical.places_of_leads(&along, &posed, nominal, f64::NEG_INFINITY))
+                let (steps, floor) = (along.steps(f64::NEG_INFINITY), f64::NEG_INFINITY);
+                Some(helical.places_of_leads(&along, &steps, &posed, nominal, floor))
             });
             let [b] = places?.0[..] else {
                 return None;
@@ -184,8 +185,10 @@ impl SearchFreeSections {
         } else {
             f64::NEG_INFINITY
         };
-        let (places, tightest) = helical.places_of_leads(&along, &posed, nominal, floor);
-        let near = assembly.leans().then(|| along.near(tightest)).flatten();
+        let steps = along.steps(floor);
+        let (places, tightest) = helical.places_of_leads(&along, &steps, &posed, nominal, floor);
+        let near = assembly.leans().then(|| along.near(&steps, tightest));
+        let near = near.flatten();
         for b in places {
             section(b, near.as_deref())?;
         }

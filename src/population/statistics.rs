@@ -115,20 +115,17 @@ impl Statistics {
             sigmas[1],
         );
         let widest = sigmas.into_iter().flatten().reduce(f64::max);
-        let limits = low.zip(high).map(|(min, max)| [min, max]);
+        let room = low.zip(high).map(|(min, max)| max - min);
         let means = least.mean.zip(greatest.mean);
-        let means = means.map(|(least, greatest)| [least, greatest]);
+        let room = room.zip(means.map(|(least, greatest)| greatest - least));
         Statistics {
             total,
             below: Share::of(tally.below, total),
             above: Share::of(tally.above, total),
             outside: Share::of(tally.outside, total),
-            cp: limits
+            cp: room
                 .zip(widest)
-                .zip(means)
-                .map(|((limits, sigma), means)| {
-                    (limits[1] - limits[0] - (means[1] - means[0])) / (6.0 * sigma)
-                }),
+                .map(|((limits, means), sigma)| (limits - means) / (6.0 * sigma)),
             cpk: below.into_iter().chain(above).reduce(f64::min),
             least,
             greatest,

@@ -2,6 +2,7 @@
 
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
+use gearlash_text::MM_PER_INCH;
 use gearlash_text::characters::listed;
 use serde::Deserialize;
 use std::ops::Bound::{self, Excluded, Included};
@@ -182,9 +183,9 @@ impl Column {
             (_, None) => Some(1.0),
             (own, Some(unit)) if unit == own => Some(1.0),
             ("µm", Some("mm")) => Some(1000.0),
-            ("µm", Some("in")) => Some(25_400.0),
-            ("µm", Some("mil")) | ("mm", Some("in")) => Some(25.4),
-            ("mm", Some("mil")) => Some(0.0254),
+            ("µm", Some("in")) => Some(1e3 * MM_PER_INCH),
+            ("µm", Some("mil")) | ("mm", Some("in")) => Some(MM_PER_INCH),
+            ("mm", Some("mil")) => Some(1e-3 * MM_PER_INCH),
             _ => None,
         }
     }

@@ -110,18 +110,15 @@ impl ImportedTable {
     /// The warning of a column whose numbers look like another unit than µm.
     pub fn unit_slip(&self) -> Option<String> {
         let columns = self.columns.iter();
-        let greatest = columns
-            .filter(|column| column.name.ends_with("_um"))
-            .filter_map(|column| {
-                let numbers = column.values.iter().filter_map(|value| match value {
-                    Value::Number(number) => Some(*number),
-                    _ => None,
-                });
-                let greatest = numbers.max_by(|one, other| one.abs().total_cmp(&other.abs()));
-                Some((column.name, greatest?))
+        let columns = columns.filter(|column| column.name.ends_with("_um"));
+        let numbers = columns.flat_map(|column| {
+            let numbers = column.values.iter().filter_map(|value| match value {
+                Value::Number(number) => Some(*number),
+                _ => None,
             });
-        let greatest = greatest.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()));
-        let (name, value) = greatest?;
+            numbers.map(|number| (column.name, number))
+        });
+        let (name, value) = numbers.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()))?;
         unit_slips::in_unit(name, "um", value)
     }
 

@@ -57,15 +57,8 @@ fn small_gaps_are_closed_and_told() {
     let drawing = drawn("dxf", &gapped(0.004), &Options { join_mm, ..in_mm() }).unwrap();
     assert!((drawing.loops[0].bound_mm - 0.002).abs() < 1e-15);
     // A gap of join_mm itself is closed: 5.5 and 5 have no rounding.
-    let drawing = drawn(
-        "dxf",
-        &gapped(0.5),
-        &Options {
-            join_mm: 0.5,
-            ..in_mm()
-        },
-    )
-    .unwrap();
+    let join_mm = 0.5;
+    let drawing = drawn("dxf", &gapped(0.5), &Options { join_mm, ..in_mm() }).unwrap();
     assert_eq!(drawing.loops[0].bound_mm, 0.25);
 }
 

@@ -76,21 +76,13 @@ fn a_line_is_paler_where_a_gap_is_left() {
     let mut field = field();
     let line = &mut field.sides[0].lines[0];
     let [[z, place], [to, beyond]] = line.ends;
-    line.points = (0..=8)
-        .map(|k| f64::from(k) / 8.0)
-        .map(|part| {
-            [
-                z + (to - z) * part,
-                place + (beyond - place) * part,
-                0.02 * part,
-            ]
-        })
-        .collect();
+    let parts = (0..=8).map(|k| f64::from(k) / 8.0);
+    let at = |part: f64| [z + (to - z) * part, place + (beyond - place) * part];
+    let points = parts.map(|part| [at(part)[0], at(part)[1], 0.02 * part]);
+    line.points = points.collect();
     let svg = drawn(&field).svg;
-    let opacities = svg
-        .split("opacity=\"")
-        .skip(1)
-        .map(|it| it.split('"').next().unwrap());
+    let opacities = svg.split("opacity=\"").skip(1);
+    let opacities = opacities.map(|it| it.split('"').next().unwrap());
     let least = opacities.map(|it| it.parse().unwrap()).fold(1.0, f64::min);
     // Seven of eight shades from 1 to 0.12.
     assert!((least - 0.23).abs() < 1e-9, "{least}");

@@ -57,6 +57,8 @@ pub struct Gear {
     fillet: Fillet,
     /// The half tooth, from the tip to the root.
     parts: [Part; 4],
+    /// Half the angle a tooth spans at its neck below the flank, rad.
+    neck_half_angle: f64,
 }
 
 impl Gear {
@@ -85,12 +87,13 @@ impl Gear {
                 / (2.0 * basic_data.module() * alpha.sin());
         let fillet = Fillet::new(basic_data, &design.rack, generating_shift)?;
         let parts = generated(&design, base_thickness, &fillet, generating_shift);
-        let gear = Gear {
+        let mut gear = Gear {
             design,
             base_thickness,
             generating_shift,
             fillet,
             parts,
+            neck_half_angle: 0.0,
         };
         let pointed = involute::radius_at(involute::roll_of_inv(gear.half_base_angle()), base);
         if gear.tip_radius() >= pointed {
@@ -112,7 +115,11 @@ impl Gear {
                 base_thickness_mm: base_thickness,
             });
         }
-        if gear.neck_half_angle() <= 0.0 {
+        gear.neck_half_angle = match gear.part(ProfilePart::Fillet).range() {
+            (low, high) if low < high => -gear.fillet.neck(),
+            _ => gear.form_half_angle(),
+        };
+        if gear.neck_half_angle <= 0.0 {
             return Err(GearError::NoNeck {
                 base_thickness_mm: base_thickness,
             });
@@ -214,10 +221,7 @@ impl Gear {
 
     /// Half the angle a tooth spans at its neck below the flank, rad.
     pub(super) fn neck_half_angle(&self) -> f64 {
-        match self.part(ProfilePart::Fillet).range() {
-            (low, high) if low < high => -self.fillet.neck(),
-            _ => self.form_half_angle(),
-        }
+        self.neck_half_angle
     }
 
     /// Roll `ξ` at the root form circle.

@@ -4,7 +4,7 @@ use super::candidate::CandidateContact;
 use super::curves::{CurvePairs, SearchExhausted};
 use super::placed::PlacedHalf;
 use super::shape::C;
-use crate::contact::gap::{CurveArc, Origin, PlacedCurve, greatest};
+use crate::contact::gap::{CurveArc, OpenPairs, Origin, PlacedCurve, greatest};
 use crate::gear::{ProfilePart, smooth};
 
 /// The greatest gap of two half teeth over `curves`, if it exceeds `floor`. The nodes used are subtracted from `nodes_left`.
@@ -23,7 +23,7 @@ pub(super) fn search(
     });
     let frees: Vec<_> = frees.collect();
     let [_, room] = locked.rounding(free);
-    let mut nodes = Vec::new();
+    let mut open = OpenPairs::default();
     for (curve, row) in ProfilePart::ALL.into_iter().zip(curves.0) {
         if row == [false; 4] || !locked.has(curve) {
             continue;
@@ -34,15 +34,16 @@ pub(super) fn search(
             row[*mate as usize] && around.meets(other, room)
         });
         let mates = mates.flat_map(|&(mate, range, _)| arcs(free.curve(mate), mate, range));
-        let mates: Vec<CurveArc> = mates.collect();
+        let mates: Vec<usize> = mates.map(|arc| open.arc(arc)).collect();
         if !mates.is_empty() {
             for arc in arcs(locked.curve(curve), curve, locked.range(curve)) {
-                nodes.extend(mates.iter().map(|mate| (arc, *mate)));
+                let arc = open.arc(arc);
+                mates.iter().for_each(|mate| open.add(arc, *mate));
             }
         }
     }
     let part = |name: usize| ProfilePart::ALL[name];
-    let found = greatest(&mut nodes, origin, floor, nodes_left);
+    let found = greatest(&mut open, origin, floor, nodes_left);
     let found = found.map_err(|(locked, free)| SearchExhausted(part(locked), part(free)))?;
     Ok(found.map(|found| {
         CandidateContact::new(

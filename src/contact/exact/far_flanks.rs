@@ -15,7 +15,7 @@ use super::shape::C;
 use super::tightest::FirstContact;
 use crate::contact::body::FarFlanks;
 use crate::contact::gap::{
-    CurveArc, CurveContact, CurvePoint, LEAST_LEVEL, MOST_NODES, PlacedCurve, common_normal,
+    CurveContact, CurvePoint, LEAST_LEVEL, MOST_NODES, OpenPairs, PlacedCurve, common_normal,
     greatest, turn,
 };
 use crate::gear::ProfilePart;
@@ -102,7 +102,7 @@ pub(super) fn far_contact(
     // Further below, a gap could count as one a turn above.
     let is_known = floor - origin.about >= LEAST_LEVEL;
     let mates = FREE_PARTS.map(|part| (part, free.around(part)));
-    let mut nodes = Vec::new();
+    let mut open = OpenPairs::default();
     for (part, own) in FAR_PARTS.into_iter().zip(shape.around()) {
         let around = own.mirrored().placed(locked.centre, direction);
         let mates = mates.iter().filter(|(_, mate)| {
@@ -110,17 +110,18 @@ pub(super) fn far_contact(
                 && !(is_known && around.is_behind(mate, turned, normal, room))
         });
         let mates = mates.flat_map(|&(mate, _)| arcs(free.curve(mate), mate, free.range(mate)));
-        let mates: Vec<CurveArc> = mates.collect();
+        let mates: Vec<usize> = mates.map(|arc| open.arc(arc)).collect();
         if !mates.is_empty() {
             for arc in arcs(far(part), part, shape.range(part)) {
-                nodes.extend(mates.iter().map(|mate| (arc, *mate)));
+                let arc = open.arc(arc);
+                mates.iter().for_each(|mate| open.add(arc, *mate));
             }
         }
     }
     let most = request.effort.left().min(MOST_NODES as u64) as usize;
     let mut left = most;
     let part = |name: usize| ProfilePart::ALL[name];
-    let found = greatest(&mut nodes, origin, floor, &mut left);
+    let found = greatest(&mut open, origin, floor, &mut left);
     request.effort.spend((most - left) as u64);
     let found: Option<CurveContact> =
         found.map_err(|(locked, free)| SearchExhausted(part(locked), part(free)))?;

@@ -41,6 +41,8 @@ pub(in crate::contact) struct CurveArc<'a> {
     name: usize,
     low: f64,
     high: f64,
+    /// Points at both ends, and in the middle of its parameters.
+    ends: [C; 2],
     middle: C,
     /// Radius about its middle that contains it.
     reach: f64,
@@ -62,6 +64,17 @@ fn length(vector: C) -> f64 {
 impl<'a> CurveArc<'a> {
     /// `placed` from parameter `low` to `high`.
     pub fn new(placed: PlacedCurve<'a>, name: usize, low: f64, high: f64) -> CurveArc<'a> {
+        let ends = [low, high].map(|t| placed.at(t).point);
+        CurveArc::between(placed, name, [low, high], ends)
+    }
+
+    /// As [`CurveArc::new`]; `ends` are the points at both parameters.
+    fn between(
+        placed: PlacedCurve<'a>,
+        name: usize,
+        [low, high]: [f64; 2],
+        ends: [C; 2],
+    ) -> CurveArc<'a> {
         let sample = placed.at(0.5 * (low + high));
         let (reach, turn) = placed.curve.spread(low, high);
         let radius = length(sample.point);
@@ -79,6 +92,7 @@ impl<'a> CurveArc<'a> {
             name,
             low,
             high,
+            ends,
             middle: sample.point,
             reach,
             swing,
@@ -86,7 +100,6 @@ impl<'a> CurveArc<'a> {
             slope: None,
             curvature: None,
         };
-        let ends = [low, high].map(|t| placed.at(t).point);
         let far = ends.map(length);
         if low == high {
             arc.slope = Some((0.0, 0.0, true));
@@ -167,9 +180,12 @@ impl<'a> CurveArc<'a> {
     }
 
     fn cut(&self) -> [CurveArc<'a>; 2] {
-        let middle = self.middle_parameter();
-        [(self.low, middle), (middle, self.high)]
-            .map(|(low, high)| CurveArc::new(self.placed, self.name, low, high))
+        let (at, middle) = (self.middle_parameter(), self.middle);
+        [
+            ([self.low, at], [self.ends[0], middle]),
+            ([at, self.high], [middle, self.ends[1]]),
+        ]
+        .map(|(at, ends)| CurveArc::between(self.placed, self.name, at, ends))
     }
 
     /// The parameter at radius `rho` of a monotone arc, limited to its ends. The steps used are added to `steps`.
@@ -270,14 +286,49 @@ pub(in crate::contact) struct CurveContact {
     pub free: (usize, f64),
 }
 
+/// Pairs of a locked and a free arc that are still to be examined, the last one first. Arcs are large, so each is stored once.
+#[derive(Debug, Default)]
+pub(in crate::contact) struct OpenPairs<'a> {
+    arcs: Vec<CurveArc<'a>>,
+    pairs: Vec<ArcPair>,
+}
+
+/// A pair of arcs by their indices. Arcs after the first `arcs` belong to later pairs.
+#[derive(Debug, Clone, Copy)]
+struct ArcPair {
+    locked: usize,
+    free: usize,
+    arcs: usize,
+}
+
+impl<'a> OpenPairs<'a> {
+    /// Stores an arc for pairs to come, and returns its index.
+    pub fn arc(&mut self, arc: CurveArc<'a>) -> usize {
+        self.arcs.push(arc);
+        self.arcs.len() - 1
+    }
+
+    /// Adds the pair of two arcs.
+    pub fn add(&mut self, locked: usize, free: usize) {
+        let arcs = self.arcs.len();
+        self.pairs.push(ArcPair { locked, free, arcs });
+    }
+
+    fn next(&mut self) -> Option<[usize; 2]> {
+        let pair = self.pairs.pop()?;
+        self.arcs.truncate(pair.arcs);
+        Some([pair.locked, pair.free])
+    }
+}
+
 /// The greatest gap over pairs of a locked and a free curve, if it exceeds `floor`.
 ///
 /// Gaps count from `origin`. The nodes used are subtracted from `nodes_left`.
 ///
 /// # Errors
 /// The names of two curves whose search did not end.
-pub(in crate::contact) fn greatest<'a>(
-    nodes: &mut Vec<(CurveArc<'a>, CurveArc<'a>)>,
+pub(in crate::contact) fn greatest(
+    open: &mut OpenPairs,
     origin: Origin,
     floor: f64,
     nodes_left: &mut usize,
@@ -285,7 +336,8 @@ pub(in crate::contact) fn greatest<'a>(
     let mut best: Option<CurveContact> = None;
     let mut level = floor;
     let steps = Cell::new(0);
-    while let Some((locked, free)) = nodes.pop() {
+    while let Some(pair) = open.next() {
+        let [locked, free] = pair.map(|at| &open.arcs[at]);
         if *nodes_left == 0 {
             return Err((locked.name, free.name));
         }
@@ -297,8 +349,8 @@ pub(in crate::contact) fn greatest<'a>(
         // The longer arc is cut. If its ends are adjacent numbers, cutting the other would not end: near a parameter of
         // 0 there is always a finer one.
         let at_locked = locked.reach >= free.reach;
-        let longer = if at_locked { &locked } else { &free };
-        if inner > outer || locked.gap_with(&free, origin).1 <= level {
+        let longer = if at_locked { locked } else { free };
+        if inner > outer || locked.gap_with(free, origin).1 <= level {
             continue;
         }
         let mut record = |t: f64, u: f64, slack: f64| {
@@ -351,7 +403,7 @@ pub(in crate::contact) fn greatest<'a>(
                 continue;
             }
             if changes.is_some_and(|(_, most)| most < 0.0) {
-                let (rho, slack) = summit(&locked, &free, (a.2, b.2), (inner, outer), &steps);
+                let (rho, slack) = summit(locked, free, (a.2, b.2), (inner, outer), &steps);
                 meet(rho, slack);
                 continue;
             }
@@ -366,12 +418,13 @@ pub(in crate::contact) fn greatest<'a>(
             record(locked.middle_parameter(), free.middle_parameter(), play);
             continue;
         }
-        let halves = if at_locked {
-            locked.cut().map(|arc| (arc, free))
-        } else {
-            free.cut().map(|arc| (locked, arc))
-        };
-        let bounds = halves.each_ref().map(|(locked, free)| {
+        let halves = longer.cut();
+        let bounds = halves.each_ref().map(|half| {
+            let (locked, free) = if at_locked {
+                (half, free)
+            } else {
+                (locked, half)
+            };
             let meets = locked.meets(free);
             meets.then(|| locked.gap_with(free, origin).1)
         });
@@ -383,9 +436,17 @@ pub(in crate::contact) fn greatest<'a>(
             [0, 1]
         };
         let is_open = |&half: &usize| bounds[half].is_some_and(|bound| bound > level);
-        nodes.extend(order.into_iter().filter(is_open).map(|half| halves[half]));
+        for half in order.into_iter().filter(is_open) {
+            let half = open.arc(halves[half]);
+            if at_locked {
+                open.add(half, pair[1]);
+            } else {
+                open.add(pair[0], half);
+            }
+        }
     }
     *nodes_left = nodes_left.saturating_sub(steps.take() / STEPS_A_NODE);
+    open.arcs.clear();
     Ok(best)
 }
 

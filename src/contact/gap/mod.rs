@@ -5,7 +5,7 @@ mod branch;
 mod paths;
 
 pub(super) use boxes::{Bounding, Rectangle, RunContent, Tree};
-pub(super) use branch::{CurveArc, CurveContact, MOST_NODES, greatest};
+pub(super) use branch::{CurveArc, CurveContact, MOST_NODES, OpenPairs, greatest};
 pub(super) use paths::{LEAST_LEVEL, Path, PathSearch, PlacedRun, ROUNDING};
 
 use crate::gear::PartCurve;

@@ -4,7 +4,7 @@
 //! is near the contact. A pair is dropped if its runs share no radius, or if the locked one is behind the free one.
 
 use super::boxes::{Rectangle, RunContent, Tree};
-use super::{C, CurveArc, CurveContact, MOST_NODES, Origin, greatest, turn};
+use super::{C, CurveArc, CurveContact, MOST_NODES, OpenPairs, Origin, greatest, turn};
 
 /// Distance below the origin of gaps, rad, from which rectangles rule nothing out. The gap of a pair within 120° (see
 /// [`Rectangle::is_near`]) could be more than half a turn below the origin there, and count as one a turn above.
@@ -87,7 +87,7 @@ pub(in crate::contact) struct PathSearch<'a> {
     /// Runs placed so far for both paths. Pairs refer to them by index.
     placed: [Vec<PlacedRun>; 2],
     open: Vec<RunPair>,
-    nodes: Vec<(CurveArc<'a>, CurveArc<'a>)>,
+    pieces: OpenPairs<'a>,
 }
 
 impl<'a> PathSearch<'a> {
@@ -104,7 +104,7 @@ impl<'a> PathSearch<'a> {
             pairs: 0,
             placed: [Vec::with_capacity(64), Vec::with_capacity(64)],
             open: Vec::with_capacity(64),
-            nodes: Vec::with_capacity(4),
+            pieces: OpenPairs::default(),
         }
     }
 
@@ -252,9 +252,10 @@ impl<'a> PathSearch<'a> {
         if !arc.meets(&mate) || arc.gap_with(&mate, self.origin).1 <= self.level {
             return Ok(None);
         }
-        self.nodes.push((arc, mate));
+        let pair = [arc, mate].map(|arc| self.pieces.arc(arc));
+        self.pieces.add(pair[0], pair[1]);
         let found = greatest(
-            &mut self.nodes,
+            &mut self.pieces,
             self.origin,
             self.level,
             &mut self.nodes_left,

@@ -2,7 +2,6 @@
 
 use super::reversed_flanks::{Dice, about_datum, negative, pitch};
 use super::*;
-use proptest::test_runner::TestRunner;
 use std::f64::consts::TAU;
 
 /// One warning, with these words.
@@ -13,7 +12,7 @@ fn check_one(warnings: &[String], words: &str) {
 
 #[test]
 fn a_reversed_left_flank_is_reported() {
-    let [right, left] = Dice(TestRunner::deterministic()).real(44, 0.5);
+    let [right, left] = Dice::default().real(44, 0.5);
     let turned = negative(&left);
     assert_eq!(pair(&pitch("numbers", &right, &left)).warnings, [""; 0]);
     assert_eq!(pair(&pitch("material", &right, &turned)).warnings, [""; 0]);
@@ -32,7 +31,7 @@ fn a_reversed_left_flank_is_reported() {
 /// W_6 = 15π cos α + s_b + cos α (F_R,i+5 − F_L,i), 1 µm of noise.
 #[test]
 fn spans_say_which_sign_is_meant() {
-    let mut dice = Dice(TestRunner::deterministic());
+    let mut dice = Dice::default();
     let [right, left] = dice.real(44, 0.5);
     let turned = negative(&left);
     let noise = dice.list(44, 1.0);
@@ -55,7 +54,7 @@ fn spans_say_which_sign_is_meant() {
 #[test]
 fn thickness_that_is_said_twice() {
     const ADDED: &str = "The two are added: where both were measured";
-    let mut dice = Dice(TestRunner::deterministic());
+    let mut dice = Dice::default();
     let [right, left] = dice.real(44, 4.0);
     let mean = |list: &[f64]| list.iter().sum::<f64>() / 44.0;
     let thicker = |sign: f64| -> Vec<f64> {
@@ -109,7 +108,7 @@ fn thickness_beside_pitch_is_reported_in_micrometres() {
 /// Issue: own-axis data that hold the very eccentricity that is stated beside them count it twice.
 #[test]
 fn own_axis_pitch_that_holds_the_runout_is_reported() {
-    let mut dice = Dice(TestRunner::deterministic());
+    let mut dice = Dice::default();
     let to = 32.0 * TAU / 44.0;
     let noise = || [vec![0.0; 44], vec![0.0; 44]];
     let [right, left] = about_datum(noise(), 20.0, to);
@@ -144,7 +143,7 @@ fn own_axis_pitch_that_holds_the_runout_is_reported() {
 /// (δ_i + δ_i+5) cos α/2 in the spans, the sign of the stated thickness right and wrong.
 #[test]
 fn thickness_that_the_spans_do_not_show() {
-    let mut dice = Dice(TestRunner::deterministic());
+    let mut dice = Dice::default();
     let (per_tooth, noise) = (dice.list(44, 8.0), dice.list(44, 2.0));
     let spans: Vec<f64> = (0..44)
         .map(|i| {
@@ -195,7 +194,7 @@ fn a_wave_of_both_flanks_about_the_datum_axis_is_no_turned_flank() {
 /// walk have a first harmonic of their own beside a small eccentricity, which does make it uncertain.
 #[test]
 fn an_eccentricity_alone_is_not_doubted() {
-    let mut dice = Dice(TestRunner::deterministic());
+    let mut dice = Dice::default();
     for z in [20, 44] {
         for e in [0.0, 2.0, 20.0] {
             let mut count = |walk: bool| {

@@ -105,9 +105,12 @@ pub(super) fn printed(result: std::io::Result<()>) -> Result<(), Error> {
     }
 }
 
-/// Writes a warning or note to standard error. Texts from files in it are made harmless.
+/// Writes a warning, error or note to standard error; with `--quiet` no notes. Texts from files in it are made harmless.
 pub(super) fn print_error_line(line: &str) {
-    if is_quiet() {
+    let is_note = !["warning: ", "error: "]
+        .iter()
+        .any(|kind| line.starts_with(kind));
+    if is_note && is_quiet() {
         return;
     }
     let text = plain(line);

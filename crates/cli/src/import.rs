@@ -117,11 +117,8 @@ impl Args {
 }
 
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
-    if lists_outlines(&args.file) {
+    if lists_outlines(&args.file) || args.units.is_some() {
         return outlines(args);
-    }
-    if args.units.is_some() {
-        return Err(Error::usage("--units belongs to a drawing; leave it out"));
     }
     // Decides by the content of the file, not by its name.
     let bytes = if args.file.as_path() == Path::new("-") {
@@ -139,7 +136,13 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
         if args.rexs.is_given() {
             return of_other("a table", "--stage and no --output");
         }
-        return show(args, &table(args, bytes)?);
+        let table = table(args, bytes).map_err(|error| {
+            let is_points = listed_outlines(&args.file, Some("mm")).is_ok();
+            let file = args.file.display();
+            let points = format!("{file}: holds the points of an outline, no readings; use it with `gearlash check`, or in [wheel.outline]");
+            if is_points { Error::Usage(points) } else { error }
+        })?;
+        return show(args, &table);
     }
     if args.of_tables() {
         return of_other(

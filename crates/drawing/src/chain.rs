@@ -28,6 +28,23 @@ pub struct DrawnPath {
     pub place: String,
 }
 
+impl DrawnPath {
+    /// The centre of a path that is one circle, perhaps drawn twice.
+    pub fn circle(&self) -> Option<Point2<f64>> {
+        let mut arcs = self.segments.iter().map(|segment| match segment {
+            PathSegment::Arc { centre, radius, .. } => Some((*centre, *radius)),
+            _ => None,
+        });
+        let (first, radius) = arcs.next()??;
+        let is_same = |arc: Option<(Point2<f64>, f64)>| {
+            arc.is_some_and(|(centre, other)| {
+                (centre - first).norm() <= 1e-6 * radius && (other - radius).abs() <= 1e-6 * radius
+            })
+        };
+        arcs.all(is_same).then_some(first)
+    }
+}
+
 #[derive(Debug)]
 pub struct Chains {
     /// Closed paths.

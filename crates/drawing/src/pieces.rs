@@ -119,7 +119,8 @@ impl Pieces {
             }
         }
         let mut remarks = Vec::new();
-        if loops.is_empty()
+        // A bore is no outline of a gear.
+        if loops.iter().all(|path| path.circle().is_some())
             && let Some(repeat) = &options.repeat
             && let [(_, open)] = &all_open[..]
             && let [tooth] = &open[..]

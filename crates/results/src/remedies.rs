@@ -241,7 +241,7 @@ fn sentence(reason: NoRemedy) -> String {
             );
         }
         NoRemedy::TooLittleAndTooGreat => {
-            "No single change is enough: the backlash is too little in one place and too great in another."
+            "No single change is enough: some limits ask for more backlash, others for less."
         }
         NoRemedy::OutOfMesh => "No single change is sought for gears that are out of mesh.",
         NoRemedy::MeasuredRows => {

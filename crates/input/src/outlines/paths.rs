@@ -163,6 +163,13 @@ pub(super) fn choose(drawing: Drawing, choice: Choice) -> Result<ChosenOutline, 
     };
     let chosen = &outlines[index];
     let outline = loops[chosen.index].clone();
+    if outline.circle().is_some() {
+        let place = &outline.place;
+        return Err(format!(
+            "has no teeth on its outline {}, a circle ({place})",
+            index + 1
+        ));
+    }
     if outlines.len() > 1 {
         remarks.push(format!(
             "outline {} of {} is read, from {} ({})",
@@ -204,29 +211,13 @@ pub(super) fn start(path: &DrawnPath) -> String {
     coordinates(&first.map_or(Point2::origin(), PathSegment::start))
 }
 
-/// The centre of a path that is one circle.
-fn whole_circle(path: &DrawnPath) -> Option<Point2<f64>> {
-    let mut centres = path.segments.iter().map(|segment| match segment {
-        PathSegment::Arc { centre, radius, .. } => Some((*centre, *radius)),
-        _ => None,
-    });
-    let (first, radius) = centres.next()??;
-    // A circle that is printed twice.
-    let same = |found: Option<(Point2<f64>, f64)>| {
-        found.is_some_and(|(centre, other)| {
-            (centre - first).norm() <= 1e-6 * radius && (other - radius).abs() <= 1e-6 * radius
-        })
-    };
-    centres.all(same).then_some(first)
-}
-
 /// The centres of the circles among `loops` whose centre is inside `outline`; those nearer than [`JOIN_MM`] are one.
 pub(super) fn centres_inside<'a>(
     outline: &DrawnPath,
     loops: impl IntoIterator<Item = &'a DrawnPath>,
 ) -> Vec<Point2<f64>> {
     let mut centres: Vec<Point2<f64>> = Vec::new();
-    for centre in loops.into_iter().filter_map(whole_circle) {
+    for centre in loops.into_iter().filter_map(DrawnPath::circle) {
         let is_new = |other: &Point2<f64>| (other - centre).norm() > JOIN_MM;
         if centres.iter().all(is_new) {
             centres.push(centre);

@@ -16,7 +16,7 @@ use serde_json::Value;
 use serde_with::skip_serializing_none;
 
 /// "30 js7", "30,0 H7", "30 ±0.02", "30 +0.03/0".
-pub(crate) const DISTANCE_FIELD: &str = r"^ *[0-9.,]+ *((js|JS|[HhFf]) *([5-9]|10)|(±|\+-) *[0-9.,]+|([-+−] *[0-9.,]+| [0.,]+) */ *([-+−] *[0-9.,]+|[0.,]+)) *$";
+pub(crate) const DISTANCE_FIELD: &str = r"^ *[0-9.,]+ *((js|JS|[HhFf]) *([5-9]|10)|(±|\+-) *[0-9.,]+|([-+−] *[0-9.,]+| [0.,]+)( */ *([-+−] *[0-9.,]+|[0.,]+)| *[-+−] *[0-9.,]+| +0)?) *$";
 /// Centre distances of one file: each is a run that holds both gears.
 pub const MAX_DISTANCES: usize = 10_000;
 /// Poses a pitch where none are stated.

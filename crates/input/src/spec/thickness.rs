@@ -88,7 +88,7 @@ pub struct StatementSpec {
     pub over_pins: Option<OverPinsSpec>,
     /// Tolerance field of the tooth thickness, DIN 3967, such as 25cd.
     #[schemars(regex(
-        pattern = r"^(DIN 3967 *)?((2[1-9]|30) ?(ab?|bc?|cd?|[defgh])|(ab?|bc?|cd?|[defgh]) ?(2[1-9]|30))$"
+        pattern = r"^(DIN 3967[ -]*)?((2[1-9]|30) ?(ab?|bc?|cd?|[defgh])|(ab?|bc?|cd?|[defgh]) ?(2[1-9]|30))$"
     ))]
     pub designation: Option<String>,
     /// Thickness allowance A_sn, in the normal section at the reference circle.
@@ -132,7 +132,7 @@ pub struct SpanSpec {
     /// The measured length.
     #[serde(flatten)]
     pub length: LengthSpec,
-    /// First tooth of each reading; default for all teeth: 1, 2, ….
+    /// First tooth of each reading. A reading for every tooth needs none.
     #[schemars(inner(range(min = 1)))]
     pub first_tooth: Option<Vec<u32>>,
     /// Take thickness by tooth from spans all round where they determine it; default: true without `[pitch]`, whose flanks state it.

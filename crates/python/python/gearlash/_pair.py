@@ -82,8 +82,11 @@ class Pair(Stated[_core.Pair]):
         return None if face is None else (face[0], face[1])
 
     def at(self, center_distance_mm: float | Sequence[float]) -> "Pair":
-        """The same gears at other centre distances, mm."""
-        distances = np.atleast_1d(np.asarray(center_distance_mm, dtype=np.float64))
+        """The same gears at other centre distances, mm. A band or a designation needs a new pair."""
+        try:
+            distances = np.atleast_1d(np.asarray(center_distance_mm, dtype=np.float64))
+        except (TypeError, ValueError) as reason:
+            raise GearlashError(f"center_distance_mm: numbers are needed: {reason}") from None
         return Pair._made(self._core.at(distances.tolist()))
 
     def lost_motion(

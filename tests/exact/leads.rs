@@ -217,7 +217,7 @@ fn sections_and_model_3_of_parallel_axes_agree() {
 /// at the tightest, each a pair of spur gears. `campaign --along-face` has more of both.
 #[test]
 fn random_pairs_against_dense_sections() {
-    let leads = (0..40).map(|index| (1, index, false));
+    let leads = (0..30).map(|index| (1, index, false));
     let profiles = (0..8).map(|index| (47, index, true));
     let hard: Vec<(u64, u64, String)> = rows(include_str!("data/hard_along_face.csv"));
     let hard = (hard.into_iter()).map(|(seed, index, _)| (seed, index, false));
@@ -230,7 +230,7 @@ fn random_pairs_against_dense_sections() {
         let is_compared = found.angle().is_some() && (pair.is_helical() || !profiled);
         compared[usize::from(profiled)] += u32::from(is_compared);
     }
-    assert!(compared[0] > 30 && compared[1] > 3, "{compared:?}");
+    assert!(compared[0] > 25 && compared[1] > 3, "{compared:?}");
 }
 
 /// Source: fixtures/reference/lead.json, the least and greatest of many poses of a period, none of which leaves the bracket. Brackets are at

@@ -17,7 +17,7 @@ const FILES: [&str; 3] = ["match.json", "matrix.csv", "match.svg"];
 /// Every wheel with every pinion in every assembly phase, each proven over its whole mesh cycle at the centre distances of the pair file; then
 /// the assignment with the most pairs within [require] and, among those, the nearest to the wanted backlash. Prints the pairs with the pinion
 /// tooth that meets wheel tooth 1, the gears left over, and what random pairing and thickness classes would come to; writes match.json,
-/// matrix.csv and match.svg to DIR. Exit code 1 where a gear is left over that had a mate.
+/// matrix.csv and match.svg to DIR. Exit code 1 if fewer pairs result than the smaller group has gears.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// Pair file (TOML or JSON), - for standard input

@@ -264,8 +264,8 @@ pub(super) struct DrawnArgs {
     /// Unit of drawings that state none; of two drawings A,B
     #[arg(long, value_name = "UNIT", value_delimiter = ',', value_parser = Unit::NAMED.map(|(name, _)| name))]
     units: Vec<String>,
-    /// Axes of drawings: of the circle through the tips, or of the one inside; of two drawings A,B [default: the origin]
-    #[arg(long, value_name = "HOW", value_delimiter = ',', value_parser = ["fit", "bore"])]
+    /// Axes of drawings: of the circle through the tips, or of the one inside; of two drawings A,B [default: origin]
+    #[arg(long, value_name = "HOW", value_delimiter = ',', value_parser = ["fit", "bore", "origin"])]
     center: Vec<String>,
     /// DXF layer to read; of two drawings A,B
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
@@ -318,7 +318,9 @@ impl DrawnArgs {
         }
         let options = std::array::from_fn(|k| OutlineOptions {
             units: value_of(&self.units, k).map(String::as_str),
-            center: value_of(&self.center, k).map(String::as_str),
+            center: value_of(&self.center, k)
+                .map(String::as_str)
+                .filter(|how| *how != "origin"),
             layer: value_of(&self.layer, k).map(String::as_str),
             id: value_of(&self.id, k).map(String::as_str),
             number: value_of(&self.number, k).copied(),

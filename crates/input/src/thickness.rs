@@ -169,7 +169,7 @@ fn complete_readings(
             format!(
                 "missing, expected one number a reading: there are {readings} for {teeth} teeth"
             ),
-            format!("add `{key}`: {help}; or state min_mm and max_mm"),
+            format!("add `{key}`: {help}; or state their mean alone, or min_mm and max_mm"),
         );
     };
     if listed.len() != readings {

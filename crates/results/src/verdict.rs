@@ -262,9 +262,14 @@ fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<Stri
                 more => format!("; {more} more notes"),
             };
             // Cut between two parts of the sentence where it has parts.
-            let kept = cut(last, most - columns(&more));
-            let whole = kept.strip_suffix('…').and_then(|kept| kept.rfind(", "));
-            *last = format!("{}{more}", &kept[..whole.unwrap_or(kept.len())]);
+            let room = most - columns(&more);
+            let mut ends = last.rmatch_indices(", ").map(|(end, _)| &last[..end]);
+            let whole = ends.find(|whole| columns(whole) <= room);
+            let kept = match whole {
+                Some(whole) if columns(last) > room => whole.to_owned(),
+                _ => cut(last, room),
+            };
+            *last = kept + &more;
             let left_out = shown.iter().filter(is_cut).chain(rest);
             return (filled, left_out.cloned().collect());
         }

@@ -230,7 +230,7 @@ fn band_warning(bands: &[String]) -> Option<String> {
         more => format!(", as in {more} files more"),
     };
     Some(format!(
-        "{first}: a band, whose middle is matched{others}: state what was measured"
+        "{first}: a band, whose middle is matched{others}: state one value to match another"
     ))
 }
 

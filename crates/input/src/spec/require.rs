@@ -52,7 +52,7 @@ pub struct AngleLimitsSpec {
     pub min: Option<f64>,
     /// Greatest allowed.
     pub max: Option<f64>,
-    /// The gear that turns, wheel or pinion.
+    /// Gear at which the angle is counted, wheel or pinion.
     pub at: Member,
 }
 

@@ -413,13 +413,12 @@ fn not_negative(made: Option<Scatter>, (file, key): (&Table, &str)) -> Option<Op
     let Some(negative) = made.as_ref().filter(|made| made.least() < 0.0) else {
         return Some(made);
     };
-    let cut = if negative.is_bounded() {
-        ""
+    let reason = if negative.is_bounded() {
+        let least = um_ascii(negative.least(), 1);
+        format!("reaches {least} µm, it cannot be below 0")
     } else {
-        "; a normal distribution is not cut at its limits"
+        "it cannot be below 0, and a normal distribution is not cut at its limits".to_owned()
     };
-    let least = um_ascii(negative.least(), 1);
-    let reason = format!("reaches {least} µm, it cannot be below 0{cut}");
     file.refuse(
         key,
         reason,

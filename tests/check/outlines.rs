@@ -217,7 +217,7 @@ fn outlines_have_the_uncertainty_of_their_data() {
         coverage: 2.0,
         ..Uncertainty::default()
     };
-    for _ in 0..3 {
+    for _ in 0..2 {
         let pair = Inputs::draw(&mut random, 0.0).pair();
         let drawn = told(&run_of(&study_of(&pair)), &uncertainty);
         let data = told(&extremes_of(&pair), &uncertainty);

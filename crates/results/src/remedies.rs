@@ -47,7 +47,10 @@ impl RemedyRecord {
             Some(nominal) => [nominal; 2],
             None => remedy.present.map(|at| at * scale),
         };
-        let [first, last] = present.map(|present| ascii(present, decimals));
+        // A change below the last digit is shown by one digit more of what is there.
+        let is_fine = |present: &f64| ascii(*present, decimals) == ascii(value, decimals);
+        let digits = decimals + usize::from(present.iter().any(is_fine));
+        let [first, last] = present.map(|present| ascii(present, digits));
         let (of, present) = match (remedy.what, remedy.gears) {
             (Change::CenterDistance, _) if first == last => (String::new(), first),
             (Change::CenterDistance, _) => {

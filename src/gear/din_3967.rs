@@ -60,8 +60,8 @@ impl FromStr for ThicknessField {
     /// `25cd` or `cd25`, with or without a space, perhaps behind `DIN 3967`.
     fn from_str(text: &str) -> Result<ThicknessField, GearError> {
         let text = text.trim();
-        let text = text.strip_prefix("DIN 3967").unwrap_or(text);
-        let text = text.trim_start_matches([' ', '-']);
+        let behind = text.strip_prefix("DIN 3967");
+        let text = behind.map_or(text, |text| text.trim_start_matches([' ', '-']));
         let letters: String = text.chars().filter(|c| c.is_alphabetic()).collect();
         let digits: String = text.chars().filter(char::is_ascii_digit).collect();
         let written = |first: &str, second: &str| text.split_whitespace().eq([first, second]);

@@ -111,14 +111,12 @@ fn deviation(text: &str) -> Option<f64> {
     }
 }
 
-/// `30 +0.03/0`, `30 +0.03 -0.01`, `30 +0.03 0`, `30 +0.03`: the nominal distance, and both deviations in either order. The second is 0 where it is missing.
+/// `30 +0.03/0`, `30 +0.03 -0.01`, `30 +0.03 0`, `30 +0.03`: the nominal distance, and both deviations in either order. The second is 0
+/// where it is missing.
 fn deviations(text: &str) -> Option<(f64, Tolerance)> {
     let (head, second) = match text.split_once('/') {
         Some(parts) => parts,
-        None if text.matches(SIGNS).count() == 1 => match text.strip_suffix(" 0") {
-            Some(head) => (head, "0"),
-            None => (text, "0"),
-        },
+        None if text.matches(SIGNS).count() == 1 => (text.strip_suffix(" 0").unwrap_or(text), "0"),
         None => text.split_at(text.rfind(SIGNS)?),
     };
     let head = head.trim();

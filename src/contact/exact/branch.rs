@@ -34,13 +34,7 @@ pub(super) fn search(
             row[*mate as usize] && around.meets(other, room)
         });
         let mates = mates.flat_map(|&(mate, range, _)| arcs(free.curve(mate), mate, range));
-        let mates: Vec<usize> = mates.map(|arc| open.arc(arc)).collect();
-        if !mates.is_empty() {
-            for arc in arcs(locked.curve(curve), curve, locked.range(curve)) {
-                let arc = open.arc(arc);
-                mates.iter().for_each(|mate| open.add(arc, *mate));
-            }
-        }
+        open.add_all(arcs(locked.curve(curve), curve, locked.range(curve)), mates);
     }
     let part = |name: usize| ProfilePart::ALL[name];
     let found = greatest(&mut open, origin, floor, nodes_left);

@@ -110,13 +110,7 @@ pub(super) fn far_contact(
                 && !(is_known && around.is_behind(mate, turned, normal, room))
         });
         let mates = mates.flat_map(|&(mate, _)| arcs(free.curve(mate), mate, free.range(mate)));
-        let mates: Vec<usize> = mates.map(|arc| open.arc(arc)).collect();
-        if !mates.is_empty() {
-            for arc in arcs(far(part), part, shape.range(part)) {
-                let arc = open.arc(arc);
-                mates.iter().for_each(|mate| open.add(arc, *mate));
-            }
-        }
+        open.add_all(arcs(far(part), part, shape.range(part)), mates);
     }
     let most = request.effort.left().min(MOST_NODES as u64) as usize;
     let mut left = most;

@@ -314,6 +314,22 @@ impl<'a> OpenPairs<'a> {
         self.pairs.push(ArcPair { locked, free, arcs });
     }
 
+    /// Adds each pair of a `locked` and a `free` arc.
+    pub fn add_all(
+        &mut self,
+        locked: impl Iterator<Item = CurveArc<'a>>,
+        free: impl Iterator<Item = CurveArc<'a>>,
+    ) {
+        let free: Vec<usize> = free.map(|arc| self.arc(arc)).collect();
+        if free.is_empty() {
+            return;
+        }
+        for arc in locked {
+            let arc = self.arc(arc);
+            free.iter().for_each(|mate| self.add(arc, *mate));
+        }
+    }
+
     fn next(&mut self) -> Option<[usize; 2]> {
         let pair = self.pairs.pop()?;
         self.arcs.truncate(pair.arcs);

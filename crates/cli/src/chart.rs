@@ -1,6 +1,6 @@
 //! `gearlash chart`: curves and bars as SVG.
 
-use crate::console::{print_error_line, print_verdict_lines};
+use crate::console::{print_note_line, print_verdict_lines};
 use crate::cycle::{self, Wanted};
 use crate::distances::{self, Distances};
 use crate::error::{Error, exit_code};
@@ -151,7 +151,7 @@ impl DrawnChart {
         let none = || Error::usage("the pair file asks for no poses");
         let course = courses.first().ok_or_else(none)?;
         if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
-            print_error_line(&format!(
+            print_note_line(&format!(
                 "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
                 courses.len()
             ));
@@ -279,7 +279,7 @@ fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
         return Ok(vec![given]);
     }
     if stated.len() > 1 && args.kind != Kind::Map {
-        print_error_line(&format!(
+        print_note_line(&format!(
             "note: at the least of {} centre distances; choose with --center-distance",
             stated.len()
         ));
@@ -301,7 +301,7 @@ fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
 /// The map of the most material.
 fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
     if maps.len() > 1 {
-        print_error_line("note: with the most material; `gearlash check --map` draws both");
+        print_note_line("note: with the most material; `gearlash check --map` draws both");
     }
     let first = maps.into_iter().next();
     let none = || Error::usage("no pose with a backlash was found to map from");
@@ -354,7 +354,7 @@ fn whole_analysis<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Err
 fn binding(study: &Study, runs: &[&ComparedRun]) -> Followed {
     let binding = curves::binding(study, runs.iter().copied());
     let (wheel, pinion) = teeth_of(binding);
-    print_error_line(&format!(
+    print_note_line(&format!(
         "note: mating {wheel},{pinion}, in which the backlash is least (the teeth of the verdict are those in contact); choose with --mating"
     ));
     binding

@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Bytes written to standard output at a time (tuned).
 const PIECE: usize = 1 << 16;
 
-/// Whether only results and errors are printed.
+/// Whether only results, warnings and errors are printed.
 static QUIET: AtomicBool = AtomicBool::new(false);
 
 /// Whether notes are printed.
@@ -26,12 +26,12 @@ pub(super) fn set_verbose() {
     VERBOSE.store(true, Ordering::Relaxed);
 }
 
-/// Prints only results and errors from now on.
+/// Prints only results, warnings and errors from now on.
 pub(super) fn set_quiet() {
     QUIET.store(true, Ordering::Relaxed);
 }
 
-/// Whether only results and errors are printed.
+/// Whether only results, warnings and errors are printed.
 pub(super) fn is_quiet() -> bool {
     QUIET.load(Ordering::Relaxed)
 }
@@ -105,14 +105,15 @@ pub(super) fn printed(result: std::io::Result<()>) -> Result<(), Error> {
     }
 }
 
-/// Writes a warning, error or note to standard error; with `--quiet` no notes. Texts from files in it are made harmless.
-pub(super) fn print_error_line(line: &str) {
-    let is_note = !["warning: ", "error: "]
-        .iter()
-        .any(|kind| line.starts_with(kind));
-    if is_note && is_quiet() {
-        return;
+/// Writes a note, or what else `--quiet` leaves out, to standard error, as [`print_error_line`] does.
+pub(super) fn print_note_line(line: &str) {
+    if !is_quiet() {
+        print_error_line(line);
     }
+}
+
+/// Writes a warning or error to standard error. Texts from files in it are made harmless.
+pub(super) fn print_error_line(line: &str) {
     let text = plain(line);
     let mut output = std::io::stderr().lock();
     let _ = output
@@ -123,7 +124,7 @@ pub(super) fn print_error_line(line: &str) {
 /// Writes the verdict to standard error.
 pub(super) fn print_verdict_lines(verdict: &Verdict) {
     for line in lines(verdict).lines() {
-        print_error_line(&line);
+        print_note_line(&line);
     }
 }
 

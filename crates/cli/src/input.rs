@@ -1,6 +1,6 @@
 //! Reads the input of a command, and limits its poses, in number and bytes, before it begins.
 
-use crate::console::{check_streams_not_input, print, print_error_line, warn};
+use crate::console::{check_streams_not_input, print, print_note_line, warn};
 use crate::error::Error;
 use gearlash_input::outlines::Drawings;
 use gearlash_input::{GearsFile, PairFile};
@@ -144,6 +144,6 @@ const MANY: u64 = 1_000_000;
 pub(super) fn report_size(poses: u64, bytes: u64) {
     if poses >= MANY && bytes > 0 {
         let bytes = numbers::bytes(poses.saturating_mul(bytes));
-        print_error_line(&format!("note: {poses} poses, about {bytes} of result"));
+        print_note_line(&format!("note: {poses} poses, about {bytes} of result"));
     }
 }

@@ -29,7 +29,7 @@ mod tolerance;
 
 use crate::error::Error;
 use clap::{CommandFactory, Parser, Subcommand};
-use console::{print_error_line, print_error_text, printed};
+use console::{print_error_text, print_note_line, printed};
 use gearlash_text::characters::plain;
 use std::ffi::OsString;
 use std::io::Write;
@@ -153,7 +153,7 @@ fn cap_threads() {
         let _ = rayon::ThreadPoolBuilder::new()
             .num_threads(most)
             .build_global();
-        print_error_line(&format!(
+        print_note_line(&format!(
             "note: RAYON_NUM_THREADS={wanted}: {most} threads are used, the most that make sense on this machine"
         ));
     }

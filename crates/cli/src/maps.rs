@@ -1,6 +1,6 @@
 //! Maps over centre distance and mesh phase, for `check --map` and `chart --kind map`.
 
-use crate::console::print_error_line;
+use crate::console::print_note_line;
 use crate::error::Error;
 use crate::progress::Progress;
 use gearlash::analysis::Analysis;
@@ -60,7 +60,7 @@ fn of_contacts(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Er
             Ok(Some(zero)) => drawn.push((group, zero)),
             Ok(None) => {}
             Err(reason) => {
-                print_error_line(&format!(
+                print_note_line(&format!(
                     "note: no map of {}: the pose with the least backlash is unproven ({reason})",
                     material.words()
                 ));

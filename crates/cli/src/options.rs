@@ -1,6 +1,6 @@
 //! Options that several commands have.
 
-use crate::console::{has_colours, print, print_error_line, print_note};
+use crate::console::{has_colours, print, print_error_line, print_note, print_note_line};
 use crate::error::Error;
 use crate::output::{OutputFolder, own_folder};
 use clap::ValueEnum;
@@ -450,7 +450,7 @@ pub(super) fn all_proven(unproven: usize) -> bool {
 /// Prints on standard error the difference of both methods. Returns whether it passes. Prints nothing for a single method.
 pub(super) fn agreement_of(found: MethodAgreement) -> bool {
     if !found.is_empty() {
-        print_error_line(&agreement_words(found));
+        print_note_line(&agreement_words(found));
     }
     found.agrees()
 }

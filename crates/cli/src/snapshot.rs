@@ -1,6 +1,6 @@
 //! `gearlash snapshot`: one contact as a picture.
 
-use crate::console::print_error_line;
+use crate::console::print_note_line;
 use crate::cycle::{self, Binding, Found, Wanted};
 use crate::distances;
 use crate::error::{Error, exit_code};
@@ -227,7 +227,7 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, AssembledPair), Err
         ));
     };
     if args.center_distance.is_none() && study.center_distances.len() > 1 {
-        print_error_line(&format!(
+        print_note_line(&format!(
             "note: at centre distance {distance} mm, the least of {}; choose with --center-distance",
             study.center_distances.len()
         ));

@@ -117,8 +117,12 @@ impl Args {
 }
 
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
-    if lists_outlines(&args.file) || args.units.is_some() {
+    let holds_points = || listed_outlines(&args.file, Some("mm")).is_ok();
+    if lists_outlines(&args.file) || args.units.is_some() && holds_points() {
         return outlines(args);
+    }
+    if args.units.is_some() {
+        return Err(Error::usage("--units belongs to a drawing; leave it out"));
     }
     // Decides by the content of the file, not by its name.
     let bytes = if args.file.as_path() == Path::new("-") {
@@ -136,13 +140,14 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
         if args.rexs.is_given() {
             return of_other("a table", "--stage and no --output");
         }
-        let table = table(args, bytes).map_err(|error| {
-            let is_points = listed_outlines(&args.file, Some("mm")).is_ok();
-            let file = args.file.display();
-            let points = format!("{file}: holds the points of an outline, no readings; use it with `gearlash check`, or in [wheel.outline]");
-            if is_points { Error::Usage(points) } else { error }
-        })?;
-        return show(args, &table);
+        return match table(args, bytes) {
+            Ok(table) => show(args, &table),
+            Err(_) if holds_points() => Err(Error::Usage(format!(
+                "{}: holds the points of an outline, no readings; use it with `gearlash check`, or in [wheel.outline]",
+                args.file.display()
+            ))),
+            Err(error) => Err(error),
+        };
     }
     if args.of_tables() {
         return of_other(

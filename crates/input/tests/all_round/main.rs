@@ -1,5 +1,8 @@
 //! Thickness from readings all round, eccentricity from pitch, and data that contradict what the file says of them.
 
+#[allow(dead_code)] // campaigns use the rest
+#[path = "../../../../tests/common/campaign/random.rs"]
+mod random;
 #[allow(dead_code)] // the other property tests use the rest
 #[path = "../../../../tests/common/random_pair.rs"]
 mod random_pair;

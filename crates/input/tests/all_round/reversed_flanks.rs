@@ -1,24 +1,23 @@
 //! Left flanks with reversed sign: found at the stated rate, and reported.
 
+use super::random::Random;
 use super::*;
 use gearlash::gear::{BasicGearData, BasicRack, Gear, GearDesign, Pitch};
 use gearlash::metrology::{anticorrelation_p_value, datum_anticorrelation_p_value};
 use std::f64::consts::TAU;
 
-/// Random numbers of one seed: SplitMix64 (Steele, Lea and Flood 2014).
-#[derive(Default)]
-pub(super) struct Dice(u64);
+pub(super) struct Dice(Random);
+
+impl Default for Dice {
+    fn default() -> Dice {
+        Dice(Random(0))
+    }
+}
 
 impl Dice {
     /// Uniform values, µm.
     pub fn list(&mut self, count: usize, most: f64) -> Vec<f64> {
-        let mut value = || {
-            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            most * ((z ^ (z >> 31)) as f64 / 2f64.powi(63) - 1.0)
-        };
-        (0..count).map(|_| value()).collect()
+        (0..count).map(|_| self.0.within(-most, most)).collect()
     }
 
     /// A random walk round the gear that closes.

@@ -265,11 +265,8 @@ fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<Stri
             let room = most - columns(&more);
             let mut ends = last.rmatch_indices(", ").map(|(end, _)| &last[..end]);
             let whole = ends.find(|whole| columns(whole) <= room);
-            let kept = match whole {
-                Some(whole) if columns(last) > room => whole.to_owned(),
-                _ => cut(last, room),
-            };
-            *last = kept + &more;
+            let whole = whole.filter(|_| columns(last) > room);
+            *last = whole.map_or_else(|| cut(last, room), str::to_owned) + &more;
             let left_out = shown.iter().filter(is_cut).chain(rest);
             return (filled, left_out.cloned().collect());
         }

@@ -148,7 +148,7 @@ fn across(mm: f64, out_of_plane: f64) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub struct MisalignmentSpec {
-    /// In-plane deviation f_Σδ; plus: farther apart away from the viewer.
+    /// In-plane deviation f_Σδ; plus: further apart away from the viewer.
     #[serde(default = "parallel")]
     #[schemars(transform = deviation())]
     pub in_plane_um: Either<f64, EitherSenseSpec>,

@@ -473,7 +473,7 @@ fn scatter(
     // The library's message has numbers in mm, another unit than the file.
     let made = made.map_err(|error| match error {
         ScatterError::Limits { .. } => "the lower limit lies above the upper one".to_owned(),
-        ScatterError::Outside { what, .. } if spec.lower_um.or(spec.upper_um).is_none() => {
+        ScatterError::Outside { what, .. } if spec.lower_um.and(spec.upper_um).is_none() => {
             format!(
                 "{what} lies outside the limits, which count from the middle of the stated band"
             )

@@ -49,6 +49,56 @@ pub(crate) fn try_bisect<E>(
     Ok([inside, outside])
 }
 
+/// Steps of false position of [`bisect_smooth`]: a smooth function needs four or five.
+const STEPS_TO_ROOT: u32 = 8;
+
+/// The bracket that [`bisect`] finds where `excess` is smooth and turns from negative to positive, with a quarter of its evaluations.
+///
+/// False position finds the root to some roundings. Halvings beside it need no evaluation.
+pub(crate) fn bisect_smooth(
+    inside: f64,
+    outside: f64,
+    width: f64,
+    excess: impl Fn(f64) -> f64,
+) -> [f64; 2] {
+    let way = (outside - inside).signum();
+    let mut known = [inside, outside];
+    let mut see = |x: f64| {
+        let value = excess(x);
+        let side = usize::from(!(value < 0.0));
+        if [(x - known[0]) * way, (known[1] - x) * way][side] > 0.0 {
+            known[side] = x;
+        }
+        (known, value, side)
+    };
+    let mut ends = [inside, outside].map(|x| (x, see(x).1));
+    let (mut root, mut last_side) = (inside, None);
+    for _ in 0..STEPS_TO_ROOT {
+        let [one, other] = ends;
+        let next = one.0 + (other.0 - one.0) * one.1 / (one.1 - other.1);
+        let step = (next - root).abs();
+        root = next;
+        if !(step > 4.0 * f64::EPSILON * root.abs()) {
+            break;
+        }
+        let (_, value, side) = see(root);
+        ends[side] = (root, value);
+        if last_side.replace(side) == Some(side) {
+            ends[1 - side].1 *= 0.5;
+        }
+    }
+    for times in [-16.0, 16.0] {
+        see(root + times * f64::EPSILON * root.abs());
+    }
+    bisect(inside, outside, width, |x| {
+        if (x - known[0]) * way <= 0.0 {
+            true
+        } else {
+            (known[1] - x) * way > 0.0 && excess(x) < 0.0
+        }
+    })
+}
+
 /// Steps of [`root_beyond`]: a smooth function needs three or four.
 const MOST_STEPS: u32 = 12;
 
@@ -140,6 +190,36 @@ mod tests {
         let (greatest, [low, high]) = golden_section(1.0, 2.0, 1e-6, f64::sin);
         assert!((greatest - 1.0).abs() < 1e-12 && high - low <= 1e-6);
         assert!(low - 1e-7 <= FRAC_PI_2 && FRAC_PI_2 <= high + 1e-7);
+    }
+
+    /// Source: plain bisection.
+    #[test]
+    fn bisection_of_a_smooth_function_finds_the_same_bracket() {
+        let curves: [&dyn Fn(f64) -> f64; 4] = [
+            &|x| x * x - 2.0,
+            &|x| x.powi(9) - 3.0,
+            &|x| 1.0 - 2.0 / x,
+            &|x| (x - 1.5).signum(),
+        ];
+        for (k, curve) in curves.into_iter().enumerate() {
+            let count = std::cell::Cell::new(0);
+            let counted = |x| {
+                count.set(count.get() + 1);
+                curve(x)
+            };
+            for width in [1e-3, 1e-9, 0.0] {
+                let plain = bisect(1.0, 2.5, width, |x| curve(x) < 0.0);
+                assert_eq!(
+                    bisect_smooth(1.0, 2.5, width, counted),
+                    plain,
+                    "{k} {width}"
+                );
+            }
+            let falling = |x: f64| -curve(x);
+            let plain = bisect(2.5, 1.0, 1e-9, |x| falling(x) < 0.0);
+            assert_eq!(bisect_smooth(2.5, 1.0, 1e-9, falling), plain, "{k}");
+            assert!(k > 1 || count.get() < 60, "{k}: {}", count.get());
+        }
     }
 
     /// Roots in closed form: of x² − 2, of −x³ towards smaller places, and of a step, which has none.

@@ -13,6 +13,15 @@ pub struct DeviationCurve {
     cubics: Vec<[f64; 4]>,
     /// Knots at which the slope jumps.
     edges: Vec<f64>,
+    /// `None` for a curve that is only a part of a sum.
+    index: Option<Index>,
+}
+
+/// Bounds and places of the stretches of a curve.
+#[derive(Debug, Clone, PartialEq)]
+struct Index {
+    /// Bounds over all stretches.
+    whole: [Interval; 3],
     /// Bounds over blocks of [`BLOCK`] stretches; empty for short curves.
     blocks: Vec<[Interval; 3]>,
     /// Number of knots before each of as many equal parts as there are knots; empty for short curves.
@@ -32,8 +41,7 @@ impl DeviationCurve {
             knots: vec![from, to],
             cubics: vec![cubic],
             edges: Vec::new(),
-            blocks: Vec::new(),
-            before: Vec::new(),
+            index: None,
         }
     }
 
@@ -76,8 +84,7 @@ impl DeviationCurve {
             knots: points.iter().map(|point| point.0).collect(),
             cubics: (0..chords.len()).map(cubic).collect(),
             edges: Vec::new(),
-            blocks: Vec::new(),
-            before: Vec::new(),
+            index: None,
         }
     }
 
@@ -91,10 +98,9 @@ impl DeviationCurve {
             knots: points.iter().map(|point| point.0).collect(),
             cubics: lines.collect(),
             edges: Vec::new(),
-            blocks: Vec::new(),
-            before: Vec::new(),
+            index: None,
         }
-        .with_blocks()
+        .with_index()
     }
 
     /// This curve with all values `more` greater.
@@ -102,8 +108,10 @@ impl DeviationCurve {
         for cubic in &mut self.cubics {
             cubic[0] += more;
         }
-        for block in &mut self.blocks {
-            block[0] = block[0].map(|value| value + more);
+        if let Some(index) = &mut self.index {
+            for bounds in index.blocks.iter_mut().chain([&mut index.whole]) {
+                bounds[0] = bounds[0].map(|value| value + more);
+            }
         }
         self
     }
@@ -117,15 +125,15 @@ impl DeviationCurve {
                 .map(|cubic| std::array::from_fn(|k| cubic[k] * times[k]))
                 .collect(),
             edges: self.edges.iter().map(|edge| edge * factor).collect(),
-            blocks: Vec::new(),
-            before: Vec::new(),
+            index: None,
         }
-        .with_blocks()
+        .with_index()
     }
 
     /// Difference of its greatest and its least value.
     pub(crate) fn range(&self) -> f64 {
-        let [least, most] = self.bounds(self.knots[0], self.knots[self.knots.len() - 1])[0];
+        let [from, to] = self.ends();
+        let [least, most] = self.bounds(from, to)[0];
         most - least
     }
 
@@ -158,31 +166,39 @@ impl DeviationCurve {
                 cubics: knots.windows(2).map(cubic).collect(),
                 knots,
                 edges,
-                blocks: Vec::new(),
-                before: Vec::new(),
+                index: None,
             }
-            .with_blocks(),
+            .with_index(),
         }
     }
 
-    /// This curve with the bounds of its blocks and the index of its knots.
-    fn with_blocks(mut self) -> DeviationCurve {
-        let count = self.cubics.len() / BLOCK;
+    /// This curve with its index.
+    fn with_index(mut self) -> DeviationCurve {
+        let (count, [first, last]) = (self.cubics.len() / BLOCK, self.ends());
+        let (mut blocks, mut before) = (Vec::new(), Vec::new());
         if count > 1 {
             let block = |k: usize| {
                 let (from, to) = (k * BLOCK, (k + 1) * BLOCK);
                 self.bounds_of(from..to, self.knots[from], self.knots[to])
             };
-            self.blocks = (0..count).map(block).collect();
-            let first = self.knots[0];
-            let part = (self.knots[self.knots.len() - 1] - first) / self.knots.len() as f64;
-            let before = |k: usize| {
+            blocks.extend((0..count).map(block));
+            let part = (last - first) / self.knots.len() as f64;
+            before.extend((0..self.knots.len()).map(|k| {
                 let from = first + part * k as f64;
                 self.knots.partition_point(|&knot| knot <= from) as u32
-            };
-            self.before = (0..self.knots.len()).map(before).collect();
+            }));
         }
+        self.index = Some(Index {
+            whole: self.bounds_of(0..self.cubics.len(), first, last),
+            blocks,
+            before,
+        });
         self
+    }
+
+    /// The first and the last knot.
+    fn ends(&self) -> [f64; 2] {
+        [self.knots[0], self.knots[self.knots.len() - 1]]
     }
 
     /// The cubic at `xi` in powers of `ξ − about`.
@@ -218,13 +234,14 @@ impl DeviationCurve {
     #[inline]
     fn knots_before(&self, xi: f64) -> usize {
         let knots = &self.knots;
-        if self.before.is_empty() {
+        let before = self.index.as_ref().map_or(&[][..], |index| &index.before);
+        if before.is_empty() {
             return knots.partition_point(|&knot| knot <= xi);
         }
         let per_part = knots.len() as f64 / (knots[knots.len() - 1] - knots[0]);
         // The cast maps negative values to 0.
         let part = ((xi - knots[0]) * per_part) as usize;
-        let mut before = self.before[part.min(knots.len() - 1)] as usize;
+        let mut before = before[part.min(knots.len() - 1)] as usize;
         while before < knots.len() && knots[before] <= xi {
             before += 1;
         }
@@ -283,28 +300,39 @@ impl DeviationCurve {
 
     /// Intervals in which `δ`, `δ'` and `δ''` lie over the rolls from `low` to `high`.
     pub(crate) fn bounds(&self, low: f64, high: f64) -> [Interval; 3] {
-        let first = self.knots_before(low).max(1) - 1;
-        let last = self.knots_before(high);
-        let last = last.min(self.cubics.len());
-        // Whole blocks inside, and the stretches before and after them.
-        let from = first.div_ceil(BLOCK).min(self.blocks.len());
-        let to = (last / BLOCK).min(self.blocks.len());
-        let mut bounds = if from < to {
-            let before = self.bounds_of(first..from * BLOCK, low, high);
-            let behind = self.bounds_of(to * BLOCK..last, low, high);
-            let blocks = self.blocks[from..to].iter().copied();
-            blocks.fold(both(before, behind), both)
-        } else {
-            self.bounds_of(first..last, low, high)
+        let [start, end] = self.ends();
+        let mut bounds = match &self.index {
+            Some(index) if low <= start && high >= end => index.whole,
+            index => {
+                let blocks = index.as_ref().map_or(&[][..], |index| &index.blocks);
+                self.bounds_of_blocks(blocks, low, high)
+            }
         };
-        for end in [low, high] {
+        for place in [low, high] {
             // Constant beyond the ends.
-            if end < self.knots[0] || end >= self.knots[self.knots.len() - 1] {
-                let held = self.jet(end).map(|value| [value; 2]);
+            if place < start || place >= end {
+                let held = self.jet(place).map(|value| [value; 2]);
                 bounds = both(bounds, held);
             }
         }
         bounds
+    }
+
+    /// [`DeviationCurve::bounds`] between its ends by those of its `blocks`.
+    fn bounds_of_blocks(&self, blocks: &[[Interval; 3]], low: f64, high: f64) -> [Interval; 3] {
+        let first = self.knots_before(low).max(1) - 1;
+        let last = self.knots_before(high).min(self.cubics.len());
+        // Whole blocks inside, and the stretches before and after them.
+        let from = first.div_ceil(BLOCK).min(blocks.len());
+        let to = (last / BLOCK).min(blocks.len());
+        if from < to {
+            let before = self.bounds_of(first..from * BLOCK, low, high);
+            let behind = self.bounds_of(to * BLOCK..last, low, high);
+            let inside = blocks[from..to].iter().copied();
+            inside.fold(both(before, behind), both)
+        } else {
+            self.bounds_of(first..last, low, high)
+        }
     }
 
     /// [`DeviationCurve::bounds`] over those of `stretches` that lie between the rolls.

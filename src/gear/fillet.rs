@@ -47,6 +47,14 @@ const STRETCHES: u32 = 64;
 /// Most bisections of a stretch: `S` is then known within 1e-9 of its size.
 const MOST_HALVINGS: u32 = 30;
 
+/// An end of a stretch: sine and cosine of its `γ`, and `k`.
+#[derive(Debug, Clone, Copy)]
+struct StretchEnd {
+    sin: f64,
+    cos: f64,
+    stretch: f64,
+}
+
 /// Bounds over a stretch, least first.
 #[derive(Debug, Clone, Copy)]
 struct StretchBounds {
@@ -275,7 +283,7 @@ impl Fillet {
     #[inline]
     pub(super) fn speed(&self, gamma: f64) -> f64 {
         if self.lean > 0.0 {
-            return self.over(gamma, gamma).speed()[0];
+            return self.over([self.stretch_end(gamma); 2]).speed()[0];
         }
         let c = 1.0 / gamma.cos();
         let lift = self.depth * c * c / self.radius;
@@ -286,7 +294,7 @@ impl Fillet {
     pub(super) fn spread(&self, low: f64, high: f64) -> (f64, f64) {
         let half = 0.5 * (high - low);
         if self.lean > 0.0 {
-            let over = self.over(low, high);
+            let over = self.between(low, high);
             return (greatest(over.speed()) * half, greatest(over.turn()) * half);
         }
         let c = 1.0 / high.cos();
@@ -299,7 +307,7 @@ impl Fillet {
     /// Bounds of `−q/S`. For `h_0 ≥ 0` both `q` and `S` rise with `γ`.
     pub(super) fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
         if self.lean > 0.0 {
-            let over = self.over(low, high);
+            let over = self.between(low, high);
             let ([slow, fast], [little, much]) = (over.speed(), over.turn());
             return (slow > 0.0 && little > 0.0).then(|| (-much / slow, -little / fast));
         }
@@ -375,23 +383,36 @@ impl Fillet {
         (1.0 + self.lean * sin * sin).sqrt()
     }
 
+    /// The values at `γ` from which bounds over a stretch follow.
+    fn stretch_end(&self, gamma: f64) -> StretchEnd {
+        let (sin, cos) = gamma.sin_cos();
+        StretchEnd {
+            sin,
+            cos,
+            stretch: self.stretch(sin),
+        }
+    }
+
     /// Bounds over the stretch from `low` to `high`.
-    fn over(&self, low: f64, high: f64) -> StretchBounds {
-        let ends = [low, high].map(|gamma| {
-            let (sin, cos) = gamma.sin_cos();
-            (1.0 / cos, cos, self.stretch(sin))
-        });
-        let rising = ends.map(|(c, _, _)| self.depth * c);
+    fn between(&self, low: f64, high: f64) -> StretchBounds {
+        self.over([low, high].map(|gamma| self.stretch_end(gamma)))
+    }
+
+    /// Bounds over the stretch between two ends, the lower first.
+    fn over(&self, ends: [StretchEnd; 2]) -> StretchBounds {
+        let secant = ends.map(|end| 1.0 / end.cos);
+        let rising = secant.map(|c| self.depth * c);
         let deep = [rising[0].min(rising[1]), rising[0].max(rising[1])];
-        let [(low_c, low_cos, low_k), (high_c, high_cos, high_k)] = ends;
-        let falling = |of: &dyn Fn(f64, f64) -> f64| [of(high_cos, high_k), of(low_cos, low_k)];
-        let round = falling(&|_, k| self.tip_round * (1.0 + self.lean) / (k * k * k));
-        let along = falling(&|_, k| self.tip_round / k);
-        let against = falling(&|cos, k| self.tip_round * self.lean * cos * cos / (k * k * k));
+        let [low, high] = ends;
+        let falling = |of: &dyn Fn(StretchEnd) -> f64| [of(high), of(low)];
+        let cubed = |end: StretchEnd| end.stretch * end.stretch * end.stretch;
+        let round = falling(&|end| self.tip_round * (1.0 + self.lean) / cubed(end));
+        let along = falling(&|end| self.tip_round / end.stretch);
+        let against = falling(&|end| self.tip_round * self.lean * end.cos * end.cos / cubed(end));
         let moment = [deep[0] - against[1], deep[1] - against[0]];
         StretchBounds {
             reach: sum(deep, along),
-            lift: product(moment, [low_c / self.radius, high_c / self.radius]),
+            lift: product(moment, secant.map(|c| c / self.radius)),
             round,
         }
     }
@@ -402,7 +423,7 @@ impl Fillet {
     }
 
     fn least_speed_between(&self, low: f64, high: f64, halvings: u32) -> f64 {
-        let bound = self.over(low, high).speed()[0];
+        let bound = self.between(low, high).speed()[0];
         let middle = 0.5 * (low + high);
         if bound >= 0.0 || halvings == 0 {
             return bound;
@@ -459,8 +480,8 @@ impl Fillet {
 
     /// The greatest radius of curvature `S/q` from `γ` up, mm; ∞ if the fillet is not hollow throughout.
     pub(crate) fn greatest_hollow(&self, gamma: f64) -> f64 {
-        self.stretches(gamma).fold(0.0, |most: f64, (low, high)| {
-            let over = self.over(low, high);
+        self.stretches(gamma).fold(0.0, |most: f64, ends| {
+            let over = self.over(ends);
             let (speed, turn) = (over.speed()[1], over.turn()[0]);
             most.max(if turn > 0.0 {
                 speed / turn
@@ -472,18 +493,23 @@ impl Fillet {
 
     /// Greatest amount of the angle `ψ` between fillet and radius from `γ` up, rad: `tan ψ = (r cos γ − L)/(r sin γ)`.
     pub(crate) fn steepest(&self, gamma: f64) -> f64 {
-        self.stretches(gamma).fold(0.0, |most: f64, (low, high)| {
-            let reach = self.over(low, high).reach;
-            let (out, within) = (self.radius * low.cos(), self.radius * high.cos());
+        self.stretches(gamma).fold(0.0, |most: f64, ends| {
+            let reach = self.over(ends).reach;
+            let [out, within] = ends.map(|end| self.radius * end.cos);
             let radial = (out - reach[0]).abs().max((within - reach[1]).abs());
-            most.max(radial.atan2(self.radius * low.sin()))
+            most.max(radial.atan2(self.radius * ends[0].sin))
         })
     }
 
-    fn stretches(&self, from: f64) -> impl Iterator<Item = (f64, f64)> {
-        let at = move |k: u32, end: f64| from + (end - from) * f64::from(k) / f64::from(STRETCHES);
-        let end = self.end;
-        (0..STRETCHES).map(move |k| (at(k, end), at(k + 1, end)))
+    /// The ends of equal stretches from `γ` up.
+    fn stretches(&self, from: f64) -> impl Iterator<Item = [StretchEnd; 2]> {
+        let width = self.end - from;
+        let at = move |k: u32| from + width * f64::from(k) / f64::from(STRETCHES);
+        let mut low = self.stretch_end(from);
+        (1..=STRETCHES).map(move |k| {
+            let high = self.stretch_end(at(k));
+            [std::mem::replace(&mut low, high), high]
+        })
     }
 }
 

@@ -7,12 +7,13 @@
 //! must be at its radius about its own centre there. That is one equation for `γ`, common to all teeth.
 
 use super::shape::{C, HalfToothShape};
+use crate::numeric::bisect_smooth;
 
 /// Stretches of a fillet in which a change of sign is searched. The equation has at most one root, except for overhanging fillets.
 const STRETCHES: u32 = 24;
 
-/// Bisections of a root, down to the last bit.
-const HALVINGS: u32 = 52;
+/// Part of a stretch to which a root is bisected, down to the last bit.
+const BISECTED: f64 = f64::EPSILON;
 
 /// A touch, with the fillet's centre at 0 and the edge's centre on +x.
 #[derive(Debug, Clone, Copy)]
@@ -41,24 +42,23 @@ pub(super) fn deepest(
         let along = r * cos - fillet.reach(gamma) - pitch_point * lean.cos();
         (!lean.is_nan()).then(|| (lean, C::from(pitch_point) + C::from_polar(along, -lean)))
     };
-    let excess = move |gamma: f64| at(gamma).map(|(_, point)| (point - distance).norm() - reach);
+    let excess = move |gamma: f64| {
+        at(gamma).map_or(f64::NAN, |(_, point)| (point - distance).norm() - reach)
+    };
     let end = shape.fillet_end;
     let gamma = move |k: u32| end * f64::from(k) / f64::from(STRETCHES);
-    (0..STRETCHES).filter_map(move |k| {
-        let (mut low, mut high) = (gamma(k), gamma(k + 1));
-        let (first, last) = (excess(low)?, excess(high)?);
-        if (first < 0.0) == (last < 0.0) {
-            return None;
-        }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if (excess(middle)? < 0.0) == (first < 0.0) {
-                low = middle
-            } else {
-                high = middle
-            }
-        }
-        let gamma = 0.5 * (low + high);
+    let mut low = (gamma(0), excess(gamma(0)));
+    (1..=STRETCHES).filter_map(move |k| {
+        let high = (gamma(k), excess(gamma(k)));
+        let ends = [std::mem::replace(&mut low, high), high];
+        // A normal that misses the pitch circle has no excess.
+        let [first, last] = ends.map(|(_, value)| value);
+        let is_bracket = (first < 0.0) != (last < 0.0) && !first.is_nan() && !last.is_nan();
+        let [from, to] = ends.map(|(gamma, _)| gamma);
+        let width = (to - from) * BISECTED;
+        let bracket = is_bracket
+            .then(|| bisect_smooth(from, to, width, |gamma| first.signum() * -excess(gamma)))?;
+        let gamma = 0.5 * (bracket[0] + bracket[1]);
         let (lean, point) = at(gamma)?;
         Some(DeepestTouch {
             tooth: gamma - lean - fillet.pitch_angle(gamma),

@@ -64,6 +64,16 @@ struct OuterPair {
     rolls: (f64, f64),
 }
 
+/// The gears that enclose those of `assembly`, and the greatest variation of the deviations of a flank, mm. `None` for teeth that cannot be built.
+fn enclosing(assembly: &GearPair) -> Option<(GearPair, f64)> {
+    let of = |member: Member| assembly.gear(member).enclosing([0.0; 2]).ok();
+    let ([wheel, _], one) = of(Member::Wheel)?;
+    let ([pinion, _], other) = of(Member::Pinion)?;
+    let distance = assembly.center_distance();
+    let pair = GearPair::with_locked(wheel, pinion, distance, assembly.locked()).ok()?;
+    Some((pair, one.max(other)))
+}
+
 impl OuterGears {
     /// The outer gears of `assembly`; `None` if their flanks need a search themselves.
     pub fn new(assembly: &GearPair, problems: &[FlankProblem; 2]) -> Option<OuterGears> {
@@ -75,13 +85,8 @@ impl OuterGears {
         }
         let convex =
             |problem: &FlankProblem| problem.locked.is_convex() && problem.free.is_convex();
-        let enclosing = |member: Member| assembly.gear(member).enclosing([0.0; 2]).ok();
-        let ([wheel, _], one) = enclosing(Member::Wheel)?;
-        let ([pinion, _], other) = enclosing(Member::Pinion)?;
-        let distance = assembly.center_distance();
-        let pair = GearPair::with_locked(wheel, pinion, distance, assembly.locked()).ok()?;
+        let (pair, range) = enclosing(assembly)?;
         let [right, left] = Side::BOTH.map(|side| FlankProblem::new(&pair, side));
-        let range = one.max(other);
         // The points of both gears move by this.
         let envelopes = Envelopes::with_room(&right, &pair, 4.0 * range);
         let solver = OuterGears::solver(&right, &pair, envelopes, problems)?;
@@ -96,13 +101,19 @@ impl OuterGears {
         })
     }
 
-    /// The outer gears in another section, `pair`, which turns their eccentricities.
-    pub fn turned(&self, pair: &GearPair) -> OuterGears {
-        OuterGears {
-            right: self.right.turned(pair),
-            left: self.left.turned(pair),
+    /// The outer gears in another section, `pair`, which turns their eccentricities, and by leads their flanks.
+    pub fn turned(&self, pair: &GearPair) -> Option<OuterGears> {
+        let [right, left] = if pair.has_leads() {
+            let (pair, _) = enclosing(pair)?;
+            Side::BOTH.map(|side| FlankProblem::new(&pair, side))
+        } else {
+            [&self.right, &self.left].map(|problem| problem.turned(pair))
+        };
+        Some(OuterGears {
+            right,
+            left,
             ..self.clone()
-        }
+        })
     }
 
     /// The outer gears at the centre distance of `modified`.

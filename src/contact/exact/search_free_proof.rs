@@ -26,6 +26,7 @@ use super::shape::HalfToothShape;
 use super::teeth::Teeth;
 use crate::gear::ProfilePart::{self, Fillet, Involute, Root, Tip};
 use crate::gear::involute;
+use crate::numeric::bisect_smooth;
 use crate::pair::overlap_half_angle;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -246,6 +247,9 @@ fn slope_at(psi: f64) -> f64 {
     }
 }
 
+/// Part of a fillet to which the depth that its mate reaches is bisected.
+const BISECTED: f64 = 1e-12;
+
 /// The depth to which the mate can reach into a half tooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum ReachedDepth {
@@ -262,16 +266,11 @@ fn reached(shape: &HalfToothShape, radius: f64) -> ReachedDepth {
     if !(radius > shape.root_radius) {
         return ReachedDepth::Root;
     }
-    // |P| rises with γ; the lower end of the last bracket is on the safe side.
-    let (mut low, mut high) = (0.0, shape.fillet_end);
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if shape.at(Fillet, middle).point.norm() < radius {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    // |P| rises with γ; the lower end of the bracket is on the safe side.
+    let end = shape.fillet_end;
+    let width = end * BISECTED;
+    let beyond = |gamma: f64| shape.at(Fillet, gamma).point.norm() - radius;
+    let [low, _] = bisect_smooth(0.0, end, width, beyond);
     ReachedDepth::Fillet(low)
 }
 

@@ -85,20 +85,12 @@ impl Section {
 
     /// Another section of the pair whose measuring plane this is; [`GearPair::section`] made `pair`.
     pub fn turned(&self, pair: &GearPair) -> Section {
-        if pair.has_leads() {
-            let problems = [&self.right, &self.left].map(|problem| problem.turned(pair));
-            let outer = OuterGears::new(pair, &problems);
-            return Section::of(pair, problems, self.envelopes.clone(), outer);
-        }
+        let problems = [&self.right, &self.left].map(|problem| problem.turned(pair));
+        let outer = self.outer.as_ref();
         Section {
-            right: self.right.turned(pair),
-            left: self.left.turned(pair),
             bodies: self.bodies.as_ref().map(|_| Box::new(pair.clone())),
-            outer: self
-                .outer
-                .as_ref()
-                .map(|outer| Box::new(outer.turned(pair))),
-            ..self.clone()
+            outer: outer.and_then(|outer| outer.turned(pair)).map(Box::new),
+            ..self.with_sides(problems)
         }
     }
 

@@ -150,7 +150,7 @@ fn bounds_of_a_tiny_stretch_are_tight() {
             let room = 2e-7 * (1.0 + fillet.radius.abs() + s.abs() + q.abs());
             let low = gamma.min(fillet.end - 1e-9);
             let high = low + 1e-9;
-            let over = fillet.over(low, high);
+            let over = fillet.between(low, high);
             for ([least, most], v) in [(over.speed(), s), (over.turn(), q)] {
                 let is_tight = (least - v).abs() < room && (most - v).abs() < room;
                 assert!(least <= most && is_tight, "{which} {gamma}");

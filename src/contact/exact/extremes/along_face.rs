@@ -275,7 +275,7 @@ impl<'a> FaceSideCell<'a> {
                 // No section has the teeth of both gears.
                 continue;
             }
-            let simple = [0, 1].map(|k| pair.simple(k, pair.face));
+            let simple = pair.simple(pair.face);
             // `open` is the greatest open rest of the pairs so far. `most` must also cover what this pair leaves open beyond it.
             let more = pair.at_fillet(pair.face) + (pair.open - open).max(0.0);
             if (0..2).all(|k| line[k] + simple[k] + more <= most[k]) {
@@ -310,7 +310,8 @@ impl<'a> FaceSideCell<'a> {
         for part in 0..parts as u32 {
             let part = [at(f64::from(part)), at(f64::from(part) + 1.0)];
             let more = pair.at_fillet(part);
-            let top = [0, 1].map(|k| line[k] + pair.simple(k, part) + more);
+            let simple = pair.simple(part);
+            let top = [0, 1].map(|k| line[k] + simple[k] + more);
             let enough = (top[0] - most[0]).max(top[1] - most[1]);
             if enough > 0.0 {
                 let turns = part.map(|b| twist * b);
@@ -733,15 +734,16 @@ impl<'a> PairOverFace<'a> {
         Some(self)
     }
 
-    /// Bound on the rotation at an end of the cell over a part of the face, rad, without the room of tips.
-    fn simple(&self, end: usize, part: [f64; 2]) -> f64 {
+    /// Bounds on the rotation at both ends of the cell over a part of the face, rad, without the room of tips.
+    fn simple(&self, part: [f64; 2]) -> [f64; 2] {
         let lead = self.teeth.lead_sum_bound(part);
         let arm = if lead > 0.0 {
             self.arms[0]
         } else {
             self.arms[1]
         };
-        lead / arm + greatest_of(self.leaning[end], part) + self.bend
+        self.leaning
+            .map(|leaning| lead / arm + greatest_of(leaning, part) + self.bend)
     }
 
     /// Bound on the rotation, rad, that a lean adds where a corner touches a fillet in a part of the face.

@@ -240,8 +240,13 @@ impl FilletRoom<'_> {
         let steepest = (1.0 - sine * sine).max(0.0).sqrt() / sine;
         let tangent = (farthest * farthest - sum * sum).sqrt() / sum;
         let per_mm = steepest.max(tangent) / pitch_radius(nearest, tip.base);
-        let step = (farthest - nearest) / f64::from(STEPS_OF_DISTANCE);
-        (0..=STEPS_OF_DISTANCE).all(|k| {
+        let steps = if farthest > nearest {
+            STEPS_OF_DISTANCE
+        } else {
+            0
+        };
+        let step = (farthest - nearest) / f64::from(steps.max(1));
+        (0..=steps).all(|k| {
             let distance = nearest + step * f64::from(k);
             let rooms = deepest(fillet, distance, tip.base, tip.tip_radius);
             let mut rooms = rooms.map(|touch| self.beside_line(distance, touch));

@@ -316,7 +316,7 @@ fn turn(
             (along * section.lean(0.0)).dot(&point.coords)
         }
     };
-    let lead = section.lead(side, tooth, rise) - section.lead(side, tooth, 0.0);
+    let lead = section.lead_change(side, tooth, [0.0, rise]);
     let gear = section.gear();
     let tilted = angle + gear.basic_data().twist() * rise;
     Some((tilted + side.sense() * lead / gear.base_radius(), error))

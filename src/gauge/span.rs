@@ -143,7 +143,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
             } else {
                 let (side, tooth, _) = ends[i];
                 let gear = work.as_built;
-                let lead = gear.lead(side, tooth, sections[i]) - gear.lead(side, tooth, 0.0);
+                let lead = gear.lead_change(side, tooth, [0.0, sections[i]]);
                 let by_lead = side.sense() * lead / gear.gear().base_radius();
                 UnitComplex::new(data.twist() * sections[i] + by_lead) * turns[i]
             }

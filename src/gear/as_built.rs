@@ -594,6 +594,13 @@ impl AsBuilt {
         self.lead_jet(self.lead_curve(side, tooth), b)[0]
     }
 
+    /// Lead deviation at the second of two places, mm from this section away from the viewer, less that at the first, mm.
+    pub(crate) fn lead_change(&self, side: Side, tooth: u32, places: [f64; 2]) -> f64 {
+        let curve = self.lead_curve(side, tooth);
+        let [from, to] = places.map(|b| self.lead_jet(curve, b)[0]);
+        to - from
+    }
+
     /// Lead deviation, mm, `b` mm from this section away from the viewer, and its rate, mm per mm; `curve` is that of
     /// [`AsBuilt::lead_curve`].
     #[inline]

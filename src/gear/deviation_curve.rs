@@ -219,6 +219,7 @@ impl DeviationCurve {
     }
 
     /// The stretch that contains `xi`, or the constant value there. A knot belongs to the stretch after it.
+    #[inline]
     fn stretch(&self, xi: f64) -> Result<usize, f64> {
         match self.knots_before(xi) {
             0 => Err(self.cubics[0][0]),
@@ -233,15 +234,20 @@ impl DeviationCurve {
     /// Number of knots up to `xi`.
     #[inline]
     fn knots_before(&self, xi: f64) -> usize {
-        let knots = &self.knots;
-        let before = self.index.as_ref().map_or(&[][..], |index| &index.before);
-        if before.is_empty() {
-            return knots.partition_point(|&knot| knot <= xi);
+        match &self.index {
+            Some(index) if !index.before.is_empty() => self.knots_before_by(&index.before, xi),
+            // Few knots are counted sooner than halved.
+            _ => self.knots.iter().map(|&knot| usize::from(knot <= xi)).sum(),
         }
-        let per_part = knots.len() as f64 / (knots[knots.len() - 1] - knots[0]);
+    }
+
+    /// [`DeviationCurve::knots_before`] by the parts of the index.
+    fn knots_before_by(&self, parts: &[u32], xi: f64) -> usize {
+        let (knots, [first, last]) = (&self.knots, self.ends());
+        let per_part = knots.len() as f64 / (last - first);
         // The cast maps negative values to 0.
-        let part = ((xi - knots[0]) * per_part) as usize;
-        let mut before = before[part.min(knots.len() - 1)] as usize;
+        let part = ((xi - first) * per_part) as usize;
+        let mut before = parts[part.min(knots.len() - 1)] as usize;
         while before < knots.len() && knots[before] <= xi {
             before += 1;
         }

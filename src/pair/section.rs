@@ -191,7 +191,7 @@ impl<'a> Leaning<'a> {
     /// Direction of a flank in this section without its lean, less that of its tooth's undisturbed centre line, rad.
     fn flank(&self, member: Member, side: Side, tooth: u32) -> f64 {
         let (gear, own) = (self.assembly.gear(member), &self.gears[member as usize]);
-        let lead = gear.lead(side, tooth, self.b) - gear.lead(side, tooth, 0.0);
+        let lead = gear.lead_change(side, tooth, [0.0, self.b]);
         gear.flank_offset(side, tooth) + side.sense() * (lead / own.base + own.half_base)
     }
 
@@ -384,11 +384,7 @@ impl Leaning<'_> {
         if square == 0.0 {
             return 0.0;
         }
-        let lead = if gear.has_leads() {
-            gear.lead(side, tooth, self.b + height) - gear.lead(side, tooth, self.b)
-        } else {
-            0.0
-        };
+        let lead = gear.lead_change(side, tooth, [self.b, self.b + height]);
         let stretch = (1.0 - 1.0 / k) / square * along * normal.dot(&lean);
         height * own.twist + s * (lead + stretch) / own.base
     }

@@ -344,7 +344,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
             return Ok(());
         }
         let effort = self.effort;
-        let (section, here) = self.helical.section_at(self.pose, b, kept);
+        let (section, here) = self.helical.section_of_teeth(self.pose, b, kept);
         if matches!(section, Cow::Owned(_)) && self.helical.assembly.binds_anywhere() {
             effort.spend(BUILT_SECTION);
         }

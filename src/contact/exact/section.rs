@@ -110,6 +110,11 @@ impl Section {
         }
     }
 
+    /// The section with this solver for both sides.
+    pub fn with_solver(self, solver: Option<DirectSolver>) -> Section {
+        Section { solver, ..self }
+    }
+
     /// One of its sides.
     pub fn side(&self, side: Side) -> &FlankProblem {
         match side {

@@ -62,13 +62,11 @@ impl<'a> SectionSide<'a> {
         let flanks = FlanksInSection::new(&plane, place, with_far);
         // The far flank of the tooth before the first one ends a root land.
         let turns = (low - 1..=high).map(|step| flanks.turns(step));
-        let turns: Vec<[[f64; 2]; 2]> = turns.collect();
-        let locked: Vec<[f64; 2]> = turns[..=count as usize]
-            .iter()
-            .map(|both| both[0])
-            .collect();
-        let free = turns[1..].iter().rev();
-        let free: Vec<[f64; 2]> = free.map(|both| both[1]).collect();
+        let (mut locked, mut free): (Vec<_>, Vec<_>) =
+            turns.map(|[locked, free]| (locked, free)).unzip();
+        locked.pop();
+        free.reverse();
+        free.pop();
         let (first_locked, _) = plane.places(low);
         let (_, first_free) = plane.places(high - 1);
         let teeth =
@@ -204,6 +202,6 @@ impl<'a> FlanksInSection<'a> {
 
 /// Turn of a tooth's flank by its lead from the measuring plane to the section at `b`, rad, counter-clockwise.
 fn turn_by_lead(gear: &AsBuilt, side: Side, tooth: u32, b: f64) -> f64 {
-    let lead = gear.lead(side, tooth, b) - gear.lead(side, tooth, 0.0);
+    let lead = gear.lead_change(side, tooth, [0.0, b]);
     side.sense() * lead / gear.gear().base_radius()
 }

@@ -122,14 +122,20 @@ impl Teeth {
     pub fn in_section(&self, first: usize, turns: &[[f64; 2]]) -> Teeth {
         let (start, _) = self.shape.range(ProfilePart::Root);
         let mut most = 0.0f64;
+        // Teeth of one lead have one turn.
+        let mut last = ([f64::NAN; 2], [C::ZERO; 2]);
         let halves = turns.windows(2).enumerate().map(|(nth, turns)| {
             let [[_, across], [own, other]] = [turns[0], turns[1]];
             let half = &self.halves[self.beside(first, nth as i64)];
             most = most.max(own.abs()).max(other.abs()).max(across.abs());
+            if last.0 != turns[1] {
+                last = (turns[1], [own, other - own].map(slightly_turned));
+            }
+            let [by_own, by_other] = last.1;
             Half {
                 offset: half.offset + own,
-                direction: half.direction * slightly_turned(own),
-                far: half.far * slightly_turned(other - own),
+                direction: half.direction * by_own,
+                far: half.far * by_other,
                 // The space ends at the other flank of the tooth before.
                 root_end: (half.root_end - 0.5 * (across - own)).max(start),
             }

@@ -103,15 +103,21 @@ pub(super) struct FaceBounds {
     pub in_fillets: bool,
 }
 
-/// A stretch between knots, in several parts where the leads are hollow.
-fn parts(teeth: &FacingTeeth, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> + use<> {
-    let middle = 0.5 * (from + to);
-    let chord = 0.5 * (teeth.lead_sum(from) + teeth.lead_sum(to));
-    let sag = chord - teeth.lead_sum(middle);
+/// A stretch between knots, in several parts where the leads are hollow, and the sums of the leads at its ends and between them, mm.
+fn parts<'a>(
+    teeth: &'a FacingTeeth<'a>,
+    [from, to]: [f64; 2],
+) -> impl Iterator<Item = ([f64; 2], [f64; 3])> + use<'a> {
+    let leads = |[from, to]: [f64; 2]| [from, 0.5 * (from + to), to].map(|b| teeth.lead_sum(b));
+    let whole = leads([from, to]);
+    let sag = 0.5 * (whole[0] + whole[2]) - whole[1];
     // Above rounding of the leads.
     let count = if sag > 1e-12 { HOLLOW_PARTS } else { 1 };
     let at = move |part: usize| from + (to - from) * (part as f64 / count as f64);
-    (0..count).map(move |part| [at(part), at(part + 1)])
+    (0..count).map(move |part| {
+        let ends = [at(part), at(part + 1)];
+        (ends, if count == 1 { whole } else { leads(ends) })
+    })
 }
 
 /// A pair of teeth with endless involutes in the measuring plane.
@@ -122,8 +128,6 @@ pub(super) struct EndlessPair {
     rolls: [f64; 2],
     /// As [`PairOfTeeth::window`].
     window: [f64; 2],
-    /// Its gap with ends of the involutes, about.
-    about: f64,
 }
 
 /// A pair of teeth, and its step.
@@ -238,15 +242,18 @@ impl<'a> AlongFace<'a> {
         let turned = -(bases[0] * turns[0] + bases[1] * turns[1]) / first.turning;
         let rolls = first.rolls();
         let rolls = [rolls[0] - turns[0], rolls[1] - turned - turns[1]];
-        let (gap, window) = (first.gap + turned, self.on_line(rolls));
-        let room = first.room(self.rolls_at(rolls, window[0]), self.ends);
         EndlessPair {
             step,
-            gap,
+            gap: first.gap + turned,
             rolls,
-            window,
-            about: gap - room / bases[1],
+            window: self.on_line(rolls),
         }
+    }
+
+    /// The gap of a pair whose involutes end, about.
+    fn about(&self, pair: &EndlessPair) -> f64 {
+        let rolls = self.rolls_at(pair.rolls, pair.window[0]);
+        pair.gap - self.first.room(rolls, self.ends) / self.bases()[1]
     }
 
     /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest`
@@ -459,7 +466,7 @@ impl<'a> AlongFace<'a> {
         let mut pairs: Vec<EndlessPair> = steps.map(|step| self.endless(step)).collect();
         let level = self.level(&pairs).max(floor);
         pairs.retain(|pair| self.can_reach(pair, level));
-        pairs.sort_by_cached_key(|pair| rank(-pair.about));
+        pairs.sort_by_cached_key(|pair| rank(-self.about(pair)));
         let bounded = |pair| (pair, self.most_without_leads(&pair));
         pairs.into_iter().map(bounded).collect()
     }
@@ -662,15 +669,13 @@ impl<'a> AlongFace<'a> {
         let shapes = [&problem.locked.shape, &problem.free.shape];
         // An edge at the form circle stands beyond the endless involute.
         let is_bound = shapes.iter().all(|shape| shape.corners().len() == 1);
-        let bounded = |ends: [f64; 2]| {
+        let bounded = |(ends, leads): ([f64; 2], [f64; 3])| {
             if !is_bound {
                 return (ends, f64::INFINITY);
             }
             if pair.fillets != Fillets::None {
                 return (ends, pair.most + self.most_in_fillets(&pair.teeth));
             }
-            let leads =
-                [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]].map(|b| pair.teeth.lead_sum(b));
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
@@ -880,7 +885,9 @@ impl<'a> AlongFace<'a> {
     /// Leaning axes bend it the other way where a contact leaves the line: its height begins to move at another rate. So it is followed from a
     /// little inside each end of the window to the middle, and from a little outside each end outwards.
     fn greatest(&self, pair: &PairOfTeeth, [from, to]: [f64; 2]) -> Option<GapInSection> {
-        let beside = BESIDE * (to - from);
+        // Sections of knots of leaning axes are known to some roundings of heights.
+        let least = if self.leaning.is_some() { AT_KNOT } else { 0.0 };
+        let beside = (BESIDE * (to - from)).max(least.min(0.25 * (to - from)));
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = pair.window.map(inside);
         if let Some(b) = self.where_leads_are_greatest(pair, [start, end]) {

@@ -123,7 +123,8 @@ impl SearchFreeSections {
         let side = |problem| SectionSide::new(&helical.plane, problem, place, None);
         let [right, left] = self.sides.each_ref().map(side);
         let sides = [right?.into_problem(), left?.into_problem()];
-        Some(helical.plane.with_sides(sides))
+        let solver = Some(self.solver.clone());
+        Some(helical.plane.with_sides(sides).with_solver(solver))
     }
 
     /// Adds the contact of one side.

@@ -272,6 +272,12 @@ impl Place {
 impl Target {
     /// As [`Target::prepare`], for a page, a picture or Markdown. It never overwrites a pair file or table, read or not.
     pub(super) fn prepare_beside(path: PathBuf, sources: &Sources) -> Result<Target, Error> {
+        if has_extension(&path, &["png", "jpg", "jpeg", "gif", "webp", "pdf"]) {
+            return Err(Error::Usage(format!(
+                "{}: no file of this kind is written; name a picture .svg and a page .html",
+                path.display()
+            )));
+        }
         let is_pair_file = has_extension(&path, &["toml", "json"]);
         if is_pair_file || has_extension(&path, &TABLE_EXTENSIONS) || is_rexs(&path) {
             return Err(Error::Usage(format!(

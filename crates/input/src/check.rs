@@ -383,7 +383,12 @@ impl SchemaCheck<'_> {
                     let help = if let Some(meant) = meant {
                         table.mistyped.push(meant);
                         self.bad.push(below(table.path, meant));
-                        format!("did you mean `{meant}`? If not, remove it")
+                        let stem = name.strip_suffix("_in");
+                        if stem.is_some() && stem == meant.strip_suffix("_mm") {
+                            format!("`_in` takes numbers alone; write `{meant}` in mm")
+                        } else {
+                            format!("did you mean `{meant}`? If not, remove it")
+                        }
                     } else {
                         match &self.tables_with(name, node)[..] {
                             [] => "remove it".to_owned(),

@@ -57,7 +57,7 @@ pub fn describe(statements: &Statements, finding: &Finding) -> String {
         Finding::RunoutContradictsFlanks(found) => (
             "runout.file",
             format!(
-                "the readings contradict the flanks, whose data take precedence. Beyond the first harmonic the readings vary by up to {} µm, the stated flanks by \
+                "beyond the first harmonic the readings contradict the flanks, which take precedence there. The readings vary by up to {} µm, the stated flanks by \
                  {} µm; {} {} they differ by {} µm. F_r of the readings is {} µm. Check gear, tooth numbers, sense and at",
                 ascii(found.read_um, 3),
                 ascii(found.said_um, 3),

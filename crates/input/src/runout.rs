@@ -94,6 +94,7 @@ impl RunoutSheet {
             header: Some(sheet.header),
             spec: RunoutSpec {
                 face_runout: spec.face_runout,
+                ball_mm: spec.ball_mm,
                 ..RunoutSpec::default()
             },
             ..runout
@@ -207,6 +208,7 @@ impl RunoutSheet {
             total_um: Some(runout.total_um),
             high_tooth: runout.high_tooth,
             face_runout: self.spec.face_runout,
+            ball_mm: self.spec.ball_mm,
             ..RunoutSpec::default()
         }
     }

@@ -111,7 +111,7 @@ impl Section {
     }
 
     /// The section with this solver for both sides.
-    pub fn with_solver(self, solver: Option<DirectSolver>) -> Section {
+    pub(super) fn with_solver(self, solver: Option<DirectSolver>) -> Section {
         Section { solver, ..self }
     }
 

@@ -33,7 +33,7 @@ pub struct RunoutSpec {
     pub table: Option<TableFileSpec>,
     /// Place of a reading: its tooth (a fork), or the space after it (a ball).
     pub at: Option<ReadingPlace>,
-    /// Diameter of the ball; default: one that touches at the reference circle.
+    /// Ball diameter, for `gauge` too; default: touching at the reference circle.
     #[schemars(transform = length())]
     pub ball_mm: Option<f64>,
 }
@@ -146,7 +146,6 @@ fn runout_keys(schema: &mut Schema) {
     not_beside(schema, "face_runout", &["planes"]);
     beside(schema, "file", &[&["at"]]);
     beside(schema, "at", &[&["file"]]);
-    beside(schema, "ball_mm", &[&["file"]]);
 }
 
 fn pitch_keys(schema: &mut Schema) {

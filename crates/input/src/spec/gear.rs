@@ -179,7 +179,7 @@ pub struct RackSpec {
     /// Dedendum h_fP*.
     #[schemars(transform = above_zero(10.0))]
     pub dedendum: f64,
-    /// Root radius ρ_fP*.
+    /// Root radius ρ_fP*; ≤ 0.317 at 25°.
     #[schemars(transform = at_least(0.0))]
     pub root_radius: f64,
 }

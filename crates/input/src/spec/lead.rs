@@ -44,7 +44,7 @@ pub struct FlankLeadSpec {
     /// Helix slope f_Hβ, plus = greater helix angle; of spur gears "10 r" or "10 l".
     #[schemars(transform = deviation())]
     pub helix_slope_um: Option<Either<f64, SpurSlopeSpec>>,
-    /// Lead crowning C_β, taken off at both ends; negative: hollow.
+    /// Lead crowning C_β, off both ends of the face; negative: hollow.
     #[schemars(transform = deviation())]
     pub crowning_um: Option<f64>,
     /// Taken off towards the ends.

@@ -7,7 +7,7 @@ use gearlash_text::numbers::{rounded, shortest};
 
 /// The sentence of `result`: the share that misses the requirement, with its interval, and the main source of the spread.
 ///
-/// "310 ppm below 40 µm [270, 354]; 71 % of the scatter from the centre distance"
+/// "310 ppm (270 … 354) below 40 µm; 71 % of the scatter from the centre distance"
 pub fn sentence(result: &ToleranceResult) -> String {
     let about = &result.about;
     let least = required_ends(about.min_mm, &about.others, false);
@@ -37,6 +37,9 @@ pub fn sentence(result: &ToleranceResult) -> String {
         let most = about.max_ppm.unwrap_or_default();
         text += if met { "; meets" } else { "; does not meet" };
         text += &format!(" the {} ppm allowed", shortest(most));
+        if met && 1e6 * result.statistics.outside.high > most {
+            text += ", but the interval reaches above it";
+        }
     }
     text
 }
@@ -103,10 +106,10 @@ pub fn phases_of_limits(about: &PopulationSummary) -> Option<&'static str> {
     )
 }
 
-/// "310 ppm below 40 µm [270, 354]".
+/// "310 ppm (270 … 354) below 40 µm".
 fn share(share: &Share, what: &str) -> String {
     let [low, high] = [share.low, share.high].map(ppm);
-    format!("{} ppm {what} [{low}, {high}]", ppm(share.share))
+    format!("{} ppm ({low} … {high}) {what}", ppm(share.share))
 }
 
 /// Parts per million, whole from ten on.

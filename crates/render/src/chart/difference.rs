@@ -109,7 +109,7 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         }
         format!("tolerance ±{tolerance_um} µm: short dashes")
     } else {
-        format!("tolerance ±{tolerance_um} µm: far outside this axis")
+        format!("tolerance ±{tolerance_um} µm: outside this axis")
     };
     let corner = [course.span[0], y[1]];
     marks.push(Mark::text(corner, [8.0, 10.0], words, Anchor::Start));

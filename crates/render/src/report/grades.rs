@@ -39,7 +39,7 @@ pub(super) fn table(page: &Page) -> Markup {
                 "not the eccentricity alone. The formulas grade " (symbol("f", "p")) ", " (symbol("F", "p")) " and " (symbol("F", "r")) " alone"
                 @if page.report.pair.study.is_helical() {
                     ", by the reference diameter " i { "d" } " and the normal module " (symbol("m", "n")) "; pitch in the transverse section of the measuring plane. "
-                    "Helix deviations are not measured and have no grade"
+                    "Helix deviations are not graded"
                 }
                 "."
             }

@@ -30,6 +30,7 @@
     shown.run = number;
     byId("runs").value = number;
     slider.max = poses() - 1;
+    for (const control of [slider, ...["back", "on", "play"].map(byId)]) control.disabled = poses() === 1;
     choosePose(pose);
   }
 

@@ -67,7 +67,7 @@ fn the_difference_to_model_3_has_its_own_axis() {
     let (chart, picture) = of_difference(&course);
     assert_eq!(chart.panels.len(), 2);
     assert!(picture.has("10⁻⁹ µm"));
-    assert!(picture.has("tolerance ±0.1 µm: far outside this axis"));
+    assert!(picture.has("tolerance ±0.1 µm: outside this axis"));
     let lower = chart.panels[1];
     let mut drawn = picture.lines_of(RIGHT);
     drawn.retain(|line| line.len() > 100);

@@ -1,6 +1,10 @@
 //! Meaning of a heading: the words of a column's own cell and of the group above it, and the unit.
 //!
-//! `headings.toml` holds the words. Every word must be known: "left limit" is not a left flank.
+//! `headings.toml` holds the words: quantities, flanks, units and labels, in German and English. Every word must be known: "left limit" is not
+//! a left flank.
+//!
+//! Words are in lower case there, without blanks and `-`, `_`, `.`, `:` in them; `#` stands for a number, as in "W3". Symbols are written as
+//! they are: `fp` is the single pitch deviation, `Fp` the cumulative one, `FR` may be a right flank.
 
 use super::column::{Column, Quantity};
 use gearlash::gear::Side;

@@ -49,10 +49,7 @@ pub(crate) fn try_bisect<E>(
     Ok([inside, outside])
 }
 
-/// Steps of false position of [`bisect_smooth`]: a smooth function needs four or five.
-const STEPS_TO_ROOT: u32 = 8;
-
-/// The bracket that [`bisect`] finds where `excess` is smooth and turns from negative to positive, with fewer evaluations.
+/// The bracket that [`bisect`] finds where `excess` is smooth and turns from negative to positive once, with fewer evaluations.
 ///
 /// False position finds the root to some roundings. Halvings beside it need no evaluation.
 pub(crate) fn bisect_smooth(
@@ -69,33 +66,17 @@ pub(crate) fn bisect_smooth(
         if [(x - known[0]) * way, (known[1] - x) * way][side] > 0.0 {
             known[side] = x;
         }
-        (known, value, side)
+        value
     };
-    let mut ends = [inside, outside].map(|x| (x, see(x).1));
-    let (mut root, mut last_side) = (inside, None);
-    for _ in 0..STEPS_TO_ROOT {
-        let [one, other] = ends;
-        let next = one.0 + (other.0 - one.0) * one.1 / (one.1 - other.1);
-        let step = (next - root).abs();
-        root = next;
-        if !(step > 4.0 * f64::EPSILON * root.abs()) {
-            break;
-        }
-        let (_, value, side) = see(root);
-        ends[side] = (root, value);
-        if last_side.replace(side) == Some(side) {
-            ends[1 - side].1 *= 0.5;
-        }
-    }
+    let ends = [inside, outside].map(|x| (x, see(x)));
+    // Some roundings of the greater value.
+    let root = root_beyond(ends, 4.0 * f64::EPSILON * ends[1].1, &mut see);
     for times in [-16.0, 16.0] {
         see(root + times * f64::EPSILON * root.abs());
     }
     bisect(inside, outside, width, |x| {
-        if (x - known[0]) * way <= 0.0 {
-            true
-        } else {
-            (known[1] - x) * way > 0.0 && excess(x) < 0.0
-        }
+        let is_inside = (x - known[0]) * way <= 0.0;
+        is_inside || ((known[1] - x) * way > 0.0 && excess(x) < 0.0)
     })
 }
 
@@ -107,7 +88,7 @@ const MOST_STEPS: u32 = 12;
 pub(crate) fn root_beyond(
     [mut below, mut beyond]: [(f64, f64); 2],
     fine: f64,
-    of: impl Fn(f64) -> f64,
+    mut of: impl FnMut(f64) -> f64,
 ) -> f64 {
     let (mut reached, mut was_beyond) = (beyond.1, None);
     for _ in 0..MOST_STEPS {

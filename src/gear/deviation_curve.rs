@@ -235,9 +235,12 @@ impl DeviationCurve {
     #[inline]
     fn knots_before(&self, xi: f64) -> usize {
         match &self.index {
-            Some(index) if !index.before.is_empty() => self.knots_before_by(&index.before, xi),
+            None => self.knots.partition_point(|&knot| knot <= xi),
             // Few knots are counted sooner than halved.
-            _ => self.knots.iter().map(|&knot| usize::from(knot <= xi)).sum(),
+            Some(index) if index.before.is_empty() => {
+                self.knots.iter().map(|&knot| usize::from(knot <= xi)).sum()
+            }
+            Some(index) => self.knots_before_by(&index.before, xi),
         }
     }
 

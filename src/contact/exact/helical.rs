@@ -160,40 +160,30 @@ impl Helical {
         helical
     }
 
-    /// The section at `b`, mm, at `pose`, and the pose there; `kept` is the one of [`Helical::sections`] there.
+    /// The section at `b`, mm, at `pose`, perhaps without the teeth out of reach, and the pose there; `kept` is the one of
+    /// [`Helical::sections`] there.
     fn section_at<'a>(
         &self,
         pose: &Pose,
         b: f64,
         kept: Option<&'a Section>,
     ) -> (Cow<'a, Section>, Pose) {
+        let here = pose.in_section(&self.assembly, b);
+        let kept = kept.filter(|_| !self.assembly.leans());
+        if let Some(section) = kept {
+            return (Cow::Borrowed(section), here);
+        }
+        let search_free = self.search_free.as_ref();
+        let section = search_free.and_then(|own| own.section_in_reach(self, pose, &here, b));
+        if let Some(section) = section {
+            return (Cow::Owned(section), here);
+        }
         if self.assembly.leans() {
             let (pair, here) = section_at(&self.assembly, pose, b);
             return (Cow::Owned(self.plane.leaning(&pair)), here);
         }
-        let section = match kept {
-            Some(section) => Cow::Borrowed(section),
-            None => Cow::Owned(self.plane.turned(&self.assembly.section(b))),
-        };
-        (section, pose.in_section(&self.assembly, b))
-    }
-
-    /// As [`Helical::section_at`], perhaps without the teeth out of reach.
-    fn section_of_teeth<'a>(
-        &self,
-        pose: &Pose,
-        b: f64,
-        kept: Option<&'a Section>,
-    ) -> (Cow<'a, Section>, Pose) {
-        if kept.is_none() || self.assembly.leans() {
-            let here = pose.in_section(&self.assembly, b);
-            let search_free = self.search_free.as_ref();
-            let section = search_free.and_then(|own| own.section_in_reach(self, pose, &here, b));
-            if let Some(section) = section {
-                return (Cow::Owned(section), here);
-            }
-        }
-        self.section_at(pose, b, kept)
+        let section = self.plane.turned(&self.assembly.section(b));
+        (Cow::Owned(section), here)
     }
 
     /// Calls `each` for every kept section at `pose`, and for those at the `further` places, with the pose there and the place, mm.
@@ -207,14 +197,14 @@ impl Helical {
         mut each: impl FnMut(&Section, &Pose, f64) -> Result<(), E>,
     ) -> Result<(), E> {
         for (b, section) in &self.sections {
-            let (section, here) = self.section_of_teeth(pose, *b, Some(section));
+            let (section, here) = self.section_at(pose, *b, Some(section));
             each(&section, &here, *b)?;
         }
         let is_kept = |place: &f64| self.places().any(|b| b == *place);
         let mut further: Vec<f64> = further.filter(|place| !is_kept(place)).collect();
         further.dedup();
         for b in further {
-            let (section, here) = self.section_of_teeth(pose, b, None);
+            let (section, here) = self.section_at(pose, b, None);
             each(&section, &here, b)?;
         }
         Ok(())
@@ -344,7 +334,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
             return Ok(());
         }
         let effort = self.effort;
-        let (section, here) = self.helical.section_of_teeth(self.pose, b, kept);
+        let (section, here) = self.helical.section_at(self.pose, b, kept);
         if matches!(section, Cow::Owned(_)) && self.helical.assembly.binds_anywhere() {
             effort.spend(BUILT_SECTION);
         }

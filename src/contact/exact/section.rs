@@ -83,7 +83,8 @@ impl Section {
         Section::of(assembly, problems, self.envelopes.clone(), outer)
     }
 
-    /// Another section of the pair whose measuring plane this is; [`GearPair::section`] made `pair`.
+    /// Another section of the pair of parallel axes whose measuring plane this is; [`GearPair::section`] made `pair`. Only the places of teeth and
+    /// the directions of eccentricities differ.
     pub fn turned(&self, pair: &GearPair) -> Section {
         let problems = [&self.right, &self.left].map(|problem| problem.turned(pair));
         let outer = self.outer.as_ref();
@@ -111,8 +112,11 @@ impl Section {
     }
 
     /// The section with this solver for both sides.
-    pub(super) fn with_solver(self, solver: Option<DirectSolver>) -> Section {
-        Section { solver, ..self }
+    pub(super) fn with_solver(self, solver: DirectSolver) -> Section {
+        Section {
+            solver: Some(solver),
+            ..self
+        }
     }
 
     /// One of its sides.

@@ -123,8 +123,8 @@ impl SearchFreeSections {
         let side = |problem| SectionSide::new(&helical.plane, problem, place, None);
         let [right, left] = self.sides.each_ref().map(side);
         let sides = [right?.into_problem(), left?.into_problem()];
-        let solver = Some(self.solver.clone());
-        Some(helical.plane.with_sides(sides).with_solver(solver))
+        let section = helical.plane.with_sides(sides);
+        Some(section.with_solver(self.solver.clone()))
     }
 
     /// Adds the contact of one side.

@@ -29,8 +29,8 @@ impl Band {
 pub struct MeasuredMating {
     /// The measured values.
     pub row: MeasuredRow,
-    /// The prediction published with the measurement.
-    pub printed: Band,
+    /// The prediction published with the measurement; `None` without one.
+    pub printed: Option<Band>,
     /// Model 2.
     pub analytic: Option<Band>,
     /// Simulated.
@@ -122,10 +122,8 @@ impl MeasuredTally {
             };
             let bands = Bands::of(study, means);
             MeasuredMating {
-                printed: Band {
-                    min_um: row.predicted_min_um,
-                    max_um: row.predicted_max_um,
-                },
+                printed: (row.predicted_min_um.zip(row.predicted_max_um))
+                    .map(|(min_um, max_um)| Band { min_um, max_um }),
                 analytic: bands.analytic,
                 simulated: bands.simulated,
                 with_clearance: bands.with_clearance,

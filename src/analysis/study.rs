@@ -57,10 +57,10 @@ pub struct MeasuredRow {
     pub right_um: f64,
     /// Circumferential backlash measured at the left flanks, µm.
     pub left_um: f64,
-    /// Lower limit predicted, µm.
-    pub predicted_min_um: f64,
-    /// Upper limit predicted, µm.
-    pub predicted_max_um: f64,
+    /// Lower limit predicted, µm; `None` without a prediction.
+    pub predicted_min_um: Option<f64>,
+    /// Upper limit predicted, µm; `None` without a prediction.
+    pub predicted_max_um: Option<f64>,
     /// Where the row comes from; may be empty.
     pub source: String,
 }

@@ -24,7 +24,7 @@ fn tables_5_and_6() {
     assert_eq!(matings.len(), 36);
     let mut counts = [0; 3];
     for mating in &matings {
-        let (row, printed) = (&mating.row, mating.printed);
+        let (row, printed) = (&mating.row, mating.printed.unwrap());
         let what = (row.wheel_tooth, row.pinion_tooth, row.center_distance);
         for band in [mating.analytic.unwrap(), mating.simulated.unwrap()] {
             near(what, band.min_um, printed.min_um, 0.07);

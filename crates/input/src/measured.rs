@@ -7,7 +7,7 @@ use gearlash_tables::DataFile;
 use gearlash_tables::{Column, Coverage, Quantity, Row, Sheet, Wanted};
 use std::collections::{HashMap, HashSet};
 
-/// The columns, in any order; a column of sources is allowed, too.
+/// The columns, in any order. The prediction may be absent; a column of sources is allowed, too.
 const QUANTITIES: [Quantity; 7] = [
     Quantity::CenterDistance,
     Quantity::WheelTooth,
@@ -93,8 +93,7 @@ fn row((row, source): (Row, String)) -> Option<(u64, MeasuredRow)> {
         pinion_tooth,
         right_um,
         left_um,
-        predicted_min_um,
-        predicted_max_um,
+        ref predicted @ ..,
     ] = row.values[..]
     else {
         return None;
@@ -105,8 +104,8 @@ fn row((row, source): (Row, String)) -> Option<(u64, MeasuredRow)> {
         pinion_tooth: pinion_tooth as u32,
         right_um,
         left_um,
-        predicted_min_um,
-        predicted_max_um,
+        predicted_min_um: predicted.first().copied(),
+        predicted_max_um: predicted.get(1).copied(),
         source,
     };
     Some((row.line, measured))

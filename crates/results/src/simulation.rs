@@ -275,7 +275,7 @@ impl MeasuredRow {
 row_type!(row: MeasuredRow {
     "" Plain [people(shown("mating"))] => format!("{},{}", row.mating.row.wheel_tooth, row.mating.row.pinion_tooth);
     "" Distance [people(shown("a mm"))] => row.center_distance();
-    "" BacklashAgain [people(shown("predicted (printed)"))] => row.band(Some(row.mating.printed));
+    "" BacklashAgain [people(shown("predicted (printed)"))] => Value::optional(row.mating.printed.map(|band| row.band(Some(band))));
     "" BacklashAgain [people(shown("analytic").spare(1))] => row.band(row.mating.analytic);
     "" BacklashAgain [people(shown("simulated"))] => row.band(row.mating.simulated);
     "" BacklashAgain [people(shown("with bearing clearance"))] => Value::optional(row.with_clearance.then(|| row.band(row.mating.with_clearance)));
@@ -306,9 +306,10 @@ pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<PeopleC
     MeasuredRow::columns().for_people(&rows, MeasuredRow::center_distance, unit)
 }
 
-/// The measured matings for a terminal, compared with the printed bands.
+/// The measured matings for a terminal, compared with the printed bands, or else the simulated ones.
 fn measured_table(measured: &[MeasuredMating], unit: BacklashUnit, screen: &Screen) -> String {
-    let rows = measured_rows(measured, |mating| Some(mating.printed), unit, false);
+    let beside = |mating: &MeasuredMating| mating.printed.or(mating.simulated);
+    let rows = measured_rows(measured, beside, unit, false);
     MeasuredRow::columns().table(&rows, MeasuredRow::center_distance, unit, screen)
 }
 
@@ -319,10 +320,19 @@ fn measured_count(
     unit: BacklashUnit,
     screen: &Screen,
 ) -> String {
-    let [below, inside, above] = sides(measured, |mating| Some(mating.printed));
+    let is_predicted = measured.iter().any(|mating| mating.printed.is_some());
+    let (band, predicted) = if is_predicted {
+        (
+            "predicted",
+            " Predicted: as printed beside the measurement.",
+        )
+    } else {
+        ("simulated", "")
+    };
+    let [below, inside, above] = sides(measured, |mating| mating.printed.or(mating.simulated));
     let total = below + inside + above;
     let mut text = format!(
-        "\n{inside} of {total} measured values lie inside the predicted band: {below} below it (↓), {above} above it (↑).\n",
+        "\n{inside} of {total} measured values lie inside the {band} band: {below} below it (↓), {above} above it (↑).\n",
     );
     if study.bearing_clearance > 0.0 {
         let [_, inside, _] = sides(measured, |mating| mating.with_clearance);
@@ -332,10 +342,11 @@ fn measured_count(
             stated_distance(study.bearing_clearance)
         );
     }
-    text + &screen.paragraphs(&format!("{}{LEGEND}", quantity_words(unit)))
+    let legend = format!(
+        "{}. Bands run from most to least material.{predicted} \
+         Analytic: model 2 (involute); simulated: on the tooth outlines; both are means of the mating's right-flank \
+         and left-flank pose. ↓ ↑: measured below or above the {band} band.",
+        quantity_words(unit)
+    );
+    text + &screen.paragraphs(&legend)
 }
-
-const LEGEND: &str = "\
-. Bands run from most to least material. Predicted: as printed beside the measurement. \
-Analytic: model 2 (involute); simulated: on the tooth outlines; both are means of the mating's right-flank \
-and left-flank pose. ↓ ↑: measured below or above the predicted band.";

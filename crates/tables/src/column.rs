@@ -73,6 +73,11 @@ impl Quantity {
         self == Quantity::Pitch || self.pitch_kind().is_some()
     }
 
+    /// Whether a table may lack it.
+    pub fn is_optional(self) -> bool {
+        matches!(self, Quantity::PredictedMin | Quantity::PredictedMax)
+    }
+
     /// Kind of a pitch deviation, where it is stated.
     pub fn pitch_kind(self) -> Option<PitchKind> {
         match self {

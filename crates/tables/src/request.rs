@@ -326,8 +326,12 @@ impl Request<'_> {
         };
         let is_source = |heading: &Heading| heading.quantity() == Some(Quantity::Source);
         let source = head.places(is_source).first().copied();
-        let columns = self.wanted.columns;
         let is_missing = |column: &&Column| self.is_missing(head, **column);
+        let (optional, mut columns): (Vec<Column>, Vec<Column>) =
+            (self.wanted.columns.iter()).partition(|column| column.quantity.is_optional());
+        if !optional.iter().all(|column| is_missing(&column)) {
+            columns.extend(optional);
+        }
         let missing = columns.iter().filter(is_missing).count();
         let again = (missing > 0)
             .then(|| repeated_header(head, lines))

@@ -110,6 +110,17 @@ impl FlankProblem {
         problem
     }
 
+    /// Lowest and greatest roll of the locked and of the free involute.
+    pub fn ends(&self) -> [[f64; 2]; 2] {
+        [&self.locked, &self.free].map(|teeth| [teeth.shape.lowest_roll(), teeth.shape.tip_roll])
+    }
+
+    /// Greatest change of a room by the gap, mm, off the line of action.
+    pub fn most_turning(&self) -> f64 {
+        let low = self.free.shape.lowest_roll();
+        self.free.shape.base * (1.0 + low * low).sqrt() + self.free_off.norm()
+    }
+
     /// This problem with all teeth that can reach the mate in any section, where axes lean.
     pub fn over_leans(&self, assembly: &GearPair) -> FlankProblem {
         let (locked, free) = (

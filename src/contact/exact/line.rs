@@ -124,8 +124,17 @@ impl TangentVariation {
             + 2.0
                 * (ratio * spread(problem.locked.offset_range) + spread(problem.free.offset_range))
             + problem.all_steps();
-        let play = self.turning * error;
-        let free_play = ratio * play + self.stretching * problem.per_free_base * error;
+        let (play, free_play) = self.plays_at(problem, error);
         (play + ROLL_PLAY, free_play + ROLL_PLAY)
+    }
+
+    /// Bounds on the change of the locked and of the free roll on a line evaluated at a gap that is off by `error`.
+    pub fn plays_at(&self, problem: &FlankProblem, error: f64) -> (f64, f64) {
+        let ratio = problem.locked.shape.base * problem.per_free_base;
+        let play = self.turning * error;
+        (
+            play,
+            ratio * play + self.stretching * problem.per_free_base * error,
+        )
     }
 }

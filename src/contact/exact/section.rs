@@ -246,20 +246,24 @@ impl Section {
     }
 
     /// The contact of `posed`, teeth of one side in a section of this pair, that needs no search; `None` without one or without effort.
-    pub(super) fn contact(
+    pub(super) fn first_contact(
         &self,
         posed: &PosedFlanks,
         solver: &DirectSolver,
         effort: &Effort,
-    ) -> Option<Contact> {
+    ) -> Option<FirstContact> {
         charge_steps(posed, effort);
         let request = SideRequest {
             effort,
             floor: f64::NEG_INFINITY,
         };
         let found = direct::first_contact(posed, Some(solver), request).ok()?;
-        let first_contact = found.filter(|_| !effort.is_spent())?;
-        Some(report::contact(posed, &first_contact, self.free))
+        found.filter(|_| !effort.is_spent())
+    }
+
+    /// The contact of `found` at `posed`.
+    pub(super) fn contact(&self, posed: &PosedFlanks, found: &FirstContact) -> Contact {
+        report::contact(posed, found, self.free)
     }
 
     fn contact_lost(

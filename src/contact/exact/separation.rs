@@ -53,7 +53,7 @@ impl InvoluteArc {
     fn new(shape: &HalfToothShape) -> InvoluteArc {
         InvoluteArc {
             base: shape.base,
-            form: lowest_roll(shape),
+            form: shape.lowest_roll(),
             tip: shape.tip_roll,
         }
     }
@@ -96,13 +96,19 @@ impl InvoluteArc {
     }
 }
 
-/// The roll down to which metal is at least as far out as the involute. A fillet without undercut lies outside the involute extended to the
-/// base circle.
-pub(super) fn lowest_roll(shape: &HalfToothShape) -> f64 {
-    match shape.corners().len() {
-        1 => shape.form_roll.min(0.0),
-        _ => shape.form_roll,
-    }
+/// Lower bound of [`Separation::room_of`] of an involute of the base radius `base` whose roll is within `play` of `roll`, mm.
+///
+/// With `δ = ξ − ξ_e` beyond an end the room is `r_b (ξ_e (1 − cos δ) + δ − sin δ)`. The partial sums `δ²/2 − δ⁴/24` and `δ³/6 − |δ|⁵/120`
+/// are no greater than its terms. The room rises past the tip. Below the form roll both it and the sum rise, then fall.
+pub(super) fn room_at_least(base: f64, roll: f64, play: f64, [form, tip]: [f64; 2]) -> f64 {
+    let room = |roll: f64| {
+        let end = roll.clamp(form, tip);
+        let beyond = (roll - end).min(1.0);
+        let square = beyond * beyond;
+        let cosine = end * (0.5 - square / 24.0);
+        square * (cosine + beyond / 6.0 - square * beyond.abs() / 120.0)
+    };
+    base * room(roll - play).min(room(roll + play))
 }
 
 /// The roll up to which directions belong to the corner at the roll `tip`: the normals of the tip land follow.

@@ -137,6 +137,15 @@ impl HalfToothShape {
         &self.corners[..1 + usize::from(undercut)]
     }
 
+    /// The roll down to which metal is at least as far out as the involute. A fillet without undercut lies outside the involute extended to
+    /// the base circle.
+    pub fn lowest_roll(&self) -> f64 {
+        match self.corners().len() {
+            1 => self.form_roll.min(0.0),
+            _ => self.form_roll,
+        }
+    }
+
     /// Whether its flank has no deviation at a roll.
     pub fn is_undeviating(&self, roll: f64) -> bool {
         match &self.part(ProfilePart::Involute).curve {

@@ -65,8 +65,8 @@ fn over_the_distance_the_printed_limits_are_met() {
         ];
         for of in models {
             let [min, max] = ends(of, a);
-            assert!((min - row.predicted_min_um).abs() < PRINTED);
-            assert!((max - row.predicted_max_um).abs() < PRINTED);
+            assert!((min - row.predicted_min_um.unwrap()).abs() < PRINTED);
+            assert!((max - row.predicted_max_um.unwrap()).abs() < PRINTED);
         }
         // With clearance: the same curve at distances 0.01 mm smaller and greater.
         let [here, _] = ends(|bands| bands.with_clearance, a);

@@ -1,7 +1,7 @@
 //! Rolls of the half teeth of a step in a part of a pitch, and their room beside the line of action.
 
 use super::super::line::Line;
-use super::super::separation::{land_roll, lowest_roll};
+use super::super::separation::land_roll;
 use super::clearance::{HALVINGS, LinesAtDistances, stays_clear, tip_clearance};
 use super::mesh_cycle::{CycleSide, PARTS};
 
@@ -204,7 +204,7 @@ impl<'a> RollsOnLine<'a> {
             let each = shapes.iter().zip(rolls);
             let gain: f64 = each
                 .map(|(shape, (low, high))| {
-                    shape.base * beside((low + y, high + y), (lowest_roll(shape), shape.tip_roll))
+                    shape.base * beside((low + y, high + y), (shape.lowest_roll(), shape.tip_roll))
                 })
                 .sum();
             // The free gear turns by `s/(r_b q')`; q' is between 0.8 and 1.25 down to half a radian below the form roll.
@@ -220,7 +220,7 @@ impl<'a> RollsOnLine<'a> {
             return first;
         }
         let each = || shapes.iter().zip(rolls);
-        let below = each().map(|(shape, (low, high))| lowest_roll(shape) - 0.5 * (low + high));
+        let below = each().map(|(shape, (low, high))| shape.lowest_roll() - 0.5 * (low + high));
         let below = below.fold(0.0, f64::max);
         let corner = each().map(|(shape, (low, _))| {
             let arm = shape.base * shape.tip_roll;

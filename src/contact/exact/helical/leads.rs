@@ -21,7 +21,7 @@ use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::{LeaningFrame, LeaningTouch};
 use crate::contact::exact::path::InvolutePair;
-use crate::contact::exact::separation::{NearStart, Separation, lowest_roll};
+use crate::contact::exact::separation::{NearStart, Separation};
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::ProfilePart;
 use crate::numeric::rank;
@@ -221,8 +221,7 @@ impl<'a> AlongFace<'a> {
             centred,
             first,
             first_pair: InvolutePair::new(posed, 0),
-            ends: [&posed.problem.locked, &posed.problem.free]
-                .map(|teeth| [lowest_roll(&teeth.shape), teeth.shape.tip_roll]),
+            ends: posed.problem.ends(),
             leaning,
             most_leaning: assembly.shift_bound() + assembly.lean_bound() * wound * reach,
             bounds,
@@ -343,30 +342,6 @@ impl<'a> AlongFace<'a> {
         )
     }
 
-    /// For spur gears with one lead each: a bound of the tightest gap, if the tightest pair is on the line of action over the whole face. All
-    /// such pairs are tightest at one place, whatever the pose. `None` if another pair may be tightest: it is no tighter than endless involutes,
-    /// less the room of the ends that it has passed.
-    pub fn tightest_on_line(&self) -> Option<f64> {
-        let turned = self.most_turned();
-        let turning = self.most_turning();
-        let (mut on, mut beside) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-        for step in self.posed.steps_over([0.0; 2]) {
-            let pair = self.endless(step);
-            if self.are_on_arcs(pair.rolls, turned) {
-                on = on.max(pair.gap);
-                continue;
-            }
-            let room = self.least_room(pair.rolls);
-            if room < 0.0 {
-                return None;
-            }
-            beside = beside.max(pair.gap - room / turning);
-        }
-        let is_on = self.is_plain() && self.first.touches;
-        let leads = self.of_moves(self.bounds.most_lead[self.posed.problem.side.index()]);
-        (is_on && on > beside + self.posed.problem.tie).then_some(on + leads)
-    }
-
     /// Bound of the gap of a pair of involutes over the face, without leads.
     ///
     /// The gap falls beyond the stretch on the line of action, and along it it is linear but for the second order of the leans. Off the line
@@ -375,7 +350,7 @@ impl<'a> AlongFace<'a> {
         let room = self.least_room(self.rolls_at(pair.rolls, pair.window[0]));
         // An edge at the form circle can stand beyond the endless involute.
         let turning = if room > 0.0 {
-            self.most_turning()
+            self.posed.problem.most_turning()
         } else {
             LEAST_ARM * self.bases()[1]
         };
@@ -435,12 +410,6 @@ impl<'a> AlongFace<'a> {
             of(rolls[k] - turned).min(of(rolls[k] + turned))
         });
         room[0] + room[1]
-    }
-
-    /// Greatest change of a room by the gap, mm, off the line of action.
-    fn most_turning(&self) -> f64 {
-        let low = self.ends[1][0];
-        self.bases()[1] * (1.0 + low * low).sqrt() + self.posed.problem.free_off.norm()
     }
 
     /// Whether no touch is beside the involutes and their ends.
@@ -649,7 +618,7 @@ impl<'a> AlongFace<'a> {
         let rolls = rolls.into_iter().zip(shapes).zip(self.twists);
         // Spur gears have the same rolls in every section.
         for ((roll, shape), twist) in rolls.filter(|(_, twist)| *twist != 0.0) {
-            let ends = [lowest_roll(shape), shape.tip_roll].map(|end| (roll - end) / twist);
+            let ends = [shape.lowest_roll(), shape.tip_roll].map(|end| (roll - end) / twist);
             window[0] = window[0].max(ends[0].min(ends[1]));
             window[1] = window[1].min(ends[0].max(ends[1]));
         }

@@ -7,12 +7,16 @@ use super::{Edges, Helical};
 use crate::contact::Effort;
 use crate::contact::body::FarFlanks;
 use crate::contact::exact::direct::DirectSolver;
-use crate::contact::exact::flank_problem::FlankProblem;
+use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
+use crate::contact::exact::path::InvolutePair;
 use crate::contact::exact::section::Section;
 use crate::contact::exact::section_side::{SectionPlace, SectionSide};
+use crate::contact::exact::separation::room_at_least;
+use crate::contact::exact::shape::HalfToothShape;
+use crate::contact::exact::tightest::FirstContact;
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::contact::over_face::{FoundOverFace, OverFace};
-use crate::gear::Side;
+use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Mating, Pose};
 
 /// Number of poses of a pitch in which teeth on the line of action are sought. With a contact ratio above 1 most poses have them.
@@ -27,6 +31,9 @@ pub(super) struct SearchFreeSections {
     sides: [FlankProblem; 2],
     /// For spur gears with one lead each: where each side is tightest while teeth are on the line of action, mm, and that side there.
     one_place: [Option<(f64, FlankProblem)>; 2],
+    /// For spur gears with one lead each: bounds, for either side, on the turn of a locked flank over the face and on the change of a gap by
+    /// both leads, rad.
+    turns: [[f64; 2]; 2],
 }
 
 impl SearchFreeSections {
@@ -53,17 +60,72 @@ impl SearchFreeSections {
             (solver.clone(), [plane.right.clone(), plane.left.clone()])
         };
         let one_place = [None, None];
+        let turns = sides.each_ref().map(|problem| {
+            let members = [assembly.locked(), assembly.free()];
+            let [locked, free] = members.map(|member| {
+                let curve = assembly.gear(member).lead_curve(problem.side, 1);
+                curve.map_or(0.0, |curve| curve.range())
+            });
+            [
+                locked * problem.per_locked_base,
+                (locked + free) * problem.per_free_base,
+            ]
+        });
         solver.proof.is_direct().then_some(SearchFreeSections {
             solver,
             sides,
             one_place,
+            turns,
+        })
+    }
+
+    /// Whether no pair of `at` is tighter anywhere on the face of spur gears with one lead each than `found` in this section, where the leads
+    /// take most.
+    ///
+    /// There endless involutes are tightest. Teeth are no tighter than these, less the room of the ends that they have passed. The lead of the
+    /// locked gear turns it against the line of action; that of the free gear moves the gap alone.
+    fn is_tightest(&self, at: &PosedFlanks, found: &FirstContact) -> bool {
+        let (problem, variation) = (at.problem, &self.solver.variation);
+        let (locked, free) = (found.candidate.locked, found.candidate.free);
+        // Corners are named by the roll of the end that they are.
+        let is_within = |(curve, roll): (ProfilePart, f64), shape: &HalfToothShape| {
+            curve == ProfilePart::Involute && roll > shape.form_roll && roll < shape.tip_roll
+        };
+        if !is_within(locked, &problem.locked.shape) || !is_within(free, &problem.free.shape) {
+            return false;
+        }
+        let own = InvolutePair::new(at, found.step);
+        let ratio = problem.locked.shape.base * problem.per_free_base;
+        let [turned, change] = self.turns[problem.side.index()];
+        let ends = problem.ends();
+        // A Newton step falls short by the slope of G.
+        let shrink = 1.0 - self.solver.free_off * problem.per_free_base;
+        at.steps().filter(|step| *step != found.step).all(|step| {
+            let pair = InvolutePair::new(at, step);
+            let behind = ratio * (pair.locked_base - own.locked_base);
+            let tighter = (own.free_base - pair.free_base - behind) / shrink;
+            let rolls = [
+                locked.1 + own.locked_base - pair.locked_base,
+                free.1 + behind,
+            ];
+            let plays = variation.plays_at(problem, tighter.abs() + change);
+            let plays = [plays.0 + turned, plays.1 + ratio * turned];
+            let is_above_form = (0..2).all(|k| rolls[k] - plays[k] >= ends[k][0]);
+            if is_above_form && tighter <= problem.tie {
+                return true;
+            }
+            let bases = [problem.locked.shape.base, problem.free.shape.base];
+            let of = |k: usize| room_at_least(bases[k], rolls[k], plays[k], ends[k]);
+            let room = of(0) + of(1);
+            room >= 0.0 && tighter - room / problem.most_turning() <= problem.tie
         })
     }
 
     /// This solver of `helical` with [`SearchFreeSections::one_place`].
     pub fn with_one_place(self, helical: &Helical) -> SearchFreeSections {
         let assembly = &helical.assembly;
-        if !assembly.has_one_lead() || assembly.is_helical() || assembly.leans() {
+        let is_spur = !assembly.is_helical() && !assembly.leans();
+        if !assembly.has_one_lead() || !is_spur || helical.bounds.in_fillets {
             return self;
         }
         let one_place = self.sides.each_ref().map(|problem| {
@@ -74,8 +136,9 @@ impl SearchFreeSections {
             });
             let places = poses.find_map(|pose| {
                 let (posed, nominal) = helical.posed(problem, &pose);
+                let found = helical.plane.first_contact(&posed, &self.solver, &effort)?;
+                self.is_tightest(&posed, &found).then_some(())?;
                 let along = helical.along_face(&posed, nominal, &effort);
-                along.tightest_on_line()?;
                 let (steps, floor) = (along.steps(f64::NEG_INFINITY), f64::NEG_INFINITY);
                 Some(helical.places_of_leads(&along, &steps, &posed, nominal, floor))
             });
@@ -152,18 +215,17 @@ impl SearchFreeSections {
             over.add(b, here, found);
             over.beyond(side)
         };
+        if let Some((b, there)) = &self.one_place[side.index()] {
+            let here = pose.in_section(assembly, *b);
+            let at = helical.plane.posed(there, &here);
+            let found = helical.plane.first_contact(&at, &self.solver, effort)?;
+            if self.is_tightest(&at, &found) {
+                return take(*b, &here, helical.plane.contact(&at, &found)).map(|_| ());
+            }
+        }
         let (posed, nominal) = helical.posed(problem, pose);
         let along = helical.along_face(&posed, nominal, effort);
         let gap_at = |beyond: f64| nominal - side.sense() * beyond;
-        if let Some((b, there)) = &self.one_place[side.index()]
-            && let Some(tightest) = along.tightest_on_line()
-        {
-            let here = pose.in_section(assembly, *b);
-            let at = helical.plane.posed(there, &here);
-            let contact = helical.plane.contact(&at, &self.solver, effort)?;
-            let gap = gap_at(take(*b, &here, contact)?);
-            return (gap <= tightest + problem.tie).then_some(());
-        }
         // The radius of a far corner is less than one and a half base radii.
         let moved = 2.0 * helical.bounds.most_moved + assembly.shift_bound();
         let mut section = |b: f64, near: Option<&[usize]>| {
@@ -176,8 +238,9 @@ impl SearchFreeSections {
                 near,
             };
             let at = SectionSide::new(&helical.plane, problem, place, Some((&self.solver, moved)))?;
-            let contact = helical.plane.contact(&at.posed(), &self.solver, effort)?;
-            take(b, &here, contact)
+            let at = at.posed();
+            let found = helical.plane.first_contact(&at, &self.solver, effort)?;
+            take(b, &here, helical.plane.contact(&at, &found))
         };
         // Fillets are searched only for what exceeds a known contact.
         let floor = if helical.bounds.in_fillets {

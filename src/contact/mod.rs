@@ -20,6 +20,7 @@ mod over_face;
 mod overlap;
 mod pair_at_distance;
 mod parry;
+mod plane_extremes;
 mod polygon;
 mod pose_result;
 mod scene;
@@ -34,7 +35,7 @@ pub use drawn_contact::DrawnContact;
 pub use exact::{
     Doubt, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN, cycle_extremes,
 };
-pub(crate) use exact::{End, cycle_extremes_within, is_proven, keeps_to_involutes};
+pub(crate) use exact::{End, is_proven, keeps_to_involutes};
 pub use exaggeration::{Exaggeration, MeasuredOnGear};
 pub use face_place::FacePlace;
 pub use kernel::{Piece, Proof, Prover, Reason, Separation, SideProof, TouchProof};
@@ -46,6 +47,7 @@ pub use outline_contact::{ContactNotConfirmed, SearchExhausted};
 pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::{BRACKET_WIDTH, reach, root_of_play};
+pub(crate) use plane_extremes::cycle_extremes_within;
 pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use pose_result::{
     FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose,

@@ -3,7 +3,7 @@
 use super::gear::OutlineGear;
 use crate::error::OutlineError;
 use crate::gear::{Face, Side, steps_near};
-use crate::pair::{Mating, Member, Pose, ToothNumbers};
+use crate::pair::{GearPair, Mating, Member, Pose, ToothNumbers};
 use nalgebra::{Complex, Point2, Vector2};
 
 /// A pair with at least one gear given by its outline: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
@@ -45,6 +45,20 @@ impl OutlinePair {
             pair.gear(member).half_angle(radius)
         });
         Ok(pair)
+    }
+
+    /// The outlines of a pair by data, spur gears on parallel axes, with its rotations at a mating.
+    ///
+    /// # Errors
+    /// As [`OutlinePair::new`].
+    pub(crate) fn of_data(pair: &GearPair) -> Result<OutlinePair, OutlineError> {
+        let [wheel, pinion] = Member::BOTH.map(|member| OutlineGear::from(pair.gear(member)));
+        let outlines = OutlinePair::new(wheel, pinion, pair.center_distance(), pair.locked())?;
+        let half_angles = Member::BOTH.map(|member| pair.operating_half_angle(member));
+        Ok(OutlinePair {
+            half_angles,
+            ..outlines
+        })
     }
 
     /// These gears at another centre distance.

@@ -227,7 +227,7 @@ impl Outcome {
         let files = self.files.iter().map(|file| match file {
             JudgedFile::Judged(judged) => judged.json.clone(),
             JudgedFile::Unreadable { file, problems, .. } => {
-                json!({ "file": file, "error": joined(problems) })
+                json!({ "file": file, "passed": false, "error": joined(problems) })
             }
         });
         characters::json_of(&json!({

@@ -1,6 +1,5 @@
 //! `[assembly]`: the assembly of the two gears, checked together with them; another centre distance in the text of a pair file.
 
-use super::check::Checked;
 use super::gear::GearPart;
 use super::shafts;
 use super::spec::{AssemblySpec, CenterDistanceSpec};
@@ -16,18 +15,17 @@ use std::path::Path;
 use toml::de::DeTable;
 
 /// Reads `[assembly]`; the centre distances may be absent when not `needed`.
-pub fn read(file: &Checked, needed: bool) -> Option<AssemblySpec> {
+pub fn read(file: &Table, needed: bool) -> Option<AssemblySpec> {
     const KEY: &str = "assembly.center_distance_mm";
     let empty = Node::Table(Vec::new());
     let stated = file.read::<AssemblySpec>("assembly")?;
     let spec = stated.or_else(|| empty.to::<AssemblySpec>().ok())?;
-    shafts::check_keys(file.table(), &spec)?;
+    shafts::check_keys(file, &spec)?;
     let CenterDistanceSpec::Distances(list) = &spec.center_distance_mm else {
         return Some(spec);
     };
-    let table = file.table();
     if list.is_empty() && needed {
-        return table.refuse(
+        return file.refuse(
             KEY,
             "missing, expected a number of mm above 0 and up to 1e9",
             "add `center_distance_mm` to [assembly]",
@@ -36,8 +34,8 @@ pub fn read(file: &Checked, needed: bool) -> Option<AssemblySpec> {
     let mut seen = HashSet::new();
     let duplicate = list.iter().find(|mm| !seen.insert(mm.to_bits()));
     if let Some(duplicate) = duplicate {
-        return table.refuse(
-            spelling(table),
+        return file.refuse(
+            spelling(file),
             format!("{duplicate:?} is listed twice, allowed is each distance once"),
             "list each centre distance to be run once",
         );

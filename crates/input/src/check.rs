@@ -8,7 +8,6 @@ use crate::unknown_key::{is_slip, key_reason, nearest, synonym, teeth_reason};
 use gearlash_text::characters::listed;
 use gearlash_text::numbers::shortest;
 use gearlash_text::{Node, Problem, Reading, Table, below};
-use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 /// Units at the end of a key's name.
@@ -28,65 +27,19 @@ const ORDERED: [[&str; 2]; 4] = [
     ["lower_um", "upper_um"],
 ];
 
-/// A checked file; its good values can be read.
-#[derive(Debug)]
-pub struct Checked<'a> {
-    table: Table<'a>,
-    /// Keys with a problem, and the keys that mistyped ones mean.
-    bad: Vec<String>,
-}
-
-impl<'a> Checked<'a> {
-    /// The file `table`, checked against `schema`.
-    pub fn new(schema: &'static Value, table: Table<'a>) -> Checked<'a> {
-        let mut walk = SchemaCheck {
-            root: schema,
-            reading: table.reading(),
-            bad: Vec::new(),
-            enclosing: Vec::new(),
-        };
-        walk.table("", "", table.entries(), schema, &[]);
-        let bad = walk.bad;
-        Checked { table, bad }
-    }
-
-    pub fn table(&self) -> &Table<'a> {
-        &self.table
-    }
-
-    /// Whether neither the value at the dotted `path` nor any below it has a problem. An absent value has none.
-    pub fn is_good(&self, path: &str) -> bool {
-        let below = |path: &str, above: &str| {
-            let rest = path.strip_prefix(above);
-            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-        };
-        let mut bad = self.bad.iter();
-        !bad.any(|bad| path.is_empty() || below(bad, path) || below(path, bad))
-    }
-
-    /// Whether the file has `path`, perhaps misspelt.
-    pub fn means(&self, path: &str) -> bool {
-        self.table.has(path) || self.bad.iter().any(|bad| bad == path)
-    }
-
-    /// The value at the dotted `path`: `None` where it has a problem, `Some(None)` where it is absent.
-    pub fn read<T: DeserializeOwned>(&self, path: &str) -> Option<Option<T>> {
-        if !self.is_good(path) {
-            return None;
-        }
-        let Some(node) = self.table.get(path) else {
-            return Some(None);
-        };
-        // The schema allows nothing that serde refuses.
-        self.table
-            .keep(path, node.to::<T>().map(Some), "correct it")
-    }
+/// Checks the `file` against `schema`; its good values can be read then.
+pub fn check(schema: &'static Value, file: &Table) {
+    let mut walk = SchemaCheck {
+        root: schema,
+        reading: file.reading(),
+        enclosing: Vec::new(),
+    };
+    walk.table("", "", file.entries(), schema, &[]);
 }
 
 struct SchemaCheck<'a> {
     root: &'static Value,
     reading: &'a Reading,
-    bad: Vec<String>,
     /// The tables round the value that is checked, by their paths.
     enclosing: Vec<(String, &'static Value)>,
 }
@@ -102,19 +55,17 @@ struct ValuePlace<'k> {
 }
 
 impl SchemaCheck<'_> {
-    fn add(&mut self, key: String, value: Option<&Node>, reason: String, help: String) {
+    fn add(&self, key: String, value: Option<&Node>, reason: String, help: String) {
         self.reading.add(Problem {
             value: value.map(Node::shown),
             key: key.clone(),
             reason,
             help,
         });
-        if self.bad.last() != Some(&key) {
-            self.bad.push(key);
-        }
+        self.reading.mark_bad(key);
     }
 
-    fn wrong(&mut self, at: ValuePlace, node: &Node, reason: String, help: impl Into<String>) {
+    fn wrong(&self, at: ValuePlace, node: &Node, reason: String, help: impl Into<String>) {
         if self.reading.count_if_full() {
             return;
         }
@@ -209,7 +160,7 @@ impl SchemaCheck<'_> {
         }
     }
 
-    fn number(&mut self, at: ValuePlace, node: &Node, number: f64, schema: &Value) {
+    fn number(&self, at: ValuePlace, node: &Node, number: f64, schema: &Value) {
         let bound = |name: &str| schema[name].as_f64();
         if let Some(reason) = teeth_reason(at.key, node) {
             return self.wrong(at, node, reason.to_owned(), "give an external pair");
@@ -230,7 +181,7 @@ impl SchemaCheck<'_> {
         self.wrong(at, node, reason, self.description(at.schema));
     }
 
-    fn word(&mut self, at: ValuePlace, node: &Node, text: &str, schema: &Value) {
+    fn word(&self, at: ValuePlace, node: &Node, text: &str, schema: &Value) {
         let words = allowed_words(schema);
         if words.contains(&text) {
             return;
@@ -348,7 +299,7 @@ impl SchemaCheck<'_> {
 
     /// Keys that are not known, and those that they mean.
     fn check_unknown<'t>(
-        &mut self,
+        &self,
         table: &mut Keys<'t>,
         known: &[&'t str],
         schema: &Value,
@@ -360,9 +311,7 @@ impl SchemaCheck<'_> {
                     continue;
                 }
                 let key = below(table.path, &printable(name));
-                if self.bad.last() != Some(&key) {
-                    self.bad.push(key.clone());
-                }
+                self.reading.mark_bad(key.clone());
                 if self.reading.count_if_full() {
                     continue;
                 }
@@ -382,7 +331,7 @@ impl SchemaCheck<'_> {
                     let meant = near.map(|(key, _)| key).or_else(|| synonym(name, known));
                     let help = if let Some(meant) = meant {
                         table.mistyped.push(meant);
-                        self.bad.push(below(table.path, meant));
+                        self.reading.mark_bad(below(table.path, meant));
                         let stem = name.strip_suffix("_in");
                         if stem.is_some() && stem == meant.strip_suffix("_mm") {
                             format!("`_in` takes numbers alone; write `{meant}` in mm")
@@ -439,7 +388,7 @@ impl SchemaCheck<'_> {
             .unwrap_or_default()
     }
 
-    fn missing(&mut self, table: &Keys, name: &str, allowed: &str) {
+    fn missing(&self, table: &Keys, name: &str, allowed: &str) {
         let place = match table.path {
             "" => "the file".to_owned(),
             path => format!("[{path}]"),
@@ -449,11 +398,11 @@ impl SchemaCheck<'_> {
         self.add(below(table.path, name), None, reason, help);
     }
 
-    fn check_combinations(&mut self, table: &Keys, schema: &Value) {
-        let mut wrong = |key: &str, reason: String, help: String| {
+    fn check_combinations(&self, table: &Keys, schema: &Value) {
+        let wrong = |key: &str, reason: String, help: String| {
             self.add(below(table.path, key), table.get(key), reason, help);
         };
-        let mut conflict = |keys: &[&str], allowed: &str| {
+        let conflict = |keys: &[&str], allowed: &str| {
             let [one, others @ ..] = keys else { return };
             let others = others.join(", ");
             let reason = format!("given together with {others}, allowed is {allowed}");

@@ -2,10 +2,10 @@
 
 use super::findings::suspected;
 use super::lead;
-use super::pitch::PitchSheet;
+use super::pitch;
 use super::profile;
 use super::runout::RunoutSheet;
-use super::spec::StatementSpec;
+use super::spec::{PitchSpec, StatementSpec};
 use super::statements::Statements;
 use gearlash::error::GearError;
 use gearlash::gear::{BasicGearData, Gear, GearDesign, MeasuringBody, thickness};
@@ -29,20 +29,20 @@ pub fn add_all(of: &Statements, errors: Vec<MeasurementError>) {
     }
 }
 
-/// Checks the pitch of `sheet` itself, and its eccentricity beside `runout`.
+/// Checks the `pitch` itself, and its eccentricity beside `runout`.
 pub fn check_pitch(
     table: &Table,
-    sheet: &PitchSheet,
+    pitch: &PitchSpec,
     runout: &RunoutSheet,
     basic_data: &BasicGearData,
 ) -> Option<()> {
-    let pitch = sheet.for_metrology();
+    let pitch = pitch.for_metrology();
     let curves = pitch.curves(basic_data).err().into_iter().flatten();
     let eccentricity = pitch.check_eccentricity(&runout.for_metrology()).err();
     let errors: Vec<MeasurementError> = curves.chain(eccentricity).collect();
     let good = errors.is_empty();
     for error in errors {
-        let problem = of_flanks(table, Some(sheet), runout, error);
+        let problem = of_flanks(table, runout, error);
         table.reading().add(problem);
     }
     good.then_some(())
@@ -66,17 +66,12 @@ fn problem(of: &Statements, error: MeasurementError) -> Problem {
         MeasurementError::Thickness { role, error } => {
             fault(role, Vec::new()).pins_inside_base(error.to_string())
         }
-        error => of_flanks(of.table, of.pitch.as_ref(), &of.runout, error),
+        error => of_flanks(of.table, &of.runout, error),
     }
 }
 
 /// The problem of an error that does not concern the mean thickness.
-fn of_flanks(
-    table: &Table,
-    pitch: Option<&PitchSheet>,
-    runout: &RunoutSheet,
-    error: MeasurementError,
-) -> Problem {
+fn of_flanks(table: &Table, runout: &RunoutSheet, error: MeasurementError) -> Problem {
     let reason = error.to_string();
     let (key, help) = match error {
         MeasurementError::Deviations {
@@ -116,7 +111,7 @@ fn of_flanks(
             "give traces of single teeth of both flanks and the runout with its high_tooth; or write axis = \"own\" where the wobble is not in them",
         ),
         MeasurementError::PitchOffHalf { flank, .. } => (
-            pitch.map_or("pitch", |sheet| sheet.key(flank)),
+            pitch::key_of(table, flank),
             "check the unit (µm) and whether the values are single or cumulative",
         ),
         MeasurementError::Pitch(_) => ("pitch", "give one value a tooth for both flanks"),

@@ -1,8 +1,8 @@
 //! The content of a file: the study or the gears, and the data of the file itself.
 
-use crate::Tree;
-use crate::check::Checked;
+use crate::check::check;
 use crate::gear::{GearPart, materials};
+use crate::names;
 use crate::outlines::DrawingRead;
 use crate::spec::{EitherGearSpec, GEAR, PairSpec};
 use crate::temperature::REFERENCE_C;
@@ -11,8 +11,8 @@ use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
 use gearlash::outline::OutlineGear;
 use gearlash::pair::Member;
-use gearlash_text::Sources;
 use gearlash_text::numbers::shortest;
+use gearlash_text::{Sources, Table};
 
 /// A pair file, understood.
 #[derive(Debug, Clone, PartialEq)]
@@ -152,10 +152,10 @@ fn of_one<'a, P, B: Clone + PartialEq + 'a>(
     materials
 }
 
-pub(crate) fn gear_file(file: &Tree) -> Option<GearsFile> {
-    let checked = Checked::new(&GEAR, file.table());
-    let (stem, title) = file.names(&checked);
-    let part = GearPart::read(&checked, "gear");
+pub(crate) fn gear_file(file: &Table) -> Option<GearsFile> {
+    check(&GEAR, file);
+    let (stem, title) = names(file);
+    let part = GearPart::read(file, "gear");
     let (title, spec) = (title?, part.spec?);
     let built = part.as_built.as_ref();
     let drawn = part.drawn.as_ref();
@@ -171,6 +171,6 @@ pub(crate) fn gear_file(file: &Tree) -> Option<GearsFile> {
         temperature_c: None,
         warnings: part.warnings,
         remarks: part.remarks,
-        sources: file.reading.sources(),
+        sources: file.reading().sources(),
     })
 }

@@ -1,6 +1,7 @@
 //! Findings about the measurements of a gear, in words.
 
 use super::lead;
+use super::pitch;
 use super::profile;
 use super::statements::Statements;
 use super::thickness::CROSS_CHECK;
@@ -28,7 +29,7 @@ pub fn describe(statements: &Statements, finding: &Finding) -> String {
             sum_um,
             rounding_um,
         } => (
-            statements.pitch_key(*flank),
+            pitch::key_of(statements.table, *flank),
             format!(
                 "the single pitch deviations of the {} flanks sum to {} µm instead of 0 (rounding leaves up to {} µm); \
                  the rest is distributed evenly over the teeth",
@@ -136,7 +137,7 @@ pub fn describe(statements: &Statements, finding: &Finding) -> String {
             ("thickness.span", words)
         }
         Finding::LeftFlankReversed { eccentricity_um } => (
-            statements.pitch_key(Flank::Left),
+            pitch::key_of(statements.table, Flank::Left),
             format!(
                 "the left flanks vary opposite to the right ones, as if their sign were reversed{}: if + means plus material on both flanks \
                  (or the gear was seen from the other face), write sense = {:?}",
@@ -377,7 +378,7 @@ fn outlier(statements: &Statements, outlier: &Outlier) -> (&'static str, String)
             },
         ),
         Outlier::Pitch(pitch) => (
-            statements.pitch_key(pitch.flank),
+            pitch::key_of(statements.table, pitch.flank),
             format!(
                 "more than the {} µm of even a coarse gear, half of the others within {} µm",
                 ascii(pitch.coarse_um, 0),

@@ -1,13 +1,14 @@
 //! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built, or as drawn.
 
-use super::check::Checked;
 use super::helix::Helix;
-use super::lead::{self, LeadGear, Leads};
+use super::known_gear::KnownGear;
+use super::lead::{self, Leads};
 use super::outlines::{self, DrawingRead};
-use super::pitch::PitchSheet;
-use super::profile::{self, Profiles};
-use super::runout::{RunoutSheet, StatedTeeth};
-use super::spec::{Either, EitherGearSpec, GearSpec, RackSpec, System};
+use super::profile;
+use super::runout::RunoutSheet;
+use super::spec::{
+    Either, EitherGearSpec, GearSpec, LeadSpec, PitchSpec, ProfileSpec, RackSpec, System,
+};
 use super::statements::Statements;
 use super::{faults, findings, helix, thickness, unit_slips};
 use gearlash::analysis::study::Material;
@@ -18,6 +19,7 @@ use gearlash::outline::OutlineGear;
 use gearlash_tables::ExpectedGear;
 use gearlash_text::numbers::rounded;
 use gearlash_text::{MM_PER_INCH, Table};
+use std::cell::RefCell;
 use std::convert::Infallible;
 
 /// The parts of one gear that have no problem.
@@ -55,14 +57,14 @@ pub struct GearPart {
 
 impl GearPart {
     /// Reads the table `name` of one gear.
-    pub fn read(file: &Checked, name: &str) -> GearPart {
-        let table = file.table().below(name);
+    pub fn read(file: &Table, name: &str) -> GearPart {
+        let table = file.below(name);
         if table.has("outline") {
             return GearPart::drawn(file, name).unwrap_or_default();
         }
-        let number = |key: &str| file.read::<f64>(&table.path_of(key)).flatten();
-        let helix = Helix::read(file, name);
-        let system = file.read::<System>(&table.path_of("system")).flatten();
+        let number = |key: &str| table.read::<f64>(key).flatten();
+        let helix = Helix::read(&table);
+        let system = table.read::<System>("system").flatten();
         let normal_per_stated = match (system, helix) {
             (Some(System::Transverse), Some(helix)) => helix.angle_deg.to_radians().cos(),
             _ => 1.0,
@@ -74,7 +76,7 @@ impl GearPart {
             1.0 => stated,
             cos => stated.map(|angle| (angle.to_radians().tan() * cos).atan().to_degrees()),
         };
-        let teeth = file.read(&table.path_of("teeth")).flatten();
+        let teeth = table.read("teeth").flatten();
         let basic_data = basic_data(&table, teeth, module_mm, pressure_angle_deg);
         let data_and_helix = basic_data.zip(helix);
         let mut part = GearPart {
@@ -85,7 +87,7 @@ impl GearPart {
             normal_per_stated,
             scale: number("scale").unwrap_or(1.0),
             basic_data: data_and_helix.and_then(|(data, helix)| helix.apply_to(data, &table)),
-            expansion_per_k: file.read(&table.path_of("expansion_per_k")),
+            expansion_per_k: table.read("expansion_per_k"),
             states_face: table.has("reference_face"),
             ..GearPart::default()
         };
@@ -94,7 +96,7 @@ impl GearPart {
         part
     }
 
-    fn drawn(file: &Checked, name: &str) -> Option<GearPart> {
+    fn drawn(file: &Table, name: &str) -> Option<GearPart> {
         let part = outlines::gear(file, name)?;
         Some(GearPart {
             teeth: Some(part.gears.most().teeth()),
@@ -108,57 +110,51 @@ impl GearPart {
         })
     }
 
-    fn read_tables(&mut self, (file, name): (&Checked, &str), table: &Table) -> Option<()> {
+    fn read_tables(&mut self, (file, name): (&Table, &str), table: &Table) -> Option<()> {
         let teeth = self.teeth;
-        let profile_shift = file.read::<f64>(&table.path_of("profile_shift"));
-        let face = file.read::<Face>(&table.path_of("reference_face"));
-        let tip_diameter = file.read::<f64>(&table.path_of("tip_diameter_mm"));
-        let rack = file.read::<RackSpec>(&table.path_of("rack"));
+        let profile_shift = table.read::<f64>("profile_shift");
+        let face = table.read::<Face>("reference_face");
+        let tip_diameter = table.read::<f64>("tip_diameter_mm");
+        let rack = table.read::<RackSpec>("rack");
         let rack = rack.and_then(|rack| self.rack(rack.unwrap_or_default(), table));
-        let thickness = file.read(&table.path_of("thickness"));
+        let thickness = table.read("thickness");
         let thickness = thickness.and_then(|spec| {
             let mut spec = thickness::read(table, spec.unwrap_or_default(), teeth)?;
             spec.allowances_in_normal_section(self.normal_per_stated);
             Some(spec)
         });
-        let runout = file.read(&table.path_of("runout"));
-        let heights = |face: Face| Some(self.helix?.face_mm.map(|ends| face.heights(ends)));
-        let stated = StatedTeeth {
-            basic_data: self.basic_data.as_ref(),
-            heights: face.and_then(|face| heights(face.unwrap_or_default())),
+        let known = KnownGear {
+            teeth,
+            module_mm: self.module_mm,
+            helix: self.helix,
+            basic_data: self.basic_data,
+            face: face.map(Option::unwrap_or_default),
+            headers: RefCell::default(),
+            warnings: RefCell::default(),
         };
+        let runout = table.read("runout");
         let runout = runout.and_then(|spec| {
-            RunoutSheet::read(table, spec.unwrap_or_default(), teeth, Some(&stated))
+            RunoutSheet::read(table, spec.unwrap_or_default(), teeth, Some(&known))
         });
-        let sheet = match file.read(&table.path_of("pitch")) {
-            Some(Some(spec)) => PitchSheet::read(table, spec, teeth),
+        let pitch = match table.read::<PitchSpec>("pitch") {
+            Some(Some(spec)) => spec.complete(table, &known),
             absent => absent.map(|_| None),
         };
         let checked = profile::check(table);
-        let profiles = file
-            .read(&table.path_of("profile"))
+        let profile = table.read::<ProfileSpec>("profile");
+        let profile = profile
             .filter(|_| checked.is_some())
-            .and_then(|spec| {
-                let spec = spec.unwrap_or_default();
-                Profiles::read(table, spec, teeth, self.basic_data.as_ref())
-            });
-        let leads = lead::check(table)
-            .and_then(|()| file.read(&table.path_of("lead")))
-            .zip(face)
-            .and_then(|(spec, face)| {
-                let own = LeadGear {
-                    teeth: self.teeth,
-                    module_mm: self.module_mm,
-                    helix: self.helix,
-                    basic_data: self.basic_data.as_ref(),
-                };
-                Leads::read(table, spec, &own, face.unwrap_or_default())
-            });
+            .and_then(|spec| spec.unwrap_or_default().complete(table, &known));
+        let leads = lead::check(table).and_then(|()| table.read::<LeadSpec>("lead"));
+        let leads = match leads {
+            Some(Some(spec)) => Leads::read(table, spec, &known).map(Some),
+            absent => absent.filter(|_| known.face.is_some()).map(|_| None),
+        };
 
-        let pitch = match (&sheet, &self.basic_data, &runout) {
+        let checked_pitch = match (&pitch, &self.basic_data, &runout) {
             (Some(None), ..) => Some(()),
-            (Some(Some(sheet)), Some(basic_data), Some(runout)) => {
-                faults::check_pitch(table, sheet, runout, basic_data)
+            (Some(Some(pitch)), Some(basic_data), Some(runout)) => {
+                faults::check_pitch(table, pitch, runout, basic_data)
             }
             _ => None,
         };
@@ -175,31 +171,22 @@ impl GearPart {
             pressure_angle_deg: self.pressure_angle_deg?,
             helix_angle_deg: self.helix?.angle_deg,
         };
-        let pitch_header = sheet
-            .iter()
-            .flatten()
-            .filter_map(|sheet| sheet.header.as_ref());
         let mut header_warnings = Vec::new();
-        let runout_header = runout.iter().filter_map(|runout| runout.header.as_ref());
-        let trace_headers = profiles.iter().flat_map(|profiles| &profiles.headers);
-        let lead_headers = leads.iter().flatten().flat_map(|leads| &leads.headers);
-        let trace_headers = trace_headers.chain(lead_headers);
-        for header in pitch_header.chain(runout_header).chain(trace_headers) {
+        for header in known.headers.take() {
             header.check(&expected);
             header_warnings.extend_from_slice(header.warnings());
         }
-        let face = face.map(Option::unwrap_or_default);
         let statements = Statements {
             table,
             design,
             thickness: thickness?,
-            pitch: sheet.flatten(),
+            pitch: pitch.flatten(),
             runout: runout?,
-            profiles: profiles?,
+            profile: profile?,
             leads: leads?,
         };
-        let measurements = statements.measurements(face.unwrap_or_default());
-        if pitch.is_none() || statements.thickness.per_tooth_um.is_none() {
+        let measurements = statements.measurements(known.face.unwrap_or_default());
+        if checked_pitch.is_none() || statements.thickness.per_tooth_um.is_none() {
             // Other faults are reported, too.
             let errors = measurements.check_thickness_and_runout();
             faults::add_all(&statements, errors);
@@ -209,10 +196,7 @@ impl GearPart {
         let gear = measurements.measure().map_err(errors).ok()?;
         let mut spec = file.read::<GearSpec>(name)??;
         self.describe(&statements, &gear.findings, header_warnings);
-        self.warnings.extend_from_slice(&statements.runout.warnings);
-        let leads = statements.leads.as_ref();
-        self.warnings
-            .extend(leads.into_iter().flat_map(|leads| leads.warnings.clone()));
+        self.warnings.extend(known.warnings.take());
         self.notes = gear.notes;
         self.warn_of_short_face(&statements, gear.as_built.most());
         let scale = self.scale;
@@ -237,9 +221,9 @@ impl GearPart {
         let settled_runout = statements.runout.spec_as_measured(gear.runout);
         let read_um = statements.runout.range_um();
         spec.runout = statements.runout.spec;
-        spec.profile = statements.profiles.spec();
+        spec.profile = statements.profile;
         spec.lead = statements.leads.map(|leads| leads.spec);
-        spec.pitch = statements.pitch.map(|sheet| sheet.spec);
+        spec.pitch = statements.pitch;
         spec.thickness = statements.thickness;
         if spec.thickness.statement.key().is_none() {
             spec.thickness.statement.allowance_um = Some(Either::One(0.0));

@@ -1,6 +1,5 @@
 //! Helix angle, hand and face of a gear.
 
-use super::check::Checked;
 use super::spec::GearSpec;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, thickness};
 use gearlash_text::Table;
@@ -18,13 +17,12 @@ pub struct Helix {
 }
 
 impl Helix {
-    /// Reads the keys of the gear `name`.
-    pub fn read(file: &Checked, name: &str) -> Option<Helix> {
-        let table = file.table().below(name);
-        let angle_deg = file.read(&table.path_of("helix_angle_deg"));
-        let hand = file.read::<Hand>(&table.path_of("hand"));
-        let width = file.read::<f64>(&table.path_of("face_width_mm"));
-        let ends = file.read::<[f64; 2]>(&table.path_of("face_mm"));
+    /// Reads the keys of the gear's table.
+    pub fn read(table: &Table) -> Option<Helix> {
+        let angle_deg = table.read("helix_angle_deg");
+        let hand = table.read::<Hand>("hand");
+        let width = table.read::<f64>("face_width_mm");
+        let ends = table.read::<[f64; 2]>("face_mm");
         let (angle_deg, hand) = (angle_deg?.unwrap_or(0.0), hand?);
         if let Some([from, to]) = ends?
             && from >= to

@@ -79,7 +79,7 @@ pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported
     let mut not_read = Vec::new();
     let table = Table::new("", &reading, &entries);
     let tables =
-        || read::tables(table, bytes, options.only, &mut not_read).filter(|_| reading.is_good());
+        || read::tables(&table, bytes, options.only, &mut not_read).filter(|_| reading.is_good());
     let (tables, problems) = reading.capture_problems(tables);
     let of_file = |problem| of_file(problem, &name);
     match tables {

@@ -3,15 +3,14 @@
 //! Heights of the file count from the reference face's end of the teeth. A [`Lead`] counts heights from the measuring plane, away from
 //! the reference face.
 
-use super::helix::Helix;
+use super::known_gear::KnownGear;
 use super::spec::{
     Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, GearSpec, LeadSpec, ReliefEnd, ReliefShape,
     SlopeLength, SpurSlopeSpec, TeethEnd, TraceSpec,
 };
-use super::traces::{self, Along, TraceGear};
-use gearlash::gear::{BasicGearData, EndRelief, Face, Flank, Hand, Lead, Trace};
+use super::traces::{self, Along};
+use gearlash::gear::{EndRelief, Flank, Hand, Lead, Trace};
 use gearlash::metrology::LeadKey;
-use gearlash_tables::ProtocolHeader;
 use gearlash_text::Table;
 use gearlash_text::numbers::shortest;
 
@@ -84,33 +83,14 @@ pub struct Leads {
     /// Their [`shape`].
     shape: (Lead, f64),
     hand: Hand,
-    /// Statements about the gear in the files of traces.
-    pub headers: Vec<ProtocolHeader>,
-    pub warnings: Vec<String>,
-}
-
-/// The data of a gear that its leads need, as far as they are known.
-pub struct LeadGear<'a> {
-    pub teeth: Option<u32>,
-    pub module_mm: Option<f64>,
-    pub helix: Option<Helix>,
-    pub basic_data: Option<&'a BasicGearData>,
 }
 
 impl Leads {
-    /// Reads the leads `spec` of the gear's table `gear`; `Some(None)` without any.
-    pub fn read(
-        gear: &Table,
-        spec: Option<LeadSpec>,
-        part: &LeadGear,
-        face: Face,
-    ) -> Option<Option<Leads>> {
-        let Some(mut spec) = spec else {
-            return Some(None);
-        };
+    /// Reads the leads `spec` of the gear's table `gear`.
+    pub fn read(gear: &Table, mut spec: LeadSpec, known: &KnownGear) -> Option<Leads> {
         let table = gear.below(NAME);
-        let helix = part.helix?;
-        let Some([from, to]) = helix.face_mm else {
+        let helix = known.helix?;
+        let Some(face) = known.heights()? else {
             return gear.refuse(
                 "face_width_mm",
                 format!(
@@ -120,15 +100,14 @@ impl Leads {
                 "give the length of the teeth along the axis: leads run over all of it",
             );
         };
-        let basic_data = part.basic_data?;
-        let face = face.heights([from, to]);
-        let width = to - from;
-        let mut warnings = Vec::new();
+        let basic_data = known.basic_data?;
+        let width = face[1] - face[0];
+        let warnings = &mut known.warnings.borrow_mut();
         let is_helical = helix.angle_deg != 0.0;
         let teeth_hand = helix.hand.filter(|_| is_helical);
-        let hand = hand(&table, &mut spec.flanks, teeth_hand, &mut warnings)?;
+        let hand = hand(&table, &mut spec.flanks, teeth_hand, warnings)?;
         let plane = 0.0 - face[0];
-        open_conventions(&table, &spec, plane, is_helical, &mut warnings);
+        open_conventions(&table, &spec, plane, is_helical, warnings);
 
         let zero_mm = spec.zero_mm.unwrap_or(plane);
         if !(0.0..=width).contains(&zero_mm) {
@@ -143,7 +122,7 @@ impl Leads {
                 "give the height at which pitch and thickness were measured, from the reference face's end of the teeth",
             );
         }
-        let range_mm = default_range(width, part.module_mm?);
+        let range_mm = default_range(width, known.module_mm?);
         let range_mm = spec.range_mm.unwrap_or(range_mm);
         if !(0.0 <= range_mm[0] && range_mm[0] < range_mm[1] && range_mm[1] <= width) {
             return table.refuse(
@@ -158,8 +137,7 @@ impl Leads {
             width,
             helix_cos: basic_data.base_helix_angle().cos(),
         };
-        let measured = TraceGear::new(part.teeth, along);
-        let mut flanks = traces::read_flanks(&table, spec.flanks, &measured)?;
+        let mut flanks = traces::read_flanks(&table, spec.flanks, known, along)?;
         if spec.from == TeethEnd::Far {
             for flank in &mut flanks {
                 flank.trace = flank.trace.take().map(|traces| match traces {
@@ -170,7 +148,7 @@ impl Leads {
                 });
             }
         }
-        Some(Some(Leads {
+        Some(Leads {
             shape: shape(face, range_mm, zero_mm, spec.over),
             spec: LeadSpec {
                 flanks: FlanksSpec::new(flanks),
@@ -180,9 +158,7 @@ impl Leads {
                 ..spec
             },
             hand,
-            headers: measured.into_headers(),
-            warnings,
-        }))
+        })
     }
 
     /// The leads of right flanks and of left ones.

@@ -26,6 +26,7 @@ mod gauged_file;
 mod gear;
 mod helix;
 pub mod import;
+mod known_gear;
 mod lead;
 pub mod matching;
 mod measured;
@@ -47,10 +48,9 @@ mod traces;
 mod unit_slips;
 mod unknown_key;
 
-use check::Checked;
 use gearlash_text::characters::shell_word;
 use gearlash_text::{
-    Files, InputError, Node, Problem, Reading, Table, bytes, display_path, has_extension, source,
+    Files, InputError, Problem, Reading, Table, bytes, display_path, has_extension, source,
     without_mark,
 };
 use pair_tables::PairTables;
@@ -66,32 +66,18 @@ pub use pair_slips::tolerance_slip;
 pub use pair_tables::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use spec::{explained, gear_schema, pair_schema, schemas};
 
-/// A pair file or gear file as a tree of values.
-#[derive(Clone, Copy)]
-struct Tree<'a> {
-    path: &'a Path,
-    reading: &'a Rc<Reading>,
-    entries: &'a [(String, Node)],
+/// Whether `file` is a gear file: it has `[gear]`.
+fn is_gear_file(file: &Table) -> bool {
+    file.has("gear")
 }
 
-impl<'a> Tree<'a> {
-    fn table(&self) -> Table<'a> {
-        Table::new("", self.reading, self.entries)
-    }
-
-    /// Whether it is a gear file: it has `[gear]`.
-    fn is_gear_file(&self) -> bool {
-        self.entries.iter().any(|(key, _)| key == "gear")
-    }
-
-    /// The stem of the file, and its title without a problem; by default the stem.
-    fn names(&self, file: &Checked) -> (String, Option<String>) {
-        let stem = self.path.file_stem().unwrap_or_default();
-        let stem = stem.to_string_lossy().into_owned();
-        let title = file.read::<String>("title");
-        let title = title.map(|title| title.unwrap_or_else(|| stem.clone()));
-        (stem, title)
-    }
+/// The stem of a checked `file`, and its title without a problem; by default the stem.
+fn names(file: &Table) -> (String, Option<String>) {
+    let stem = file.reading().name().file_stem().unwrap_or_default();
+    let stem = stem.to_string_lossy().into_owned();
+    let title = file.read::<String>("title");
+    let title = title.map(|title| title.unwrap_or_else(|| stem.clone()));
+    (stem, title)
 }
 
 /// Reads the pair file at `path`: TOML, or JSON with the same keys. `-` is standard input, relative to the working folder.
@@ -209,18 +195,18 @@ pub fn read_drawing(
     Ok(file)
 }
 
-fn pair(file: &Tree) -> Option<PairFile> {
+fn pair(file: &Table) -> Option<PairFile> {
     PairTables::read(file).study()
 }
 
 /// The pair, which must be given by its data.
-fn pair_by_data(file: &Tree) -> Option<PairFile> {
+fn pair_by_data(file: &Table) -> Option<PairFile> {
     outlines::refuse(file)?;
     pair(file)
 }
 
-fn gears(file: &Tree) -> Option<GearsFile> {
-    if file.is_gear_file() {
+fn gears(file: &Table) -> Option<GearsFile> {
+    if is_gear_file(file) {
         files::gear_file(file)
     } else {
         pair(file).map(GearsFile::from)
@@ -228,13 +214,16 @@ fn gears(file: &Tree) -> Option<GearsFile> {
 }
 
 /// The gears, which must all be given by their data.
-fn gears_by_data(file: &Tree) -> Option<GearsFile> {
+fn gears_by_data(file: &Table) -> Option<GearsFile> {
     outlines::refuse(file)?;
     gears(file)
 }
 
 /// The result of `understand` for the file at `path`.
-fn with_tree<T>(path: &Path, understand: impl FnOnce(&Tree) -> Option<T>) -> Result<T, InputError> {
+fn with_tree<T>(
+    path: &Path,
+    understand: impl FnOnce(&Table) -> Option<T>,
+) -> Result<T, InputError> {
     let bytes = bytes(path).and_then(|bytes| refuse_other_kinds(path, bytes));
     let text = bytes.and_then(source::text);
     with_text(display_path(path), Reading::of(path), text, understand)
@@ -290,7 +279,7 @@ fn names_gear(text: &[u8]) -> bool {
 fn of_text<T>(
     name: &Path,
     text: &str,
-    understand: impl FnOnce(&Tree) -> Option<T>,
+    understand: impl FnOnce(&Table) -> Option<T>,
 ) -> Result<T, InputError> {
     let reading = Reading::default();
     with_text(name, reading, Ok(text.to_owned()), understand)
@@ -300,9 +289,9 @@ fn with_text<T>(
     path: &Path,
     reading: Reading,
     text: Result<String, Problem>,
-    understand: impl FnOnce(&Tree) -> Option<T>,
+    understand: impl FnOnce(&Table) -> Option<T>,
 ) -> Result<T, InputError> {
-    let reading = Rc::new(reading);
+    let reading = Rc::new(reading.called(path));
     let text = reading.keep(text);
     let entries = text
         .as_ref()
@@ -311,14 +300,7 @@ fn with_text<T>(
             reading.to_mm(&mut entries);
             entries
         });
-    let understood = entries.and_then(|entries| {
-        let (reading, entries) = (&reading, &entries);
-        understand(&Tree {
-            path,
-            reading,
-            entries,
-        })
-    });
+    let understood = entries.and_then(|entries| understand(&Table::new("", &reading, &entries)));
     match understood {
         Some(understood) if reading.is_good() => Ok(understood),
         _ => Err(InputError {

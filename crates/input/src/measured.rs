@@ -1,10 +1,10 @@
 //! `[measured]`: results of a rig, in a table beside the pair file.
 
-use super::check::Checked;
 use super::spec::MeasuredSpec;
 use gearlash::analysis::study::MeasuredRow;
 use gearlash_tables::DataFile;
 use gearlash_tables::{Column, Coverage, Quantity, Row, Sheet, Wanted};
+use gearlash_text::Table;
 use std::collections::{HashMap, HashSet};
 
 /// The columns, in any order. The prediction may be absent; a column of sources is allowed, too.
@@ -27,8 +27,8 @@ pub struct RigResults {
 
 impl RigResults {
     /// Reads the file named in `[measured]`.
-    pub fn read(checked: &Checked, teeth: (Option<u32>, Option<u32>)) -> Option<RigResults> {
-        checked.is_good("measured").then_some(())?;
+    pub fn read(table: &Table, teeth: (Option<u32>, Option<u32>)) -> Option<RigResults> {
+        table.is_good("measured").then_some(())?;
         let columns = QUANTITIES.map(Column::of);
         let wanted = Wanted {
             columns: &columns,
@@ -37,7 +37,7 @@ impl RigResults {
                 teeth: [teeth.0, teeth.1],
             },
         };
-        let (file, sheet) = Sheet::read(&checked.table().below("measured"), &wanted)?;
+        let (file, sheet) = Sheet::read(&table.below("measured"), &wanted)?;
         let rows = sheet.rows.into_iter().zip(sheet.sources).map(row);
         let rows = rows.collect::<Option<_>>()?;
         Some(RigResults { file, rows })

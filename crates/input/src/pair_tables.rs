@@ -1,7 +1,7 @@
 //! The tables of a pair file together: the values both gears must share, and the study.
 
 use super::assembly;
-use super::check::Checked;
+use super::check::check;
 use super::common_face;
 use super::files::PairFile;
 use super::gear::GearPart;
@@ -15,7 +15,7 @@ use super::sweep::Sweep;
 use super::temperature::Temperature;
 use super::tolerance_table;
 use super::{pair_slips, shafts, temperature, unit_slips};
-use crate::Tree;
+use crate::names;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
 use gearlash::metrology::Toleranced;
@@ -33,7 +33,7 @@ pub const POSE_BYTES_CSV: u64 = 450;
 
 /// The tables of a pair file: `None` for a table with a problem, `Some(None)` for an absent one.
 pub struct PairTables<'a> {
-    file: Checked<'a>,
+    file: &'a Table<'a>,
     stem: String,
     title: Option<String>,
     /// Whether a gear is given by its outline.
@@ -63,20 +63,20 @@ struct PlacedGears {
 }
 
 impl<'a> PairTables<'a> {
-    pub fn read(tree: &Tree<'a>) -> PairTables<'a> {
-        let file = Checked::new(&PAIR, tree.table());
-        let (stem, title) = tree.names(&file);
-        let is_drawn = outlines::has_outline(tree);
+    pub fn read(file: &'a Table<'a>) -> PairTables<'a> {
+        check(&PAIR, file);
+        let (stem, title) = names(file);
+        let is_drawn = outlines::has_outline(file);
         if is_drawn {
-            outlines::refuse_tables(file.table());
+            outlines::refuse_tables(file);
         }
-        let wheel = GearPart::read(&file, "wheel");
-        let pinion = GearPart::read(&file, "pinion");
-        let poses = PosesRead::new(&file, (wheel.teeth, pinion.teeth));
+        let wheel = GearPart::read(file, "wheel");
+        let pinion = GearPart::read(file, "pinion");
+        let poses = PosesRead::new(file, (wheel.teeth, pinion.teeth));
         PairTables {
-            assembly: assembly::read(&file, !rows_only(&file)),
+            assembly: assembly::read(file, !rows_only(file)),
             poses,
-            tolerance: tolerance_table::tolerance(&file),
+            tolerance: tolerance_table::tolerance(file),
             file,
             stem,
             title,
@@ -191,15 +191,15 @@ impl<'a> PairTables<'a> {
             ),
             warnings,
             remarks,
-            sources: self.file.table().reading().sources(),
+            sources: self.file.reading().sources(),
         })
     }
 
     /// The gears of a pair with an outline.
     fn drawn(&self, warnings: &mut Vec<String>, remarks: &mut Vec<String>) -> Option<PlacedGears> {
-        let (table, gears) = (self.table(), [&self.wheel, &self.pinion]);
+        let (table, gears) = (self.file, [&self.wheel, &self.pinion]);
         outlines::refuse_limits(table);
-        outlines::refuse_uncertainties(&self.file, gears);
+        outlines::refuse_uncertainties(table, gears);
         let assembly = self.assembly.as_ref()?;
         outlines::refuse_axes(table, assembly);
         table.reading().is_good().then_some(())?;
@@ -232,7 +232,7 @@ impl<'a> PairTables<'a> {
         warnings: &mut Vec<String>,
         remarks: &mut Vec<String>,
     ) -> Option<PlacedGears> {
-        let table = self.table();
+        let table = self.file;
         let base_radii = self.base_radii();
         let assembly = self.assembly.as_ref();
         let stated = assembly
@@ -361,26 +361,21 @@ impl<'a> PairTables<'a> {
         })
     }
 
-    /// The keys and values of the file.
-    fn table(&self) -> &Table<'a> {
-        self.file.table()
-    }
-
     /// The sum of both base radii, mm, after the checks of values that the gears share.
     fn base_radii(&self) -> Option<f64> {
-        assembly::check_shared(self.table(), &self.wheel, &self.pinion)?;
+        assembly::check_shared(self.file, &self.wheel, &self.pinion)?;
         Some(self.wheel.base_radius()? + self.pinion.base_radius()?)
     }
 }
 
 /// Whether exactly the measured rows are run.
-fn rows_only(file: &Checked) -> bool {
+fn rows_only(file: &Table) -> bool {
     file.means("measured") && !file.means("sweep")
 }
 
 impl PosesRead {
     /// Reads both tables of `file`, a pair of gears with `teeth` teeth.
-    fn new(file: &Checked, teeth: (Option<u32>, Option<u32>)) -> PosesRead {
+    fn new(file: &Table, teeth: (Option<u32>, Option<u32>)) -> PosesRead {
         PosesRead {
             measured: if file.means("measured") {
                 RigResults::read(file, teeth).map(Some)

@@ -1,40 +1,31 @@
 //! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
 
+use super::known_gear::KnownGear;
 use super::spec::PitchSpec;
 use super::thickness::one_per_tooth;
 use gearlash::gear::{Flank, Side};
 use gearlash::metrology::{PitchSense, PitchStatement};
-use gearlash_tables::{Column, ProtocolHeader, Sheet};
+use gearlash_tables::{Column, Sheet};
 use gearlash_text::Table;
 
-/// The values of the table, with both flanks.
-#[derive(Debug, Clone)]
-pub struct PitchSheet {
-    /// As in the pair file, the values as lists.
-    pub spec: PitchSpec,
-    /// Statements about the gear in the file of the values; `None` for lists.
-    pub header: Option<ProtocolHeader>,
-}
-
-impl PitchSheet {
-    /// Reads the pitch `spec` of the gear's table `gear`; `Some(None)` where it has no values.
-    pub fn read(gear: &Table, spec: PitchSpec, teeth: Option<u32>) -> Option<Option<PitchSheet>> {
-        let table = gear.below("pitch");
+impl PitchSpec {
+    /// The pitch of both flanks of the gear's table `gear` with its values as lists; `Some(None)` where it has none.
+    pub(crate) fn complete(self, gear: &Table, known: &KnownGear) -> Option<Option<PitchSpec>> {
+        let (spec, table, teeth) = (self, gear.below("pitch"), known.teeth);
         if spec.table.is_some() {
             let kind = spec.kind;
             let columns = Side::BOTH.map(|side| Column::pitch(side, kind));
             let sheet = Sheet::of_every_tooth(&table, &columns, teeth)?;
-            return Some(Some(PitchSheet {
-                spec: PitchSpec {
-                    right_um: Some(sheet.values(0)),
-                    left_um: Some(sheet.values(1)),
-                    table: None,
-                    left: None,
-                    right: None,
-                    ..spec
-                },
-                header: Some(sheet.header),
-            }));
+            let spec = PitchSpec {
+                right_um: Some(sheet.values(0)),
+                left_um: Some(sheet.values(1)),
+                table: None,
+                left: None,
+                right: None,
+                ..spec
+            };
+            known.headers.borrow_mut().insert(0, sheet.header);
+            return Some(Some(spec));
         }
         let lists = [&spec.right_um, &spec.left_um].map(|list| list.clone().unwrap_or_default());
         let wrong = |key: &str, reason: String, help: String| table.refuse(key, reason, help);
@@ -74,43 +65,40 @@ impl PitchSheet {
         let [right, left] = lists;
         let right = one_per_tooth(&table, "right_um", right, teeth);
         let left = one_per_tooth(&table, "left_um", left, teeth);
-        let spec = PitchSpec {
+        Some(Some(PitchSpec {
             right_um: Some(right?),
             left_um: Some(left?),
             ..spec
-        };
-        Some(Some(PitchSheet { spec, header: None }))
-    }
-
-    /// The key, below the gear's table, that gives the values of a flank.
-    pub fn key(&self, side: Flank) -> &'static str {
-        match (side, &self.header) {
-            (_, Some(_)) => "pitch.file",
-            (Flank::Right, None) => "pitch.right_um",
-            (Flank::Left, None) => "pitch.left_um",
-        }
+        }))
     }
 
     /// The measurement as the metrology takes it.
-    pub fn for_metrology(&self) -> PitchStatement {
-        let PitchSpec {
-            right_um, left_um, ..
-        } = &self.spec;
+    pub(crate) fn for_metrology(&self) -> PitchStatement {
         PitchStatement {
-            kind: self.spec.kind,
-            axis: self.spec.axis,
-            sense: self.spec.sense,
-            eccentricity: self.spec.eccentricity,
-            right_um: right_um.clone().unwrap_or_default(),
-            left_um: left_um.clone().unwrap_or_default(),
+            kind: self.kind,
+            axis: self.axis,
+            sense: self.sense,
+            eccentricity: self.eccentricity,
+            right_um: self.right_um.clone().unwrap_or_default(),
+            left_um: self.left_um.clone().unwrap_or_default(),
         }
     }
 
     /// The `sense` that reads the left flank the other way round.
-    pub fn other_sense(&self) -> &'static str {
-        match self.spec.sense {
+    pub(crate) fn other_sense(&self) -> &'static str {
+        match self.sense {
             PitchSense::Numbers => "material",
             PitchSense::Material => "numbers",
         }
+    }
+}
+
+/// The key, below the gear's table `gear`, that gives the values of a flank.
+pub fn key_of(gear: &Table, flank: Flank) -> &'static str {
+    match flank {
+        _ if gear.has("pitch.file") => "pitch.file",
+        _ if !gear.has("pitch") => "pitch",
+        Flank::Right => "pitch.right_um",
+        Flank::Left => "pitch.left_um",
     }
 }

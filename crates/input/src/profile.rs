@@ -1,41 +1,26 @@
 //! `[profile]`: deviations of the flanks from the involute, for both flanks or each.
 
+use super::known_gear::KnownGear;
 use super::spec::{FlankProfileSpec, FlanksSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
-use super::traces::{self, Along, TraceGear};
+use super::traces::{self, Along};
 use gearlash::gear::{BasicGearData, Flank, Modification, Relief, Trace};
 use gearlash::metrology::ProfileKey;
-use gearlash_tables::ProtocolHeader;
 use gearlash_text::{Node, Table};
 
 const NAME: &str = "profile";
 
-/// The profiles of the right and left flanks of one gear, as in the pair file; traces are lists of roll lengths.
-#[derive(Debug, Clone, Default)]
-pub struct Profiles {
-    flanks: [FlankProfileSpec; 2],
-    /// Statements about the gear in the files of traces.
-    pub headers: Vec<ProtocolHeader>,
-}
-
-impl Profiles {
-    /// Reads the profile `spec` of the gear's table `gear`.
-    pub fn read(
-        gear: &Table,
-        spec: ProfileSpec,
-        teeth: Option<u32>,
-        basic_data: Option<&BasicGearData>,
-    ) -> Option<Profiles> {
-        let measured = TraceGear::new(teeth, Along::Profile(basic_data));
-        let flanks = traces::read_flanks(&gear.below(NAME), spec, &measured)?;
-        Some(Profiles {
-            flanks,
-            headers: measured.into_headers(),
-        })
+impl ProfileSpec {
+    /// The profiles of the gear's table `gear` with their traces as lists of roll lengths; `None` where nothing is stated.
+    pub(crate) fn complete(self, gear: &Table, known: &KnownGear) -> Option<Option<ProfileSpec>> {
+        let flanks = traces::read_flanks(&gear.below(NAME), self, known, Along::Profile)?;
+        let is_stated = flanks != <[FlankProfileSpec; 2]>::default();
+        Some(is_stated.then(|| FlanksSpec::new(flanks)))
     }
 
-    pub fn for_metrology(&self, basic_data: &BasicGearData) -> [Modification; 2] {
+    /// The profiles of right and left flanks.
+    pub(crate) fn for_metrology(&self, basic_data: &BasicGearData) -> [Modification; 2] {
         let base = basic_data.base_radius();
-        self.flanks.each_ref().map(|flank| Modification {
+        self.flanks().map(|flank| Modification {
             slope: flank.slope_um.unwrap_or(0.0) / 1000.0,
             crowning: flank.crowning_um.unwrap_or(0.0) / 1000.0,
             tip_relief: flank.tip_relief.map(relief),
@@ -47,12 +32,6 @@ impl Profiles {
                 .and_then(|range| <[f64; 2]>::try_from(range).ok())
                 .map(|range| range.map(|diameter| diameter / 2.0)),
         })
-    }
-
-    /// As in the pair file; `None` where it states nothing.
-    pub fn spec(&self) -> Option<ProfileSpec> {
-        let is_stated = self.flanks != <[FlankProfileSpec; 2]>::default();
-        is_stated.then(|| FlanksSpec::new(self.flanks.clone()))
     }
 }
 

@@ -1,9 +1,9 @@
 //! `[runout]`: eccentricity and wobble of the teeth about the rotation axis.
 
+use super::known_gear::KnownGear;
 use super::spec::{FaceRunoutSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec, TeethEnd};
-use gearlash::gear::BasicGearData;
 use gearlash::metrology::{self, ProbeReadings, ReadWith, RunoutAt, RunoutStatement, Wobble};
-use gearlash_tables::{ProtocolHeader, Quantity, Sheet};
+use gearlash_tables::{Quantity, Sheet};
 use gearlash_text::Table;
 
 /// Runout `F_r`, the tooth towards which the teeth are displaced, and their wobble.
@@ -14,26 +14,16 @@ pub struct RunoutSheet {
     /// In the measuring plane, where two planes state it.
     of_planes: Option<metrology::Runout>,
     pub wobble: Wobble,
-    pub warnings: Vec<String>,
     readings: Option<ProbeReadings>,
-    /// Statements about the gear in the file of the readings.
-    pub header: Option<ProtocolHeader>,
-}
-
-/// The teeth of a gear by its data, as far as they are known.
-pub struct StatedTeeth<'a> {
-    pub basic_data: Option<&'a BasicGearData>,
-    /// Both ends, mm over the measuring plane away from the reference face; `Some(None)` where none are stated.
-    pub heights: Option<Option<[f64; 2]>>,
 }
 
 impl RunoutSheet {
-    /// Reads the runout `spec` of the gear's table `gear`. `stated` is `None` for a drawn gear.
+    /// Reads the runout `spec` of the gear's table `gear`. `known` is `None` for a drawn gear.
     pub fn read(
         gear: &Table,
         spec: RunoutSpec,
         teeth: Option<u32>,
-        stated: Option<&StatedTeeth>,
+        known: Option<&KnownGear>,
     ) -> Option<RunoutSheet> {
         let table = gear.below("runout");
         let beyond = |tooth: f64| teeth.filter(|teeth| tooth >= f64::from(*teeth) + 1.0);
@@ -61,7 +51,7 @@ impl RunoutSheet {
             spec,
             ..RunoutSheet::default()
         };
-        let runout = runout.with_wobble(gear, &table, stated)?;
+        let runout = runout.with_wobble(gear, &table, known)?;
         let Some(at) = runout.spec.at else {
             return Some(runout);
         };
@@ -82,6 +72,9 @@ impl RunoutSheet {
                 "write at = \"space\"",
             );
         }
+        if let Some(known) = known {
+            known.headers.borrow_mut().push(sheet.header.clone());
+        }
         Some(RunoutSheet {
             readings: Some(ProbeReadings {
                 um: sheet.values(0),
@@ -91,7 +84,6 @@ impl RunoutSheet {
                     (ReadingPlace::Space, None) => ReadWith::AnyBall,
                 },
             }),
-            header: Some(sheet.header),
             spec: RunoutSpec {
                 face_runout: spec.face_runout,
                 ball_mm: spec.ball_mm,
@@ -106,7 +98,7 @@ impl RunoutSheet {
         mut self,
         gear: &Table,
         table: &Table,
-        stated: Option<&StatedTeeth>,
+        known: Option<&KnownGear>,
     ) -> Option<RunoutSheet> {
         let (planes, shoulder) = (self.spec.planes, self.spec.face_runout);
         let key = match (planes, shoulder) {
@@ -114,14 +106,14 @@ impl RunoutSheet {
             (None, Some(_)) => "face_runout",
             (None, None) => return Some(self),
         };
-        let Some(stated) = stated else {
+        let Some(known) = known else {
             return table.refuse(
                 key,
                 "stated of an outline, which is solved in one section",
                 "state total_um and high_tooth",
             );
         };
-        let Some(heights) = stated.heights? else {
+        let Some(heights) = known.heights()? else {
             return gear.refuse(
                 "face_width_mm",
                 format!(
@@ -131,7 +123,7 @@ impl RunoutSheet {
                 "give the length of the teeth along the axis: the wobble displaces the teeth along all of it",
             );
         };
-        let data = stated.basic_data?;
+        let data = &known.basic_data?;
         if let Some(planes) = planes {
             let [one, other] = planes.map(|plane| plane.from_reference_face_mm);
             let width = heights[1] - heights[0];
@@ -158,7 +150,7 @@ impl RunoutSheet {
         }) = shoulder
         {
             if face.is_none() {
-                self.warnings.push(format!(
+                known.warnings.borrow_mut().push(format!(
                     "{}: not stated, the shoulder counts as one that looks the way of the reference face; write face = \"reference\", or \"far\" where it \
                      looks the other way",
                     table.path_of("face_runout.face")

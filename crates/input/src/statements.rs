@@ -1,12 +1,10 @@
 //! The tables of one gear, and their keys.
 
 use super::lead::Leads;
-use super::pitch::PitchSheet;
-use super::profile::Profiles;
 use super::runout::RunoutSheet;
-use super::spec::{CrossCheckSpec, StatementSpec, ThicknessSpec};
+use super::spec::{CrossCheckSpec, PitchSpec, ProfileSpec, StatementSpec, ThicknessSpec};
 use super::thickness;
-use gearlash::gear::{Face, Flank, GearDesign, PitchAxis};
+use gearlash::gear::{Face, GearDesign, PitchAxis};
 use gearlash::metrology::{Measurements, StatementRole};
 use gearlash_text::Table;
 
@@ -17,9 +15,9 @@ pub struct Statements<'a> {
     /// The design, the tip diameter filled in.
     pub design: GearDesign,
     pub thickness: ThicknessSpec,
-    pub pitch: Option<PitchSheet>,
+    pub pitch: Option<PitchSpec>,
     pub runout: RunoutSheet,
-    pub profiles: Profiles,
+    pub profile: Option<ProfileSpec>,
     pub leads: Option<Leads>,
 }
 
@@ -35,10 +33,14 @@ impl Statements<'_> {
                 .cross_check
                 .as_ref()
                 .map(CrossCheckSpec::for_metrology),
-            pitch: self.pitch.as_ref().map(PitchSheet::for_metrology),
+            pitch: self.pitch.as_ref().map(PitchSpec::for_metrology),
             runout: self.runout.for_metrology(),
             wobble: self.runout.wobble,
-            profiles: self.profiles.for_metrology(&self.design.basic_data),
+            profiles: self
+                .profile
+                .as_ref()
+                .map(|spec| spec.for_metrology(&self.design.basic_data))
+                .unwrap_or_default(),
             leads_about_datum: self
                 .leads
                 .as_ref()
@@ -59,15 +61,8 @@ impl Statements<'_> {
         }
     }
 
-    /// The key, below the gear's table, that gives the pitch of a flank.
-    pub fn pitch_key(&self, flank: Flank) -> &'static str {
-        self.pitch
-            .as_ref()
-            .map_or("pitch", |sheet| sheet.key(flank))
-    }
-
     /// The pitch's `sense` that reads the left flank the other way round.
     pub fn other_sense(&self) -> &'static str {
-        self.pitch.as_ref().map_or("", |sheet| sheet.other_sense())
+        self.pitch.as_ref().map_or("", PitchSpec::other_sense)
     }
 }

@@ -1,9 +1,8 @@
 //! `[sweep]`: the poses to run.
 
-use super::check::Checked;
 use super::spec::{DEFAULT_STEPS, ExtremePhases, Revolutions, SweepSpec};
 use gearlash::pair::SweepPlan;
-use gearlash_text::{Node, Problem};
+use gearlash_text::{Node, Problem, Table};
 
 /// The poses of every run, and their keys in the pair file.
 #[derive(Debug)]
@@ -14,9 +13,9 @@ pub struct Sweep {
 
 impl Sweep {
     /// Reads `[sweep]`; without it, one wheel revolution.
-    pub fn read(file: &Checked, teeth: (Option<u32>, Option<u32>)) -> Option<Sweep> {
-        let matings = file.table().get("sweep.mating").map_or(&[][..], Node::list);
-        let reading = file.table().reading();
+    pub fn read(file: &Table, teeth: (Option<u32>, Option<u32>)) -> Option<Sweep> {
+        let matings = file.get("sweep.mating").map_or(&[][..], Node::list);
+        let reading = file.reading();
         reading.list("sweep.mating", || {
             // A mating with a problem of its own is already reported.
             let each = (1..).zip(matings);

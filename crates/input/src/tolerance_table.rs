@@ -1,18 +1,18 @@
 //! `[tolerance]`: allowed keys for each distribution.
 
-use super::check::Checked;
 use super::spec::{ScatterName, ScatterSpec, ToleranceSpec};
+use gearlash_text::Table;
 
 const SCATTERS: &str = "center_distance bearing_play wheel.thickness wheel.runout wheel.per_tooth pinion.thickness pinion.runout pinion.per_tooth";
 
 /// Reads `[tolerance]`; `Some(None)` where the file has none.
-pub fn tolerance(file: &Checked) -> Option<Option<ToleranceSpec>> {
+pub fn tolerance(file: &Table) -> Option<Option<ToleranceSpec>> {
     let mut good = Some(());
     for path in SCATTERS.split(' ').map(|name| format!("tolerance.{name}")) {
         let scatter = file.read::<ScatterSpec>(&path).flatten();
         if let Some((key, reason, help)) = scatter.and_then(|spec| fault(file, &path, spec.scatter))
         {
-            file.table().add(&key, reason, help);
+            file.add(&key, reason, help);
             good = None;
         }
     }
@@ -21,12 +21,8 @@ pub fn tolerance(file: &Checked) -> Option<Option<ToleranceSpec>> {
 }
 
 /// The fault of the keys of the distribution at `path`: key, reason and remedy.
-fn fault(
-    file: &Checked,
-    path: &str,
-    scatter: ScatterName,
-) -> Option<(String, String, &'static str)> {
-    let table = file.table().below(path);
+fn fault(file: &Table, path: &str, scatter: ScatterName) -> Option<(String, String, &'static str)> {
+    let table = file.below(path);
     let has = |key: &str| table.has(key);
     let known: &[&str] = match scatter {
         ScatterName::Fixed => &["value_um"],

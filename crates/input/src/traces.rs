@@ -1,5 +1,6 @@
 //! Values of the flanks, for both or for each, in `[profile]` and `[lead]`; and their traces: measured curves, as lists or from tables.
 
+use crate::known_gear::KnownGear;
 use crate::spec::{Either, FlankSpec, FlanksSpec, TraceDirection, TraceSpec};
 use gearlash::gear::{BasicGearData, Flank};
 use gearlash_tables::DataFile;
@@ -15,45 +16,32 @@ type FlankTraces = [Vec<TraceSpec>; 2];
 /// A point of a trace: roll length or height, mm, and deviation, µm.
 type Point = (f64, f64);
 
-/// The gear that traces were measured on, as far as known.
-pub struct TraceGear<'a> {
-    teeth: Option<u32>,
-    along: Along<'a>,
+/// The gear that traces were measured on.
+struct TraceGear<'a> {
+    known: &'a KnownGear,
+    along: Along,
     /// Statements about it in the files that were read.
     headers: RefCell<Vec<ProtocolHeader>>,
 }
 
 /// The direction in which a trace runs.
 #[derive(Clone, Copy)]
-pub enum Along<'a> {
-    /// From root to tip of a gear, where it is known.
-    Profile(Option<&'a BasicGearData>),
+pub enum Along {
+    /// From root to tip.
+    Profile,
     /// Along a face of this width, mm, of teeth with this cos β_b.
     Face { width: f64, helix_cos: f64 },
 }
 
 type ReasonAndHelp = (String, String);
 
-impl<'a> TraceGear<'a> {
-    pub fn new(teeth: Option<u32>, along: Along<'a>) -> TraceGear<'a> {
-        TraceGear {
-            teeth,
-            along,
-            headers: RefCell::default(),
-        }
-    }
-
-    /// Statements about the gear in the files that were read.
-    pub fn into_headers(self) -> Vec<ProtocolHeader> {
-        self.headers.into_inner()
-    }
-
+impl TraceGear<'_> {
     /// Roll length or height of a stated place; `Err(None)` where the gear is unknown, which is reported elsewhere.
     fn place(&self, by: Quantity, at_mm: f64) -> Result<f64, Option<ReasonAndHelp>> {
         match self.along {
-            Along::Profile(_) if by == Quantity::RollLength => Ok(at_mm),
-            Along::Profile(basic_data) => {
-                let base = basic_data.ok_or(None)?.base_radius();
+            Along::Profile if by == Quantity::RollLength => Ok(at_mm),
+            Along::Profile => {
+                let base = self.known.basic_data.ok_or(None)?.base_radius();
                 let radius = 0.5 * at_mm;
                 if radius >= base {
                     return Ok(((radius - base) * (radius + base)).sqrt());
@@ -87,7 +75,7 @@ impl<'a> TraceGear<'a> {
     fn trace(&self, tooth: Option<u32>, points: &[Point]) -> TraceSpec {
         let places = Some(points.iter().map(|point| point.0).collect());
         let (rolls, heights) = match self.along {
-            Along::Profile(_) => (places, None),
+            Along::Profile => (places, None),
             Along::Face { .. } => (None, places),
         };
         TraceSpec {
@@ -110,7 +98,7 @@ impl<'a> TraceGear<'a> {
         };
         let name = Column::of(by).name();
         let order = match self.along {
-            Along::Profile(_) => "from root to tip",
+            Along::Profile => "from root to tip",
             Along::Face { .. } => "from one end of the teeth to the other",
         };
         Some((
@@ -189,6 +177,7 @@ fn read_one(
 ) -> Option<FlankTraces> {
     let tooth = stated.tooth;
     let beyond = gear
+        .known
         .teeth
         .filter(|teeth| tooth.is_some_and(|tooth| tooth > *teeth));
     if let Some(teeth) = beyond {
@@ -265,12 +254,15 @@ fn of_file(
     gear: &TraceGear,
 ) -> Option<FlankTraces> {
     let (place, base_radius) = match gear.along {
-        Along::Profile(data) => (Quantity::RollLength, data.map(BasicGearData::base_radius)),
+        Along::Profile => {
+            let data = gear.known.basic_data.as_ref();
+            (Quantity::RollLength, data.map(BasicGearData::base_radius))
+        }
         Along::Face { .. } => (Quantity::Height, None),
     };
     let wanted = Wanted {
         columns: &[place, Quantity::Deviation].map(Column::of),
-        teeth: gear.teeth,
+        teeth: gear.known.teeth,
         coverage: Coverage::Points { base_radius },
     };
     let (file, read) = Sheet::read(table, &wanted)?;
@@ -353,10 +345,16 @@ fn of_rows(
 pub fn read_flanks<F: FlankSpec>(
     table: &Table,
     spec: FlanksSpec<F>,
-    gear: &TraceGear,
+    known: &KnownGear,
+    along: Along,
 ) -> Option<[F; 2]> {
+    let gear = TraceGear {
+        known,
+        along,
+        headers: RefCell::default(),
+    };
     let one = |table: &Table, mut spec: F, own| {
-        let traces = read(table, spec.trace().take(), own, gear);
+        let traces = read(table, spec.trace().take(), own, &gear);
         Some((spec, traces?))
     };
     let both = one(table, spec.both, None);
@@ -368,6 +366,7 @@ pub fn read_flanks<F: FlankSpec>(
     let ((right, right_traces), (left, left_traces)) = (right?, left?);
     let (both, [of_right, of_left]) = both?;
     let [both_right, both_left] = [(both.clone(), of_right), (both, of_left)];
+    known.headers.borrow_mut().extend(gear.headers.take());
     let [own_right, _] = right_traces;
     let [_, own_left] = left_traces;
     Some([

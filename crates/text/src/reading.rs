@@ -14,6 +14,8 @@ const MAX_OF_A_LIST: usize = 12;
 /// The reading of a file and of the files that it names.
 #[derive(Debug, Default)]
 pub struct Reading {
+    /// Its name in messages.
+    name: PathBuf,
     /// Empty: the working folder.
     folder: PathBuf,
     /// The files that it names, where they are given by name and bytes.
@@ -25,6 +27,8 @@ pub struct Reading {
     remarks: RefCell<Vec<String>>,
     inches: RefCell<Inches>,
     problems: RefCell<Problems>,
+    /// Keys whose values do not fit the schema, and the keys that mistyped ones mean.
+    bad_keys: RefCell<Vec<String>>,
 }
 
 impl Reading {
@@ -59,6 +63,19 @@ impl Reading {
             is_named: true,
             ..Reading::default()
         }
+    }
+
+    /// This reading of a file that messages call `name`.
+    pub fn called(self, name: &Path) -> Reading {
+        Reading {
+            name: name.to_path_buf(),
+            ..self
+        }
+    }
+
+    /// The file's name in messages.
+    pub fn name(&self) -> &Path {
+        &self.name
     }
 
     /// The files that it names, where they are given by name and bytes.
@@ -186,6 +203,19 @@ impl Reading {
     /// Whether no problem was added.
     pub fn is_good(&self) -> bool {
         self.problems.borrow().is_empty()
+    }
+
+    /// Marks the value at `key` as one that cannot be read.
+    pub fn mark_bad(&self, key: String) {
+        let mut bad = self.bad_keys.borrow_mut();
+        if bad.last() != Some(&key) {
+            bad.push(key);
+        }
+    }
+
+    /// Whether any of the marked keys is `such`.
+    pub(crate) fn has_bad(&self, such: impl Fn(&str) -> bool) -> bool {
+        self.bad_keys.borrow().iter().any(|key| such(key))
     }
 
     /// All problems since the last call.

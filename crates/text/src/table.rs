@@ -4,6 +4,7 @@ use super::location::below;
 use super::node::Node;
 use super::reading::Reading;
 use crate::error::Problem;
+use serde::de::DeserializeOwned;
 use std::fmt::Display;
 use std::rc::Rc;
 
@@ -61,6 +62,33 @@ impl<'a> Table<'a> {
     /// Whether there is a value at the dotted `path` below this table.
     pub fn has(&self, path: &str) -> bool {
         self.get(path).is_some()
+    }
+
+    /// Whether there is a value at the dotted `path` below this table, perhaps misspelt.
+    pub fn means(&self, path: &str) -> bool {
+        let path_in_file = self.path_of(path);
+        self.has(path) || self.reading.has_bad(|bad| bad == path_in_file)
+    }
+
+    /// Whether neither the value at the dotted `path` below this table nor any in it is bad; an absent one is not.
+    pub fn is_good(&self, path: &str) -> bool {
+        let path = self.path_of(path);
+        let below = |path: &str, above: &str| {
+            let rest = path.strip_prefix(above);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+        };
+        let is_part = |bad: &str| path.is_empty() || below(bad, &path) || below(&path, bad);
+        !self.reading.has_bad(is_part)
+    }
+
+    /// The value at the dotted `path` below this table of a checked file: `None` where it is bad, `Some(None)` where it is absent.
+    pub fn read<T: DeserializeOwned>(&self, path: &str) -> Option<Option<T>> {
+        self.is_good(path).then_some(())?;
+        let Some(node) = self.get(path) else {
+            return Some(None);
+        };
+        // The schema allows nothing that serde refuses.
+        self.keep(path, node.to::<T>().map(Some), "correct it")
     }
 
     /// A problem with the value at the dotted `path` below this table, present or not.

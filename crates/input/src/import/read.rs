@@ -1,7 +1,7 @@
 //! The tables of a file: each kind is searched for, and read as for a pair file that names it.
 
 use super::table::{ImportedTable, Kind};
-use crate::check::Checked;
+use crate::check::check;
 use crate::spec::TABLE;
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
@@ -13,15 +13,14 @@ use gearlash_text::{Problem, Problems, Table};
 
 /// The tables of the file that `table` names, all or of one kind. Ambiguous tables are added to `not_read`.
 pub(super) fn tables(
-    table: Table,
+    table: &Table,
     bytes: Vec<u8>,
     only: Option<Kind>,
     not_read: &mut Vec<Problem>,
 ) -> Option<Vec<ImportedTable>> {
     let reading = table.reading();
-    let checked = Checked::new(&TABLE, table);
-    checked.is_good("").then_some(())?;
-    let table = checked.table();
+    check(&TABLE, table);
+    table.is_good("").then_some(())?;
     let (file, choice) = (DataFile::of(table)?, Choice::of(table));
     let content = Content::read(&file, (bytes, MAX_CELLS), table, &choice)?;
     let from = TableSource {

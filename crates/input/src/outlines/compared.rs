@@ -2,11 +2,10 @@
 
 use super::gear::{OutlinePart, gear, help};
 use super::pair::{OutlineOptions, outline_table};
-use crate::Tree;
-use crate::check::Checked;
+use crate::check::check;
 use crate::spec::DRAWINGS;
 use gearlash::outline::{Deviation, OutlineDifference, OutlineGear};
-use gearlash_text::Sources;
+use gearlash_text::{Sources, Table};
 use nalgebra::Point2;
 use std::path::Path;
 
@@ -52,24 +51,24 @@ impl TwoDrawings<'_> {
     }
 
     /// Reads and compares them, from their tables.
-    pub(crate) fn compared(&self, tree: &Tree) -> Option<ComparedOutlines> {
-        let file = Checked::new(&DRAWINGS, tree.table());
-        let [a, b] = NAMES.map(|name| gear(&file, name));
+    pub(crate) fn compared(&self, file: &Table) -> Option<ComparedOutlines> {
+        check(&DRAWINGS, file);
+        let [a, b] = NAMES.map(|name| gear(file, name));
         let (a, b): (OutlinePart, OutlinePart) = (a?, b?);
         let gears = [&a, &b].map(|part| part.gears.most().clone());
         let difference = OutlineDifference::new(&gears[0], &gears[1], CHORD_MM);
         let difference = difference.map_err(|error| {
             let help = help(&error);
-            file.table().problem("b.outline.file", error, help)
+            file.problem("b.outline.file", error, help)
         });
         Some(ComparedOutlines {
-            difference: tree.reading.keep(difference)?,
+            difference: file.reading().keep(difference)?,
             files: self.paths.map(|path| path.display().to_string()),
             centres: [a.read.centre, b.read.centre],
             gears,
             warnings: Default::default(),
             remarks: [a.remarks, b.remarks],
-            sources: tree.reading.sources(),
+            sources: file.reading().sources(),
         })
     }
 }

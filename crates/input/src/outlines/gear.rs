@@ -1,7 +1,6 @@
 //! `[wheel.outline]` and `[pinion.outline]`: from the keys and the drawing to the gear.
 
 use super::paths::{Choice, ChosenOutline, centres_inside, choose, coordinates};
-use crate::check::Checked;
 use crate::runout::RunoutSheet;
 use crate::spec::{
     CentreName, CentreSpec, Either, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,
@@ -44,22 +43,22 @@ pub(crate) struct OutlinePart {
 }
 
 /// Reads the table `name` of a gear given by an outline.
-pub(crate) fn gear(file: &Checked, name: &str) -> Option<OutlinePart> {
-    let table = file.table().below(name);
-    let face = file.read::<Face>(&table.path_of("reference_face"));
-    let spec = file.read(&table.path_of("outline")).flatten();
-    let stated_scale = file.read::<f64>(&table.path_of("scale")).flatten();
+pub(crate) fn gear(file: &Table, name: &str) -> Option<OutlinePart> {
+    let table = file.below(name);
+    let face = table.read::<Face>("reference_face");
+    let spec = table.read("outline").flatten();
+    let stated_scale = table.read::<f64>("scale").flatten();
     let scale = stated_scale.unwrap_or(1.0);
-    let thickness = file.read::<OutlineThicknessSpec>(&table.path_of("thickness"));
+    let thickness = table.read::<OutlineThicknessSpec>("thickness");
     let drawn = spec.and_then(|spec| drawn(&table, spec, scale));
     let teeth = drawn.as_ref().and_then(|(spec, ..)| spec.teeth);
-    let runout = file.read(&table.path_of("runout"));
+    let runout = table.read("runout");
     let runout =
         runout.and_then(|spec| RunoutSheet::read(&table, spec.unwrap_or_default(), teeth, None));
     file.is_good(name).then_some(())?;
     let (spec, chosen, data) = drawn?;
     let (face, runout, thickness) = (face?.unwrap_or_default(), runout?, thickness?);
-    if runout.header.is_some() {
+    if runout.range_um().is_some() {
         return table.refuse(
             "runout.file",
             "readings of a runout need a gear by its data",

@@ -1,9 +1,9 @@
 //! Pair files with an outline: what does not apply to them, and the file that two drawings stand for.
 
 use super::gear::help;
-use crate::Tree;
-use crate::check::Checked;
+use crate::check::check;
 use crate::gear::GearPart;
+use crate::is_gear_file;
 use crate::pair_slips::excessive;
 use crate::spec::{AssemblySpec, CenterDistanceSpec, GEAR, PAIR, UncertaintySpec};
 use gearlash::contact::{Contact, LostMotion, OutlineKernel, Status, ToothPlace};
@@ -205,13 +205,13 @@ pub(crate) fn refuse_limits(file: &Table) {
 }
 
 /// Reports uncertainties of quantities that neither of two drawn gears has.
-pub(crate) fn refuse_uncertainties(file: &Checked, gears: [&GearPart; 2]) {
+pub(crate) fn refuse_uncertainties(file: &Table, gears: [&GearPart; 2]) {
     let stated: Option<UncertaintySpec> = file.read("uncertainty").flatten();
     if gears.iter().any(|gear| gear.drawn.is_none()) {
         return;
     }
     for key in stated.iter().flat_map(UncertaintySpec::of_data) {
-        file.table().add(
+        file.add(
             &format!("uncertainty.{key}"),
             "an outline has no such reading",
             "leave it out: runout_um and center_distance_um apply",
@@ -419,32 +419,29 @@ pub(crate) fn of_drawing(path: &Path, options: &OutlineOptions) -> String {
 }
 
 /// The keys of gears given by an outline.
-fn outlines(file: &Tree) -> impl Iterator<Item = String> {
-    let table = file.table();
-    let keys = ["wheel", "pinion", "gear"].map(|name| format!("{name}.outline"));
-    keys.into_iter().filter(move |key| table.has(key))
+fn outlines(file: &Table) -> impl Iterator<Item = &'static str> {
+    let keys = ["wheel.outline", "pinion.outline", "gear.outline"].into_iter();
+    keys.filter(|key| file.has(key))
 }
 
 /// Whether a gear of a pair or gear file is given by an outline.
-pub(crate) fn has_outline(file: &Tree) -> bool {
+pub(crate) fn has_outline(file: &Table) -> bool {
     outlines(file).next().is_some()
 }
 
 /// Rejects a pair or gear file with an outline where gears given by data are needed.
-pub(crate) fn refuse(file: &Tree) -> Option<()> {
+pub(crate) fn refuse(file: &Table) -> Option<()> {
     if !has_outline(file) {
         return Some(());
     }
-    let is_gear = file.is_gear_file();
-    let schema = if is_gear { &GEAR } else { &PAIR };
-    let checked = Checked::new(schema, file.table());
+    check(if is_gear_file(file) { &GEAR } else { &PAIR }, file);
     for key in outlines(file) {
-        checked.table().add(
-            &key,
+        file.add(
+            key,
             "an outline has no module, no base circle and no line of action, which this command needs",
             format!(
                 "use `gearlash check`, `simulate`, `snapshot`, `chart`, `report`, `tolerance` or `gauge` with {}, or give the gear by its data",
-                file.path.display()
+                file.reading().name().display()
             ),
         );
     }

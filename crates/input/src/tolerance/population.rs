@@ -44,7 +44,7 @@ pub struct ToleranceFile {
 /// # Errors
 /// As [`crate::read`].
 pub fn read_tolerance(path: &Path) -> Result<ToleranceFile, InputError> {
-    with_tree(path, |tree| tolerance_file(pair(tree)?, &tree.table()))
+    with_tree(path, |file| tolerance_file(pair(file)?, file))
 }
 
 fn tolerance_file(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {

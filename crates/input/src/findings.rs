@@ -12,31 +12,70 @@ use gearlash::metrology::{
     ThicknessBesidePitch, ThicknessStatements, TooFar,
 };
 use gearlash_text::numbers::{ascii, rounded, shortest};
+use std::borrow::Cow;
+
+const PER_TOOTH: &str = "thickness.per_tooth_um";
 
 /// The line that the user reads, with the key it is about.
 pub fn describe(statements: &Statements, finding: &Finding) -> String {
-    const PER_TOOTH: &str = "thickness.per_tooth_um";
-    let some_teeth = |flank: Flank, measured: u32, teeth: u32| {
-        format!(
-            "traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
-            flank.name()
-        )
+    let key = statements.table.path_of(&key(statements, finding));
+    format!("{key}: {}", words(statements, finding))
+}
+
+/// The key, below the gear's table, that a finding is about.
+fn key(statements: &Statements, finding: &Finding) -> Cow<'static, str> {
+    let table = statements.table;
+    let key = match finding {
+        Finding::PitchDoesNotClose { flank, .. } => pitch::key_of(table, *flank),
+        Finding::LeftFlankReversed { .. } => pitch::key_of(table, Flank::Left),
+        Finding::Outlier(Outlier::Pitch(found)) => pitch::key_of(table, found.flank),
+        Finding::Outlier(Outlier::Reading(found)) if found.over_pins => "thickness.over_pins",
+        Finding::Outlier(Outlier::Reading(_)) => "thickness.span",
+        Finding::ProfileOfSomeTeeth { flank, .. } => {
+            return profile::key_of(table, *flank, ProfileKey::Trace).into();
+        }
+        Finding::LeadOfSomeTeeth { flank, .. } => {
+            return lead::key_of(table, *flank, LeadKey::Trace).into();
+        }
+        Finding::WobbleInLeads { .. } => "lead.axis",
+        Finding::RunoutReadings(_) | Finding::RunoutContradictsFlanks(_) => "runout.file",
+        Finding::RunoutWithoutDirection { .. } | Finding::StatedEccentricityElsewhere { .. } => {
+            "runout"
+        }
+        Finding::EccentricityInPitch(_)
+        | Finding::SpansRefusePitch { .. }
+        | Finding::FirstHarmonicNotEccentricity { .. } => "pitch",
+        Finding::OwnPitchHoldsEccentricity { .. } => "pitch.axis",
+        Finding::PinsGiveMeanOnly { .. } => "thickness.over_pins",
+        Finding::SpansGiveEachTooth { .. } | Finding::SpansGiveMeanOnly { .. } => "thickness.span",
+        Finding::ThicknessBesidePitch(_)
+        | Finding::SpansRefuseThickness { .. }
+        | Finding::PerToothMeanTooLarge { .. }
+        | Finding::PerToothOffMean { .. } => PER_TOOTH,
+        Finding::LooksLikeWhole { quantity, .. } => match quantity {
+            Quantity::Pitch => "pitch",
+            Quantity::PerTooth => PER_TOOTH,
+        },
+        Finding::ThicknessField { .. } => "thickness.designation",
+        Finding::AllowanceThickens { .. } | Finding::AllowanceTooLarge { .. } => {
+            "thickness.allowance_um"
+        }
+        Finding::CrossCheckOfSameKind(_) | Finding::ThicknessStatedTwice(_) => CROSS_CHECK,
     };
-    let traced: String;
-    let (key, words) = match finding {
+    key.into()
+}
+
+fn words(statements: &Statements, finding: &Finding) -> String {
+    match finding {
         Finding::PitchDoesNotClose {
             flank,
             sum_um,
             rounding_um,
-        } => (
-            pitch::key_of(statements.table, *flank),
-            format!(
-                "the single pitch deviations of the {} flanks sum to {} µm instead of 0 (rounding leaves up to {} µm); \
-                 the rest is distributed evenly over the teeth",
-                flank.name(),
-                ascii(*sum_um, 2),
-                ascii(*rounding_um, 2),
-            ),
+        } => format!(
+            "the single pitch deviations of the {} flanks sum to {} µm instead of 0 (rounding leaves up to {rounding_um:.2} µm); \
+             the rest is distributed evenly over the teeth",
+            flank.name(),
+            ascii(*sum_um, 2),
         ),
         Finding::WobbleInLeads {
             um,
@@ -45,194 +84,149 @@ pub fn describe(statements: &Statements, finding: &Finding) -> String {
         } => {
             let counts = match apart_um {
                 None => "the gear wobbles so".to_owned(),
-                Some(apart) => format!("the stated wobble counts, {} µm off it", ascii(*apart, 2)),
+                Some(apart) => format!("the stated wobble counts, {apart:.2} µm off it"),
             };
-            let words = format!(
-                "the leads about the bore contain a wobble of {} µm over the teeth, towards tooth {}; it is taken out of them, and {counts}",
-                ascii(*um, 2),
-                ascii(*tooth, 2)
-            );
-            ("lead.axis", words)
+            format!(
+                "the leads about the bore contain a wobble of {um:.2} µm over the teeth, towards tooth {tooth:.2}; it is taken out of them, and {counts}"
+            )
         }
-        Finding::RunoutReadings(readings) => ("runout.file", runout_readings(readings)),
-        Finding::RunoutContradictsFlanks(found) => (
-            "runout.file",
-            format!(
-                "beyond the first harmonic the readings contradict the flanks, which take precedence there. The readings vary by up to {} µm, the stated flanks by \
-                 {} µm; {} {} they differ by {} µm. F_r of the readings is {} µm. Check gear, tooth numbers, sense and at",
-                ascii(found.read_um, 3),
-                ascii(found.said_um, 3),
-                match found.probe {
-                    Probe::Ball(_) => "after tooth",
-                    Probe::Fork => "at tooth",
-                },
-                found.tooth,
-                ascii(found.apart_um, 3),
-                ascii(found.range_um, 3),
-            ),
+        Finding::RunoutReadings(readings) => runout_readings(readings),
+        Finding::RunoutContradictsFlanks(found) => format!(
+            "beyond the first harmonic the readings contradict the flanks, which take precedence there. The readings vary by up to {:.3} µm, the stated flanks by \
+             {:.3} µm; {} {} they differ by {:.3} µm. F_r of the readings is {:.3} µm. Check gear, tooth numbers, sense and at",
+            found.read_um,
+            found.said_um,
+            match found.probe {
+                Probe::Ball(_) => "after tooth",
+                Probe::Fork => "at tooth",
+            },
+            found.tooth,
+            found.apart_um,
+            found.range_um,
         ),
-        Finding::RunoutWithoutDirection { total_um } => (
-            "runout",
-            format!(
-                "{total_um} µm without high_tooth: least and greatest of the verdict are over every direction; single poses and the gauge have tooth 1 high"
-            ),
+        Finding::RunoutWithoutDirection { total_um } => format!(
+            "{total_um} µm without high_tooth: least and greatest of the verdict are over every direction; single poses and the gauge have tooth 1 high"
         ),
-        Finding::EccentricityInPitch(note) => ("pitch", in_pitch(note)),
+        Finding::EccentricityInPitch(note) => in_pitch(note),
         Finding::ProfileOfSomeTeeth {
             flank,
             measured,
             teeth,
-        } => {
-            traced = profile::key_of(statements.table, *flank, ProfileKey::Trace);
-            (&*traced, some_teeth(*flank, *measured, *teeth))
         }
-        Finding::LeadOfSomeTeeth {
+        | Finding::LeadOfSomeTeeth {
             flank,
             measured,
             teeth,
-        } => {
-            traced = lead::key_of(statements.table, *flank, LeadKey::Trace);
-            (&*traced, some_teeth(*flank, *measured, *teeth))
-        }
+        } => format!(
+            "traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
+            flank.name()
+        ),
         Finding::PinsGiveMeanOnly {
             readings,
             with_pitch,
-        } => (
-            "thickness.over_pins",
+        } => {
+            let assumed = if *with_pitch {
+                ""
+            } else {
+                "; without [pitch] the pitch is assumed even"
+            };
             format!(
-                "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{}",
-                if *with_pitch {
-                    ""
-                } else {
-                    "; without [pitch] the pitch is assumed even"
-                }
-            ),
-        ),
+                "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{assumed}"
+            )
+        }
         Finding::SpansGiveEachTooth {
             spanned,
             teeth,
             amplification,
             with_pitch,
-        } => (
-            "thickness.span",
+        } => {
+            let random = f64::from(*amplification).sqrt();
+            let assumed = if *with_pitch {
+                ""
+            } else {
+                "; without [pitch] all variation of the spans counts as thickness"
+            };
             format!(
                 "{teeth} spans over {spanned} teeth give each tooth's thickness; an error of the readings is amplified up to {amplification}-fold, \
-                 {}-fold when random, as [uncertainty] counts it (per_tooth = false uses the mean only){}",
-                ascii(f64::from(*amplification).sqrt(), 1),
-                if *with_pitch {
-                    ""
-                } else {
-                    "; without [pitch] all variation of the spans counts as thickness"
-                }
-            ),
-        ),
+                 {random:.1}-fold when random, as [uncertainty] counts it (per_tooth = false uses the mean only){assumed}"
+            )
+        }
         Finding::SpansGiveMeanOnly {
             spanned,
             teeth,
             readings,
             why,
             pitch_in_mean,
-        } => {
-            let words = mean_by_spans(*spanned, *teeth, *readings, *why, *pitch_in_mean);
-            ("thickness.span", words)
-        }
-        Finding::LeftFlankReversed { eccentricity_um } => (
-            pitch::key_of(statements.table, Flank::Left),
+        } => mean_by_spans(*spanned, *teeth, *readings, *why, *pitch_in_mean),
+        Finding::LeftFlankReversed { eccentricity_um } => {
+            let contained = eccentricity_um.map_or(String::new(), |[reversed, stated]| {
+                format!(" (reversed they contain an eccentricity of {reversed:.3} µm, as stated one of {stated:.3} µm)")
+            });
             format!(
-                "the left flanks vary opposite to the right ones, as if their sign were reversed{}: if + means plus material on both flanks \
+                "the left flanks vary opposite to the right ones, as if their sign were reversed{contained}: if + means plus material on both flanks \
                  (or the gear was seen from the other face), write sense = {:?}",
-                eccentricity_um.map_or(String::new(), |um| {
-                    let [reversed, stated] = um.map(|um| ascii(um, 3));
-                    format!(
-                        " (reversed they contain an eccentricity of {reversed} µm, as stated one of {stated} µm)"
-                    )
-                }),
                 statements.other_sense()
-            ),
-        ),
-        Finding::ThicknessBesidePitch(beside) => {
-            (PER_TOOTH, beside_pitch(beside, statements.other_sense()))
+            )
         }
+        Finding::ThicknessBesidePitch(beside) => beside_pitch(beside, statements.other_sense()),
         Finding::SpansRefusePitch {
             shown,
             left_um,
             spans_count,
-        } => (
-            "pitch",
-            format!(
-                "the spans contradict the thickness by its flanks, right minus left (they show {} % of it, and vary by {} µm r.m.s. beside it): check right and left, sign and tooth numbers; {}",
-                ascii(100.0 * shown, 0),
-                ascii(*left_um, 1),
-                precedence(*spans_count)
-            ),
+        } => format!(
+            "the spans contradict the thickness by its flanks, right minus left (they show {} % of it, and vary by {left_um:.1} µm r.m.s. beside it): check right and left, sign and tooth numbers; {}",
+            ascii(100.0 * shown, 0),
+            precedence(*spans_count)
         ),
-        Finding::SpansRefuseThickness { shown, spans_count } => (
-            PER_TOOTH,
-            format!(
-                "the spans contradict it (they show {} % of it): check its sign and tooth numbers, or leave it out; {}",
-                ascii(100.0 * shown, 0),
-                precedence(*spans_count)
-            ),
+        Finding::SpansRefuseThickness { shown, spans_count } => format!(
+            "the spans contradict it (they show {} % of it): check its sign and tooth numbers, or leave it out; {}",
+            ascii(100.0 * shown, 0),
+            precedence(*spans_count)
         ),
-        Finding::PerToothMeanTooLarge { mean_um } => (
-            PER_TOOTH,
-            format!(
-                "its mean is {} µm, more than a tenth of the module: each value is how much thicker than the mean the tooth is, in µm; if they are \
-                 thicknesses, subtract their mean; if they are in another unit, convert them",
-                ascii(*mean_um, 1)
-            ),
+        Finding::PerToothMeanTooLarge { mean_um } => format!(
+            "its mean is {} µm, more than a tenth of the module: each value is how much thicker than the mean the tooth is, in µm; if they are \
+             thicknesses, subtract their mean; if they are in another unit, convert them",
+            ascii(*mean_um, 1)
         ),
         Finding::PerToothOffMean {
             mean_um,
             scatter_um,
         } => {
             let stated = statements.thickness.statement.key().unwrap_or_default();
-            let words = format!(
-                "its mean, {} µm, adds to the stated {stated} (its values scatter about it by {} µm r.m.s.): if they were measured \
+            format!(
+                "its mean, {} µm, adds to the stated {stated} (its values scatter about it by {scatter_um:.1} µm r.m.s.): if they were measured \
                  from the nominal thickness, and {stated} states the same, subtract their mean from the list",
-                ascii(*mean_um, 1),
-                ascii(*scatter_um, 1)
-            );
-            (PER_TOOTH, words)
+                ascii(*mean_um, 1)
+            )
         }
         Finding::LooksLikeWhole { quantity, mean_um } => {
-            let (key, what) = match quantity {
-                Quantity::Pitch => ("pitch", "the pitch itself"),
-                Quantity::PerTooth => (PER_TOOTH, "the thickness itself"),
+            let what = match quantity {
+                Quantity::Pitch => "the pitch itself",
+                Quantity::PerTooth => "the thickness itself",
             };
             let mean = ascii(*mean_um, 3);
-            let words = format!(
+            format!(
                 "the values are about {mean}, as {what} in mm; needed is the deviation of each tooth, in µm"
-            );
-            (key, words)
+            )
         }
         Finding::ThicknessField {
             diameter_mm,
             upper_um,
             lower_um,
-        } => (
-            "thickness.designation",
-            format!(
-                "at reference diameter {} mm the allowances are {} and {} µm, {DIN_3967_SOURCE}",
-                shortest(rounded(*diameter_mm, 4)),
-                ascii(*upper_um, 0),
-                ascii(*lower_um, 0)
-            ),
+        } => format!(
+            "at reference diameter {} mm the allowances are {} and {} µm, {DIN_3967_SOURCE}",
+            shortest(rounded(*diameter_mm, 4)),
+            ascii(*upper_um, 0),
+            ascii(*lower_um, 0)
         ),
-        Finding::AllowanceThickens { um } => (
-            "thickness.allowance_um",
-            format!(
-                "{um} µm makes the teeth thicker than nominal, but an allowance for backlash makes them thinner: check its sign; if {} µm was \
-                 meant, write that",
-                -um
-            ),
+        Finding::AllowanceThickens { um } => format!(
+            "{um} µm makes the teeth thicker than nominal, but an allowance for backlash makes them thinner: check its sign; if {} µm was \
+             meant, write that",
+            -um
         ),
-        Finding::AllowanceTooLarge { um } => (
-            "thickness.allowance_um",
-            format!(
-                "{um} µm takes more than a quarter of the module off the teeth: if nm were meant, write {}",
-                shortest(um / 1000.0)
-            ),
+        Finding::AllowanceTooLarge { um } => format!(
+            "{um} µm takes more than a quarter of the module off the teeth: if nm were meant, write {}",
+            shortest(um / 1000.0)
         ),
         Finding::CrossCheckOfSameKind(kind) => {
             let kind = match kind {
@@ -241,11 +235,10 @@ pub fn describe(statements: &Statements, finding: &Finding) -> String {
                 SameKind::Chord => "a chord at the same height",
                 SameKind::Allowance => "an allowance",
             };
-            let words = format!(
+            format!(
                 "is {kind}, like the statement that is used, and repeats its faults: check by another kind of measurement (span, over pins, \
                  another number of teeth or pin)"
-            );
-            (CROSS_CHECK, words)
+            )
         }
         Finding::FirstHarmonicNotEccentricity {
             left_um,
@@ -253,67 +246,53 @@ pub fn describe(statements: &Statements, finding: &Finding) -> String {
             alike,
             exchanged,
             eccentricity_um,
-        } => (
-            "pitch",
+        } => {
+            let why = if *alike {
+                "; both flanks vary equally, as from an index error of the machine"
+            } else if *exchanged {
+                "; with right and left exchanged it is that of an eccentricity: check which column is which"
+            } else {
+                ""
+            };
             format!(
-                "the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. Of it, {} µm \
-                 on a flank, {} % of its energy, are used as the gear's own pitch{}. The eccentricity of {} µm is therefore uncertain: measure the runout, \
-                 and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"",
-                ascii(*left_um, 3),
-                ascii(*left_percent, 0),
-                if *alike {
-                    "; both flanks vary equally, as from an index error of the machine"
-                } else if *exchanged {
-                    "; with right and left exchanged it is that of an eccentricity: check which column is which"
-                } else {
-                    ""
-                },
-                ascii(*eccentricity_um, 3),
-            ),
-        ),
+                "the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. Of it, {left_um:.3} µm \
+                 on a flank, {left_percent:.0} % of its energy, are used as the gear's own pitch{why}. The eccentricity of {eccentricity_um:.3} µm is therefore uncertain: measure the runout, \
+                 and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\""
+            )
+        }
         Finding::OwnPitchHoldsEccentricity {
             in_pitch,
             in_runout,
             runout,
-        } => (
-            "pitch.axis",
+        } => {
+            let own = shown(*in_runout);
+            let runout = match runout {
+                RunoutSource::Total => format!("[runout] says {own}, which would count twice"),
+                RunoutSource::Readings { left } => format!(
+                    "the readings of [runout] contain one of {own}. Used as the gear's own pitch the values explain the readings and leave {} as eccentricity",
+                    left.map_or("nothing".to_owned(), shown),
+                ),
+            };
             format!(
                 "the values look as if they were measured about the datum axis. Write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\" \
-                 if so. The first harmonic of the values is that of an eccentricity of {}; {}",
-                shown(*in_pitch),
-                match runout {
-                    RunoutSource::Total => format!(
-                        "[runout] says {}, which would count twice",
-                        shown(*in_runout)
-                    ),
-                    RunoutSource::Readings { left } => format!(
-                        "the readings of [runout] contain one of {}. Used as the gear's own pitch the values explain the readings and leave {} as eccentricity",
-                        shown(*in_runout),
-                        left.map_or("nothing".to_owned(), shown),
-                    ),
-                },
-            ),
-        ),
+                 if so. The first harmonic of the values is that of an eccentricity of {}; {runout}",
+                shown(*in_pitch)
+            )
+        }
         Finding::StatedEccentricityElsewhere {
             in_pitch,
             stated,
             reversal,
-        } => (
-            "runout",
-            format!(
-                "the pitch of both flanks contains the first harmonic of an eccentricity of {}; the one stated here is as large, {}{}. Both are \
-                 used: check the tooth, and whether the pitch was measured about the datum axis",
-                shown(*in_pitch),
-                shown(*stated),
-                reversed(*reversal),
-            ),
+        } => format!(
+            "the pitch of both flanks contains the first harmonic of an eccentricity of {}; the one stated here is as large, {}{}. Both are \
+             used: check the tooth, and whether the pitch was measured about the datum axis",
+            shown(*in_pitch),
+            shown(*stated),
+            reversed(*reversal),
         ),
-        Finding::Outlier(found) => outlier(statements, found),
-        Finding::ThicknessStatedTwice(compared) => {
-            (CROSS_CHECK, stated_twice(statements, compared))
-        }
-    };
-    format!("{}: {words}", statements.table.path_of(key))
+        Finding::Outlier(found) => outlier(found),
+        Finding::ThicknessStatedTwice(compared) => stated_twice(statements, compared),
+    }
 }
 
 fn precedence(spans_count: bool) -> &'static str {
@@ -325,8 +304,7 @@ fn precedence(spans_count: bool) -> &'static str {
 }
 
 fn shown(e: Eccentricity) -> String {
-    let [um, tooth] = [ascii(e.um, 3), ascii(e.high_tooth, 2)];
-    format!("{um} µm towards tooth {tooth}")
+    format!("{:.3} µm towards tooth {:.2}", e.um, e.high_tooth)
 }
 
 /// How one of two statements of an eccentricity may be reversed, after the second.
@@ -343,10 +321,10 @@ fn in_pitch(note: &EccentricityNote) -> String {
         "the datum-axis values contain an eccentricity of {}",
         shown(note.in_pitch)
     );
-    let stated = note.stated.zip(note.difference_um);
-    let stated =
-        stated.map(|(stated, um)| format!("{}, {} µm from it", shown(stated), ascii(um, 3)));
-    let stated = stated.map(|stated| stated + reversed(note.reversal));
+    let stated = note.stated.zip(note.difference_um).map(|(stated, um)| {
+        let reversed = reversed(note.reversal);
+        format!("{}, {um:.3} µm from it{reversed}", shown(stated))
+    });
     match stated {
         Some(stated) if note.stated_counts => format!(
             "{found}. That of [runout], {stated}, is used and removed from them; the first harmonic that remains is used as the gear's own pitch"
@@ -360,35 +338,21 @@ fn in_pitch(note: &EccentricityNote) -> String {
     }
 }
 
-/// The key of an outlier and a warning.
-fn outlier(statements: &Statements, outlier: &Outlier) -> (&'static str, String) {
-    let (key, why) = match outlier {
-        Outlier::Reading(reading) => (
-            if reading.over_pins {
-                "thickness.over_pins"
-            } else {
-                "thickness.span"
-            },
-            match reading.why {
-                TooFar::CoarseGear(um) => format!(
-                    "more than the {} µm by which even a coarse gear varies",
-                    ascii(um, 0)
-                ),
-                TooFar::HalfWithin(um) => format!("half of them within {} µm", ascii(um, 1)),
-            },
-        ),
-        Outlier::Pitch(pitch) => (
-            pitch::key_of(statements.table, pitch.flank),
-            format!(
-                "more than the {} µm of even a coarse gear, half of the others within {} µm",
-                ascii(pitch.coarse_um, 0),
-                ascii(pitch.half_within_um, 1)
-            ),
+fn outlier(outlier: &Outlier) -> String {
+    let why = match outlier {
+        Outlier::Reading(reading) => match reading.why {
+            TooFar::CoarseGear(um) => {
+                format!("more than the {um:.0} µm by which even a coarse gear varies")
+            }
+            TooFar::HalfWithin(um) => format!("half of them within {um:.1} µm"),
+        },
+        Outlier::Pitch(pitch) => format!(
+            "more than the {:.0} µm of even a coarse gear, half of the others within {:.1} µm",
+            pitch.coarse_um, pitch.half_within_um
         ),
     };
     let (name, deviation) = (outlier_name(outlier), deviation(outlier));
-    let words = format!("{name} is {deviation}; {why}: check it; it is used as given");
-    (key, words)
+    format!("{name} is {deviation}; {why}: check it; it is used as given")
 }
 
 /// The outlier as the end of a help text for impossible measurements.
@@ -466,16 +430,14 @@ fn runout_readings(readings: &FittedReadings) -> String {
             match readings.in_pitch {
                 None => format!("the eccentricity used, {fitted}, is from these readings"),
                 Some((used, apart)) => format!(
-                    "the eccentricity used, {}, is from [pitch]. That of these readings, {} µm from it, is {fitted}",
-                    shown(used),
-                    ascii(apart, 3)
+                    "the eccentricity used, {}, is from [pitch]. That of these readings, {apart:.3} µm from it, is {fitted}",
+                    shown(used)
                 ),
             },
             probe(readings.probe),
             shown(readings.first_harmonic),
             readings.by_ball_um.map_or(String::new(), |um| format!(
-                ". State ball_mm: the ball is taken to touch at the reference circle; another that fits changes it by up to {} µm",
-                ascii(um, 3)
+                ". State ball_mm: the ball is taken to touch at the reference circle; another that fits changes it by up to {um:.3} µm"
             ))
         ),
         FlankKnowledge::DatumPitch => format!(
@@ -488,7 +450,7 @@ fn runout_readings(readings: &FittedReadings) -> String {
 fn probe(probe: Probe) -> String {
     match probe {
         Probe::Fork => "a fork at the pressure angle".to_owned(),
-        Probe::Ball(mm) => format!("a ball of {} mm", ascii(mm, 3)),
+        Probe::Ball(mm) => format!("a ball of {mm:.3} mm"),
     }
 }
 
@@ -541,11 +503,8 @@ fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String {
             tooth,
             apart_um,
         } => format!(
-            "the teeth vary by {} µm by this list and by {} µm by the pitch of both flanks (right minus left); \
-             at tooth {tooth} they are {} µm apart. The two are added: where both were measured on the same teeth, leave one of them out",
-            ascii(*list_um, 3),
-            ascii(*pitch_um, 3),
-            ascii(*apart_um, 3)
+            "the teeth vary by {list_um:.3} µm by this list and by {pitch_um:.3} µm by the pitch of both flanks (right minus left); \
+             at tooth {tooth} they are {apart_um:.3} µm apart. The two are added: where both were measured on the same teeth, leave one of them out"
         ),
     }
 }
@@ -554,9 +513,9 @@ fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String {
 fn stated_twice(statements: &Statements, compared: &ThicknessStatements) -> String {
     let range = |[least, most]: [f64; 2]| {
         if least == most {
-            format!("{} mm", ascii(least, 6))
+            format!("{least:.6} mm")
         } else {
-            format!("{} … {} mm", ascii(least, 6), ascii(most, 6))
+            format!("{least:.6} … {most:.6} mm")
         }
     };
     let bands = [compared.counts, compared.cross].map(|[least, most]| least < most);

@@ -2,6 +2,7 @@
 
 use super::files::PairFile;
 use super::gear::GearPart;
+use super::helix::missing_face;
 use super::spec::GearSpec;
 use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
@@ -40,7 +41,11 @@ pub fn common_face(
         };
         for (name, helix) in [("wheel", one), ("pinion", other)] {
             if helix.face_mm.is_none() {
-                return file.refuse(&format!("{name}.face_width_mm"), missing(why), GIVE_FACE);
+                return file.refuse(
+                    &format!("{name}.face_width_mm"),
+                    missing_face(format!(": {why}")),
+                    GIVE_FACE,
+                );
             }
         }
     } else if let Some(hand) = one.hand.filter(|_| one.hand == other.hand) {
@@ -63,12 +68,6 @@ pub fn common_face(
 const GIVE_FACE: &str =
     "give the length of the teeth along the axis: results depend on where both gears have teeth";
 const CORRECT_FACE: &str = "correct face_mm, face_width_mm or assembly.face_offset_mm, how far the pinion's measuring plane lies beyond the wheel's";
-
-fn missing(why: &str) -> String {
-    format!(
-        "missing, expected the face width, or face_mm = [from, to] from the measuring plane: {why}"
-    )
-}
 
 /// The common face of teeth with these ends, mm from the wheel's measuring plane.
 /// Errors: the reason why there is none.
@@ -100,7 +99,7 @@ pub fn add_to(pair: &mut PairFile, why: Option<&str>) -> Result<(), Problem> {
     let face = |member: Member| {
         let face = pair.spec.data(member).and_then(GearSpec::face);
         let key = || format!("{}.face_width_mm", member.name());
-        face.ok_or_else(|| Problem::at(key(), missing(why), GIVE_FACE))
+        face.ok_or_else(|| Problem::at(key(), missing_face(format!(": {why}")), GIVE_FACE))
     };
     let wheel = face(Member::Wheel)?;
     let offset = pair.spec.assembly.face_offset_mm.unwrap_or(0.0);

@@ -4,6 +4,7 @@ use super::spec::GearSpec;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, thickness};
 use gearlash_text::Table;
 use gearlash_text::numbers::distinct_digits;
+use std::fmt::Display;
 
 /// The helix of a gear's teeth, and their length.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,20 +36,17 @@ impl Helix {
         }
         let face_mm = ends?.or(width?.map(|width| [-0.5 * width, 0.5 * width]));
         if angle_deg > 0.0 {
-            let needed = |key: &str, expected: &str, help: &str| {
-                table.add(key, format!("missing, expected {expected}"), help);
-            };
             if hand.is_none() {
-                needed(
+                table.add(
                     "hand",
-                    "\"left\" or \"right\" beside a helix angle above 0",
+                    "missing, expected \"left\" or \"right\" beside a helix angle above 0",
                     "say which way the teeth wind: right as on a right-hand screw, whichever face is seen",
                 );
             }
             if face_mm.is_none() {
-                needed(
+                table.add(
                     "face_width_mm",
-                    "the face width, or face_mm = [from, to] from the measuring plane, beside a helix angle above 0",
+                    missing_face(", beside a helix angle above 0"),
                     "give the length of the teeth along the axis: helical teeth touch over all of it",
                 );
             }
@@ -79,15 +77,19 @@ impl Helix {
         spec.hand = self.hand;
         spec.face_mm = self.face_mm;
         if self.angle_deg > 0.0 {
-            let thickness = &mut spec.thickness;
-            let second = thickness.cross_check.as_mut();
-            let second = second.map(|check| &mut check.statement);
-            let statements = std::iter::once(&mut thickness.statement).chain(second);
+            let statements = spec.thickness.statements_mut();
             for pins in statements.filter_map(|statement| statement.over_pins.as_mut()) {
                 pins.kind.get_or_insert_default();
             }
         }
     }
+}
+
+/// The reason for a face that is not stated; `why` it is needed follows.
+pub fn missing_face(why: impl Display) -> String {
+    format!(
+        "missing, expected the face width, or face_mm = [from, to] from the measuring plane{why}"
+    )
 }
 
 /// A warning where the face of a helical gear is too short for its span: `b ≥ W_k sin β_b + b_M cos β_b` with the

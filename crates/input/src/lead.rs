@@ -3,6 +3,7 @@
 //! Heights of the file count from the reference face's end of the teeth. A [`Lead`] counts heights from the measuring plane, away from
 //! the reference face.
 
+use super::helix::missing_face;
 use super::known_gear::KnownGear;
 use super::spec::{
     Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, GearSpec, LeadSpec, ReliefEnd, ReliefShape,
@@ -93,10 +94,7 @@ impl Leads {
         let Some(face) = known.heights()? else {
             return gear.refuse(
                 "face_width_mm",
-                format!(
-                    "missing, expected the face width, or face_mm = [from, to] from the measuring plane, beside [{}]",
-                    gear.path_of(NAME)
-                ),
+                missing_face(format!(", beside [{}]", gear.path_of(NAME))),
                 "give the length of the teeth along the axis: leads run over all of it",
             );
         };

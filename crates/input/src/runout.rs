@@ -1,5 +1,6 @@
 //! `[runout]`: eccentricity and wobble of the teeth about the rotation axis.
 
+use super::helix::missing_face;
 use super::known_gear::KnownGear;
 use super::spec::{FaceRunoutSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec, TeethEnd};
 use gearlash::metrology::{self, ProbeReadings, ReadWith, RunoutAt, RunoutStatement, Wobble};
@@ -116,10 +117,7 @@ impl RunoutSheet {
         let Some(heights) = known.heights()? else {
             return gear.refuse(
                 "face_width_mm",
-                format!(
-                    "missing, expected the face width, or face_mm = [from, to] from the measuring plane, beside {}",
-                    table.path_of(key)
-                ),
+                missing_face(format!(", beside {}", table.path_of(key))),
                 "give the length of the teeth along the axis: the wobble displaces the teeth along all of it",
             );
         };

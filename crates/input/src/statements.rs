@@ -23,33 +23,23 @@ pub struct Statements<'a> {
 
 impl Statements<'_> {
     pub fn measurements(&self, face: Face) -> Measurements {
+        let leads = self.leads.as_ref();
+        let profile = self.profile.as_ref();
+        let cross_check = self.thickness.cross_check.as_ref();
         Measurements {
             design: self.design,
             face,
             thickness: self.thickness.statement.for_metrology(),
             per_tooth_um: self.thickness.per_tooth_um.clone().unwrap_or_default(),
-            cross_check: self
-                .thickness
-                .cross_check
-                .as_ref()
-                .map(CrossCheckSpec::for_metrology),
+            cross_check: cross_check.map(CrossCheckSpec::for_metrology),
             pitch: self.pitch.as_ref().map(PitchSpec::for_metrology),
             runout: self.runout.for_metrology(),
             wobble: self.runout.wobble,
-            profiles: self
-                .profile
-                .as_ref()
+            profiles: profile
                 .map(|spec| spec.for_metrology(&self.design.basic_data))
                 .unwrap_or_default(),
-            leads_about_datum: self
-                .leads
-                .as_ref()
-                .is_some_and(|leads| leads.spec.axis == PitchAxis::Datum),
-            leads: self
-                .leads
-                .as_ref()
-                .map(Leads::for_metrology)
-                .unwrap_or_default(),
+            leads_about_datum: leads.is_some_and(|leads| leads.spec.axis == PitchAxis::Datum),
+            leads: leads.map(Leads::for_metrology).unwrap_or_default(),
         }
     }
 

@@ -53,8 +53,7 @@ pub struct AssemblySpec {
 impl AssemblySpec {
     /// Lean of the pinion's axis from the wheel's, mm per mm: in the plane of the axes, and out of it.
     pub fn lean(&self) -> [f64; 2] {
-        let stated = self.misalignment.as_ref().map(MisalignmentSpec::lean);
-        let [in_plane, out_of_plane] = stated.unwrap_or_default();
+        let [[in_plane, _], [out_of_plane, _]] = self.stated_leans();
         match &self.center_distance_mm {
             CenterDistanceSpec::Ends(ends) => [ends.lean(out_of_plane), out_of_plane],
             _ => [in_plane, out_of_plane],
@@ -63,8 +62,21 @@ impl AssemblySpec {
 
     /// Greatest further lean of the pinion's axis in either sense, mm per mm: in the plane of the axes, and out of it.
     pub fn open_lean(&self) -> [f64; 2] {
-        let stated = self.misalignment.as_ref().map(MisalignmentSpec::open_lean);
-        stated.unwrap_or_default()
+        self.stated_leans().map(|[_, greatest]| greatest)
+    }
+
+    /// Lean in the plane of the axes and out of it, mm per mm: as stated, and the greatest of an unknown sense.
+    fn stated_leans(&self) -> [[f64; 2]; 2] {
+        let Some(stated) = self.misalignment else {
+            return [[0.0; 2]; 2];
+        };
+        [stated.in_plane_um, stated.out_of_plane_um].map(|deviation| {
+            let um = match deviation {
+                Either::One(um) => [um, 0.0],
+                Either::Other(greatest) => [0.0, greatest.max],
+            };
+            um.map(|um| um / 1e3 / stated.over_mm)
+        })
     }
 
     /// The place along the axes at which the first stated centre distance holds, mm from the wheel's measuring plane.
@@ -164,24 +176,6 @@ pub struct MisalignmentSpec {
     pub at_mm: Option<f64>,
 }
 
-impl MisalignmentSpec {
-    /// Lean in and out of the plane of the axes, mm per mm.
-    fn lean(&self) -> [f64; 2] {
-        [self.in_plane_um, self.out_of_plane_um].map(|stated| match stated {
-            Either::One(um) => um / 1e3 / self.over_mm,
-            Either::Other(_) => 0.0,
-        })
-    }
-
-    /// Greatest lean of an unknown sense in and out of the plane of the axes, mm per mm.
-    fn open_lean(&self) -> [f64; 2] {
-        [self.in_plane_um, self.out_of_plane_um].map(|stated| match stated {
-            Either::One(_) => 0.0,
-            Either::Other(greatest) => greatest.max / 1e3 / self.over_mm,
-        })
-    }
-}
-
 fn parallel() -> Either<f64, EitherSenseSpec> {
     Either::One(0.0)
 }
@@ -238,9 +232,10 @@ impl CenterDistanceSpec {
     pub fn distances_mm(&self) -> Vec<f64> {
         match self {
             CenterDistanceSpec::Distances(list) => list.clone(),
-            CenterDistanceSpec::Band(band) => band.distances_mm(),
-            CenterDistanceSpec::Designated(stated) => stated.band.distances_mm(),
             CenterDistanceSpec::Ends(ends) => vec![ends.ends_mm[0][1]],
+            _ => self
+                .band()
+                .map_or(Vec::new(), DistanceBandSpec::distances_mm),
         }
     }
 
@@ -251,18 +246,21 @@ impl CenterDistanceSpec {
                 [only] => Some(only),
                 _ => None,
             },
-            CenterDistanceSpec::Band(band) => Some(band.nominal_mm),
-            CenterDistanceSpec::Designated(stated) => Some(stated.band.nominal_mm),
             CenterDistanceSpec::Ends(ends) => Some(ends.ends_mm[0][1]),
+            _ => Some(self.band()?.nominal_mm),
         }
     }
 
     /// The least and the greatest distance of a band, mm.
     pub fn band_mm(&self) -> Option<[f64; 2]> {
+        self.band().map(DistanceBandSpec::ends_mm)
+    }
+
+    fn band(&self) -> Option<&DistanceBandSpec> {
         match self {
+            CenterDistanceSpec::Band(band) => Some(band),
+            CenterDistanceSpec::Designated(stated) => Some(&stated.band),
             CenterDistanceSpec::Distances(_) | CenterDistanceSpec::Ends(_) => None,
-            CenterDistanceSpec::Band(band) => Some(band.ends_mm()),
-            CenterDistanceSpec::Designated(stated) => Some(stated.band.ends_mm()),
         }
     }
 }

@@ -62,10 +62,15 @@ impl ThicknessSpec {
         [&self.statement].into_iter().chain(second)
     }
 
+    /// The statement that counts, and that of the cross-check.
+    pub(crate) fn statements_mut(&mut self) -> impl Iterator<Item = &mut StatementSpec> {
+        let second = self.cross_check.as_mut().map(|check| &mut check.statement);
+        [&mut self.statement].into_iter().chain(second)
+    }
+
     /// Converts allowances stated in the transverse section to normal ones; `cos` is their ratio.
     pub fn allowances_in_normal_section(&mut self, cos: f64) {
-        let second = self.cross_check.as_mut().map(|check| &mut check.statement);
-        for statement in [&mut self.statement].into_iter().chain(second) {
+        for statement in self.statements_mut() {
             let normal = statement.allowance_um.map(|stated| match stated {
                 Either::One(um) => Either::One(um * cos),
                 Either::Other(BandSpec { min, max }) => Either::Other(BandSpec {

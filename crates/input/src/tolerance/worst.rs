@@ -31,16 +31,6 @@ pub struct Worst {
     pub pair: Value,
 }
 
-impl Worst {
-    /// The pair file, as TOML.
-    ///
-    /// # Errors
-    /// The TOML writer's; pair files cause none.
-    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
-        toml::to_string(&self.pair)
-    }
-}
-
 /// The name of the pair file of the worst assembly, of the next worst, ….
 pub fn worst_name(index: usize) -> String {
     format!("worst_{:02}.toml", index + 1)
@@ -53,17 +43,19 @@ pub fn worst_file(
     worst: &Worst,
     path: &Path,
 ) -> (String, Result<String, toml::ser::Error>) {
-    let mut worst = worst.clone();
+    let mut pair = worst.pair.clone();
     for gear in Member::BOTH {
         let key = format!("/{}/outline/file", gear.name());
-        if let Some(Value::String(file)) = worst.pair.pointer_mut(&key)
+        if let Some(Value::String(file)) = pair.pointer_mut(&key)
             && let Ok(drawing) = std::path::absolute(path.with_file_name(&*file))
         {
             *file = drawing.display().to_string();
         }
     }
-    let text = worst.to_toml();
-    (worst_name(index), text.map(|text| with_hash(&text)))
+    // Pair files cause no error.
+    let text = toml::to_string(&pair);
+    let text = text.map(|text| format!("{WRITTEN}{}\n{text}", sha256(&text)));
+    (worst_name(index), text)
 }
 
 /// Start of the first line of such a file; the hash of all other lines follows.
@@ -73,10 +65,6 @@ const WRITTEN: &str = "# written by gearlash tolerance; sha256 of the lines belo
 pub fn sha256(text: &str) -> String {
     let digest = Sha256::digest(text.as_bytes());
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-fn with_hash(text: &str) -> String {
-    format!("{WRITTEN}{}\n{text}", sha256(text))
 }
 
 /// The wobble of `gear` as the runout of a shoulder of the reference diameter, on the reference face of a gear stated as `own`.

@@ -1,6 +1,6 @@
 //! `[assembly]`: the assembly of the two gears, checked together with them; another centre distance in the text of a pair file.
 
-use super::gear::GearPart;
+use super::known_gear::KnownGear;
 use super::shafts;
 use super::spec::{AssemblySpec, CenterDistanceSpec};
 use gearlash::error::GearError;
@@ -54,7 +54,7 @@ fn spelling(file: &Table) -> &'static str {
 }
 
 /// Reports module or pressure angle that the gears do not share; `None` then, or when either is not known.
-pub fn check_shared(file: &Table, wheel: &GearPart, pinion: &GearPart) -> Option<()> {
+pub fn check_shared(file: &Table, wheel: &KnownGear, pinion: &KnownGear) -> Option<()> {
     let mut shared = Some(());
     for (name, wheel, pinion) in [
         ("module_mm", wheel.module_mm, pinion.module_mm),

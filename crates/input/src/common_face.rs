@@ -19,7 +19,7 @@ pub fn common_face(
     (offset, leans): (f64, bool),
     factors: [f64; 2],
 ) -> Option<[f64; 2]> {
-    let [one, other] = [wheel.helix?, pinion.helix?];
+    let [one, other] = [wheel.known.helix?, pinion.known.helix?];
     if one.angle_deg != other.angle_deg {
         return file.refuse(
             "pinion.helix_angle_deg",

@@ -1,40 +1,28 @@
 //! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built, or as drawn.
 
-use super::helix::Helix;
 use super::known_gear::KnownGear;
 use super::lead::{self, Leads};
 use super::outlines::{self, DrawingRead};
 use super::profile;
 use super::runout::RunoutSheet;
-use super::spec::{
-    Either, EitherGearSpec, GearSpec, LeadSpec, PitchSpec, ProfileSpec, RackSpec, System,
-};
+use super::spec::{Either, EitherGearSpec, GearSpec, LeadSpec, PitchSpec, ProfileSpec, RackSpec};
 use super::statements::Statements;
 use super::{faults, findings, helix, thickness, unit_slips};
 use gearlash::analysis::study::Material;
 use gearlash::error::GearError;
-use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign};
+use gearlash::gear::{AsBuilt, BasicRack, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
 use gearlash::outline::OutlineGear;
 use gearlash_tables::ExpectedGear;
+use gearlash_text::Table;
 use gearlash_text::numbers::rounded;
-use gearlash_text::{MM_PER_INCH, Table};
-use std::cell::RefCell;
 use std::convert::Infallible;
 
 /// The parts of one gear that have no problem.
 #[derive(Debug, Default)]
 pub struct GearPart {
-    /// `z`.
-    pub teeth: Option<u32>,
-    /// `m`, mm.
-    pub module_mm: Option<f64>,
-    /// `α`, degrees as written.
-    pub pressure_angle_deg: Option<f64>,
-    pub helix: Option<Helix>,
-    /// Factor from lengths as stated to those in the normal section: cos β for a transverse system, else 1.
-    normal_per_stated: f64,
-    pub basic_data: Option<BasicGearData>,
+    /// Its basic data; of a drawn gear the number of teeth.
+    pub known: KnownGear,
     /// The gear by its data, in one or both materials.
     pub as_built: Option<Toleranced<AsBuilt>>,
     /// The gear by its outline, in one or both materials.
@@ -62,31 +50,9 @@ impl GearPart {
         if table.has("outline") {
             return GearPart::drawn(file, name).unwrap_or_default();
         }
-        let number = |key: &str| table.read::<f64>(key).flatten();
-        let helix = Helix::read(&table);
-        let system = table.read::<System>("system").flatten();
-        let normal_per_stated = match (system, helix) {
-            (Some(System::Transverse), Some(helix)) => helix.angle_deg.to_radians().cos(),
-            _ => 1.0,
-        };
-        let stated = number("module_mm").or_else(|| Some(MM_PER_INCH / number("diametral_pitch")?));
-        let module_mm = stated.map(|module| module * normal_per_stated);
-        let stated = number("pressure_angle_deg");
-        let pressure_angle_deg = match normal_per_stated {
-            1.0 => stated,
-            cos => stated.map(|angle| (angle.to_radians().tan() * cos).atan().to_degrees()),
-        };
-        let teeth = table.read("teeth").flatten();
-        let basic_data = basic_data(&table, teeth, module_mm, pressure_angle_deg);
-        let data_and_helix = basic_data.zip(helix);
         let mut part = GearPart {
-            teeth,
-            module_mm,
-            pressure_angle_deg,
-            helix,
-            normal_per_stated,
-            scale: number("scale").unwrap_or(1.0),
-            basic_data: data_and_helix.and_then(|(data, helix)| helix.apply_to(data, &table)),
+            known: KnownGear::read(&table),
+            scale: table.read("scale").flatten().unwrap_or(1.0),
             expansion_per_k: table.read("expansion_per_k"),
             states_face: table.has("reference_face"),
             ..GearPart::default()
@@ -99,7 +65,10 @@ impl GearPart {
     fn drawn(file: &Table, name: &str) -> Option<GearPart> {
         let part = outlines::gear(file, name)?;
         Some(GearPart {
-            teeth: Some(part.gears.most().teeth()),
+            known: KnownGear {
+                teeth: Some(part.gears.most().teeth()),
+                ..KnownGear::default()
+            },
             drawn: Some(part.gears),
             drawing: Some(part.read),
             spec: Some(EitherGearSpec::Outline(Box::new(part.spec))),
@@ -111,47 +80,37 @@ impl GearPart {
     }
 
     fn read_tables(&mut self, (file, name): (&Table, &str), table: &Table) -> Option<()> {
-        let teeth = self.teeth;
+        let known = &self.known;
         let profile_shift = table.read::<f64>("profile_shift");
-        let face = table.read::<Face>("reference_face");
         let tip_diameter = table.read::<f64>("tip_diameter_mm");
         let rack = table.read::<RackSpec>("rack");
         let rack = rack.and_then(|rack| self.rack(rack.unwrap_or_default(), table));
         let thickness = table.read("thickness");
         let thickness = thickness.and_then(|spec| {
-            let mut spec = thickness::read(table, spec.unwrap_or_default(), teeth)?;
-            spec.allowances_in_normal_section(self.normal_per_stated);
+            let mut spec = thickness::read(table, spec.unwrap_or_default(), known.teeth)?;
+            spec.allowances_in_normal_section(known.normal_per_stated);
             Some(spec)
         });
-        let known = KnownGear {
-            teeth,
-            module_mm: self.module_mm,
-            helix: self.helix,
-            basic_data: self.basic_data,
-            face: face.map(Option::unwrap_or_default),
-            headers: RefCell::default(),
-            warnings: RefCell::default(),
-        };
         let runout = table.read("runout");
         let runout = runout.and_then(|spec| {
-            RunoutSheet::read(table, spec.unwrap_or_default(), teeth, Some(&known))
+            RunoutSheet::read(table, spec.unwrap_or_default(), known.teeth, Some(known))
         });
         let pitch = match table.read::<PitchSpec>("pitch") {
-            Some(Some(spec)) => spec.complete(table, &known),
+            Some(Some(spec)) => spec.complete(table, known),
             absent => absent.map(|_| None),
         };
         let checked = profile::check(table);
         let profile = table.read::<ProfileSpec>("profile");
         let profile = profile
             .filter(|_| checked.is_some())
-            .and_then(|spec| spec.unwrap_or_default().complete(table, &known));
+            .and_then(|spec| spec.unwrap_or_default().complete(table, known));
         let leads = lead::check(table).and_then(|()| table.read::<LeadSpec>("lead"));
         let leads = match leads {
-            Some(Some(spec)) => Leads::read(table, spec, &known).map(Some),
+            Some(Some(spec)) => Leads::read(table, spec, known).map(Some),
             absent => absent.filter(|_| known.face.is_some()).map(|_| None),
         };
 
-        let checked_pitch = match (&pitch, &self.basic_data, &runout) {
+        let checked_pitch = match (&pitch, &known.basic_data, &runout) {
             (Some(None), ..) => Some(()),
             (Some(Some(pitch)), Some(basic_data), Some(runout)) => {
                 faults::check_pitch(table, pitch, runout, basic_data)
@@ -159,8 +118,8 @@ impl GearPart {
             _ => None,
         };
         let mut design = GearDesign {
-            basic_data: self.basic_data?,
-            profile_shift: profile_shift?.unwrap_or(0.0) / self.normal_per_stated,
+            basic_data: known.basic_data?,
+            profile_shift: profile_shift?.unwrap_or(0.0) / known.normal_per_stated,
             rack: rack?,
             tip_diameter: tip_diameter?,
         };
@@ -168,8 +127,8 @@ impl GearPart {
         thickness::check_body(table, thickness.as_ref()?, &design)?;
         let expected = ExpectedGear {
             design: &design,
-            pressure_angle_deg: self.pressure_angle_deg?,
-            helix_angle_deg: self.helix?.angle_deg,
+            pressure_angle_deg: known.pressure_angle_deg?,
+            helix_angle_deg: known.helix?.angle_deg,
         };
         let mut header_warnings = Vec::new();
         for header in known.headers.take() {
@@ -196,7 +155,7 @@ impl GearPart {
         let gear = measurements.measure().map_err(errors).ok()?;
         let mut spec = file.read::<GearSpec>(name)??;
         self.describe(&statements, &gear.findings, header_warnings);
-        self.warnings.extend(known.warnings.take());
+        self.warnings.extend(self.known.warnings.take());
         self.notes = gear.notes;
         self.warn_of_short_face(&statements, gear.as_built.most());
         let scale = self.scale;
@@ -213,8 +172,8 @@ impl GearPart {
 
         spec.face_width_mm = None;
         (spec.system, spec.diametral_pitch) = (None, None);
-        spec.module_mm = self.module_mm?;
-        spec.pressure_angle_deg = self.pressure_angle_deg?;
+        spec.module_mm = self.known.module_mm?;
+        spec.pressure_angle_deg = self.known.pressure_angle_deg?;
         spec.profile_shift = statements.design.profile_shift;
         spec.rack = RackSpec::from(&statements.design.rack);
         spec.tip_diameter_mm = statements.design.tip_diameter?;
@@ -228,7 +187,7 @@ impl GearPart {
         if spec.thickness.statement.key().is_none() {
             spec.thickness.statement.allowance_um = Some(Either::One(0.0));
         }
-        self.helix?.echo(&mut spec);
+        self.known.helix?.echo(&mut spec);
         self.warnings.extend(unit_slips::warnings(name, &spec));
         let read_slip = read_um.and_then(|um| {
             let key = table.path_of("runout.file");
@@ -269,14 +228,14 @@ impl GearPart {
 
     /// Base radius, mm.
     pub fn base_radius(&self) -> Option<f64> {
-        Some(self.scale * self.basic_data.as_ref()?.base_radius())
+        Some(self.scale * self.known.basic_data.as_ref()?.base_radius())
     }
 
     /// The rack of the gear's table `gear`.
     fn rack(&self, spec: RackSpec, gear: &Table) -> Option<BasicRack> {
         let stated = [spec.addendum, spec.dedendum, spec.root_radius];
         let [addendum, dedendum, root_radius] =
-            stated.map(|length| length / self.normal_per_stated);
+            stated.map(|length| length / self.known.normal_per_stated);
         let rack = BasicRack::new(addendum, dedendum, root_radius);
         let rack = rack.map_err(|error| match error {
             GearError::OutOfRange { value, allowed, .. } => {
@@ -293,7 +252,7 @@ impl GearPart {
 
     /// Warns of a face too short for the span of helical teeth.
     fn warn_of_short_face(&mut self, of: &Statements, gear: &AsBuilt) {
-        let Some(helix) = self.helix.filter(|helix| helix.angle_deg != 0.0) else {
+        let Some(helix) = self.known.helix.filter(|helix| helix.angle_deg != 0.0) else {
             return;
         };
         let span = of.thickness.statement.span.as_ref().map(|span| span.teeth);
@@ -320,16 +279,6 @@ impl GearPart {
             list.push(findings::describe(of, finding));
         }
     }
-}
-
-fn basic_data(
-    table: &Table,
-    teeth: Option<u32>,
-    module_mm: Option<f64>,
-    pressure_angle_deg: Option<f64>,
-) -> Option<BasicGearData> {
-    let basic_data = BasicGearData::new(teeth?, module_mm?, pressure_angle_deg?.to_radians());
-    table.keep("module_mm", basic_data, "correct the gear's basic data")
 }
 
 /// The result of `of` for the gear in each material.

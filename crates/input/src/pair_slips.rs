@@ -179,12 +179,18 @@ pub fn excessive(a: f64, teeth: &str, backlash: f64, module: f64, check: &str) -
 
 /// A warning of a centre distance that suits another pair than the stated one.
 fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
-    let teeth = f64::from(wheel.teeth? + pinion.teeth?);
-    let scaled = |gear: &GearPart| Some(gear.scale * gear.module_mm? * f64::from(gear.teeth?));
+    let teeth = f64::from(wheel.known.teeth? + pinion.known.teeth?);
+    let scaled = |gear: &GearPart| {
+        let known = &gear.known;
+        Some(gear.scale * known.module_mm? * f64::from(known.teeth?))
+    };
     let module = (scaled(wheel)? + scaled(pinion)?) / teeth;
     let gears = both(wheel, pinion)?.map(AsBuilt::gear);
     let [x_1, x_2] = gears.map(|gear| gear.design().profile_shift);
-    let (angle, helix_deg) = (wheel.pressure_angle_deg?, wheel.helix?.angle_deg);
+    let (angle, helix_deg) = (
+        wheel.known.pressure_angle_deg?,
+        wheel.known.helix?.angle_deg,
+    );
     // Module, pressure angle and shifts are those of the normal section.
     let nominal = |degrees: f64, helix_deg: f64, shift: f64| {
         let (normal, cos_helix) = (degrees.to_radians().tan(), helix_deg.to_radians().cos());

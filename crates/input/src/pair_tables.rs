@@ -72,7 +72,7 @@ impl<'a> PairTables<'a> {
         }
         let wheel = GearPart::read(file, "wheel");
         let pinion = GearPart::read(file, "pinion");
-        let poses = PosesRead::new(file, (wheel.teeth, pinion.teeth));
+        let poses = PosesRead::new(file, (wheel.known.teeth, pinion.known.teeth));
         PairTables {
             assembly: assembly::read(file, !rows_only(file)),
             poses,
@@ -363,7 +363,7 @@ impl<'a> PairTables<'a> {
 
     /// The sum of both base radii, mm, after the checks of values that the gears share.
     fn base_radii(&self) -> Option<f64> {
-        assembly::check_shared(self.file, &self.wheel, &self.pinion)?;
+        assembly::check_shared(self.file, &self.wheel.known, &self.pinion.known)?;
         Some(self.wheel.base_radius()? + self.pinion.base_radius()?)
     }
 }

@@ -1,6 +1,7 @@
 //! Example values, with every key explained by the description in the schema: the template files of `init`.
 
 use super::PAIR;
+use gearlash_text::below;
 use serde_json::Value;
 use std::collections::HashSet;
 
@@ -13,103 +14,46 @@ const SHORT: usize = 40;
 
 /// `examples` as a pair file in which each key is explained at its first place.
 ///
-/// The examples are TOML without explanations: a preface in comments, then tables and values. A key can have several values; values that are only examples are behind a `#`. Order, explanations, choices and defaults come from the schema (`pair_schema`); keys that it does not have are left out.
+/// The examples are TOML without explanations: a preface in comments, then tables and values. A key can have several values; values that are only examples are behind a `#`. Explanations, choices and defaults come from the schema (`pair_schema`); keys that it does not have are left out.
 pub fn explained(examples: &str) -> String {
     let (preface, examples) = examples.split_once("\n\n").unwrap_or(("", examples));
-    let mut writer = Writer {
-        examples: Example::all(examples),
-        words: Words {
-            schema: &PAIR,
-            used: HashSet::new(),
-        },
-        text: format!("{preface}\n\n"),
+    let mut words = Words {
+        schema: &PAIR,
+        used: HashSet::new(),
     };
-    writer.table("", &PAIR);
-    writer.text
-}
-
-/// A value, or the heading of a table, of the examples.
-struct Example<'e> {
-    /// The table, dotted; empty at the top.
-    table: &'e str,
-    /// The key in it, dotted; empty of a heading.
-    key: &'e str,
-    line: &'e str,
-    value: Value,
-    /// `#` for a value that is only an example.
-    mark: &'static str,
-}
-
-impl Example<'_> {
-    fn all(lines: &str) -> Vec<Example<'_>> {
-        let mut table = "";
-        let lines = lines.lines().filter(|line| !line.is_empty());
-        let read = lines.map(|line| {
-            let (stated, mark) = match line.strip_prefix("# ") {
-                Some(stated) => (stated, "#"),
-                None => (line, ""),
-            };
-            if let Some(name) = stated.strip_prefix('[') {
-                table = name.trim_end_matches(']');
-            }
+    let mut text = format!("{preface}\n\n");
+    let mut table = "";
+    for line in examples.lines().filter(|line| !line.is_empty()) {
+        let (stated, mark) = match line.strip_prefix("# ") {
+            Some(stated) => (stated, "#"),
+            None => (line, ""),
+        };
+        let (path, value) = if let Some(name) = stated.strip_prefix('[') {
+            table = name.trim_end_matches(']');
+            text.push('\n');
+            (table.to_owned(), Value::Null)
+        } else {
             let (key, _) = stated.split_once(" = ").unwrap_or_default();
-            let file: toml::Table = stated.parse().unwrap_or_default();
-            let file = serde_json::to_value(file).unwrap_or_default();
-            let value = key.split('.').fold(&file, |value, key| &value[key]).clone();
-            Example {
-                table,
-                key,
-                line,
-                value,
-                mark,
-            }
-        });
-        read.collect()
-    }
-}
-
-struct Writer<'s, 'e> {
-    examples: Vec<Example<'e>>,
-    words: Words<'s>,
-    text: String,
-}
-
-impl<'s> Writer<'s, '_> {
-    /// Writes the values of a table, then the tables in it.
-    fn table(&mut self, table: &str, node: &'s Value) {
-        let keys = self.words.keys(node);
-        for (name, node) in &keys {
-            let examples = self.examples.iter().filter(|one| one.table == table);
-            for example in examples.filter(|one| one.key.split('.').next() == Some(name)) {
-                if let Some((key, node)) = self.words.below(name, node, example.key) {
-                    let words = self.words.of(key, node, &example.value);
-                    line(&mut self.text, example, &words);
-                }
-            }
-        }
-        for (name, node) in keys {
-            let inner = match table {
-                "" => name.to_owned(),
-                _ => format!("{table}.{name}"),
-            };
-            let headings = self.examples.iter().filter(|one| one.key.is_empty());
-            for heading in headings.filter(|one| one.table == inner) {
-                let words = self.words.of(name, node, &Value::Null);
-                self.text.push('\n');
-                line(&mut self.text, heading, &words);
-            }
-            let inside = format!("{inner}.");
-            let is_in = |one: &Example| one.table == inner || one.table.starts_with(&inside);
-            if self.examples.iter().any(is_in) {
-                self.table(&inner, node);
-            }
+            (below(table, key), value(stated, key))
+        };
+        if let Some((name, node)) = words.at(&path) {
+            let words = words.of(name, node, &value);
+            add_line(&mut text, (line, mark), &words);
         }
     }
+    text
 }
 
-/// Appends a line and its explanation. The explanations of its inner keys follow below.
-fn line(text: &mut String, example: &Example, words: &[String]) {
-    let mut start = example.line;
+/// The value of the dotted `key` that a line states.
+fn value(line: &str, key: &str) -> Value {
+    let file: toml::Table = line.parse().unwrap_or_default();
+    let file = serde_json::to_value(file).unwrap_or_default();
+    key.split('.').fold(&file, |value, key| &value[key]).clone()
+}
+
+/// Appends a line and its explanation. The explanations of its inner keys follow below, behind a `mark`.
+fn add_line(text: &mut String, (line, mark): (&str, &str), words: &[String]) {
+    let mut start = line;
     let length = start.chars().count();
     for (row, words) in words.iter().enumerate() {
         let fits = length + 3 + words.chars().count() <= WIDTH;
@@ -118,19 +62,19 @@ fn line(text: &mut String, example: &Example, words: &[String]) {
             0 if fits => COLUMN.max(length + 2),
             _ => COLUMN,
         };
-        if row == 0 && column < length + 2 || row == 1 && start == example.line {
+        if row == 0 && column < length + 2 || row == 1 && start == line {
             text.push_str(start);
             text.push('\n');
-            start = example.mark;
+            start = mark;
         }
         let width = textwrap::Options::new(WIDTH - column - 2)
             .word_splitter(textwrap::WordSplitter::NoHyphenation);
         for part in textwrap::wrap(words, width) {
             text.push_str(&format!("{start:<column$}# {part}\n"));
-            start = example.mark;
+            start = mark;
         }
     }
-    if start == example.line {
+    if start == line {
         text.push_str(start);
         text.push('\n');
     }
@@ -197,18 +141,14 @@ impl<'s> Words<'s> {
         rows
     }
 
-    /// The last name and node of the dotted `key`. `name` is its first part and `node` the node of that part.
-    fn below<'k>(
-        &self,
-        name: &'k str,
-        node: &'s Value,
-        key: &'k str,
-    ) -> Option<(&'k str, &'s Value)> {
-        let mut rest = key.split('.').skip(1);
-        rest.try_fold((name, node), |(_, node), key| {
-            let (_, node) = self.keys(node).into_iter().find(|(name, _)| *name == key)?;
-            Some((key, node))
-        })
+    /// The last key of the dotted `path`, and its node; `None` where the schema has no such key.
+    fn at<'p>(&self, path: &'p str) -> Option<(&'p str, &'s Value)> {
+        path.split('.')
+            .try_fold(("", self.schema), |(_, node), name| {
+                let mut keys = self.keys(node).into_iter();
+                let (_, node) = keys.find(|(known, _)| *known == name)?;
+                Some((name, node))
+            })
     }
 
     /// `node`, and the alternative of it that matches `value`.

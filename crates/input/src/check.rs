@@ -107,16 +107,17 @@ impl SchemaCheck<'_> {
                 node.kind(),
                 self.allowed(schema, at.unit)
             );
-            let help = match &options[..] {
-                [only] => match Kind::of(only) {
-                    Kind::Table if !at.key.ends_with(']') => {
-                        format!("write [{}] and its keys below", at.key)
-                    }
-                    Kind::Word => "write one of these, in quotes".to_owned(),
-                    Kind::Text => "write it in quotes".to_owned(),
-                    Kind::Flag => "write it without quotes".to_owned(),
-                    _ => self.description(at.schema),
-                },
+            let only = match &options[..] {
+                [only] => Some(Kind::of(only)),
+                _ => None,
+            };
+            let help = match only {
+                Some(Kind::Table) if !at.key.ends_with(']') => {
+                    format!("write [{}] and its keys below", at.key)
+                }
+                Some(Kind::Word) => "write one of these, in quotes".to_owned(),
+                Some(Kind::Text) => "write it in quotes".to_owned(),
+                Some(Kind::Flag) => "write it without quotes".to_owned(),
                 _ => self.description(at.schema),
             };
             return self.wrong(at, node, reason, help);

@@ -199,11 +199,6 @@ impl GearPart {
         Some(())
     }
 
-    /// The gear by its data, in one or both materials, with its table as understood.
-    pub fn by_data(&self) -> Option<(&Toleranced<AsBuilt>, &GearSpec)> {
-        self.as_built.as_ref().zip(self.spec.as_ref()?.data())
-    }
-
     /// The outline of the gear, in one or both materials.
     pub fn outline(&self) -> Option<Toleranced<OutlineGear>> {
         let of_data = |gear: &Toleranced<AsBuilt>| {
@@ -213,12 +208,6 @@ impl GearPart {
         self.drawn
             .clone()
             .or_else(|| of_data(self.as_built.as_ref()?))
-    }
-
-    /// Whether it has a least and a greatest material.
-    pub fn is_band(&self) -> bool {
-        self.as_built.as_ref().is_some_and(Toleranced::is_band)
-            || self.drawn.as_ref().is_some_and(Toleranced::is_band)
     }
 
     pub fn has_leads(&self) -> bool {

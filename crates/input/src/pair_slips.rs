@@ -1,7 +1,7 @@
 //! Warnings about numbers of a pair that look like slips. Nothing is changed.
 
 use super::gear::GearPart;
-use super::spec::{BearingClearanceSpec, GearSpec};
+use super::spec::{BearingClearanceSpec, EitherGearSpec, GearSpec};
 use gearlash::gear::involute::{inv, inv_of_roll, roll_at, roll_of_inv};
 use gearlash::gear::{AsBuilt, Gear};
 use gearlash_text::numbers::{ascii, signed, um_ascii};
@@ -69,7 +69,8 @@ pub fn distance_slips(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) ->
 /// reference face.
 pub fn face_slip(gears: [&GearPart; 2]) -> Option<String> {
     let is_open = gears.iter().all(|gear| {
-        !gear.states_face && gear.by_data().is_some_and(|(_, spec)| has_tooth_data(spec))
+        let spec = gear.spec.as_ref().and_then(EitherGearSpec::data);
+        !gear.states_face && spec.is_some_and(has_tooth_data)
     });
     is_open.then(|| {
         "wheel.reference_face, pinion.reference_face: both gears have data of single teeth, and neither says from which face its teeth are \

@@ -239,7 +239,8 @@ impl<'a> PairTables<'a> {
             .and_then(|assembly| self.poses.distances(table, assembly, base_radii, warnings));
         let center_distances = stated.as_ref().map(CenterDistanceSpec::distances_mm);
         let gears = [&self.wheel, &self.pinion];
-        let is_band = gears.iter().any(|gear| gear.is_band());
+        let built = gears.map(|gear| gear.as_built.as_ref());
+        let is_band = built.into_iter().flatten().any(Toleranced::is_band);
         self.poses
             .check_count(table, center_distances.as_deref(), is_band)?;
         let (stated, mut center_distances) = (stated?, center_distances?);
@@ -272,7 +273,6 @@ impl<'a> PairTables<'a> {
                 listed.join(", ")
             ));
         }
-        let built = gears.map(|gear| gear.as_built.as_ref());
         let mut materials = in_materials(built[0]?, built[1]?);
         let temperature = Temperature::read(table, assembly, gears)?;
         if temperature.is_some() {

@@ -41,15 +41,12 @@ const REMOVED: [(&str, &str, &str); 1] = [(
 
 /// The reason why this number of `teeth`, or a word beside it, is not allowed, where it means an internal gear.
 pub fn teeth_reason(path: &str, node: &Node) -> Option<&'static str> {
-    value_is_internal(path, node).then_some(INTERNAL)
-}
-
-fn value_is_internal(path: &str, node: &Node) -> bool {
-    match node {
+    let is_internal = match node {
         Node::Whole(teeth) => *teeth < 0 && path.ends_with("teeth"),
         Node::Text(word) => word.eq_ignore_ascii_case("internal"),
         _ => false,
-    }
+    };
+    is_internal.then_some(INTERNAL)
 }
 
 /// The reason and the remedy for a key `name` that is not supported, by its dotted `path` and value.
@@ -58,8 +55,8 @@ pub fn key_reason(path: &str, name: &str, node: &Node) -> Option<(&'static str, 
     if let Some((_, reason, help)) = gone {
         return Some((reason, help));
     }
-    if value_is_internal(path, node) {
-        return Some((INTERNAL, "remove it"));
+    if let Some(reason) = teeth_reason(path, node) {
+        return Some((reason, "remove it"));
     }
     let name = name.to_lowercase();
     // Only at the beginning of a word: `misleading` does not match.

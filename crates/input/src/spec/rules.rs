@@ -151,22 +151,14 @@ pub fn values_need(schema: &mut Schema, list: &str, other: &str, key: &str) {
 
 /// Appends the columns of the table to the description of `file`.
 pub fn columns(words: &str) -> impl Fn(&mut Schema) {
-    fn append(value: &mut Value, words: &str) {
-        if let Some(Value::String(text)) = value.pointer_mut("/properties/file/description") {
-            *text = format!("{}, columns {words}", text.trim_end_matches('.'));
-        }
-        if let Some(Value::Array(alternatives)) = value.get_mut("anyOf") {
-            for alternative in alternatives {
-                append(alternative, words);
-            }
-        }
-    }
     move |schema| {
-        let mut value = std::mem::take(schema).to_value();
-        append(&mut value, words);
-        if let Ok(described) = Schema::try_from(value) {
-            *schema = described;
-        }
+        let append = |schema: &mut Schema| {
+            let description = schema.pointer_mut("/properties/file/description");
+            if let Some(Value::String(text)) = description {
+                *text = format!("{}, columns {words}", text.trim_end_matches('.'));
+            }
+        };
+        RecursiveTransform(append).transform(schema);
     }
 }
 

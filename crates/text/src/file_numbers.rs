@@ -55,6 +55,11 @@ pub struct FileNumber<'a> {
 ///
 /// `None` for anything else, including `nan`, `inf` and numbers that overflow to it.
 pub fn number(text: &str) -> Option<FileNumber<'_>> {
+    read(text, text)
+}
+
+/// The number `text`, which the file has as `written`.
+fn read<'a>(text: &str, written: &'a str) -> Option<FileNumber<'a>> {
     let (mantissa, exponent) = match unsigned(text).split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, Some(exponent)),
         None => (unsigned(text), None),
@@ -81,7 +86,7 @@ pub fn number(text: &str) -> Option<FileNumber<'_>> {
     }
     let value: f64 = text.replace(',', ".").replace(MINUS, "-").parse().ok()?;
     value.is_finite().then_some(FileNumber {
-        text,
+        text: written,
         value,
         decimal,
         may_be_thousands: fraction.len() == 3
@@ -99,21 +104,7 @@ pub fn point_number(word: &str) -> Option<FileNumber<'_>> {
         let found = number(word)?;
         return (found.decimal != Some(Decimal::Comma) && !has_leading_zero(word)).then_some(found);
     }
-    let full = format!("{}0{}", &word[..at], &word[at..]);
-    let FileNumber {
-        value,
-        decimal,
-        may_be_thousands,
-        rounding,
-        ..
-    } = number(&full)?;
-    Some(FileNumber {
-        text: word,
-        value,
-        decimal,
-        may_be_thousands,
-        rounding,
-    })
+    read(&format!("{}0{}", &word[..at], &word[at..]), word)
 }
 
 /// Whether the whole part begins with 0 and has more digits, such as `05`: its decimal sign is lost. No table writes such a cell.

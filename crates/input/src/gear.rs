@@ -1,13 +1,14 @@
 //! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built, or as drawn.
 
+use super::helix::{self, Helix};
 use super::known_gear::KnownGear;
-use super::lead::{self, Leads};
+use super::lead;
 use super::outlines::{self, DrawingRead};
 use super::profile;
 use super::runout::RunoutSheet;
 use super::spec::{Either, EitherGearSpec, GearSpec, LeadSpec, PitchSpec, ProfileSpec, RackSpec};
 use super::statements::Statements;
-use super::{faults, findings, helix, thickness, unit_slips};
+use super::{faults, findings, thickness, unit_slips};
 use gearlash::analysis::study::Material;
 use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, BasicRack, GearDesign};
@@ -104,9 +105,9 @@ impl GearPart {
         let profile = profile
             .filter(|_| checked.is_some())
             .and_then(|spec| spec.unwrap_or_default().complete(table, known));
-        let leads = lead::check(table).and_then(|()| table.read::<LeadSpec>("lead"));
-        let leads = match leads {
-            Some(Some(spec)) => Leads::read(table, spec, known).map(Some),
+        let lead = lead::check(table).and_then(|()| table.read::<LeadSpec>("lead"));
+        let lead = match lead {
+            Some(Some(spec)) => spec.complete(table, known).map(Some),
             absent => absent.filter(|_| known.face.is_some()).map(|_| None),
         };
 
@@ -142,9 +143,9 @@ impl GearPart {
             pitch: pitch.flatten(),
             runout: runout?,
             profile: profile?,
-            leads: leads?,
+            lead: lead?,
         };
-        let measurements = statements.measurements(known.face.unwrap_or_default());
+        let measurements = statements.measurements(known);
         if checked_pitch.is_none() || statements.thickness.per_tooth_um.is_none() {
             // Other faults are reported, too.
             let errors = measurements.check_thickness_and_runout();
@@ -181,7 +182,7 @@ impl GearPart {
         let read_um = statements.runout.range_um();
         spec.runout = statements.runout.spec;
         spec.profile = statements.profile;
-        spec.lead = statements.leads.map(|leads| leads.spec);
+        spec.lead = statements.lead;
         spec.pitch = statements.pitch;
         spec.thickness = statements.thickness;
         if spec.thickness.statement.key().is_none() {
@@ -241,7 +242,7 @@ impl GearPart {
 
     /// Warns of a face too short for the span of helical teeth.
     fn warn_of_short_face(&mut self, of: &Statements, gear: &AsBuilt) {
-        let Some(helix) = self.known.helix.filter(|helix| helix.angle_deg != 0.0) else {
+        let Some(helix) = self.known.helix.filter(Helix::is_helical) else {
             return;
         };
         let span = of.thickness.statement.span.as_ref().map(|span| span.teeth);

@@ -61,6 +61,16 @@ impl Helix {
         })
     }
 
+    /// Whether the teeth wind about the axis.
+    pub fn is_helical(&self) -> bool {
+        self.angle_deg != 0.0
+    }
+
+    /// The hand of helical teeth; `None` of a spur gear.
+    pub fn teeth_hand(&self) -> Option<Hand> {
+        self.hand.filter(|_| self.is_helical())
+    }
+
     /// `data` with this helix.
     pub fn apply_to(&self, data: BasicGearData, table: &Table) -> Option<BasicGearData> {
         let wound = data.with_helix(

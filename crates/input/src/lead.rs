@@ -77,18 +77,10 @@ pub fn with_added_leads(gear: &GearSpec, further: &[Lead; 2]) -> Option<LeadSpec
     Some(spec)
 }
 
-#[derive(Debug, Clone)]
-pub struct Leads {
-    /// As in the pair file: defaults filled in, traces as lists from the reference face in the transverse section.
-    pub spec: LeadSpec,
-    /// Their [`shape`].
-    shape: (Lead, f64),
-    hand: Hand,
-}
-
-impl Leads {
-    /// Reads the leads `spec` of the gear's table `gear`.
-    pub fn read(gear: &Table, mut spec: LeadSpec, known: &KnownGear) -> Option<Leads> {
+impl LeadSpec {
+    /// The leads of the gear's table `gear` with defaults filled in, their traces as lists from the reference face in the transverse section.
+    pub(crate) fn complete(self, gear: &Table, known: &KnownGear) -> Option<LeadSpec> {
+        let mut spec = self;
         let table = gear.below(NAME);
         let helix = known.helix?;
         let Some(face) = known.heights()? else {
@@ -101,11 +93,9 @@ impl Leads {
         let basic_data = known.basic_data?;
         let width = face[1] - face[0];
         let warnings = &mut known.warnings.borrow_mut();
-        let is_helical = helix.angle_deg != 0.0;
-        let teeth_hand = helix.hand.filter(|_| is_helical);
-        let hand = hand(&table, &mut spec.flanks, teeth_hand, warnings)?;
+        complete_hands(&table, &mut spec.flanks, helix.teeth_hand(), warnings)?;
         let plane = 0.0 - face[0];
-        open_conventions(&table, &spec, plane, is_helical, warnings);
+        open_conventions(&table, &spec, plane, helix.is_helical(), warnings);
 
         let zero_mm = spec.zero_mm.unwrap_or(plane);
         if !(0.0..=width).contains(&zero_mm) {
@@ -146,27 +136,24 @@ impl Leads {
                 });
             }
         }
-        Some(Leads {
-            shape: shape(face, range_mm, zero_mm, spec.over),
-            spec: LeadSpec {
-                flanks: FlanksSpec::new(flanks),
-                zero_mm: Some(zero_mm),
-                range_mm: Some(range_mm),
-                from: TeethEnd::Reference,
-                ..spec
-            },
-            hand,
+        Some(LeadSpec {
+            flanks: FlanksSpec::new(flanks),
+            zero_mm: Some(zero_mm),
+            range_mm: Some(range_mm),
+            from: TeethEnd::Reference,
+            ..spec
         })
     }
 
-    /// The leads of right flanks and of left ones.
-    pub fn for_metrology(&self) -> [Lead; 2] {
-        let (shape, share) = &self.shape;
+    /// The complete leads of right flanks and of left ones.
+    pub(crate) fn for_metrology(&self, known: &KnownGear) -> Option<[Lead; 2]> {
+        let (shape, share) = shape(known.heights()??, self.range_mm?, self.zero_mm?, self.over);
+        let teeth_hand = known.helix?.teeth_hand().unwrap_or(Hand::Right);
         let [near, far] = shape.face;
         let point = |(height, um): (&f64, &f64)| ((near + height).clamp(near, far), um / 1000.0);
         let lead = |(own, flank): (Flank, &FlankLeadSpec)| {
             let turn = helix_slope(flank).map_or(0.0, |(um, hand)| {
-                Lead::slope_of_helix(um, hand.unwrap_or(self.hand), own)
+                Lead::slope_of_helix(um, hand.unwrap_or(teeth_hand), own)
             });
             let reliefs = flank.end_relief.iter().flat_map(Either::as_list);
             let traces = flank.trace.iter().flat_map(Either::as_list);
@@ -186,8 +173,8 @@ impl Leads {
                 ..shape.clone()
             }
         };
-        let [right, left] = self.spec.flanks.flanks();
-        [(Flank::Right, right), (Flank::Left, left)].map(lead)
+        let [right, left] = self.flanks.flanks();
+        Some([(Flank::Right, right), (Flank::Left, left)].map(lead))
     }
 }
 
@@ -206,13 +193,13 @@ pub fn check(gear: &Table) -> Option<()> {
     traces::check_flanks(gear, NAME)
 }
 
-/// The hand of the teeth, or that of the helix slopes of a spur gear. A number on a spur gear gets the right hand where it is positive.
-fn hand(
+/// Gives each helix slope of a spur gear its hand, the right one where it is positive. `helix` is the hand of helical teeth.
+fn complete_hands(
     table: &Table,
     flanks: &mut FlanksSpec<FlankLeadSpec>,
     helix: Option<Hand>,
     warnings: &mut Vec<String>,
-) -> Option<Hand> {
+) -> Option<()> {
     const KEY: &str = "helix_slope_um";
     let tables = [
         (table.clone(), Some(&mut flanks.both)),
@@ -251,7 +238,7 @@ fn hand(
             size = um.abs()
         )
     }));
-    Some(helix.unwrap_or(Hand::Right))
+    Some(())
 }
 
 /// Warnings of conventions that values depend on and that `spec` does not state. `plane` is the height of the measuring plane, mm.

@@ -1,10 +1,10 @@
 //! The tables of one gear, and their keys.
 
-use super::lead::Leads;
+use super::known_gear::KnownGear;
 use super::runout::RunoutSheet;
-use super::spec::{CrossCheckSpec, PitchSpec, ProfileSpec, StatementSpec, ThicknessSpec};
+use super::spec::{CrossCheckSpec, LeadSpec, PitchSpec, ProfileSpec, StatementSpec, ThicknessSpec};
 use super::thickness;
-use gearlash::gear::{Face, GearDesign, PitchAxis};
+use gearlash::gear::{GearDesign, PitchAxis};
 use gearlash::metrology::{Measurements, StatementRole};
 use gearlash_text::Table;
 
@@ -18,17 +18,17 @@ pub struct Statements<'a> {
     pub pitch: Option<PitchSpec>,
     pub runout: RunoutSheet,
     pub profile: Option<ProfileSpec>,
-    pub leads: Option<Leads>,
+    pub lead: Option<LeadSpec>,
 }
 
 impl Statements<'_> {
-    pub fn measurements(&self, face: Face) -> Measurements {
-        let leads = self.leads.as_ref();
+    pub fn measurements(&self, known: &KnownGear) -> Measurements {
+        let lead = self.lead.as_ref();
         let profile = self.profile.as_ref();
         let cross_check = self.thickness.cross_check.as_ref();
         Measurements {
             design: self.design,
-            face,
+            face: known.face.unwrap_or_default(),
             thickness: self.thickness.statement.for_metrology(),
             per_tooth_um: self.thickness.per_tooth_um.clone().unwrap_or_default(),
             cross_check: cross_check.map(CrossCheckSpec::for_metrology),
@@ -38,8 +38,10 @@ impl Statements<'_> {
             profiles: profile
                 .map(|spec| spec.for_metrology(&self.design.basic_data))
                 .unwrap_or_default(),
-            leads_about_datum: leads.is_some_and(|leads| leads.spec.axis == PitchAxis::Datum),
-            leads: leads.map(Leads::for_metrology).unwrap_or_default(),
+            leads_about_datum: lead.is_some_and(|spec| spec.axis == PitchAxis::Datum),
+            leads: lead
+                .and_then(|spec| spec.for_metrology(known))
+                .unwrap_or_default(),
         }
     }
 

@@ -30,12 +30,8 @@ pub fn plain(text: &str) -> String {
     if let Some(rest) = plain.trim_start().strip_prefix("::") {
         plain = format!(": :{rest}");
     }
-    let mut from = 0;
-    while let Some(at) = plain[from..].find("##").map(|at| from + at) {
-        if begins_command(&plain[at + 2..]) {
-            plain.insert(at + 1, ' ');
-        }
-        from = at + 1;
+    for second in signs_of_commands(&plain).into_iter().rev() {
+        plain.insert(second, ' ');
     }
     plain
 }
@@ -71,20 +67,21 @@ pub fn quoted_source(text: &str) -> String {
             c => shown.push(c),
         }
     }
-    let mut from = 0;
-    while let Some(at) = shown[from..].find("##").map(|at| from + at) {
-        if begins_command(shown[at + 2..].lines().next().unwrap_or("")) {
-            shown.replace_range(at + 1..at + 2, " ");
-        }
-        from = at + 1;
+    for second in signs_of_commands(&shown) {
+        shown.replace_range(second..second + 1, " ");
     }
     shown
 }
 
-/// Whether `rest` behind `##` makes it a command: a word or none, and a bracket.
-fn begins_command(rest: &str) -> bool {
+/// The place of the second sign of each `##` in `text` that begins a command: a word or none follows, and a bracket.
+fn signs_of_commands(text: &str) -> Vec<usize> {
     let word = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
-    rest.trim_start_matches(word).starts_with('[')
+    let begins = |rest: &str| rest.trim_start_matches(word).starts_with('[');
+    let seconds = text
+        .match_indices('#')
+        .filter(|(at, _)| text[..*at].ends_with('#'));
+    let seconds = seconds.filter(|(at, _)| begins(&text[at + 1..]));
+    seconds.map(|(at, _)| at).collect()
 }
 
 /// `value` as JSON, a line end at its end, with every unsafe character written as an escape.

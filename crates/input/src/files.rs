@@ -1,7 +1,7 @@
 //! The content of a file: the study or the gears, and the data of the file itself.
 
 use crate::check::check;
-use crate::gear::{GearPart, materials};
+use crate::gear::GearPart;
 use crate::names;
 use crate::outlines::DrawingRead;
 use crate::spec::{EitherGearSpec, GEAR, PairSpec};
@@ -9,6 +9,7 @@ use crate::temperature::REFERENCE_C;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
+use gearlash::metrology::Toleranced;
 use gearlash::outline::OutlineGear;
 use gearlash::pair::Member;
 use gearlash_text::numbers::shortest;
@@ -152,20 +153,28 @@ fn of_one<'a, P, B: Clone + PartialEq + 'a>(
     materials
 }
 
+/// A gear in each of its materials.
+fn in_materials<T>(gear: Toleranced<T>) -> Vec<(Material, T)> {
+    match gear {
+        Toleranced::Single(gear) => vec![(Material::AsMeasured, gear)],
+        Toleranced::Band { least, most } => {
+            vec![(Material::Most, most), (Material::Least, least)]
+        }
+    }
+}
+
 pub(crate) fn gear_file(file: &Table) -> Option<GearsFile> {
     check(&GEAR, file);
     let (stem, title) = names(file);
     let part = GearPart::read(file, "gear");
     let (title, spec) = (title?, part.spec?);
-    let built = part.as_built.as_ref();
-    let drawn = part.drawn.as_ref();
     Some(GearsFile {
         title,
         stem,
         gears: vec![GearEntry {
             name: "gear",
-            materials: built.map_or_else(Vec::new, |gear| materials(gear, AsBuilt::clone)),
-            drawn: drawn.map_or_else(Vec::new, |gear| materials(gear, OutlineGear::clone)),
+            materials: part.as_built.map_or_else(Vec::new, in_materials),
+            drawn: part.drawn.map_or_else(Vec::new, in_materials),
             spec,
         }],
         temperature_c: None,

@@ -9,7 +9,6 @@ use super::runout::RunoutSheet;
 use super::spec::{Either, EitherGearSpec, GearSpec, LeadSpec, PitchSpec, ProfileSpec, RackSpec};
 use super::statements::Statements;
 use super::{faults, findings, thickness, unit_slips};
-use gearlash::analysis::study::Material;
 use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, BasicRack, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
@@ -267,16 +266,6 @@ impl GearPart {
                 &mut self.warnings
             };
             list.push(findings::describe(of, finding));
-        }
-    }
-}
-
-/// The result of `of` for the gear in each material.
-pub fn materials<S, T>(built: &Toleranced<S>, of: impl Fn(&S) -> T) -> Vec<(Material, T)> {
-    match built {
-        Toleranced::Single(gear) => vec![(Material::AsMeasured, of(gear))],
-        Toleranced::Band { least, most } => {
-            vec![(Material::Most, of(most)), (Material::Least, of(least))]
         }
     }
 }

@@ -258,13 +258,11 @@ impl<'a> RowsTally<'a> {
     pub fn add_text(&mut self, name: &str, text: impl BufRead) -> Result<(), InputError> {
         let (head, rows) = RowsReader::begin(name, text)?;
         let wanted = RowsHead::of(self.run, head.first, head.count);
-        let both = [&head, &wanted].map(|head| {
-            let seed = head.seed.to_string();
-            [head.version.clone(), head.input_sha256.clone(), seed]
-        });
-        let [own, wanted] = both;
-        let names = ["version of gearlash", "input_sha256", "seed"];
-        for (what, (own, wanted)) in names.into_iter().zip(own.into_iter().zip(wanted)) {
+        for (what, own, wanted) in [
+            ("version of gearlash", head.version, wanted.version),
+            ("input_sha256", head.input_sha256, wanted.input_sha256),
+            ("seed", head.seed.to_string(), wanted.seed.to_string()),
+        ] {
             if own != wanted {
                 let reason = format!("rows of another run: {what} {own}, not {wanted}");
                 let help = "name rows of this pair file, seed and version";

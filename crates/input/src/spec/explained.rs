@@ -153,14 +153,6 @@ impl<'s> Words<'s> {
 
     /// `node`, and the alternative of it that matches `value`.
     fn meant(&self, node: &'s Value, value: &Value) -> Vec<&'s Value> {
-        let node = match node.get("description") {
-            Some(_) => node,
-            None => self
-                .inner(node)
-                .next()
-                .filter(|_| node.get("allOf").is_some())
-                .unwrap_or(node),
-        };
         let mut meant = vec![node];
         if node.get("anyOf").is_some() {
             let alternative = self.inner(node).find(|inner| self.fits(inner, value));
@@ -175,23 +167,18 @@ impl<'s> Words<'s> {
 
     /// Whether `value` is of the kind of `node`.
     fn fits(&self, node: &Value, value: &Value) -> bool {
-        let of_type = |names: &[&str]| names.iter().any(|name| node["type"] == **name);
-        let inside = || self.inner(node).any(|inner| self.fits(inner, value));
+        let is = |name: &str| node["type"] == name;
+        let has = |key: &String| node["properties"].get(key).is_some();
         let own = match value {
-            Value::Number(_) => of_type(&["number", "integer"]),
+            Value::Number(_) => is("number") || is("integer"),
             Value::String(_) => {
-                of_type(&["string"]) || members(node, "oneOf").any(|one| one["const"] == *value)
+                is("string") || members(node, "oneOf").any(|one| one["const"] == *value)
             }
-            Value::Array(_) => of_type(&["array"]),
-            Value::Object(table) => {
-                of_type(&["object"])
-                    && table
-                        .keys()
-                        .all(|key| node["properties"].get(key).is_some())
-            }
+            Value::Array(_) => is("array"),
+            Value::Object(table) => is("object") && table.keys().all(has),
             _ => false,
         };
-        own || inside()
+        own || self.inner(node).any(|inner| self.fits(inner, value))
     }
 
     /// The keys of a table, or of a list of tables, in order.

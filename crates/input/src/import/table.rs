@@ -199,10 +199,7 @@ impl ImportedTable {
             ball_mm: origin.and_then(|origin| origin.ball_mm),
             sheet: origin.and_then(|origin| origin.sheet.clone()),
             header_row: origin.map(|origin| origin.header_row),
-            left_out: match origin {
-                Some(origin) => origin.unread.words(&[]),
-                None => sheet.header.unread().map(str::to_owned),
-            },
+            left_out: sheet.header.unread().map(str::to_owned),
             left_out_numbers: None,
             in_other_table: None,
             unread: origin.map_or_else(Unread::default, |origin| origin.unread.clone()),
@@ -210,7 +207,7 @@ impl ImportedTable {
         }
     }
 
-    /// Tells columns of other `tables` from those that are left out.
+    /// Tells columns of other `tables` from those that are left out; a protocol has none.
     pub(super) fn exclude_columns_of(&mut self, tables: &[ImportedTable]) {
         if self.header_row.is_none() {
             return;

@@ -1,6 +1,6 @@
 //! Linear maps with a shift: transforms of an SVG, blocks of a DXF.
 
-use super::curve::elliptic;
+use super::curve::{Curve, elliptic};
 use gearlash::outline::PathSegment;
 use nalgebra::{Matrix2, Point2, Vector2};
 
@@ -24,6 +24,10 @@ impl Affine {
     /// This map for lengths in mm; it is given for lengths in units of `scale` mm.
     pub fn in_units(&self, scale: f64) -> Affine {
         Affine::new(self.turn, self.shift * scale)
+    }
+
+    pub fn shift(x: f64, y: f64) -> Affine {
+        Affine::new(Matrix2::identity(), Vector2::new(x, y))
     }
 
     /// The map of an SVG `transform`.
@@ -50,17 +54,15 @@ impl Affine {
         self.turn.norm()
     }
 
-    /// The image of a segment, and a bound on the distance of the segments from it, mm. Arcs stay arcs unless the map is oblique.
-    pub fn segment(&self, segment: &PathSegment) -> (Vec<PathSegment>, f64) {
+    /// The image of a segment. Arcs stay arcs unless the map is oblique.
+    pub fn segment(&self, segment: &PathSegment) -> Curve {
         match *segment {
-            PathSegment::Line(ends) => (
-                vec![PathSegment::Line(ends.map(|end| self.point(end)))],
-                0.0,
-            ),
-            PathSegment::Cubic(points) => (
-                vec![PathSegment::Cubic(points.map(|point| self.point(point)))],
-                0.0,
-            ),
+            PathSegment::Line(ends) => {
+                Curve::exact(PathSegment::Line(ends.map(|end| self.point(end))))
+            }
+            PathSegment::Cubic(points) => {
+                Curve::exact(PathSegment::Cubic(points.map(|point| self.point(point))))
+            }
             PathSegment::Arc {
                 centre,
                 radius,
@@ -68,12 +70,8 @@ impl Affine {
                 sweep,
             } => {
                 let axes = [Vector2::new(radius, 0.0), Vector2::new(0.0, radius)];
-                elliptic(
-                    self.point(centre),
-                    axes.map(|axis| self.vector(axis)),
-                    start,
-                    sweep,
-                )
+                let axes = axes.map(|axis| self.vector(axis));
+                elliptic(self.point(centre), axes, start, sweep)
             }
         }
     }

@@ -1,5 +1,6 @@
 //! B-splines as cubic Bézier curves: exact up to degree 3 without weights, else with a proven bound.
 
+use super::curve::Curve;
 use super::limits::{FIT_MM, MAX_SEGMENTS};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Vector2, Vector3};
@@ -63,24 +64,21 @@ impl BSpline {
         None
     }
 
-    /// Its segments, and a bound on their distance from it, mm; `None` where the bound exceeds 0.01 µm.
-    ///
-    /// The spline must have no [`fault`](BSpline::fault).
-    pub fn segments(&self) -> Option<(Vec<PathSegment>, f64)> {
+    /// Its segments; `None` where their bound exceeds 0.01 µm. The spline must have no [`fault`](BSpline::fault).
+    pub fn curve(&self) -> Option<Curve> {
         let equal = self.weights.windows(2).all(|pair| pair[0] == pair[1]);
-        let mut segments = Vec::new();
-        let mut bound = 0.0_f64;
+        let mut curve = Curve::default();
         for span in self.degree..self.points.len() {
             if self.knots[span] == self.knots[span + 1] {
                 continue;
             }
             let piece = self.piece(span, equal);
             match exact(&piece).filter(|_| equal) {
-                Some(segment) => segments.push(segment),
-                None => bound = bound.max(fit_cubics(&piece, MAX_HALVINGS, &mut segments)?),
+                Some(segment) => curve.segments.push(segment),
+                None => fit_cubics(&piece, MAX_HALVINGS, &mut curve)?,
             }
         }
-        Some((segments, bound))
+        Some(curve)
     }
 
     /// Bézier points of the part between two knots, by the blossom (Ramshaw; Prautzsch, Boehm, Paluszny: Bézier and B-Spline
@@ -131,24 +129,21 @@ pub fn raised([a, b, c]: [Point2<f64>; 3]) -> [Point2<f64>; 4] {
     [a, a + (b - a) * (2.0 / 3.0), c + (b - c) * (2.0 / 3.0), c]
 }
 
-/// Adds cubic curves that follow a rational Bézier curve, halved as often as needed. Returns a bound on their distance from it.
-fn fit_cubics(
-    piece: &[Vector3<f64>],
-    halvings: u32,
-    segments: &mut Vec<PathSegment>,
-) -> Option<f64> {
-    let curve = hermite(piece);
-    let bound = distance(piece, &curve);
+/// Adds cubic curves that follow a rational Bézier curve, halved as often as needed.
+fn fit_cubics(piece: &[Vector3<f64>], halvings: u32, curve: &mut Curve) -> Option<()> {
+    let cubic = hermite(piece);
+    let bound = distance(piece, &cubic);
     if bound <= FIT_MM {
-        segments.push(PathSegment::Cubic(curve));
-        return Some(bound);
+        curve.segments.push(PathSegment::Cubic(cubic));
+        curve.bound = curve.bound.max(bound);
+        return Some(());
     }
     let halvings = halvings
         .checked_sub(1)
-        .filter(|_| segments.len() <= MAX_SEGMENTS)?;
+        .filter(|_| curve.segments.len() <= MAX_SEGMENTS)?;
     let [left, right] = halves(piece);
-    let left = fit_cubics(&left, halvings, segments)?;
-    Some(left.max(fit_cubics(&right, halvings, segments)?))
+    fit_cubics(&left, halvings, curve)?;
+    fit_cubics(&right, halvings, curve)
 }
 
 /// The cubic curve with the ends and the end derivatives of a rational Bézier curve.

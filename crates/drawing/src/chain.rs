@@ -45,7 +45,7 @@ impl DrawnPath {
     }
 }
 
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Chains {
     /// Closed paths.
     pub found: Vec<DrawnPath>,
@@ -72,11 +72,9 @@ impl Open {
         let pairs = from_start
             .map(|other| ("start", *other, (other - self.ends[0]).norm()))
             .chain(from_end.map(|other| ("end", *other, (other - self.ends[1]).norm())));
-        let (end, nearest, gap_mm) = pairs.min_by(|a, b| a.2.total_cmp(&b.2)).unwrap_or((
-            "end",
-            self.ends[0],
-            f64::INFINITY,
-        ));
+        let alone = ("end", self.ends[0], f64::INFINITY);
+        let nearest = pairs.min_by(|a, b| a.2.total_cmp(&b.2));
+        let (end, nearest, gap_mm) = nearest.unwrap_or(alone);
         let reason = format!(
             "{}: the path from {} to {}, of {} drawn elements, is open: from its {end} the nearest other end is {} mm away, at {}",
             self.path.place,
@@ -104,11 +102,7 @@ pub fn chain(pieces: Vec<DrawnPath>, join: f64) -> Result<Chains, DrawingError> 
             mate(&ends, &mut mates, tolerance, &pieces)?;
         }
     }
-    let mut chains = Chains {
-        found: Vec::new(),
-        open: Vec::new(),
-        specks: Vec::new(),
-    };
+    let mut chains = Chains::default();
     let mut seen = vec![false; pieces.len()];
     for first in 0..pieces.len() {
         if seen[first] {
@@ -132,19 +126,15 @@ pub fn chain(pieces: Vec<DrawnPath>, join: f64) -> Result<Chains, DrawingError> 
         // The first piece is in both directions.
         let before = backward[1..].iter().rev().map(|entry| entry ^ 1);
         let way: Vec<usize> = before.chain(forward).collect();
+        let mut path = pieces[first].empty();
+        for &entry in &way {
+            let piece = &pieces[entry / 2];
+            path.segments.extend(piece.along(entry));
+            path.bound_mm = path.bound_mm.max(piece.bound_mm);
+        }
         chains.open.push(Open {
             ends,
-            path: DrawnPath {
-                segments: way
-                    .iter()
-                    .flat_map(|&entry| pieces[entry / 2].along(entry))
-                    .collect(),
-                bound_mm: way
-                    .iter()
-                    .map(|entry| pieces[entry / 2].bound_mm)
-                    .fold(0.0, f64::max),
-                ..pieces[first].empty()
-            },
+            path,
             pieces: way.len(),
         });
     }

@@ -45,31 +45,23 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
         points.pop();
     }
     if points.len() < 3 {
-        return Err(DrawingError::no_loop(format!(
-            "{} different points, expected at least three",
-            points.len()
-        )));
+        let count = points.len();
+        let reason = format!("{count} different points, expected at least three");
+        return Err(DrawingError::no_loop(reason));
     }
-    let part = options
-        .repeat
-        .as_ref()
-        .is_some_and(|one| one.is_part(&points));
+    let repeat = options.repeat.as_ref();
+    let part = repeat.is_some_and(|one| one.is_part(&points));
     if part && options.smooth {
+        let kind = "one tooth with kind = \"smooth\"";
         let help = "draw all teeth, or leave `kind` out";
-        return Err(DrawingError::refused(
-            "line 1",
-            "one tooth with kind = \"smooth\"",
-            help,
-        ));
+        return Err(DrawingError::refused("line 1", kind, help));
     }
     let next = points.iter().skip(1).chain(&points[..usize::from(!part)]);
     let segments = if options.smooth {
         closed_spline(&points)
     } else {
-        points
-            .iter()
-            .zip(next)
-            .map(|(from, to)| PathSegment::Line([*from, *to]))
+        let ends = points.iter().zip(next);
+        ends.map(|(from, to)| PathSegment::Line([*from, *to]))
             .collect()
     };
     pieces.add(
@@ -117,9 +109,8 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
         }
         let (x, y) = (cells[0], cells[1]);
         // Numbers of a third column are heights.
-        let z = cells
-            .get(2)
-            .filter(|z| !rows.is_empty() || heading_unit(z, "z").is_none());
+        let is_height = |z: &&&str| !rows.is_empty() || heading_unit(z, "z").is_none();
+        let z = cells.get(2).filter(is_height);
         if rows.len() == MAX_SEGMENTS {
             return Err(DrawingError::too_large("points", MAX_SEGMENTS));
         }
@@ -236,18 +227,13 @@ fn one_decimal_sign(rows: &[Row]) -> Result<(), DrawingError> {
     // A point is the decimal sign: every program that writes coordinates uses it.
     let unsure = sign == Decimal::Comma
         && numbers().all(|(_, number)| number.decimal.is_none() || number.may_be_thousands);
-    if unsure {
-        Err(DrawingError::at(
-            format!("line {line}"),
-            format!(
-                "\"{}\" is ambiguous: decimal comma or thousands separator",
-                cut(first.text, LONGEST_NAME)
-            ),
-            "write the numbers with a decimal point",
-        ))
-    } else {
-        Ok(())
+    if !unsure {
+        return Ok(());
     }
+    let text = cut(first.text, LONGEST_NAME);
+    let reason = format!("\"{text}\" is ambiguous: decimal comma or thousands separator");
+    let help = "write the numbers with a decimal point";
+    Err(DrawingError::at(format!("line {line}"), reason, help))
 }
 
 /// The periodic cubic spline through `points`, at least three and each apart from the next, with the chord as parameter: the first

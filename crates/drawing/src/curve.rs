@@ -5,6 +5,27 @@ use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
 
+/// Segments without a gap, and a bound on their distance from the drawn curve, mm.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Curve {
+    pub segments: Vec<PathSegment>,
+    pub bound: f64,
+}
+
+impl Curve {
+    pub fn exact(segment: PathSegment) -> Curve {
+        Curve {
+            segments: vec![segment],
+            bound: 0.0,
+        }
+    }
+
+    pub fn add(&mut self, more: Curve) {
+        self.segments.extend(more.segments);
+        self.bound = self.bound.max(more.bound);
+    }
+}
+
 /// Below this bulge the centre is so far away (250 chords) that an arc from it would miss its ends by rounding; a cubic curve then
 /// follows the arc to 4e-17 of the chord.
 const FLATTEST_BULGE: f64 = 1e-3;
@@ -19,14 +40,16 @@ fn circle_bound(quarter: f64) -> f64 {
     2.0 / 27.0 * sin_squared.powi(3) * (1.0 + quarter * quarter)
 }
 
-/// The arc from `start` to `end` of the bulge tan(sweep/4), counter-clockwise positive, and a bound on its distance from the
-/// segment.
-pub fn bulged(start: Point2<f64>, end: Point2<f64>, bulge: f64) -> (PathSegment, f64) {
+/// The arc from `start` to `end` of the bulge tan(sweep/4), counter-clockwise positive.
+pub fn bulged(start: Point2<f64>, end: Point2<f64>, bulge: f64) -> Curve {
     let chord = end - start;
     // Exporters leave 1e-16 of bulge on straight lines.
     let sagitta = 0.5 * bulge.abs() * chord.norm();
     if sagitta <= SAME_MM {
-        return (PathSegment::Line([start, end]), sagitta);
+        return Curve {
+            bound: sagitta,
+            ..Curve::exact(PathSegment::Line([start, end]))
+        };
     }
     let radius = chord.norm() * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
     if bulge.abs() < FLATTEST_BULGE {
@@ -38,31 +61,25 @@ pub fn bulged(start: Point2<f64>, end: Point2<f64>, bulge: f64) -> (PathSegment,
             end - turn * handle,
             end,
         ];
-        return (
-            PathSegment::Cubic(points),
-            radius * circle_bound(bulge.abs()),
-        );
+        return Curve {
+            bound: radius * circle_bound(bulge.abs()),
+            ..Curve::exact(PathSegment::Cubic(points))
+        };
     }
     let left = Vector2::new(-chord.y, chord.x);
     let centre = start + 0.5 * chord + left * ((1.0 - bulge * bulge) / (4.0 * bulge));
     let from = start - centre;
-    let arc = PathSegment::Arc {
+    Curve::exact(PathSegment::Arc {
         centre,
         radius,
         start: from.y.atan2(from.x),
         sweep: 4.0 * bulge.atan(),
-    };
-    (arc, 0.0)
+    })
 }
 
-/// The arc `centre + u cos φ + v sin φ`, from `from` through `sweep`, up to a whole turn, and a bound on its distance from the
-/// segments. A circle stays exact; a whole one has two halves.
-pub fn elliptic(
-    centre: Point2<f64>,
-    [u, v]: [Vector2<f64>; 2],
-    from: f64,
-    sweep: f64,
-) -> (Vec<PathSegment>, f64) {
+/// The arc `centre + u cos φ + v sin φ`, from `from` through `sweep`, up to a whole turn. A circle stays exact; a whole one has
+/// two halves.
+pub fn elliptic(centre: Point2<f64>, [u, v]: [Vector2<f64>; 2], from: f64, sweep: f64) -> Curve {
     // Its half axes are half the sum and half the difference of |u − iv| and |u + iv|.
     let side = |sign: f64| (u.x + sign * v.y).hypot(u.y - sign * v.x);
     let (same, other) = (side(1.0), side(-1.0));
@@ -79,7 +96,10 @@ pub fn elliptic(
             start: start + f64::from(half) * sweep,
             sweep,
         };
-        return ((0..halves).map(arc).collect(), 0.0);
+        return Curve {
+            segments: (0..halves).map(arc).collect(),
+            bound: 0.0,
+        };
     }
     // The curve is the affine image of a unit circle's, which lengthens no distance by more than the greatest half axis.
     let bound = |steps: u32| greatest * circle_bound((sweep / f64::from(4 * steps)).tan());
@@ -97,5 +117,8 @@ pub fn elliptic(
         let [start, end] = ends.map(point);
         PathSegment::Cubic([start, start + tangent(ends[0]), end - tangent(ends[1]), end])
     };
-    ((0..steps).map(curve).collect(), bound(steps))
+    Curve {
+        segments: (0..steps).map(curve).collect(),
+        bound: bound(steps),
+    }
 }

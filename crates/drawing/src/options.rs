@@ -48,20 +48,17 @@ impl Options {
             // Printed with at least six digits by every program.
             (Some((words, mm)), Some(given)) if (mm / given.mm() - 1.0).abs() > 1e-6 => {
                 let reason = format!("the file states {words}, the pair file \"{given}\"");
-                Err(DrawingError::new(
-                    reason,
-                    "correct `units`, or leave it out",
-                ))
+                let help = "correct `units`, or leave it out";
+                Err(DrawingError::new(reason, help))
             }
             (_, Some(given)) => Ok(self.scale * given.mm()),
             (Some((_, mm)), None) => Ok(self.scale * mm),
             (None, None) => {
-                let names = Unit::NAMED.map(|(name, _)| format!("\"{name}\""));
+                let names = Unit::NAMED
+                    .map(|(name, _)| format!("\"{name}\""))
+                    .join(" | ");
                 let reason = format!("the unit is not stated: {why_not}");
-                let help = format!(
-                    "state the length of a unit of the drawing: units = {}",
-                    names.join(" | ")
-                );
+                let help = format!("state the length of a unit of the drawing: units = {names}");
                 Err(DrawingError {
                     lacks_unit: true,
                     ..DrawingError::new(reason, help)

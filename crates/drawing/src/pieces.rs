@@ -6,8 +6,9 @@ use super::limits::{FARTHEST_MM, MAX_NAMED, MAX_SEGMENTS};
 use super::{DrawingError, Options};
 use gearlash::outline::PathSegment;
 use gearlash_text::characters::cut;
+use indexmap::IndexMap;
 use nalgebra::Point2;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 /// Ends nearer than this part of a path's length are the ends of a gap (tuned: a dashed line has gaps of half a dash and is a helper line).
 const GAP: f64 = 0.25;
@@ -30,19 +31,10 @@ pub struct Drawing {
 pub struct Pieces {
     /// Length of a unit of the drawing, mm.
     pub unit_mm: f64,
-    layers: Vec<(String, Vec<DrawnPath>)>,
-    /// The place of each layer in that list.
-    by_name: HashMap<String, usize>,
+    layers: IndexMap<String, Vec<DrawnPath>>,
     segments: usize,
-    left_out: Vec<LeftOut>,
-}
-
-/// Elements that were ignored for one reason.
-#[derive(Debug)]
-struct LeftOut {
-    what: String,
-    first: String,
-    count: usize,
+    /// What was ignored: the place of the first element, and their number.
+    left_out: IndexMap<String, (String, usize)>,
 }
 
 impl Pieces {
@@ -60,11 +52,10 @@ impl Pieces {
             self.leave_out("zero length", &piece.place);
             return Ok(());
         }
-        match self.by_name.get(layer) {
-            Some(&index) => self.layers[index].1.push(piece),
+        match self.layers.get_mut(layer) {
+            Some(pieces) => pieces.push(piece),
             None => {
-                self.by_name.insert(layer.to_owned(), self.layers.len());
-                self.layers.push((layer.to_owned(), vec![piece]));
+                self.layers.insert(layer.to_owned(), vec![piece]);
             }
         }
         Ok(())
@@ -72,14 +63,8 @@ impl Pieces {
 
     /// Remembers that an element at `place` is ignored. `what` is one of a few kinds.
     pub fn leave_out(&mut self, what: &str, place: &str) {
-        match self.left_out.iter_mut().find(|known| known.what == what) {
-            Some(known) => known.count += 1,
-            None => self.left_out.push(LeftOut {
-                what: what.to_owned(),
-                first: place.to_owned(),
-                count: 1,
-            }),
-        }
+        let known = self.left_out.entry(what.to_owned());
+        known.or_insert_with(|| (place.to_owned(), 0)).1 += 1;
     }
 
     /// The loops. Pieces drawn twice count once. A layer whose paths are all open is ignored beside one with loops. An open path
@@ -138,11 +123,8 @@ impl Pieces {
                 None => DrawingError::no_loop("no line and no curve is drawn".to_owned()),
             });
         }
-        let left_out = self.left_out.iter().map(|left| {
-            format!(
-                "left out: {} ({}, the first in {})",
-                left.what, left.count, left.first
-            )
+        let left_out = self.left_out.iter().map(|(what, (first, count))| {
+            format!("left out: {what} ({count}, the first in {first})")
         });
         let layers = all_open.iter().map(|(layer, open)| open_layer(layer, open));
         remarks.extend(left_out.chain(layers.take(MAX_NAMED)));
@@ -199,11 +181,9 @@ fn check(segment: &PathSegment, place: &str) -> Result<(), DrawingError> {
             PathSegment::Cubic(points) => points.iter().all(near),
         };
     if good {
-        Ok(())
-    } else {
-        Err(DrawingError::number(
-            place,
-            format!("a coordinate or radius is not a number, or greater than {FARTHEST_MM:e} mm"),
-        ))
+        return Ok(());
     }
+    let most = format!("{FARTHEST_MM:e} mm");
+    let reason = format!("a coordinate or radius is not a number, or greater than {most}");
+    Err(DrawingError::number(place, reason))
 }

@@ -3,6 +3,7 @@
 use super::DrawingError;
 use super::affine::Affine;
 use super::chain::{DrawnPath, Open};
+use super::curve::Curve;
 use super::limits::{MAX_SEGMENTS, SAME_MM};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Rotation2};
@@ -62,7 +63,10 @@ impl Repeat {
             let shift = self.centre - turn * self.centre;
             let map = Affine::new(*turn.matrix(), shift);
             for segment in &tooth.path.segments {
-                let (made, off) = map.segment(segment);
+                let Curve {
+                    segments: made,
+                    bound: off,
+                } = map.segment(segment);
                 if let (Some(last), Some(first)) = (segments.last(), made.first()) {
                     let ends = [last.end(), first.start()];
                     if (ends[1] - ends[0]).norm() > SAME_MM {

@@ -5,7 +5,7 @@
 
 use super::entity::Entity;
 use crate::affine::Affine;
-use gearlash::outline::PathSegment;
+use crate::curve::Curve;
 use nalgebra::{Matrix2, Point3, Rotation2, Vector2};
 use std::rc::Rc;
 
@@ -83,23 +83,17 @@ impl Placement {
         self.height[0] + self.height[1] * z
     }
 
-    /// The placed segments, mm. They are drawn in units of `scale` mm and deviate by at most `bound` from the drawn curve.
-    pub fn segments(
-        &self,
-        segments: Vec<PathSegment>,
-        bound: f64,
-        scale: f64,
-    ) -> (Vec<PathSegment>, f64) {
+    /// `curve`, drawn in units of `scale` mm, in its place.
+    pub fn curve(&self, curve: Curve, scale: f64) -> Curve {
         let Some(map) = &self.map else {
-            return (segments, bound);
+            return curve;
         };
         let map = map.in_units(scale);
-        let (mut placed, mut followed) = (Vec::with_capacity(segments.len()), 0.0);
-        for segment in &segments {
-            let (made, bound) = map.segment(segment);
-            placed.extend(made);
-            followed = f64::max(followed, bound);
+        let mut placed = Curve::default();
+        for segment in &curve.segments {
+            placed.add(map.segment(segment));
         }
-        (placed, bound * map.stretch() + followed)
+        placed.bound += curve.bound * map.stretch();
+        placed
     }
 }

@@ -135,11 +135,8 @@ impl<'a> Entity<'a> {
     /// Checks that it has every value that its kind needs, once.
     pub fn check(&self) -> Result<(), DrawingError> {
         let wrong = |place: String, reason: String| {
-            Err(DrawingError::at(
-                place,
-                reason,
-                "export it again as DXF, from another program if need be",
-            ))
+            let help = "export it again as DXF, from another program if need be";
+            Err(DrawingError::at(place, reason, help))
         };
         let Some(rule) = RULES.iter().find(|rule| rule.kind == self.kind) else {
             return Ok(());
@@ -183,10 +180,11 @@ impl<'a> Entity<'a> {
         for &(stated, of) in counts {
             let (words, count) = (self.value(stated).unwrap_or_default(), self.count(of));
             if words.parse() != Ok(count) {
-                let reason = format!(
-                    "group {stated} is {words}, but there are {count} values of group {of}"
+                let counted = format!("but there are {count} values of group {of}");
+                return wrong(
+                    self.place(),
+                    format!("group {stated} is {words}, {counted}"),
                 );
-                return wrong(self.place(), reason);
             }
         }
         Ok(())
@@ -293,11 +291,8 @@ pub fn check_format(bytes: &[u8]) -> Result<(), DrawingError> {
         _ if bytes.starts_with(DWG) => "a DWG",
         _ => return Ok(()),
     };
-    Err(DrawingError::refused(
-        "byte 1",
-        kind,
-        "save it as DXF in ASCII",
-    ))
+    let help = "save it as DXF in ASCII";
+    Err(DrawingError::refused("byte 1", kind, help))
 }
 
 impl<'a> Pairs<'a> {
@@ -313,11 +308,8 @@ impl<'a> Pairs<'a> {
         loop {
             let line = self.line + 1;
             let (Some(code), Some(value)) = (self.lines.next(), self.lines.next()) else {
-                return Err(DrawingError::at(
-                    format!("line {line}"),
-                    "the file ends without EOF: it is truncated",
-                    EXPORT,
-                ));
+                let reason = "the file ends without EOF: it is truncated";
+                return Err(DrawingError::at(format!("line {line}"), reason, EXPORT));
             };
             self.line += 2;
             let value = value.trim();

@@ -141,10 +141,8 @@ impl<'a> Sheet<'a> {
 
     /// The unit the file states, in words and in mm.
     fn unit(&self) -> Result<Option<(String, f64)>, DrawingError> {
-        let stated = self
-            .insunits
-            .as_ref()
-            .filter(|(value, _)| value.parse() != Ok(0));
+        let stated = self.insunits.as_ref();
+        let stated = stated.filter(|(value, _)| value.parse() != Ok(0));
         let Some((value, place)) = stated else {
             let metric = self.measurement == Some("1");
             return Ok(metric.then(|| ("$MEASUREMENT = 1 (\"mm\")".to_owned(), Unit::Mm.mm())));
@@ -152,16 +150,12 @@ impl<'a> Sheet<'a> {
         let whole = value.parse::<i32>().ok();
         let known = UNITS.iter().find(|unit| Some(unit.0) == whole);
         let Some((_, unit)) = known else {
-            return Err(DrawingError::at(
-                place,
-                format!("$INSUNITS = {value}, expected 1 (inch), 4 (mm), 5 (cm), 6 (m) or 13 (µm)"),
-                "export the drawing in mm",
-            ));
+            let known = "1 (inch), 4 (mm), 5 (cm), 6 (m) or 13 (µm)";
+            let reason = format!("$INSUNITS = {value}, expected {known}");
+            return Err(DrawingError::at(place, reason, "export the drawing in mm"));
         };
-        Ok(Some((
-            format!("$INSUNITS = {value} (\"{unit}\")"),
-            unit.mm(),
-        )))
+        let words = format!("$INSUNITS = {value} (\"{unit}\")");
+        Ok(Some((words, unit.mm())))
     }
 
     /// Takes an entity whose pairs are complete: the vertices of a POLYLINE belong to it.
@@ -196,13 +190,9 @@ impl<'a> Sheet<'a> {
             ("BLOCK", _) => {
                 let name = entity.value(2).unwrap_or_default();
                 self.block = Some(name);
-                self.blocks.insert(
-                    name,
-                    Block {
-                        base: entity.point(10),
-                        entities: Vec::new(),
-                    },
-                );
+                let base = entity.point(10);
+                let entities = Vec::new();
+                self.blocks.insert(name, Block { base, entities });
                 Ok(())
             }
             ("ENDBLK", _) => {

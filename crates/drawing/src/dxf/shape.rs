@@ -5,7 +5,7 @@ use super::entity::Entity;
 use crate::DrawingError;
 use crate::bspline::BSpline;
 use crate::chain::DrawnPath;
-use crate::curve::{bulged, elliptic};
+use crate::curve::{Curve, bulged, elliptic};
 use crate::limits::SAME_MM;
 use crate::pieces::Pieces;
 use gearlash::outline::PathSegment;
@@ -22,9 +22,6 @@ const IN_SPACE: i32 = 8 | 16 | 64;
 const NOISE: f64 = 1e-6;
 const FLAT: &str = "export a flat drawing of lines, arcs, polylines and splines";
 
-/// Segments, and a bound on their distance from the drawn curve.
-type BoundedSegments = (Vec<PathSegment>, f64);
-
 /// Adds the `kept` entities; their unit is `scale` mm.
 /// Errors: an entity that is not supported, a number no gear has, or a drawing that is not flat.
 pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), DrawingError> {
@@ -37,9 +34,8 @@ pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), Drawin
             heights: Vec::new(),
             place: one.entity.place(),
         };
-        let (segments, bound) = space.segments(&one.entity)?;
-        let (segments, bound) = one.placed.segments(segments, bound, scale);
-        for segment in &segments {
+        let curve = one.placed.curve(space.curve(&one.entity)?, scale);
+        for segment in &curve.segments {
             for point in [segment.start(), segment.at(0.5), segment.end()] {
                 corners = [corners[0].inf(&point), corners[1].sup(&point)];
             }
@@ -52,9 +48,9 @@ pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), Drawin
         pieces.add(
             one.layer,
             DrawnPath {
-                segments,
+                segments: curve.segments,
                 name: one.layer.to_owned(),
-                bound_mm: bound,
+                bound_mm: curve.bound,
                 place: space.place,
             },
         )?;
@@ -63,15 +59,12 @@ pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), Drawin
     let noise = SAME_MM.max(NOISE * (corners[1] - corners[0]).norm());
     let first = heights.iter().flatten().next().map_or(0.0, |ends| ends[0]);
     let off = |ends: &[f64; 2]| !ends.iter().all(|z| (z - first).abs() <= noise);
-    match heights
-        .iter()
-        .position(|ends| ends.as_ref().is_some_and(off))
-    {
-        Some(index) => Err(DrawingError::refused(
-            kept[index].entity.place(),
-            "a point of another z than those before",
-            FLAT,
-        )),
+    let mut each = kept.iter().zip(&heights);
+    match each.find(|(_, ends)| ends.as_ref().is_some_and(off)) {
+        Some((one, _)) => {
+            let kind = "a point of another z than those before";
+            Err(DrawingError::refused(one.entity.place(), kind, FLAT))
+        }
         None => Ok(()),
     }
 }
@@ -92,7 +85,7 @@ impl Space {
         DrawingError::refused(&self.place, kind, FLAT)
     }
 
-    fn segments(&mut self, entity: &Entity) -> Result<BoundedSegments, DrawingError> {
+    fn curve(&mut self, entity: &Entity) -> Result<Curve, DrawingError> {
         // The ends of a line are in the space of the drawing, all else in that of the entity.
         if entity.kind != "LINE" && entity.kind != "SPLINE" {
             self.hand = entity.hand().map_err(|kind| self.refused(kind))?;
@@ -100,7 +93,7 @@ impl Space {
         match entity.kind {
             "LINE" => {
                 let ends = [self.point(entity.point(10)), self.point(entity.point(11))];
-                Ok((vec![PathSegment::Line(ends)], 0.0))
+                Ok(Curve::exact(PathSegment::Line(ends)))
             }
             "CIRCLE" => self.round(entity, 0.0, TAU),
             "ARC" => {
@@ -144,30 +137,16 @@ impl Space {
         Point2::new(self.hand * point.x, point.y) * self.scale
     }
 
-    fn round(
-        &mut self,
-        entity: &Entity,
-        start: f64,
-        sweep: f64,
-    ) -> Result<BoundedSegments, DrawingError> {
+    fn round(&mut self, entity: &Entity, start: f64, sweep: f64) -> Result<Curve, DrawingError> {
         let centre = self.point(entity.point(10));
         let radius = entity.number(40, 0.0);
         if !(radius > 0.0) {
-            return Err(DrawingError::number(
-                &self.place,
-                format!("radius {radius}, allowed is above 0"),
-            ));
+            let reason = format!("radius {radius}, allowed is above 0");
+            return Err(DrawingError::number(&self.place, reason));
         }
         let radius = radius * self.scale;
-        Ok(elliptic(
-            centre,
-            [
-                Vector2::new(self.hand * radius, 0.0),
-                Vector2::new(0.0, radius),
-            ],
-            start,
-            sweep,
-        ))
+        let axes = [[self.hand * radius, 0.0], [0.0, radius]].map(Vector2::from);
+        Ok(elliptic(centre, axes, start, sweep))
     }
 
     /// The lines and arcs through vertices. Each vertex has the bulge of the segment after it.
@@ -175,7 +154,7 @@ impl Space {
         &mut self,
         vertices: Vec<(Point3<f64>, f64)>,
         closed: bool,
-    ) -> Result<BoundedSegments, DrawingError> {
+    ) -> Result<Curve, DrawingError> {
         let hand = self.hand;
         let vertices: Vec<(Point2<f64>, f64)> = vertices
             .into_iter()
@@ -185,13 +164,14 @@ impl Space {
             .iter()
             .skip(1)
             .chain(vertices.first().filter(|_| closed));
-        let drawn = vertices.iter().zip(next);
-        let drawn = drawn.map(|(&(start, bulge), &(end, _))| bulged(start, end, bulge));
-        let (segments, bounds): (Vec<_>, Vec<_>) = drawn.unzip();
-        Ok((segments, bounds.into_iter().fold(0.0, f64::max)))
+        let mut curve = Curve::default();
+        for (&(start, bulge), &(end, _)) in vertices.iter().zip(next) {
+            curve.add(bulged(start, end, bulge));
+        }
+        Ok(curve)
     }
 
-    fn spline(&mut self, entity: &Entity) -> Result<BoundedSegments, DrawingError> {
+    fn spline(&mut self, entity: &Entity) -> Result<Curve, DrawingError> {
         let points = entity.points(10, 0.0).into_iter();
         if points.len() == 0 && entity.value(11).is_some() {
             return Err(self.refused("a SPLINE with fit points only"));
@@ -209,7 +189,7 @@ impl Space {
         if let Some(fault) = curve.fault() {
             return Err(self.refused(fault));
         }
-        let drawn = curve.segments();
+        let drawn = curve.curve();
         drawn
             .ok_or_else(|| self.refused("a spline that 4096 cubic curves do not follow to 0.01 µm"))
     }

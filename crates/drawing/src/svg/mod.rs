@@ -8,6 +8,7 @@ mod shape;
 
 use super::affine::Affine;
 use super::chain::DrawnPath;
+use super::curve::elliptic;
 use super::error::LONGEST_NAME;
 use super::limits::MAX_SEGMENTS;
 use super::pieces::Pieces;
@@ -16,7 +17,9 @@ use super::{DrawingError, Options};
 use gearlash_text::characters::cut;
 use gearlash_text::xml;
 use roxmltree::Node;
+use shape::Data;
 use std::collections::HashMap;
+use std::f64::consts::TAU;
 use std::fmt::Display;
 use std::str::FromStr;
 use svgtypes::{Align, AspectRatio, Length, ViewBox};
@@ -78,16 +81,13 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
         pieces,
     };
     if root.tag_name().name() != "svg" {
-        return Err(DrawingError::at(
-            page.place(root),
-            "not an SVG: the root element is not svg",
-            PLAIN,
-        ));
+        return Err(page.syntax(root, "not an SVG: the root element is not svg"));
     }
     page.check_supported(root)?;
     if root.has_attribute("transform") {
+        let place = page.place(root);
         return Err(DrawingError::refused(
-            page.place(root),
+            place,
             "a transform of the page",
             PLAIN,
         ));
@@ -132,14 +132,11 @@ impl Page<'_> {
     /// "line 12: path "teeth""
     fn place(&self, node: Node) -> String {
         let name = cut(node.tag_name().name(), LONGEST_NAME);
-        let id = node
-            .attribute("id")
-            .map(|id| format!(" \"{}\"", cut(id, LONGEST_NAME)));
-        format!(
-            "{}: {name}{}",
-            self.lines.place(node.range().start),
-            id.unwrap_or_default()
-        )
+        let id = node.attribute("id");
+        let id = id.map_or(String::new(), |id| {
+            format!(" \"{}\"", cut(id, LONGEST_NAME))
+        });
+        format!("{}: {name}{id}", self.lines.place(node.range().start))
     }
 
     fn syntax(&self, node: Node, reason: impl Display) -> DrawingError {
@@ -160,6 +157,10 @@ impl Page<'_> {
             let text = cut(text, LONGEST_NAME);
             self.syntax(node, format!("{name} = \"{text}\": {error}"))
         })
+    }
+
+    fn number(&self, node: Node, name: &str) -> Result<Option<f64>, DrawingError> {
+        shape::number(node, name).map_err(|reason| self.syntax(node, reason))
     }
 
     /// Length of a unit of the page, mm.
@@ -243,23 +244,19 @@ impl Page<'_> {
             self.pieces.leave_out(name, &place);
             return Ok(());
         }
-        let paths = match shape::data(node, name) {
-            shape::Data::Path(data) => path::read(&data, &within.map),
-            shape::Data::Round(centre, radii) => {
-                let [rx, ry] = radii;
+        let Some(data) = shape::data(node, name) else {
+            let kind = format!("the element {}", cut(name, LONGEST_NAME));
+            let help = "convert it to a path, delete it, or name the `id` of the outline alone";
+            return Err(DrawingError::refused(place, kind, help));
+        };
+        let paths = data.and_then(|data| match data {
+            Data::Path(data) => path::read(&data, &within.map),
+            Data::Round(centre, [rx, ry]) => {
                 let axes = [[rx, 0.0], [0.0, ry]].map(|axis| within.map.vector(axis.into()));
                 let centre = within.map.point(centre.into());
-                let (segments, bound) =
-                    super::curve::elliptic(centre, axes, 0.0, std::f64::consts::TAU);
-                Ok(vec![path::Path { segments, bound }])
+                Ok(vec![elliptic(centre, axes, 0.0, TAU)])
             }
-            shape::Data::Nothing => return Ok(()),
-            shape::Data::Wrong(reason) => Err(reason),
-            shape::Data::Refused(kind) => {
-                let help = "convert it to a path, delete it, or name the `id` of the outline alone";
-                return Err(DrawingError::refused(place, kind, help));
-            }
-        };
+        });
         for path in paths.map_err(|reason| self.syntax(node, reason))? {
             let piece = DrawnPath {
                 segments: path.segments,
@@ -285,10 +282,9 @@ impl Page<'_> {
         if within.depth > DEEPEST {
             return Err(self.syntax(node, format!("groups nested deeper than {DEEPEST}")));
         }
-        let number = |name| shape::number(node, name).map_err(|reason| self.syntax(node, reason));
-        let [x, y] = [number("x")?, number("y")?].map(Option::unwrap_or_default);
-        let moved = svgtypes::Transform::new(1.0, 0.0, 0.0, 1.0, x, y);
-        within.map = within.map.after(&Affine::of(&moved));
+        let [x, y] = ["x", "y"].map(|name| self.number(node, name));
+        let moved = Affine::shift(x?.unwrap_or_default(), y?.unwrap_or_default());
+        within.map = within.map.after(&moved);
         match target.tag_name().name() {
             "symbol" if target.has_attribute("viewBox") => Err(DrawingError::refused(
                 self.place(node),
@@ -302,12 +298,10 @@ impl Page<'_> {
 
     /// Rejects attributes that move or cut shapes in another way than a `transform`.
     fn check_supported(&self, node: Node) -> Result<(), DrawingError> {
-        let unsupported = UNSUPPORTED
-            .into_iter()
-            .find(|name| property(node, name).is_some_and(|value| value != "none"));
-        let style = node
-            .attribute("style")
-            .and_then(|style| declared(style, "transform"));
+        let is_set = |name: &&str| property(node, name).is_some_and(|value| value != "none");
+        let unsupported = UNSUPPORTED.into_iter().find(is_set);
+        let style = node.attribute("style");
+        let style = style.and_then(|style| declared(style, "transform"));
         if let Some(name) = unsupported.or(style.map(|_| "transform in a style")) {
             let help = "apply it in the drawing program, or name the `id` of the outline alone";
             return Err(DrawingError::refused(self.place(node), name, help));
@@ -324,11 +318,10 @@ impl Page<'_> {
         if node.tag_name().name() != "svg" {
             return Ok(());
         }
-        let number = |name| shape::number(node, name).map_err(|reason| self.syntax(node, reason));
+        let number = |name| self.number(node, name);
         let corner = [number("x")?.unwrap_or(0.0), number("y")?.unwrap_or(0.0)];
         let Some(view) = self.parsed::<ViewBox>(node, "viewBox")? else {
-            let moved = svgtypes::Transform::new(1.0, 0.0, 0.0, 1.0, corner[0], corner[1]);
-            within.map = within.map.after(&Affine::of(&moved));
+            within.map = within.map.after(&Affine::shift(corner[0], corner[1]));
             return Ok(());
         };
         let (Some(width), Some(height)) = (number("width")?, number("height")?) else {
@@ -342,9 +335,8 @@ impl Page<'_> {
 
 /// A property of an element, in its style or as an attribute.
 fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
-    let style = node
-        .attribute("style")
-        .and_then(|style| declared(style, name));
+    let style = node.attribute("style");
+    let style = style.and_then(|style| declared(style, name));
     style.or(node.attribute(name)).map(str::trim)
 }
 

@@ -2,20 +2,11 @@
 
 use crate::affine::Affine;
 use crate::bspline::raised;
-use crate::curve::elliptic;
+use crate::curve::{Curve, elliptic};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
 use svgtypes::{PathParser, PathSegment as Command};
-
-/// Segments without a gap, mm, and a bound on their distance from the drawing.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Path {
-    /// In order.
-    pub segments: Vec<PathSegment>,
-    /// In mm.
-    pub bound: f64,
-}
 
 /// The pen on its way along the path, in user space.
 struct Pen<'a> {
@@ -26,11 +17,11 @@ struct Pen<'a> {
     /// The last control point of the curve before, if that was cubic or quadratic.
     cubic: Option<Point2<f64>>,
     quadratic: Option<Point2<f64>>,
-    paths: Vec<Path>,
+    paths: Vec<Curve>,
 }
 
 /// The paths of `data`, mapped to mm by `map`; `Err`: the fault, in words.
-pub fn read(data: &str, map: &Affine) -> Result<Vec<Path>, String> {
+pub fn read(data: &str, map: &Affine) -> Result<Vec<Curve>, String> {
     let mut pen = Pen {
         map,
         at: Point2::origin(),
@@ -116,17 +107,12 @@ impl Pen<'_> {
     }
 
     fn begin(&mut self) {
-        self.paths.push(Path {
-            segments: Vec::new(),
-            bound: 0.0,
-        });
+        self.paths.push(Curve::default());
     }
 
-    /// Adds segments in mm.
-    fn add(&mut self, segments: impl IntoIterator<Item = PathSegment>, bound: f64) {
+    fn add(&mut self, curve: Curve) {
         if let Some(path) = self.paths.last_mut() {
-            path.segments.extend(segments);
-            path.bound = path.bound.max(bound);
+            path.add(curve);
         }
     }
 
@@ -138,20 +124,20 @@ impl Pen<'_> {
     fn line(&mut self, to: Point2<f64>) {
         if to != self.at {
             let ends = [self.at, to].map(|point| self.map.point(point));
-            self.add([PathSegment::Line(ends)], 0.0);
+            self.add(Curve::exact(PathSegment::Line(ends)));
         }
         self.at = to;
     }
 
     fn curve(&mut self, b: Point2<f64>, c: Point2<f64>, d: Point2<f64>) {
         let points = [self.at, b, c, d].map(|point| self.map.point(point));
-        self.add([PathSegment::Cubic(points)], 0.0);
+        self.add(Curve::exact(PathSegment::Cubic(points)));
         (self.at, self.cubic) = (d, Some(c));
     }
 
     fn parabola(&mut self, b: Point2<f64>, c: Point2<f64>) {
         let points = [self.at, b, c].map(|point| self.map.point(point));
-        self.add([PathSegment::Cubic(raised(points))], 0.0);
+        self.add(Curve::exact(PathSegment::Cubic(raised(points))));
         (self.at, self.quadratic) = (c, Some(b));
     }
 
@@ -184,8 +170,7 @@ impl Pen<'_> {
         let centre = self.at + half + turned * Vector2::new(middle.x * rx, middle.y * ry);
         let axes = [Vector2::new(rx, 0.0), Vector2::new(0.0, ry)];
         let axes = axes.map(|axis| self.map.vector(turned * axis));
-        let (segments, bound) = elliptic(self.map.point(centre), axes, from, sweep);
-        self.add(segments, bound);
+        self.add(elliptic(self.map.point(centre), axes, from, sweep));
         self.at = end;
     }
 }

@@ -9,17 +9,11 @@ pub enum Data {
     Path(String),
     /// An ellipse by its centre and radii.
     Round([f64; 2], [f64; 2]),
-    /// No shape, by the rules of SVG.
-    Nothing,
-    /// The fault, in words.
-    Wrong(String),
-    /// An element that is not read, by its name.
-    Refused(String),
 }
 
-/// The shape that the element `name` draws.
-pub fn data(node: Node, name: &str) -> Data {
-    let drawn = match name {
+/// The shape that the element `name` draws, or its fault in words; `None`: such elements are not read.
+pub fn data(node: Node, name: &str) -> Option<Result<Data, String>> {
+    Some(match name {
         "path" => path(node),
         "polygon" => points(node, " Z"),
         "polyline" => points(node, ""),
@@ -27,12 +21,8 @@ pub fn data(node: Node, name: &str) -> Data {
         "rect" => rectangle(node),
         "circle" => round(node, ["r", "r"]),
         "ellipse" => round(node, ["rx", "ry"]),
-        _ => Ok(Data::Refused(format!(
-            "the element {}",
-            gearlash_text::characters::cut(name, 60)
-        ))),
-    };
-    drawn.unwrap_or_else(Data::Wrong)
+        _ => return None,
+    })
 }
 
 /// A number of user units; `None` where the attribute is absent.
@@ -75,10 +65,11 @@ fn points(node: Node, end: &str) -> Result<Data, String> {
     if let Some(strange) = points.chars().find(|c| strange(*c)) {
         return Err(format!("points: \"{strange}\", expected numbers alone"));
     }
-    if points.trim().is_empty() {
-        return Ok(Data::Nothing);
-    }
-    Ok(Data::Path(format!("M {points}{end}")))
+    // By the rules of SVG no point draws nothing.
+    Ok(Data::Path(match points.trim() {
+        "" => String::new(),
+        _ => format!("M {points}{end}"),
+    }))
 }
 
 fn line(node: Node) -> Result<Data, String> {

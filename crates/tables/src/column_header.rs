@@ -3,7 +3,7 @@
 use super::choice::{Choice, TOOTH};
 use super::column::{Column, Quantity};
 use super::grid::{Cell, Line, letter};
-use super::heading::{self, Named};
+use super::heading;
 use crate::data_file::DataFile;
 use gearlash_text::Problem;
 use gearlash_text::characters::listed;
@@ -75,32 +75,27 @@ impl ColumnHeader {
             // The text of a merged cell is in its upper line, and in its first column.
             let group = if own.is_empty() { direct } else { filled };
             let group = Some(group).filter(|group| is_group(group, direct == *group));
-            let Named {
-                name,
-                unit,
-                ball_mm,
-            } = heading::named(own);
+            let named = heading::named(own);
             let of_group = heading::named(group.unwrap_or_default());
-            let meaning = if name.is_empty() {
+            let meaning = if named.name.is_empty() {
                 heading::meaning(&of_group.name, None)
             } else {
-                heading::meaning(&name, group.map(|_| &*of_group.name))
+                heading::meaning(&named.name, group.map(|_| &*of_group.name))
             };
             has_groups |= group.is_some();
             let below = units.and_then(|units| heading::unit(units.cell(place).text()));
-            let differ = unit.zip(below).is_some_and(|(unit, below)| unit != below);
+            let unit = match [named.unit, below] {
+                [Some(unit), Some(below)] if unit != below => Some("two units"),
+                [unit, below] => unit.or(below).or(of_group.unit),
+            };
             Heading {
                 own: own.to_owned(),
                 shown: format!("{} {own}", group.unwrap_or_default())
                     .trim()
                     .to_owned(),
                 meaning,
-                unit: if differ {
-                    Some("two units")
-                } else {
-                    unit.or(below).or(of_group.unit)
-                },
-                ball_mm: ball_mm.or(of_group.ball_mm),
+                unit,
+                ball_mm: named.ball_mm.or(of_group.ball_mm),
             }
         });
         let mut headings: Vec<Heading> = headings.collect();
@@ -228,13 +223,10 @@ impl ColumnHeader {
 
     /// The columns that can be `wanted`, by `choice` or by their headings.
     pub fn places_of(&self, wanted: Column, choice: &Choice) -> Vec<usize> {
+        let may_be = |heading: &Heading| heading.meaning.is_some_and(|it| wanted.may_be(it));
         match choice.column(wanted.key()) {
             Some(name) => self.columns_called(name),
-            None => self.places(|heading| {
-                heading
-                    .meaning
-                    .is_some_and(|meaning| wanted.may_be(meaning))
-            }),
+            None => self.places(may_be),
         }
     }
 
@@ -276,8 +268,7 @@ impl ColumnHeader {
     /// The columns at `places` for a message: "\"Fp links\" (C) and \"Fp left\" (G)".
     pub fn shown(&self, file: &DataFile, places: &[usize]) -> String {
         let shown = places.iter().map(|place| self.shown_one(file, *place));
-        let shown: Vec<String> = shown.collect();
-        listed(&shown, "and")
+        listed(&shown.collect::<Vec<_>>(), "and")
     }
 
     pub fn problem(&self, file: &DataFile, reason: String, help: impl Display) -> Problem {

@@ -10,7 +10,6 @@ use super::column::{Column, Quantity};
 use gearlash::gear::Side;
 use gearlash_text::{Node, file_numbers};
 use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::LazyLock;
 
@@ -88,33 +87,22 @@ pub fn is_no_unit(text: &str) -> bool {
 }
 
 /// A heading without its unit and the diameter of its ball.
-#[derive(Debug, Default)]
-pub struct Named<'a> {
-    pub name: Cow<'a, str>,
+#[derive(Debug)]
+pub struct Named {
+    pub name: String,
     pub unit: Option<&'static str>,
     /// Diameter of a ball or pin, mm.
     pub ball_mm: Option<f64>,
 }
 
 /// Splits unit and diameter off a heading: `Fr (ball 2.5 mm) [µm]` has both.
-pub fn named(text: &str) -> Named<'_> {
-    match without_ball(text) {
-        None => {
-            let (name, unit) = name_and_unit(text);
-            Named {
-                name: name.into(),
-                unit,
-                ball_mm: None,
-            }
-        }
-        Some((rest, mm)) => {
-            let (name, unit) = name_and_unit(&rest);
-            Named {
-                name: name.to_owned().into(),
-                unit,
-                ball_mm: Some(mm),
-            }
-        }
+pub fn named(text: &str) -> Named {
+    let (rest, ball_mm) = without_ball(text).unzip();
+    let (name, unit) = name_and_unit(rest.as_deref().unwrap_or(text));
+    Named {
+        name: name.to_owned(),
+        unit,
+        ball_mm,
     }
 }
 

@@ -105,17 +105,13 @@ impl<'a> Attributes<'a> {
             return Ok(None);
         };
         if number.fract() == 0.0 && (1.0..=1e9).contains(&number) {
-            Ok(Some(number as u32))
-        } else {
-            Err(Problem {
-                value: Some(number.to_string()),
-                ..Problem::at(
-                    self.component.place_of(id),
-                    "not a whole number above 0",
-                    "correct it",
-                )
-            })
+            return Ok(Some(number as u32));
         }
+        let (place, reason) = (self.component.place_of(id), "not a whole number above 0");
+        Err(Problem {
+            value: Some(number.to_string()),
+            ..Problem::at(place, reason, "correct it")
+        })
     }
 
     /// Ids of the attributes that were not read.

@@ -54,13 +54,11 @@ impl Document {
             _ => false,
         };
         if !known {
+            let reason = "unknown, known are 1.0 to 1.7 and 2.0";
+            let help = "export the file in one of these versions";
             return Err(Problem {
                 value: Some(shown(&self.version)),
-                ..Problem::at(
-                    "model version",
-                    "unknown, known are 1.0 to 1.7 and 2.0",
-                    "export the file in one of these versions",
-                )
+                ..Problem::at("model version", reason, help)
             });
         }
         let mut seen = HashSet::new();
@@ -83,11 +81,9 @@ impl Document {
     pub fn component(&self, id: i32, relation: &Relation) -> Result<&Component, Problem> {
         let found = self.components.iter().find(|component| component.id == id);
         found.ok_or_else(|| {
-            Problem::at(
-                format!("relation {}", relation.id),
-                format!("names component {id}, which the file does not have"),
-                EXPORT_AGAIN,
-            )
+            relation.problem(format!(
+                "names component {id}, which the file does not have"
+            ))
         })
     }
 
@@ -132,19 +128,15 @@ impl Relation {
         let mut all = self.refs.iter().filter(|(r, _)| r == role);
         match (all.next(), all.next()) {
             (Some((_, id)), None) => Ok(*id),
-            (found, _) => Err(Problem::at(
-                format!("relation {}", self.id),
-                format!(
-                    "has {} component as {role}, expected one",
-                    if found.is_some() {
-                        "more than one"
-                    } else {
-                        "no"
-                    }
-                ),
-                EXPORT_AGAIN,
-            )),
+            (found, _) => {
+                let count = found.map_or("no", |_| "more than one");
+                Err(self.problem(format!("has {count} component as {role}, expected one")))
+            }
         }
+    }
+
+    fn problem(&self, reason: String) -> Problem {
+        Problem::at(format!("relation {}", self.id), reason, EXPORT_AGAIN)
     }
 }
 
@@ -159,9 +151,6 @@ pub fn shown(text: &str) -> String {
 }
 
 fn duplicate(place: &str) -> Problem {
-    Problem::at(
-        place,
-        "stands twice",
-        "remove one of them, or export the file again",
-    )
+    let help = "remove one of them, or export the file again";
+    Problem::at(place, "stands twice", help)
 }

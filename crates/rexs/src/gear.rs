@@ -77,10 +77,9 @@ impl<'a> Gear<'a> {
         let flanks = flanks(document, id)?;
         let pressure_angle = common_value(&flanks, "normal_pressure_angle", DEGREE)?;
         let Some(pressure_angle) = pressure_angle else {
-            return Err(NoPair::LeftOut(format!(
-                "the flanks of {} have no normal_pressure_angle",
-                gear.component().place()
-            )));
+            let place = gear.component().place();
+            let why = format!("the flanks of {place} have no normal_pressure_angle");
+            return Err(NoPair::LeftOut(why));
         };
         let mut shift = common_value(&flanks, "addendum_modification_coefficient", NUMBER)?;
         if shift.is_none() {
@@ -99,13 +98,8 @@ impl<'a> Gear<'a> {
         let sources = [&gear].into_iter().chain(&flanks).chain(&settings);
         let generated = Generated::read(sources)?;
         let mut remarks = Vec::new();
-        let thickness = thickness::stated(
-            &gear,
-            &basic_data,
-            shift.unwrap_or(0.0),
-            &generated,
-            &mut remarks,
-        )?;
+        let x = shift.unwrap_or(0.0);
+        let thickness = thickness::stated(&gear, &basic_data, x, &generated, &mut remarks)?;
         let tip = gear.number("tip_diameter", MILLIMETRE)?;
         let mut read = Gear {
             teeth,
@@ -133,10 +127,8 @@ impl<'a> Gear<'a> {
         for (relation, id) in tools(document, &parts) {
             let tool = document.component(id, relation)?;
             if tool.kind != "rack_shaped_tool" {
-                let left = format!(
-                    "{} is no rack: the fillet it cuts is not read",
-                    tool.place()
-                );
+                let tool = tool.place();
+                let left = format!("{tool} is no rack: the fillet it cuts is not read");
                 self.remarks.push(left);
                 continue;
             }
@@ -183,10 +175,10 @@ fn tools<'a>(document: &'a Document, parts: &[i32]) -> Vec<(&'a Relation, i32)> 
     ];
     let mut tools: Vec<(&Relation, i32)> = Vec::new();
     for (kind, of, role) in KINDS {
-        for relation in parts
+        let relations = parts
             .iter()
-            .flat_map(|&id| document.relations(kind, of, id))
-        {
+            .flat_map(|&id| document.relations(kind, of, id));
+        for relation in relations {
             for (_, id) in relation.refs.iter().filter(|(r, _)| r == role) {
                 let is_tool = |id| {
                     let component = document.component(id, relation);
@@ -208,34 +200,31 @@ fn rack(
     module: f64,
     addendum: Option<f64>,
 ) -> Result<Option<RackSpec>, Problem> {
-    let in_modules = |coefficients: &[&str], lengths: &[&str]| {
-        for (names, unit, per) in [(coefficients, NUMBER, 1.0), (lengths, MILLIMETRE, module)] {
-            for name in names {
-                if let Some(number) = tool.number(name, unit)? {
-                    return Ok(Some(number / per));
-                }
+    let in_modules = |names: &[(&str, Unit)]| {
+        for (name, unit) in names {
+            if let Some(number) = tool.number(name, unit)? {
+                let per = if *unit == NUMBER { 1.0 } else { module };
+                return Ok(Some(number / per));
             }
         }
         Ok::<_, Problem>(None)
     };
-    let dedendum = in_modules(
-        &["addendum_coefficient_reference_profile"],
-        &["addendum_reference_profile"],
-    )?;
-    let radius = in_modules(
-        &[
-            "tip_corner_radius_factor_reference_profile",
-            "tip_radius_factor",
-        ],
-        &["tip_radius", "tip_corner_radius_reference_profile"],
-    )?;
-    Ok(dedendum
-        .zip(radius)
-        .map(|(dedendum, root_radius)| RackSpec {
-            addendum: addendum.unwrap_or(RackSpec::default().addendum),
-            dedendum,
-            root_radius,
-        }))
+    let dedendum = in_modules(&[
+        ("addendum_coefficient_reference_profile", NUMBER),
+        ("addendum_reference_profile", MILLIMETRE),
+    ])?;
+    let radius = in_modules(&[
+        ("tip_corner_radius_factor_reference_profile", NUMBER),
+        ("tip_radius_factor", NUMBER),
+        ("tip_radius", MILLIMETRE),
+        ("tip_corner_radius_reference_profile", MILLIMETRE),
+    ])?;
+    let both = dedendum.zip(radius);
+    Ok(both.map(|(dedendum, root_radius)| RackSpec {
+        addendum: addendum.unwrap_or(RackSpec::default().addendum),
+        dedendum,
+        root_radius,
+    }))
 }
 
 /// Left and right flank of a gear.
@@ -243,10 +232,8 @@ fn flanks(document: &Document, gear: i32) -> Result<Vec<Attributes<'_>>, Problem
     let mut flanks = Vec::new();
     if let Some(relation) = document.relations("flank", "gear", gear).next() {
         for side in ["left", "right"] {
-            add_once(
-                document.component(relation.one(side)?, relation)?,
-                &mut flanks,
-            );
+            let flank = document.component(relation.one(side)?, relation)?;
+            add_once(flank, &mut flanks);
         }
     }
     Ok(flanks)

@@ -75,47 +75,35 @@ pub fn read(text: &str) -> Result<Document, Problem> {
         Problem::at(&place, reason, EXPORT_AGAIN)
     })?;
     let model = file.model;
+    let reference = |each: &JsonRef| (text_of(&each.role), each.id);
     let relations = model.relations.into_iter().map(|relation| Relation {
         id: relation.id,
         kind: text_of(&relation.kind),
-        refs: relation
-            .refs
-            .into_iter()
-            .map(|each| (text_of(&each.role), each.id))
-            .collect(),
+        refs: relation.refs.iter().map(reference).collect(),
     });
     let components = model.components.into_iter();
+    let others = model.load_spectrum.map(|_| "load_spectrum".to_owned());
     Ok(Document {
         version: shown(&model.version),
         application: shown(&model.application_id),
         relations: relations.collect(),
         components: components.map(component).collect::<Result<_, _>>()?,
-        others: model
-            .load_spectrum
-            .map(|_| "load_spectrum".to_owned())
-            .into_iter()
-            .collect(),
+        others: others.into_iter().collect(),
     })
 }
 
 fn component(each: JsonComponent) -> Result<Component, Problem> {
     let attributes = each.attributes.into_iter().map(|read| {
         let numbers = [read.floating_point, read.integer, read.reference_component];
-        let texts = [
-            read.string,
-            read.choice,
-            read.boolean.map(|b| b.to_string()),
-        ];
+        let boolean = read.boolean.map(|b| b.to_string());
+        let texts = [read.string, read.choice, boolean];
         let numbers = numbers.into_iter().flatten().map(|n| n.to_string());
         let mut values = numbers.chain(texts.into_iter().flatten());
         let value = values.next().map(|value| text_of(&value));
         if values.next().is_some() {
             let place = format!("component {}, {}", each.id, shown(&read.id));
-            return Err(Problem::at(
-                &place,
-                "has several values",
-                "leave one of them",
-            ));
+            let help = "leave one of them";
+            return Err(Problem::at(&place, "has several values", help));
         }
         Ok(Attribute {
             id: text_of(&read.id),

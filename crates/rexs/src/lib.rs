@@ -89,32 +89,21 @@ fn of_bytes(path: &Path, sources: Sources, bytes: Vec<u8>) -> Result<RexsFile, P
         Some('<') => xml::read(&text)?,
         Some('{') => json::read(&text)?,
         _ => {
-            return Err(Problem::at(
-                "line 1",
-                "neither XML nor JSON",
-                "name a REXS file: .rexs, .rexsj or .rexsz",
-            ));
+            let help = "name a REXS file: .rexs, .rexsj or .rexsz";
+            return Err(Problem::at("line 1", "neither XML nor JSON", help));
         }
     };
     document.check()?;
     let source = path.file_name().unwrap_or_default().to_string_lossy();
-    let stages: Vec<&Component> = document
-        .components
-        .iter()
-        .filter(|component| component.kind.ends_with("_stage"))
-        .collect();
-    if stages.len() > MAX_STAGES {
-        return Err(Problem::at(
-            stages[MAX_STAGES].place(),
-            format!("stands behind {MAX_STAGES} stages, the most that are read"),
-            "check that this is the file you mean",
-        ));
+    let components = document.components.iter();
+    let stages = components.filter(|component| component.kind.ends_with("_stage"));
+    if let Some(stage) = stages.clone().nth(MAX_STAGES) {
+        let reason = format!("stands behind {MAX_STAGES} stages, the most that are read");
+        return Err(Problem::at(stage.place(), reason, CHECK_FILE));
     }
     let mut used = Vec::new();
-    let stages = stages
-        .into_iter()
-        .map(|component| stage_of(&document, component, &source, &mut used))
-        .collect();
+    let stages = stages.map(|component| stage_of(&document, component, &source, &mut used));
+    let stages = stages.collect();
     let mut left_out = document.kinds_beside(&used);
     left_out.extend(document.others.iter().map(|other| (cut(other, LONGEST), 1)));
     Ok(RexsFile {
@@ -182,30 +171,24 @@ impl RexsFile {
 /// Largest unpacked size: 16 MiB, as for a file that is not zipped.
 const MAX_UNPACKED: u64 = 16 << 20;
 const ARCHIVE: &str = "the archive";
+const CHECK_FILE: &str = "check that this is the file you mean";
 
 /// The one REXS file in the archive.
 /// Errors: no archive, none or several such files in it, too large, damaged.
 fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
     let damaged = |error: &dyn std::error::Error| {
         let reason = format!("not a whole zip archive: {}", shown(&error.to_string()));
-        Problem::at(
-            ARCHIVE,
-            reason,
-            "pack it again, or unpack it and name the .rexs file",
-        )
+        let help = "pack it again, or unpack it and name the .rexs file";
+        Problem::at(ARCHIVE, reason, help)
     };
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| damaged(&error))?;
     let mut found = Vec::new();
     for index in 0..archive.len() {
         let part = archive.by_index(index).map_err(|error| damaged(&error))?;
-        let name = part
-            .name()
-            .map_err(|error| damaged(&error))?
-            .to_ascii_lowercase();
+        let name = part.name().map_err(|error| damaged(&error))?;
+        let name = name.to_ascii_lowercase();
         // Copies of names by macOS's Finder are not files.
-        let is_rexs = [".rexs", ".rexsj"]
-            .iter()
-            .any(|ending| name.ends_with(ending));
+        let is_rexs = name.ends_with(".rexs") || name.ends_with(".rexsj");
         if is_rexs && !name.starts_with("__macosx/") {
             found.push(index);
         }
@@ -220,12 +203,8 @@ fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
         .read_to_end(&mut content)
         .map_err(|error| damaged(&error))?;
     if content.len() as u64 > MAX_UNPACKED {
-        Err(Problem::at(
-            ARCHIVE,
-            "its file has more than 16 MiB",
-            "check that this is the file you mean",
-        ))
-    } else {
-        Ok(content)
+        let reason = "its file has more than 16 MiB";
+        return Err(Problem::at(ARCHIVE, reason, CHECK_FILE));
     }
+    Ok(content)
 }

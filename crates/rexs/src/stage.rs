@@ -9,7 +9,6 @@ use gearlash::pair::DesignatedDistance;
 use gearlash_text::characters::cut;
 use gearlash_text::node::LONGEST;
 use gearlash_text::numbers::{shortest, trimmed};
-use std::fmt::Write;
 
 /// The tolerance field of DIN 3964, as version 1.0 names it and as later ones do.
 const FIELD: [&str; 2] = [
@@ -58,17 +57,15 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
     if relations.next().is_some() {
         return left_out("more than one relation names its gears");
     }
-    let each = ["gear_1", "gear_2"].map(|role| {
-        let gear = document.component(relation.one(role)?, relation)?;
-        Ok::<_, NoPair>(Attributes::of(gear))
-    });
-    let [one, two] = each;
-    let (one, two) = (one?, two?);
+    let gear = |role| {
+        document
+            .component(relation.one(role)?, relation)
+            .map(Attributes::of)
+    };
+    let (one, two) = (gear("gear_1")?, gear("gear_2")?);
     if one.component().id == two.component().id {
-        return Err(NoPair::LeftOut(format!(
-            "both its gears are {}",
-            one.component().place()
-        )));
+        let place = one.component().place();
+        return Err(NoPair::LeftOut(format!("both its gears are {place}")));
     }
     Ok([one, two])
 }
@@ -110,31 +107,24 @@ impl<'a> Stage<'a> {
 
     pub fn summary(&self) -> String {
         let [one, two] = &self.gears;
-        let thickness = self
-            .gears
-            .each_ref()
-            .map(|gear| match gear.thickness.first() {
-                None => "nominal".to_owned(),
-                Some(Thickness::Series(field)) => field.to_string(),
-                Some(Thickness::Allowance { upper, lower }) => {
-                    format!("{}…{} µm", trimmed(*lower, 0, 1), trimmed(*upper, 0, 1))
-                }
-                Some(Thickness::Span { .. }) => "span".to_owned(),
-                Some(Thickness::OverPins {
-                    body: MeasuringBody::Ball,
-                    ..
-                }) if gear.helix.is_some() => "over balls".to_owned(),
-                Some(Thickness::OverPins { .. }) => "over pins".to_owned(),
-            });
-        let distance = match &self.band {
-            Band::None => shortest(self.distance),
-            Band::Js(grade) => format!("{} js{grade}", shortest(self.distance)),
-            Band::Ends { upper, lower } => format!(
-                "{} ({}…{} µm)",
-                shortest(self.distance),
-                trimmed(*lower, 0, 1),
-                trimmed(*upper, 0, 1)
-            ),
+        let band = |lower: f64, upper: f64| {
+            format!("{}…{} µm", trimmed(lower, 0, 1), trimmed(upper, 0, 1))
+        };
+        let thickness = |gear: &Gear| match gear.thickness.first() {
+            None => "nominal".to_owned(),
+            Some(Thickness::Series(field)) => field.to_string(),
+            Some(Thickness::Allowance { upper, lower }) => band(*lower, *upper),
+            Some(Thickness::Span { .. }) => "span".to_owned(),
+            Some(Thickness::OverPins { body, .. }) => match (body, gear.helix) {
+                (MeasuringBody::Ball, Some(_)) => "over balls".to_owned(),
+                _ => "over pins".to_owned(),
+            },
+        };
+        let distance = shortest(self.distance);
+        let distance = match self.band {
+            Band::None => distance,
+            Band::Js(grade) => format!("{distance} js{grade}"),
+            Band::Ends { upper, lower } => format!("{distance} ({})", band(lower, upper)),
         };
         format!(
             "z {}/{}, m {}{}, a {distance}, thickness {} / {}",
@@ -147,8 +137,8 @@ impl<'a> Stage<'a> {
                 helix.hand.name(),
                 two.helix.map_or("spur", |helix| helix.hand.name())
             )),
-            thickness[0],
-            thickness[1]
+            thickness(one),
+            thickness(two)
         )
     }
 
@@ -159,10 +149,9 @@ impl<'a> Stage<'a> {
             "" => format!("Stage {} of {source}", component.id),
             name => format!("{name}, stage {} of {source}", component.id),
         };
-        let mut text = format!("title = {}\n", toml::Value::String(title));
-        for (name, gear) in ["wheel", "pinion"].into_iter().zip(&self.gears) {
-            table(&mut text, name, gear);
-        }
+        let title = toml::Value::String(title);
+        let gears = ["wheel", "pinion"].into_iter().zip(&self.gears);
+        let gears: String = gears.map(|(name, gear)| table(name, gear)).collect();
         let distance = match &self.band {
             Band::None => format!("{:?}", self.distance),
             Band::Js(grade) => format!("\"{} js{grade}\"", self.distance),
@@ -171,7 +160,7 @@ impl<'a> Stage<'a> {
                 self.distance
             ),
         };
-        text + &format!("\n[assembly]\ncenter_distance_mm = {distance}\n")
+        format!("title = {title}\n{gears}\n[assembly]\ncenter_distance_mm = {distance}\n")
     }
 
     pub fn remarks(&self) -> Vec<String> {
@@ -223,42 +212,37 @@ fn agree(distance: f64, grade: u32, allowances: [f64; 2]) -> Result<Option<Strin
     }
 }
 
-fn table(text: &mut String, name: &str, gear: &Gear) {
+fn table(name: &str, gear: &Gear) -> String {
     let component = gear.parts[0].component();
     let comment = format!("{} {}", component.place(), cut(&component.name, LONGEST));
-    let mut line = |line: String| {
-        text.push_str(&line);
-        text.push('\n');
-    };
-    line(format!("\n[{name}]  # {}", comment.trim_end()));
-    line(format!("teeth = {}", gear.teeth));
-    line(format!("module_mm = {:?}", gear.module));
-    line(format!("pressure_angle_deg = {:?}", gear.pressure_angle));
+    let number = |key: &str, value: f64| format!("{key} = {value:?}");
+    let mut lines = vec![
+        format!("\n[{name}]  # {}", comment.trim_end()),
+        format!("teeth = {}", gear.teeth),
+        number("module_mm", gear.module),
+        number("pressure_angle_deg", gear.pressure_angle),
+    ];
     if let Some(helix) = gear.helix {
-        line(format!("helix_angle_deg = {:?}", helix.angle));
-        line(format!("hand = \"{}\"", helix.hand.name()));
-        line(format!("face_width_mm = {:?}", helix.face_width));
+        lines.push(number("helix_angle_deg", helix.angle));
+        lines.push(format!("hand = \"{}\"", helix.hand.name()));
+        lines.push(number("face_width_mm", helix.face_width));
     }
-    if let Some(shift) = gear.shift {
-        line(format!("profile_shift = {shift:?}"));
-    }
-    if let Some(tip) = gear.tip {
-        line(format!("tip_diameter_mm = {tip:?}"));
-    }
-    if let Some(rack) = &gear.rack {
-        line(format!(
+    lines.extend(gear.shift.map(|shift| number("profile_shift", shift)));
+    lines.extend(gear.tip.map(|tip| number("tip_diameter_mm", tip)));
+    lines.extend(gear.rack.as_ref().map(|rack| {
+        format!(
             "rack = {{ addendum = {:?}, dedendum = {:?}, root_radius = {:?} }}",
             rack.addendum, rack.dedendum, rack.root_radius
-        ));
-    }
+        )
+    }));
     let mut stated = gear.thickness.iter().map(|one| statement(one, gear));
-    if let Some(counts) = stated.next() {
-        let mut inside = counts;
-        if let Some(second) = stated.next() {
-            let _ = write!(inside, ", cross_check = {{ {second} }}");
-        }
-        line(format!("thickness = {{ {inside} }}"));
-    }
+    let counts = stated.next();
+    let second = stated
+        .next()
+        .map(|second| format!(", cross_check = {{ {second} }}"));
+    let second = second.unwrap_or_default();
+    lines.extend(counts.map(|counts| format!("thickness = {{ {counts}{second} }}")));
+    lines.join("\n") + "\n"
 }
 
 fn statement(thickness: &Thickness, gear: &Gear) -> String {

@@ -43,10 +43,8 @@ pub fn read(text: &str) -> Result<Document, Problem> {
             }
             "load_spectrum" => document.others.push("load_spectrum".to_owned()),
             _ => {
-                return Err(wrong(
-                    part,
-                    "expected relations, components or load_spectrum",
-                ));
+                let reason = "expected relations, components or load_spectrum";
+                return Err(wrong(part, reason));
             }
         }
     }
@@ -119,9 +117,6 @@ fn need<'a>(node: Node<'a, '_>, name: &str) -> Result<&'a str, Problem> {
 fn wrong(node: Node, reason: &str) -> Problem {
     let at = node.document().text_pos_at(node.range().start);
     let place = format!("line {} column {}", at.row, at.col);
-    Problem::at(
-        &place,
-        format!("{}: {reason}", shown(node.tag_name().name())),
-        EXPORT_AGAIN,
-    )
+    let reason = format!("{}: {reason}", shown(node.tag_name().name()));
+    Problem::at(&place, reason, EXPORT_AGAIN)
 }

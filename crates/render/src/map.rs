@@ -1,7 +1,7 @@
 //! Maps over centre distance and mesh phase: of the contacts, and of the backlash of drawn gears. A map is a grid of shades with lines
 //! across it and a legend.
 
-use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, line, shaded};
+use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, dashed, line, shaded};
 use crate::pose_name::pose_name;
 use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::diagnosis::{Limit, Map, MapCell};
@@ -63,24 +63,25 @@ const COLOURS: [&str; 9] = [
 
 /// `map` as SVG with `title` above.
 pub fn backlash_map_picture(title: &str, map: &BacklashMap) -> String {
-    let [picture, _] = draw(title, map);
-    format!("{picture}\n")
+    let (grid, caption) = backlash_grid(map);
+    format!("{}\n", grid.picture(title, &caption))
 }
 
 /// The map as part of a page, for a wide and for a narrow screen. Its ids begin with `prefix`.
 pub(crate) fn backlash_map_in_page(prefix: &str, title: &str, map: &BacklashMap) -> String {
     let label = "Backlash over mesh cycle and centre distance";
-    let pictures = draw(title, map).into_iter();
-    let named = pictures.zip([prefix.to_owned(), format!("{prefix}-narrow")]);
-    let named = named.map(|(picture, id)| {
+    let (grid, caption) = backlash_grid(map);
+    let wide = (grid.picture(title, &caption), prefix.to_owned());
+    let narrow = (grid.drawn(&NARROW), format!("{prefix}-narrow"));
+    let named = [wide, narrow].map(|(picture, id)| {
         let picture = picture.set("id", id).set("role", "img");
         format!("{}\n", picture.set("aria-label", label))
     });
-    named.collect()
+    named.concat()
 }
 
-/// The map for a wide and for a narrow screen.
-fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
+/// The map and its caption.
+fn backlash_grid(map: &BacklashMap) -> (Grid<'_>, String) {
     let [wheel, pinion] = map.teeth;
     let caption = format!(
         "{wheel} and {pinion} teeth{}: backlash j_wt over the whole mesh cycle, the least in each cell",
@@ -101,8 +102,7 @@ fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
     ];
     names.extend((1..STEPS).map(|k| format!("backlash {} … {} µm", upto(k - 1), upto(k))));
     names.push(format!("backlash above {} µm", upto(STEPS - 1)));
-    names.push("out of mesh".to_owned());
-    names.push("not settled".to_owned());
+    names.extend(["out of mesh", "not settled"].map(str::to_owned));
     let cells = map.cells.iter().map(|cell| match cell.status {
         Status::Unproven => 8,
         Status::NoContact => 7,
@@ -113,8 +113,8 @@ fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
             (steps.floor() + 3.0).clamp(1.0, 6.0) as usize
         }
     });
-    let start = [map.start.wheel_tooth, map.start.pinion_tooth];
-    let phase = format!("pitches from mating {}·{} on", start[0], start[1]);
+    let (wheel, pinion) = (map.start.wheel_tooth, map.start.pinion_tooth);
+    let phase = format!("pitches from mating {wheel}·{pinion} on");
     let grid = Grid {
         distances: &map.distances,
         columns: map.columns,
@@ -123,7 +123,7 @@ fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
         shades: COLOURS.into_iter().zip(names).collect(),
         cells: cells.collect(),
     };
-    [grid.picture(title, &caption), grid.narrow()]
+    (grid, caption)
 }
 
 /// The least of 1, 2 and 5 times a power of ten, µm, that is at least `least`.
@@ -185,11 +185,6 @@ impl Grid<'_> {
             .add(SMALL.grey().text(caption, [left, 58.0]))
     }
 
-    /// The field and its legend for a screen 390 pixels wide; the page has the caption.
-    fn narrow(&self) -> SVG {
-        self.drawn(&NARROW)
-    }
-
     fn drawn(&self, layout: &Layout) -> SVG {
         let legend = self.used();
         let rows = legend.len().div_ceil(layout.across).max(2);
@@ -242,16 +237,11 @@ impl Grid<'_> {
         let field = layout.field;
         let (plot, mut group) = (self.plot(field), Group::new());
         // From top to bottom.
-        let named: Vec<(f64, String)> = self
-            .limits
-            .iter()
-            .rev()
-            .map(|limit| {
-                let label = format!("{} {}", fixed(limit.distance, 4), limit.name);
-                (plot.spot((0.0, limit.distance))[1], label)
-            })
-            .collect();
-        let inside = |y: f64| y <= field.bottom;
+        let named = self.limits.iter().rev().map(|limit| {
+            let label = format!("{} {}", fixed(limit.distance, 4), limit.name);
+            (plot.spot((0.0, limit.distance))[1], label)
+        });
+        let named: Vec<(f64, String)> = named.collect();
         let mut heights: Vec<f64> = named.iter().map(|(y, _)| *y).collect();
         // Pushed down below the one above, then up from the bottom.
         for i in 1..heights.len() {
@@ -269,22 +259,20 @@ impl Grid<'_> {
             } else {
                 [field.right + 25.0, at + 4.0]
             };
-            if !inside(*y) {
+            if *y > field.bottom {
                 let label = format!("{label}: below the map");
                 group.append(SMALL.grey().text(&label, spot));
                 continue;
             }
             let own = label.contains("a of the pair");
-            let mut across = line(
-                &[[field.left, *y], [field.right, *y]],
-                INK,
-                if own { 2.0 } else { 1.0 },
-            );
-            if !own {
-                across = across.set("stroke-dasharray", "6 3");
-            }
+            let ends = [[field.left, *y], [field.right, *y]];
+            let across = if own {
+                line(&ends, INK, 2.0)
+            } else {
+                dashed(&ends, INK, 1.0, "6 3")
+            };
             // A light line under a dark one is visible on any shade.
-            let halo = line(&[[field.left, *y], [field.right, *y]], "#ffffff", 3.0);
+            let halo = line(&ends, "#ffffff", 3.0);
             group.append(halo.set("stroke-opacity", "0.60"));
             group.append(across);
             if !layout.is_narrow {

@@ -4,6 +4,7 @@ use super::captions::entry;
 use super::panel::{Look, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
+use gearlash::gear::Flank;
 
 /// Number of teeth above which lines replace bars. Narrower than a unit, the bars of two flanks cannot be distinguished.
 const MOST_BARS: usize = 350;
@@ -27,6 +28,14 @@ impl<'a> BarSeries<'a> {
             values: values.iter().map(|mm| Some(mm * 1e3)).collect(),
             look,
         }
+    }
+
+    /// Values of right and of left flanks, given in mm, drawn in µm.
+    pub fn of_flanks(values: impl Fn(Flank) -> Vec<f64>) -> [BarSeries<'a>; 2] {
+        [
+            BarSeries::of_mm("right flanks", &values(Flank::Right), Look::Right),
+            BarSeries::of_mm("left flanks", &values(Flank::Left), Look::Left),
+        ]
     }
 }
 
@@ -156,12 +165,8 @@ fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) 
 
 /// Words above the middle of the zero line.
 fn above_zero([from, to]: [f64; 2], words: &str) -> Mark {
-    Mark::text(
-        [0.5 * (from + to), 0.0],
-        [0.0, -10.0],
-        words,
-        Anchor::Middle,
-    )
+    let middle = [0.5 * (from + to), 0.0];
+    Mark::text(middle, [0.0, -10.0], words, Anchor::Middle)
 }
 
 /// The axes of a curve over the teeth.
@@ -191,11 +196,8 @@ pub fn curve(
     // Less than a tooth beyond the teeth: the number before 1 is the last.
     let x = range(points.iter().map(|point| point.0), [0.0; 2], 1e-9);
     let x = x.map(|[from, to]| [from - 0.6, to + 0.6]);
-    let y = range(
-        points.iter().filter_map(|point| point.1),
-        [0.08; 2],
-        axes.least,
-    );
+    let values = points.iter().filter_map(|point| point.1);
+    let y = range(values, [0.08; 2], axes.least);
     let (Some(x), Some(y)) = (x, y) else {
         return Err(PictureError("there are no values to draw".to_owned()));
     };

@@ -93,8 +93,8 @@ pub fn distance(
     let drawn = bands.chain([&right, &left]).flatten();
     let values = drawn.chain(ranges.iter().flatten());
     let values = values.filter_map(|point| point.1);
-    let nothing = "the mating is jammed or out of mesh at every centre distance";
-    let nothing = || PictureError(nothing.to_owned());
+    let words = "the mating is jammed or out of mesh at every centre distance";
+    let nothing = || PictureError(words.to_owned());
     let places = curve.points.iter().map(|point| point.center_distance);
     let x = range(places, [0.0; 2], 1e-6).ok_or_else(nothing)?;
     let x_axis = Axis::new("centre distance a, mm", x);
@@ -112,12 +112,9 @@ pub fn distance(
     panel.marks.extend(gaps(curve, [x, y]));
     if let Some(from) = curve.assembles_from {
         panel.marks.push(Mark::upright(from, y, Look::Limit, 1.2));
-        panel.marks.push(Mark::text(
-            [from, y[0]],
-            [-6.0, -24.0],
-            format!("assembles from a = {} mm on", fixed(from, 4)),
-            Anchor::End,
-        ));
+        let words = format!("assembles from a = {} mm on", fixed(from, 4));
+        let words = Mark::text([from, y[0]], [-6.0, -24.0], words, Anchor::End);
+        panel.marks.push(words);
     }
     sheet::draw(heading, &details, &legend, &[panel])
 }
@@ -156,10 +153,11 @@ fn gaps(curve: &OverDistance, [x, y]: [[f64; 2]; 2]) -> impl Iterator<Item = Mar
             part if part > 0.9 => (x[1], -6.0, Anchor::End),
             _ => (middle, 0.0, Anchor::Middle),
         };
+        let words = without_value([status].into_iter());
         Some(Mark::text(
             [at, 0.5 * (y[0] + y[1])],
             [shift, 0.0],
-            without_value([status].into_iter()).to_owned(),
+            words,
             anchor,
         ))
     })

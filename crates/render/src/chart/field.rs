@@ -147,9 +147,8 @@ fn shaded(line: &ContactLine, side: Side, most: f64, half: f64) -> Vec<Mark> {
     let mut marks = Vec::new();
     let mut from = 0;
     for to in 1..line.points.len() {
-        let ends =
-            to + 1 == line.points.len() || shade(&line.points[to]) != shade(&line.points[from]);
-        if ends {
+        let is_last = to + 1 == line.points.len();
+        if is_last || shade(&line.points[to]) != shade(&line.points[from]) {
             let points = &line.points[from..=to];
             let edge = |off: f64| points.iter().map(|p| (p[0], Some(p[1] + off))).collect();
             let part = shade(&line.points[from]) / SHADES as f64;
@@ -180,11 +179,9 @@ fn leads(side: &FieldSide, x: [f64; 2]) -> Option<Panel> {
     marks.push(Mark::Line(curve(&sum), side_look(side.side), 2.0));
     let binding = &side.binding;
     let (wheel, pinion) = (binding.wheel_tooth, binding.pinion_tooth);
-    let flanks = format!(
-        "{} flanks of wheel {wheel} and pinion {pinion}",
-        side.side.name()
-    );
-    let title = format!("Leads of the {flanks}, and their sum");
+    let flanks = side.side.name();
+    let title =
+        format!("Leads of the {flanks} flanks of wheel {wheel} and pinion {pinion}, and their sum");
     let y = Axis::new("more material, µm", y);
     Some(Panel::new(Axis::new(ALONG, x), y, LEADS_HEIGHT, marks).titled(title))
 }
@@ -251,12 +248,9 @@ fn label(line: &ContactLine, side: &FieldSide, [from, to]: [f64; 2]) -> Option<M
     // A rising line has room below on its right and above on its left.
     let below = (side_slope(side) > 0.0) != before;
     let sign = |yes| if yes { 1.0 } else { -1.0 };
-    Some(Mark::text(
-        middle,
-        [sign(!before) * LABEL_OFFSET, sign(below) * 9.0],
-        text,
-        if before { Anchor::End } else { Anchor::Start },
-    ))
+    let shift = [sign(!before) * LABEL_OFFSET, sign(below) * 9.0];
+    let anchor = if before { Anchor::End } else { Anchor::Start };
+    Some(Mark::text(middle, shift, text, anchor))
 }
 
 /// Slope of the lines; 0 where lines are too short for one.

@@ -19,17 +19,9 @@ pub fn inspection(
     gear: &str,
     inspection: &Inspection,
 ) -> Result<Chart, PictureError> {
-    let pitch = |values: fn(&Inspection, Flank) -> Vec<f64>| {
-        let right = values(inspection, Flank::Right);
-        let left = values(inspection, Flank::Left);
-        vec![
-            BarSeries::of_mm("right flanks", &right, Look::Right),
-            BarSeries::of_mm("left flanks", &left, Look::Left),
-        ]
-    };
     let plain = |name, values: &[f64]| vec![BarSeries::of_mm(name, values, Look::Plain)];
-    let single = pitch(|inspection, side| inspection.single(side));
-    let cumulative = pitch(|inspection, side| inspection.cumulative(side).to_vec());
+    let single = BarSeries::of_flanks(|side| inspection.single(side)).to_vec();
+    let cumulative = BarSeries::of_flanks(|side| inspection.cumulative(side).to_vec()).to_vec();
     let thickness = plain("thickness", inspection.thickness());
     let runout = plain("displacement", inspection.runout());
     let groups = [
@@ -103,14 +95,14 @@ pub fn profiles(heading: &Heading, read: &ProfileReadings) -> Result<Chart, Pict
 pub fn leads(heading: &Heading, read: &LeadReadings) -> Result<Chart, PictureError> {
     let words = |side: Flank, lead: &TraceReading| {
         let [from, to] = read.flank(side).evaluated.map(|z| fixed(z, 2));
+        let hand = if read.is_helical {
+            ""
+        } else {
+            " (as right hand)"
+        };
         format!(
-            "f_Hβ {}{}, f_fβ {}, F_β {}, C_β over the face width {} µm · evaluated over {from} … {to} mm",
+            "f_Hβ {}{hand}, f_fβ {}, F_β {}, C_β over the face width {} µm · evaluated over {from} … {to} mm",
             um(read.helix_slope(side, lead), 2),
-            if read.is_helical {
-                ""
-            } else {
-                " (as right hand)"
-            },
             um(lead.form, 2),
             um(lead.total, 2),
             um(read.crowning(lead), 2),
@@ -141,11 +133,9 @@ fn traces(
         shapes.flat_map(|shape| &shape.points)
     };
     let x = range(points().map(|point| point.0), [0.02; 2], 1e-9);
-    let y = range(
-        (points().map(|point| 1e3 * point.1).chain([0.0])).chain(more.iter().map(|mm| 1e3 * mm)),
-        [0.08; 2],
-        LEAST,
-    );
+    let values = points().map(|point| point.1).chain([0.0]);
+    let values = values.chain(more.iter().copied()).map(|mm| 1e3 * mm);
+    let y = range(values, [0.08; 2], LEAST);
     let (Some(x), Some(y)) = (x, y) else {
         return Err(PictureError("there are no values to draw".to_owned()));
     };

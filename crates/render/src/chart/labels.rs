@@ -45,14 +45,10 @@ pub(super) enum Lacking {
 pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>) {
     let mut taken = obstacles(panel, plot);
     let (mut labels, mut lacking) = (Vec::new(), None);
-    let note = marks::has_envelope(&panel.marks, plot).then(|| {
-        Mark::text(
-            [panel.x.range[1], panel.y.range[1]],
-            [-4.0, 10.0],
-            "shaded: min–max envelope of swings too narrow to draw".to_owned(),
-            Anchor::End,
-        )
-    });
+    let note = "shaded: min–max envelope of swings too narrow to draw";
+    let corner = [panel.x.range[1], panel.y.range[1]];
+    let note = Mark::text(corner, [-4.0, 10.0], note, Anchor::End);
+    let note = marks::has_envelope(&panel.marks, plot).then_some(note);
     for mark in panel.marks.iter().chain(&note) {
         let Mark::Text {
             at,
@@ -125,10 +121,8 @@ fn nearest(wanted: Spot, size: [f64; 2], plot: &Plot, taken: &Occupied) -> (Fram
     }
     // Numbers that are not negative have the order of their bits.
     candidates.sort_by_cached_key(|(away, _)| away.to_bits());
-    let free = candidates
-        .iter()
-        .find(|(_, frame)| taken.is_clear(frame, CLEAR));
-    match free {
+    let mut candidates = candidates.iter();
+    match candidates.find(|(_, frame)| taken.is_clear(frame, CLEAR)) {
         Some((far, frame)) => (*frame, Some(*far)),
         None => (at(first[0], first[1]), None),
     }

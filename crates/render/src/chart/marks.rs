@@ -82,13 +82,9 @@ pub(super) fn has_envelope(marks: &[Mark], plot: &Plot) -> bool {
         let Mark::Line(points, ..) = mark else {
             return false;
         };
-        let mut runs = thin::runs(points, 1.0 / plot.scale()[0]).into_iter();
-        runs.any(|run| {
-            matches!(
-                thin::overplotting(&run, plot.scale()),
-                Overplotting::Solid(_)
-            )
-        })
+        let runs = thin::runs(points, 1.0 / plot.scale()[0]).into_iter();
+        let mut seen = runs.map(|run| thin::overplotting(&run, plot.scale()));
+        seen.any(|density| matches!(density, Overplotting::Solid(_)))
     })
 }
 

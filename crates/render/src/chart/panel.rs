@@ -159,11 +159,8 @@ pub(super) struct Entry {
 /// fill it. Where no value is negative it starts at zero; else there is room for a word below the zero line.
 pub(super) fn backlash_range(values: impl Iterator<Item = f64>, um: f64) -> Option<[f64; 2]> {
     let mut least = f64::INFINITY;
-    let [low, high] = range(
-        values.inspect(|value| least = least.min(*value)),
-        [0.16; 2],
-        um,
-    )?;
+    let values = values.inspect(|value| least = least.min(*value));
+    let [low, high] = range(values, [0.16; 2], um)?;
     Some(if least >= 0.0 {
         [low.max(0.0), high]
     } else {

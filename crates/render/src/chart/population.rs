@@ -163,12 +163,8 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
         }
         let percent = fixed(100.0 * one.total.value, 1);
         let name = format!("{} {percent} %", one.factor.name());
-        marks.push(Mark::text(
-            [0.0, middle + 0.32],
-            [4.0, 0.0],
-            name,
-            Anchor::Start,
-        ));
+        let name = Mark::text([0.0, middle + 0.32], [4.0, 0.0], name, Anchor::Start);
+        marks.push(name);
     }
     marks.push(Mark::upright(0.0, [0.0, count], Look::Plain, 1.0));
     let entries = [

@@ -92,12 +92,13 @@ pub fn revolution(
     };
     match (&course.least, &course.greatest) {
         // One pose is both where all agree within their error bounds.
-        (Some(least), Some(greatest)) if least == greatest => panel.marks.push(Mark::text(
-            [panel.x.range[0], of_um(least.backlash_um)],
-            [8.0, -14.0],
-            format!("{} everywhere", shown(least.backlash_um)),
-            Anchor::Start,
-        )),
+        (Some(least), Some(greatest)) if least == greatest => {
+            let at = [panel.x.range[0], of_um(least.backlash_um)];
+            let words = format!("{} everywhere", shown(least.backlash_um));
+            panel
+                .marks
+                .push(Mark::text(at, [8.0, -14.0], words, Anchor::Start));
+        }
         (Some(least), Some(greatest)) => {
             for (word, extreme, shift) in [("least", least, 16.0), ("greatest", greatest, -16.0)] {
                 let y = of_um(extreme.backlash_um);
@@ -115,15 +116,12 @@ pub fn revolution(
         let Some(um) = um else {
             continue;
         };
-        let y = of_um(um);
-        let level = Mark::level(panel.x.range, y, Look::Limit, 1.2);
-        panel.marks.push(level);
-        panel.marks.push(Mark::text(
-            [panel.x.range[1], y],
-            [-8.0, shift],
-            format!("{word} of the whole mesh cycle {}", shown(um)),
-            Anchor::End,
-        ));
+        let (x, y) = (panel.x.range, of_um(um));
+        let words = format!("{word} of the whole mesh cycle {}", shown(um));
+        panel.marks.push(Mark::level(x, y, Look::Limit, 1.2));
+        panel
+            .marks
+            .push(Mark::text([x[1], y], [-8.0, shift], words, Anchor::End));
     }
     let gaps = if points_of_all().any(|point| point.simulated_um.is_none()) {
         format!(" · gaps: {}", without())
@@ -162,13 +160,9 @@ pub(super) fn label(
     };
     let teeth = |(wheel, pinion): (u32, u32)| format!("{wheel}·{pinion}");
     let [right_teeth, left_teeth] = [extreme.right, extreme.left].map(teeth);
+    let words = format!("{words}: right flanks {right_teeth}, left flanks {left_teeth} touch");
     [
         Mark::Dots(vec![(extreme.x, Some(y))], Look::Plain),
-        Mark::text(
-            [extreme.x, y],
-            [across, shift],
-            format!("{words}: right flanks {right_teeth}, left flanks {left_teeth} touch"),
-            anchor,
-        ),
+        Mark::text([extreme.x, y], [across, shift], words, anchor),
     ]
 }

@@ -1,8 +1,7 @@
 //! The SVG element of a chart: title, legend, panels one below the other, and labels above all lines.
 
 use super::labels::{self, Lacking};
-use super::marks;
-use super::marks::bar;
+use super::marks::{self, bar};
 use super::panel::{Entry, Mark, Panel, Swatch};
 use crate::kit::{FONTS, Frame, NUMBERS, Plot, TextStyle, axes, grid, line, number};
 use gearlash_text::characters::plain;
@@ -82,11 +81,9 @@ impl<'a> Heading<'a> {
 /// A complete chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
-    /// One `<svg>` element with a `viewBox`, without XML prolog; its `data-` attributes repeat `plot`.
+    /// One `<svg>` element with a `viewBox`, without XML prolog; its `data-` attributes repeat the first of `panels`.
     pub svg: String,
-    /// The frame of the first panel, in data.
-    pub plot: Plot,
-    /// Every panel's frame from above, `plot` first.
+    /// Every panel's frame from above, in data.
     pub panels: Vec<Plot>,
     drawn_from: Source,
 }
@@ -168,9 +165,8 @@ impl Source {
             from += height;
             plots.push(plot);
         }
-        let plot = plots[0];
         let id = format!("{}{}", self.prefix, layout.suffix);
-        let mut element = element(&id, &self.title, [layout.width, from + 8.0], &plot)
+        let mut element = element(&id, &self.title, [layout.width, from + 8.0], &plots[0])
             .add(head)
             .add(legend)
             .add(drawn);
@@ -180,7 +176,6 @@ impl Source {
         }
         Chart {
             svg: format!("{element}\n"),
-            plot,
             panels: plots,
             drawn_from: self.clone(),
         }

@@ -197,15 +197,8 @@ fn pitch(gauged: &GaugedGear, chart: Chart, read: &PitchReadings) -> File {
             both(PitchReadings::total)
         ),
     ];
-    let flanks = |values: fn(&PitchReadings, Flank) -> Vec<f64>| {
-        [
-            (Flank::Right, "right flanks", Look::Right),
-            (Flank::Left, "left flanks", Look::Left),
-        ]
-        .map(|(side, name, look)| BarSeries::of_mm(name, &values(read, side), look))
-    };
-    let single = flanks(PitchReadings::single);
-    let cumulative = flanks(|read, side| read.cumulative.flank(side).to_vec());
+    let single = BarSeries::of_flanks(|side| read.single(side));
+    let cumulative = BarSeries::of_flanks(|side| read.cumulative.flank(side).to_vec());
     let limits = graded(GradedQuantity::SinglePitch).map(|graded| {
         let (tolerance, name) = tolerance(&graded);
         Limits {

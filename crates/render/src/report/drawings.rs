@@ -1,6 +1,6 @@
 //! The drawings as read, and the assembly.
 
-use super::input::assembly;
+use super::input::{assembly, by_material};
 use super::page::Page;
 use super::phrases::{plain, sentence};
 use super::stated::{high_tooth, runout, single_or_band, thickness};
@@ -56,12 +56,9 @@ fn rows(pair: &PairFile) -> Vec<(&'static str, [String; 2])> {
     let drawn = |drawing: &dyn Fn(&OutlineSpec, &DrawingRead) -> String| of(drawing, &|_| dash());
     let gears = |value: fn(&OutlineGear) -> f64| {
         [0, 1].map(|k| {
-            let materials = pair.study.drawn.iter();
-            let mut values: Vec<String> = materials
-                .map(|(_, wheel, pinion)| trimmed(value([wheel, pinion][k]), 0, 4))
-                .collect();
-            values.dedup();
-            values.join(" / ")
+            let gears = pair.study.drawn.iter();
+            let gears = gears.map(|(_, wheel, pinion)| value([wheel, pinion][k]));
+            by_material(gears.map(|value| trimmed(value, 0, 4)))
         })
     };
     let runouts = specs.map(EitherGearSpec::runout);

@@ -98,10 +98,10 @@ fn extreme(here: Option<FaceExtreme>, narrowest: Option<FaceExtreme>, none: &str
         Some(one) if one.doubtful.is_none() && here.doubtful.is_none() => {
             um(Some(here.found - one.found), 2)
         }
-        Some(one) => band(
-            here.against(&one).map_or([None; 2], |ends| ends.map(Some)),
-            2,
-        ),
+        Some(one) => {
+            let ends = here.against(&one);
+            band(ends.map_or([None; 2], |ends| ends.map(Some)), 2)
+        }
         None => NONE.to_owned(),
     };
     let value = match (here.doubtful.is_none(), here.holds()) {

@@ -18,11 +18,8 @@ const MOST_COURSES: usize = 12;
 pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
     let draw = |number: usize, course: &Course| {
         let title = format!("Backlash over the teeth {}", place(course));
-        let drawn = chart::revolution(
-            BacklashUnit::Um,
-            &heading(page, &id(number), &title)?,
-            course,
-        )?;
+        let id = id(number);
+        let drawn = chart::revolution(BacklashUnit::Um, &heading(page, &id, &title)?, course)?;
         Ok(html! {
             figure.chart tabindex="0" {
                 (svg(&drawn))
@@ -34,11 +31,8 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
 }
 
 fn place(course: &Course) -> String {
-    format!(
-        "at a = {} mm{}",
-        stated_distance(course.center_distance),
-        phase_name(course.phase)
-    )
+    let a = stated_distance(course.center_distance);
+    format!("at a = {a} mm{}", phase_name(course.phase))
 }
 
 fn id(number: usize) -> String {

@@ -1,23 +1,15 @@
 //! Parts of a page that depend on how gears are given: by their data, or by drawings.
 
-use super::page::Page;
 use super::phrases::{plain, symbol};
 use super::table::{Table, cells, columns};
-use super::{drawings, input, stated};
-use crate::chart::PictureError;
+use super::{drawings, stated};
 use gearlash_input::PairFile;
 use gearlash_input::spec::GearSpec;
 use gearlash_text::numbers::shortest;
 use maud::{Markup, Render, html};
 
-type Section<'a> = dyn Fn(&Page) -> Result<Markup, PictureError> + 'a;
-
-/// The parts of a page that differ between gears by data and drawn ones.
-pub(super) struct Gears<'a> {
-    /// The section of the gears and their assembly.
-    pub section: Box<Section<'a>>,
-    /// Table of both gears for the page of a population.
-    pub table: Markup,
+/// The words of a page that differ between gears by data and drawn ones.
+pub(super) struct Gears {
     /// The sentence on the input that reproduces the numbers.
     pub same: &'static str,
     /// How the outlines are made.
@@ -32,15 +24,13 @@ pub(super) struct Gears<'a> {
     pub form: Option<&'static str>,
 }
 
-impl Gears<'_> {
-    pub fn of(pair: &PairFile) -> Gears<'_> {
+impl Gears {
+    pub fn of(pair: &PairFile) -> Gears {
         let Some(gears) = pair.spec.by_data() else {
-            return drawn(pair);
+            return drawn();
         };
         let has_profile = gears.iter().any(|gear| gear.profile.is_some());
         Gears {
-            section: Box::new(move |page| input::section(page, gears)),
-            table: table(gears),
             same: "The same pair file and version give the same numbers.",
             built: "Both outlines are built as measured: involutes, generated fillets, tips and roots, each flank where its \
                     thickness and pitch deviation put it, each gear off its axis by half its runout. ",
@@ -59,10 +49,8 @@ impl Gears<'_> {
     }
 }
 
-fn drawn(pair: &PairFile) -> Gears<'_> {
+fn drawn() -> Gears {
     Gears {
-        section: Box::new(|page| Ok(drawings::section(page))),
-        table: drawings::gears(pair),
         same: "The same pair file, drawings and version give the same numbers.",
         built: "Outlines are taken as drawn; a gear by its data is built as measured. ",
         bound: " covers rounding, and how far the curves may lie from what was drawn,",
@@ -76,7 +64,10 @@ fn drawn(pair: &PairFile) -> Gears<'_> {
 }
 
 /// Table of both gears as stated.
-fn table(gears: [&GearSpec; 2]) -> Markup {
+pub(super) fn table(pair: &PairFile) -> Markup {
+    let Some(gears) = pair.spec.by_data() else {
+        return drawings::gears(pair);
+    };
     let of = |value: &dyn Fn(&GearSpec) -> String| gears.map(value);
     let pressure = of(&|gear| shortest(gear.pressure_angle_deg));
     let helix = of(&|gear| gear.helix_angle_deg.map_or("0".to_owned(), shortest));

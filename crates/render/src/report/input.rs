@@ -8,7 +8,6 @@ use super::stated::{face_runout, high_tooth, lead, pitch, profile, runout, thick
 use super::table::{Table, cells, columns};
 use crate::chart::PictureError;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, Inspection};
-use gearlash::pair::Member;
 use gearlash_input::spec::{AssemblySpec, GearSpec};
 use gearlash_text::numbers::{fixed, shortest, stated_distance, trimmed};
 use maud::{Markup, Render, html};
@@ -69,10 +68,8 @@ pub(super) fn section(page: &Page, gears: [&GearSpec; 2]) -> Result<Markup, Pict
     if is_helical {
         rows.extend(properties(page, &HELIX));
         rows.push(("| hand | –", gears.map(hand)));
-        rows.push((
-            "| face, each from its own measuring plane | mm",
-            gears.map(own_face),
-        ));
+        let name = "| face, each from its own measuring plane | mm";
+        rows.push((name, gears.map(own_face)));
         rows.extend(properties(page, &TRANSVERSE));
     }
     rows.extend(properties(page, &DERIVED));
@@ -84,10 +81,8 @@ pub(super) fn section(page: &Page, gears: [&GearSpec; 2]) -> Result<Markup, Pict
     rows.push((name, gears.map(|gear| thickness(&gear.thickness))));
     let name = "2 e | twice the eccentricity, the runout as stated | µm";
     rows.push((name, gears.map(|gear| runout(&gear.runout))));
-    rows.push((
-        "| high tooth | –",
-        gears.map(|gear| high_tooth(&gear.runout)),
-    ));
+    let high_teeth = gears.map(|gear| high_tooth(&gear.runout));
+    rows.push(("| high tooth | –", high_teeth));
     if gears.iter().any(|gear| gear.runout.face_runout.is_some()) {
         let name = "f_ax | axial runout of a shoulder, the wobble of the teeth |";
         rows.push((name, gears.map(|gear| face_runout(&gear.runout))));
@@ -141,18 +136,13 @@ fn named_cells(text: &str) -> Vec<Markup> {
 }
 
 fn pitches(page: &Page, gears: [&GearSpec; 2]) -> [String; 2] {
-    let [wheel, pinion] = gears;
     let first = page.report.pair.study.materials.first();
-    Member::BOTH.map(|member| {
-        let (gear, stated) = match member {
-            Member::Wheel => (first.map(|gears| &gears.1), wheel),
-            Member::Pinion => (first.map(|gears| &gears.2), pinion),
-        };
-        let by_tooth = gear.is_some_and(|gear| {
-            let inspection = Inspection::of(gear);
+    [0, 1].map(|k| {
+        let by_tooth = first.is_some_and(|(_, wheel, pinion)| {
+            let inspection = Inspection::of([wheel, pinion][k]);
             inspection.thickness().iter().any(|off| *off != 0.0)
         });
-        pitch(stated.pitch.as_ref(), by_tooth)
+        pitch(gears[k].pitch.as_ref(), by_tooth)
     })
 }
 
@@ -160,22 +150,22 @@ fn pitches(page: &Page, gears: [&GearSpec; 2]) -> [String; 2] {
 fn properties(page: &Page, list: &[Property]) -> Vec<(&'static str, [String; 2])> {
     let study = &page.report.pair.study;
     let each = list.iter().map(|(spur, helical, decimals, of)| {
-        let values = Member::BOTH.map(|member| {
-            let values = study.materials.iter().map(|(_, wheel, pinion)| {
-                let gear = match member {
-                    Member::Wheel => wheel,
-                    Member::Pinion => pinion,
-                };
-                trimmed(of(gear), 0, *decimals)
-            });
-            let mut values: Vec<String> = values.collect();
-            values.dedup();
-            values.join(" / ")
+        let values = [0, 1].map(|k| {
+            let materials = study.materials.iter();
+            let gears = materials.map(|(_, wheel, pinion)| [wheel, pinion][k]);
+            by_material(gears.map(|gear| trimmed(of(gear), 0, *decimals)))
         });
         let is_other = study.is_helical() && !helical.is_empty();
         (if is_other { *helical } else { *spur }, values)
     });
     each.collect()
+}
+
+/// The values of one gear at most and at least material: one where they are equal.
+pub(super) fn by_material(values: impl Iterator<Item = String>) -> String {
+    let mut values: Vec<String> = values.collect();
+    values.dedup();
+    values.join(" / ")
 }
 
 fn hand(gear: &GearSpec) -> String {
@@ -197,31 +187,26 @@ pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
     let angles = page.report.analysis.runs.iter();
     let angles = angles.filter_map(|run| run.run.assembly.operating_pressure_angle());
     let angles = angles.map(f64::to_degrees);
-    let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
-    let angle = if least == most {
-        fixed(least, 4)
-    } else {
-        format!("{} … {}", fixed(least, 4), fixed(most, 4))
-    };
+    let ends = [angles.clone().reduce(f64::min), angles.reduce(f64::max)];
     let mut rows = vec![("a | centre distance | mm", distances.join(", "))];
     if study.lean != [0.0; 2] {
         let [in_plane, out_of_plane] = study.lean.map(|lean| trimmed(1e3 * lean, 0, 4));
-        rows.push((
-            "| lean of the pinion’s axis, in the plane of the axes / out of it | µm/mm",
-            format!("{in_plane} / {out_of_plane}"),
-        ));
+        let name = "| lean of the pinion’s axis, in the plane of the axes / out of it | µm/mm";
+        rows.push((name, format!("{in_plane} / {out_of_plane}")));
     }
     if study.is_helical() {
         let [from, to] = study.face.map(|end| trimmed(end, 0, 3));
         let offset = shortest(spec.face_offset_mm.unwrap_or_default());
         rows.push(("| face offset: the pinion’s measuring plane beyond the wheel’s, away from the viewer | mm", offset));
-        let face = format!("{from} … {to}");
-        rows.push((
-            "| common face, from the wheel’s measuring plane away from the viewer | mm",
-            face,
-        ));
+        let name = "| common face, from the wheel’s measuring plane away from the viewer | mm";
+        rows.push((name, format!("{from} … {to}")));
     }
-    if least.is_some() {
+    if let [Some(least), Some(most)] = ends {
+        let angle = if least == most {
+            fixed(least, 4)
+        } else {
+            format!("{} … {}", fixed(least, 4), fixed(most, 4))
+        };
         rows.push(("α_wt | operating pressure angle | °", angle));
     }
     let each = clearance.each().map(|ends| {
@@ -229,10 +214,8 @@ pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
         ends.dedup();
         ends.join(", ")
     });
-    rows.push((
-        "| radial bearing clearance, wheel / pinion | mm",
-        each.join(" / "),
-    ));
+    let name = "| radial bearing clearance, wheel / pinion | mm";
+    rows.push((name, each.join(" / ")));
     if let Some(at) = clearance.at_mm {
         let name = "| bearings, from the wheel’s measuring plane away from the viewer | mm";
         rows.push((name, at.map(shortest).join(", ")));

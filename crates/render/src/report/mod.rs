@@ -69,7 +69,6 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     sections.retain(|(id, _)| *id != "face" || face::is_of(&page));
     let has_checks = !report.analysis.diagnosis.groups.is_empty();
     sections.retain(|(id, _)| has_checks || !matches!(*id, "trust" | "checks" | "models"));
-    let gears = Gears::of(report.pair);
     let main = html! {
         (verdict::section(&page))
         (trust::unproven(&page))
@@ -79,7 +78,10 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
             (trust::section(&page))
             (models::checks(&page))
         }
-        ((gears.section)(&page)?)
+        @match report.pair.spec.by_data() {
+            Some(gears) => (input::section(&page, gears)?),
+            None => (drawings::section(&page)),
+        }
         (models::measured(&page))
         @if has_checks { (models::section(&page)?) }
         (results::poses(&page))
@@ -90,7 +92,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         file: report.file,
         date: report.date,
         sections: &sections,
-        same: gears.same,
+        same: Gears::of(report.pair).same,
     };
     Ok(page_frame.page(&main))
 }

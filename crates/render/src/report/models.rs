@@ -11,6 +11,7 @@ use gearlash::analysis::outcome::{MODELS, deviation};
 use gearlash_results::text::check::{MARGIN, check_doubts, table};
 use gearlash_results::text::measured_shown;
 use gearlash_text::numbers::difference_um;
+use indexmap::IndexSet;
 use maud::{Markup, html};
 
 pub(super) fn checks(page: &Page) -> Markup {
@@ -89,32 +90,22 @@ pub(super) fn measured(page: &Page) -> Markup {
 }
 
 fn sources(measured: &[MeasuredMating]) -> Markup {
-    let mut sources: Vec<&str> = Vec::new();
-    for mating in measured {
-        let source = mating.row.source.as_str();
-        if !source.is_empty() && !sources.contains(&source) {
-            sources.push(source);
-        }
-    }
+    let sources: IndexSet<&str> = measured.iter().map(|mating| &*mating.row.source).collect();
+    let sources: Vec<&str> = sources
+        .into_iter()
+        .filter(|source| !source.is_empty())
+        .collect();
     html! {
         @if !sources.is_empty() { p.note { "Source as that file names it: " (plain(&sources.join("; "))) "." } }
     }
 }
 
 /// The inputs of each formula, in the order of [`MODELS`].
+#[rustfmt::skip]
 const NAMES: [(&str, &str); 3] = [
-    (
-        "1 Michalec, K (1)–(7)",
-        "mean thickness, eccentricity; linear in the centre distance",
-    ),
-    (
-        "2 involute, K (11)–(17)",
-        "mean thickness, eccentricity at the pose",
-    ),
-    (
-        "3 line of action",
-        "every flank’s thickness and pitch, eccentricity; exact while involutes touch",
-    ),
+    ("1 Michalec, K (1)–(7)", "mean thickness, eccentricity; linear in the centre distance"),
+    ("2 involute, K (11)–(17)", "mean thickness, eccentricity at the pose"),
+    ("3 line of action", "every flank’s thickness and pitch, eccentricity; exact while involutes touch"),
 ];
 
 pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {

@@ -16,13 +16,8 @@ use gearlash_text::numbers::{stated_distance, trimmed, um};
 use maud::{Markup, PreEscaped, html};
 
 pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
-    let charts = charted(page);
-    let charts: Vec<_> = charts
-        .iter()
-        .map(|(id, course)| (id.as_str(), *course))
-        .collect();
     page.tick()?;
-    let mesh = viewer::fragment(page.report.analysis, &charts)
+    let mesh = viewer::fragment(page.report.analysis, &charted(page))
         .map_err(|error| PictureError(format!("the poses cannot be written: {error}")))?;
     page.tick()?;
     Ok(html! {

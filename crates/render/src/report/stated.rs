@@ -162,14 +162,14 @@ fn by_flank([right, left]: [String; 2]) -> String {
     }
 }
 
+fn in_um(name: &str, um: Option<f64>) -> Option<String> {
+    um.map(|um| format!("{name} {} µm", shortest(um)))
+}
+
 fn flank_lead(stated: &FlankLeadSpec) -> String {
     let mut parts = Vec::new();
-    for (name, um) in [
-        ("slope", stated.slope_um),
-        ("crowning over the face width", stated.crowning_um),
-    ] {
-        parts.extend(um.map(|um| format!("{name} {} µm", shortest(um))));
-    }
+    parts.extend(in_um("slope", stated.slope_um));
+    parts.extend(in_um("crowning over the face width", stated.crowning_um));
     parts.extend(stated.helix_slope_um.as_ref().map(|slope| match slope {
         Either::One(um) => format!("helix slope f_Hβ {} µm", shortest(*um)),
         Either::Other(slope) => format!("helix slope f_Hβ {} µm", slope.text()),
@@ -198,13 +198,11 @@ fn traces(teeth: impl Iterator<Item = Option<u32>>) -> Option<String> {
 
 fn flank_profile(stated: &FlankProfileSpec) -> String {
     let mut parts = Vec::new();
-    let um = [
-        ("slope f_Hα", stated.slope_um),
-        ("crowning over the evaluation range", stated.crowning_um),
-    ];
-    for (name, um) in um {
-        parts.extend(um.map(|um| format!("{name} {} µm", shortest(um))));
-    }
+    parts.extend(in_um("slope f_Hα", stated.slope_um));
+    parts.extend(in_um(
+        "crowning over the evaluation range",
+        stated.crowning_um,
+    ));
     let reliefs = [
         ("tip relief", stated.tip_relief),
         ("root relief", stated.root_relief),

@@ -1,7 +1,7 @@
 //! The page of a population of pairs.
 
 use super::figures::{collapsed, figure};
-use super::gears::Gears;
+use super::gears;
 use super::page::PageFrame;
 use super::phrases::{j_wt, plain, with_symbols};
 use super::table::{Table, cells, columns, mark};
@@ -97,7 +97,7 @@ fn input(report: &ToleranceReport) -> Markup {
     html! {
         section id="input" {
             h2 { "Input" }
-            (Gears::of(pair).table)
+            (gears::table(pair))
             (stated_table("Assembly", &assembly))
             (stated_table("What scatters, [tolerance]", &scatters))
             p {
@@ -112,9 +112,8 @@ fn stated_table(caption: &str, table: &serde_json::Value) -> Markup {
     let mut rows = Vec::new();
     statements("", table, &mut rows);
     let columns = columns(" | ");
-    let rows = rows
-        .iter()
-        .map(|(name, value)| cells![plain(name), plain(value)]);
+    let rows = rows.iter();
+    let rows = rows.map(|(name, value)| cells![plain(name), plain(value)]);
     Table::new(caption, html! { (caption) }, columns, rows).render()
 }
 
@@ -136,13 +135,9 @@ fn required(about: &PopulationSummary) -> String {
             [None, Some(max)] => Some(format!("{quantity} ≤ {max} {unit}")),
         }
     });
-    let mut words: Vec<String> = words.collect();
-    words.extend(
-        about
-            .max_ppm
-            .map(|ppm| format!("at most {} ppm outside", shortest(ppm))),
-    );
-    words.join(", ")
+    let share = about.max_ppm;
+    let share = share.map(|ppm| format!("at most {} ppm outside", shortest(ppm)));
+    words.chain(share).collect::<Vec<_>>().join(", ")
 }
 
 /// The statements of a table of the pair file, one row per inner table: its key and its values in a line.

@@ -24,11 +24,14 @@ pub(super) fn section(page: &Page) -> Markup {
             div.verdict.(state(page).name()) {
                 p.state { (mark(state(page))) }
                 (verdict(page))
-                (clearance(page))
+                @if !(page.report.pair.study.bearing_clearance > 0.0) {
+                    p { "Bearing clearance: none is stated; the axes are assumed fixed at the centre distance." }
+                }
                 (failing(page))
             }
             (table(page))
-            (poses(page))
+            p.note { (simulated(page)) }
+            p.note { (other_poses(page)) (phases(page)) }
         }
     }
 }
@@ -87,15 +90,6 @@ pub(super) fn answer(lines: &VerdictLines) -> Markup {
         }
         @for qualifier in &lines.qualifiers { p { (with_symbols(qualifier)) } }
         @if !lines.proof.is_empty() { p.proof { (lines.proof) } }
-    }
-}
-
-/// A note that bearings have no play, where none is stated; otherwise the verdict states the effect.
-fn clearance(page: &Page) -> Markup {
-    html! {
-        @if !(page.report.pair.study.bearing_clearance > 0.0) {
-            p { "Bearing clearance: none is stated; the axes are assumed fixed at the centre distance." }
-        }
     }
 }
 
@@ -175,14 +169,6 @@ fn assembles_cell(all: &Outcome, settled: bool) -> Markup {
         _ => (CheckVerdict::Pass, "yes"),
     };
     marked(verdict, word)
-}
-
-/// The simulated poses, and results for the others.
-fn poses(page: &Page) -> Markup {
-    html! {
-        p.note { (simulated(page)) }
-        p.note { (other_poses(page)) (phases(page)) }
-    }
 }
 
 fn simulated(page: &Page) -> String {

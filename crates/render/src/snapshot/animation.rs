@@ -288,13 +288,9 @@ fn pitch_chart(steps: &[PoseResult]) -> Group {
         let x = CHART.left + part * CHART.width();
         let is_last = part == 1.0;
         let anchor = if is_last { Anchor::End } else { Anchor::Middle };
-        group = group
-            .add(line(
-                &[[x, CHART.bottom], [x, CHART.bottom + 5.0]],
-                INK,
-                1.0,
-            ))
-            .add(label(words, [x, CHART.bottom + 20.0], anchor));
+        let tick = [[x, CHART.bottom], [x, CHART.bottom + 5.0]];
+        let words = label(words, [x, CHART.bottom + 20.0], anchor);
+        group = group.add(line(&tick, INK, 1.0)).add(words);
     }
     let (Some(least), Some(most)) = (found().reduce(f64::min), found().reduce(f64::max)) else {
         let [x, y] = CHART.middle();
@@ -315,11 +311,10 @@ fn pitch_chart(steps: &[PoseResult]) -> Group {
         group = group.add(dashed(&ends, GREY, 0.8, "2 4")).add(value);
     }
     let times = times(steps);
-    let spots: Vec<Option<Spot>> = values
-        .iter()
-        .enumerate()
-        .map(|(step, value)| Some([CHART.left + times[step] * CHART.width(), height((*value)?)]))
-        .collect();
+    let spots = values.iter().zip(&times);
+    let spots =
+        spots.map(|(value, time)| Some([CHART.left + time * CHART.width(), height((*value)?)]));
+    let spots: Vec<Option<Spot>> = spots.collect();
     for run in spots.split(Option::is_none) {
         let run: Vec<Spot> = run.iter().flatten().copied().collect();
         if run.len() > 1 {

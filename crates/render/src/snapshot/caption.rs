@@ -70,12 +70,8 @@ pub fn draw_turning(
         let all = steps.len();
         words += &format!(" · {without} of {all} frames jammed, out of mesh or unproven");
     }
-    with_result(
-        view,
-        &format!("{words} · {}", drawn_contact(scene)),
-        left,
-        room,
-    )
+    let words = format!("{words} · {}", drawn_contact(scene));
+    with_result(view, &words, left, room)
 }
 
 fn result_line(view: &Snapshot, scene: &Scene) -> String {

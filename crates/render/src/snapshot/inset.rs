@@ -1,8 +1,7 @@
 //! A contact, enlarged until its gap is visible.
 
 use super::contacts::{self, IN_INSET};
-use super::gears;
-use super::gears::Look;
+use super::gears::{self, Look};
 use super::labels::{centred, overlap_label};
 use super::view::View;
 use crate::kit::{self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, clip, line, scale};
@@ -225,10 +224,9 @@ impl Link {
         let leaders = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9].map(|part| {
             let to = [self.inset.left, self.inset.top + part * self.inset.height()];
             let along = [0, 1].map(|i| to[i] - from[i]);
-            let leave = f64::min(
-                0.5 * self.shown.width() / along[0].abs(),
-                0.5 * self.shown.height() / along[1].abs(),
-            );
+            let size = [self.shown.width(), self.shown.height()];
+            let leave = [0, 1].map(|i| 0.5 * size[i] / along[i].abs());
+            let leave = f64::min(leave[0], leave[1]);
             [[0, 1].map(|i| from[i] + leave * along[i]), to]
         });
         let is_clear = |[from, to]: &&[Spot; 2]| {

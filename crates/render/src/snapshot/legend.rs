@@ -1,13 +1,16 @@
 //! The legend of lines, marks and colours.
 
-use super::contacts;
-use super::contacts::FORM_DASH;
+use super::contacts::{self, FORM_DASH};
 use super::gears::{BASE_DASH, CENTRES_DASH, PITCH_DASH};
+use super::subject::Layout;
+use super::view::View;
 use crate::kit::{
     self, ACTION, Frame, GAP, GREY, INK, Ids, OVERLAP, PATH, PINION, Spot, TextStyle, WHEEL, arrow,
     dashed, diamond, dot, line,
 };
+use gearlash::contact::{DrawnContact, Scene};
 use gearlash::gear::ProfilePart;
+use gearlash::pair::Member;
 use svg::node::element::Group;
 
 /// A note that applies to the printed sheet only.
@@ -17,20 +20,6 @@ const PAPER_NOTE: &str = "scales hold in print on A4";
 const SAMPLE: f64 = 36.0;
 
 const WORDS: TextStyle = TextStyle::new(13.0);
-
-/// The optional parts that a picture contains.
-#[derive(Debug, Clone, Default)]
-pub struct Shown {
-    /// A sheet of its own, true to scale in print; in a page the size varies.
-    pub on_paper: bool,
-    pub gap: bool,
-    pub overlap: bool,
-    pub touching: Vec<ProfilePart>,
-    pub form: bool,
-    pub tangent: bool,
-    /// Base circles and lines of action; a drawn pair has none.
-    pub base_circles: bool,
-}
 
 enum Sample<'a> {
     Contact,
@@ -67,35 +56,42 @@ impl Sample<'_> {
     }
 }
 
-/// Rows of samples with their names, no wider than `room`, from the left end `at`; and the bottom of the last row.
-pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
+/// Rows of samples with their names for what the picture of `scene` in `main` contains; and the bottom of the last row.
+pub fn draw(layout: &Layout, scene: &Scene, main: &View, ids: &Ids, overlap: bool) -> (Group, f64) {
+    let (at, room) = (layout.legend, layout.room());
+    let any = |holds: &dyn Fn(&DrawnContact) -> bool| scene.contacts().iter().any(holds);
+    // A drawn pair has no base circles and lines of action.
+    let base_circles = scene.placed(Member::Wheel).base_radius().is_some();
+    let form = any(&|contact| contacts::below_form(scene, contact).next().is_some());
+    let tangent = any(&|contact| !contacts::tangent_points(scene, contact, main).is_empty());
+    let touches = |contact: &DrawnContact, curve: ProfilePart| {
+        let mut parts = Member::BOTH
+            .into_iter()
+            .filter_map(|member| contacts::part_on(scene, contact, member));
+        parts.any(|(part, _)| part == curve)
+    };
     let hatch = ids.url("hatch");
     let hatched = [OVERLAP, &hatch];
+    let contact = "contact, normal out of the locked gear";
+    let meeting = "points that meet as the free gear turns";
+    let of_action = "line of action, path of contact";
     let samples = [
-        (
-            "contact, normal out of the locked gear",
-            Sample::Contact,
-            true,
-        ),
-        (
-            "points that meet as the free gear turns",
-            Sample::Meeting,
-            true,
-        ),
-        (
-            "line of action, path of contact",
-            Sample::OfAction,
-            shown.base_circles,
-        ),
+        (contact, Sample::Contact, true),
+        (meeting, Sample::Meeting, true),
+        (of_action, Sample::OfAction, base_circles),
         // For gears by data, the lines over the metal distinguish them.
-        ("wheel", Sample::Fills(&[WHEEL]), !shown.base_circles),
-        ("pinion", Sample::Fills(&[PINION]), !shown.base_circles),
-        ("gap", Sample::Fills(&[GAP]), shown.gap),
-        ("overlap", Sample::Fills(&hatched), shown.overlap),
+        ("wheel", Sample::Fills(&[WHEEL]), !base_circles),
+        ("pinion", Sample::Fills(&[PINION]), !base_circles),
+        (
+            "gap",
+            Sample::Fills(&[GAP]),
+            any(&|contact| contact.gap > 0.0),
+        ),
+        ("overlap", Sample::Fills(&hatched), overlap),
         ("operating pitch circle", Sample::Dashes(PITCH_DASH), true),
-        ("base circle", Sample::Dashes(BASE_DASH), shown.base_circles),
-        ("form circle", Sample::Dashes(FORM_DASH), shown.form),
-        ("base tangent point", Sample::Tangent, shown.tangent),
+        ("base circle", Sample::Dashes(BASE_DASH), base_circles),
+        ("form circle", Sample::Dashes(FORM_DASH), form),
+        ("base tangent point", Sample::Tangent, tangent),
         ("line of centres", Sample::Dashes(CENTRES_DASH), true),
     ];
     let curves = ProfilePart::ALL.map(|curve| {
@@ -105,12 +101,11 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
             ProfilePart::Tip => "touching tip",
             ProfilePart::Root => "touching root",
         };
-        (name, Sample::Curve(curve), shown.touching.contains(&curve))
+        let is_shown = any(&|contact| touches(contact, curve));
+        (name, Sample::Curve(curve), is_shown)
     });
-    let samples = samples
-        .into_iter()
-        .chain(curves)
-        .filter(|(.., is_shown)| *is_shown);
+    let samples = samples.into_iter().chain(curves);
+    let samples = samples.filter(|(.., is_shown)| *is_shown);
     let mut group = Group::new();
     let [mut x, mut y] = at;
     for (name, sample, _) in samples {
@@ -122,7 +117,8 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
         group = group.add(sample.draw([x, y])).add(words);
         x += width + 16.0;
     }
-    if !shown.on_paper {
+    // In a page the size varies.
+    if !ids.is_sheet() {
         return (group, y);
     }
     if x + WORDS.width(PAPER_NOTE) > at[0] + room {

@@ -7,8 +7,7 @@ use super::contacts::{self, IN_MAIN};
 use super::gears::Look;
 use super::inset::Link;
 use super::labels::tooth_numbers;
-use super::legend::Shown;
-use super::subject::{Layout, SHEET, Snapshot, in_page, names};
+use super::subject::{Layout, NARROW, SHEET, Snapshot, names};
 use super::view::{View, mesh_view};
 use super::{caption, gears, inset, legend};
 use crate::kit::{Frame, HEIGHT, Ids, Occupied, blank_sheet, hatch, scale};
@@ -17,7 +16,6 @@ use gearlash::contact::{DrawnContact, MeshSection, PoseResult, Scene, Status};
 use gearlash::error::Error;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
-use gearlash::pair::Member;
 use svg::node::element::{Group, SVG};
 
 /// The SVG text of a snapshot, a sheet of its own.
@@ -26,11 +24,8 @@ pub fn snapshot(view: &Snapshot) -> String {
     format!("{sheet}\n")
 }
 
-/// The snapshot as part of a page, for a wide and for a narrow screen. Its ids begin with `prefix`; `label` is its name for
-/// screen readers.
-pub fn snapshot_in_page(view: &Snapshot, prefix: &str, label: &str) -> String {
-    in_page(prefix, label, |ids, layout| draw(view, ids, layout))
-}
+/// Room below the last row of a picture in a page.
+const FOOT: f64 = 16.0;
 
 /// The picture, and the bottom of its last row.
 fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
@@ -61,12 +56,10 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
         occupied.border(link.shown);
         links.push(link);
         over = over.add(contacts::marks(contact, &main, IN_MAIN, &mut occupied));
+        let bar = scale::bar([frame.left, frame.bottom + 16.0], enlarged.scale);
         insets = insets
             .add(inset::draw(&scene, contact, &enlarged, ids))
-            .add(scale::bar(
-                [frame.left, frame.bottom + 16.0],
-                enlarged.scale,
-            ));
+            .add(bar);
     }
     let mating = view.drawn_pose().mating();
     let ([wheel_numbers, pinion_numbers], taken) =
@@ -74,12 +67,10 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
     let links = links.iter().fold(Group::new(), |group, link| {
         group.add(link.draw(&taken, layout.is_sheet))
     });
-    let mut shown = legend_content(&scene, &main);
     // The result for the whole face can come from another section.
     let in_section = view.section.is_some() && scene.contacts().iter().any(|m| m.gap < 0.0);
-    shown.on_paper = ids.is_sheet();
-    shown.overlap |= in_section;
-    let (legend, last) = legend::draw(layout.legend, layout.room(), &shown, ids);
+    let overlap = in_section || matches!(scene.status(), Status::Interference | Status::Jammed);
+    let (legend, last) = legend::draw(layout, &scene, &main, ids, overlap);
     let mut sheet = blank_sheet(layout.width, HEIGHT).add(hatch(ids));
     if layout.is_sheet {
         sheet = sheet.add(caption::draw(view, &scene, frame.left, layout.room()));
@@ -119,25 +110,6 @@ fn slots<'s>(
         .collect()
 }
 
-/// The parts that the legend must explain.
-fn legend_content(scene: &Scene, main: &View) -> Shown {
-    let any = |holds: &dyn Fn(&DrawnContact) -> bool| scene.contacts().iter().any(holds);
-    let touches = scene.contacts().iter();
-    let touches = touches.flat_map(|m| Member::BOTH.map(|member| (m, member)));
-    Shown {
-        on_paper: true,
-        gap: any(&|contact| contact.gap > 0.0),
-        overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
-        touching: touches
-            .filter_map(|(m, member)| contacts::part_on(scene, m, member))
-            .map(|(part, _)| part)
-            .collect(),
-        form: any(&|m| contacts::below_form(scene, m).next().is_some()),
-        tangent: any(&|m| !contacts::tangent_points(scene, m, main).is_empty()),
-        base_circles: scene.placed(Member::Wheel).base_radius().is_some(),
-    }
-}
-
 /// `pose` of `assembly` as the SVG text of a sheet.
 ///
 /// # Errors
@@ -153,8 +125,8 @@ pub fn pose_picture(
     Ok(snapshot(&view))
 }
 
-/// The picture for a page, with ids that begin with `id`. `words` describes it, given the place of the section of helical gears,
-/// mm.
+/// The picture for a page, drawn for a wide and for a narrow screen, and its description. Its ids begin with `id`. `words`
+/// describes it, given the place of the section of helical gears, mm.
 pub(crate) fn pose_picture_in_page(
     title: &str,
     assembly: &AssembledPair,
@@ -165,5 +137,15 @@ pub(crate) fn pose_picture_in_page(
     let section = MeshSection::binding(assembly, pose)?;
     let words = words(section.as_ref().map(MeshSection::at));
     let view = Snapshot::of_result(title, assembly, material, pose, section.as_ref());
-    Ok([snapshot_in_page(&view, id, &words), words])
+    let narrow = format!("{id}-narrow");
+    let drawn = [(id, &SHEET), (narrow.as_str(), &NARROW)].map(|(id, layout)| {
+        let (picture, last) = draw(&view, &Ids::in_page(id), layout);
+        let picture = picture
+            .set("id", id)
+            .set("viewBox", format!("0 0 {} {}", layout.width, last + FOOT))
+            .set("role", "img")
+            .set("aria-label", words.as_str());
+        format!("{picture}\n")
+    });
+    Ok([drawn.concat(), words])
 }

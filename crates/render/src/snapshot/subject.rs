@@ -1,11 +1,11 @@
 //! The subject of a snapshot, and the layout of its sheet.
 
-use crate::kit::{Frame, Ids, Spot, TextStyle, WIDTH};
+use crate::kit::{Frame, Spot, TextStyle, WIDTH};
 use gearlash::analysis::study::Material;
 use gearlash::contact::{LostMotion, MeshSection, PoseResult, Scene, Unproven};
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Member, Pose};
-use svg::node::element::{Group, SVG};
+use svg::node::element::Group;
 
 /// Content of a snapshot.
 #[derive(Debug, Clone, Copy)]
@@ -102,25 +102,6 @@ impl Layout {
         self.width - 2.0 * self.main.left
     }
 }
-
-/// A picture as part of a page, drawn for a wide and for a narrow screen. Its ids begin with `prefix`; `label` is its name for
-/// screen readers. `draw` gives the picture and the bottom of its last row.
-pub fn in_page(prefix: &str, label: &str, draw: impl Fn(&Ids, &Layout) -> (SVG, f64)) -> String {
-    let narrow = format!("{prefix}-narrow");
-    let pictures = [(prefix, &SHEET), (narrow.as_str(), &NARROW)];
-    let drawn = pictures.map(|(id, layout)| {
-        let (picture, last) = draw(&Ids::in_page(id), layout);
-        let picture = picture
-            .set("id", id)
-            .set("viewBox", format!("0 0 {} {}", layout.width, last + FOOT))
-            .set("role", "img")
-            .set("aria-label", label);
-        format!("{picture}\n")
-    });
-    drawn.concat()
-}
-
-const FOOT: f64 = 16.0;
 
 /// The gears' names over the mesh zone.
 pub fn names(scene: &Scene, main: &Frame) -> Group {

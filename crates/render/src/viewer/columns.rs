@@ -1,7 +1,7 @@
 //! The results in columns for the script: one entry per pose.
 
 use super::precision::{Precision, degrees};
-use super::readout::{self, HelicalColumns, Texts, touching};
+use super::readout::{self, HelicalColumns, texts, touching};
 use super::viewed::Viewed;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{Course, CourseLine};
@@ -74,30 +74,30 @@ impl RunColumns {
     /// The columns of `viewed`. New words are added to `words`.
     pub fn new(
         viewed: &Viewed,
-        charts: &[(&str, &Course)],
+        charts: &[(String, &Course)],
         outlines: &[&AssembledPair],
         precision: Precision,
         words: &mut Words,
     ) -> RunColumns {
-        let run = viewed.shown.run;
+        let run = viewed.run;
         let assembly = &run.run.assembly;
         let a = assembly.center_distance();
         let is_of = |course: &Course| {
-            let is_phase = viewed.shown.is_worst_of_cycle || course.phase == run.run.phase;
+            let is_phase = viewed.is_worst_of_cycle || course.phase == run.run.phase;
             is_phase && course.center_distance == a
         };
         let mut drawn = charts.iter().filter(|(_, course)| is_of(course));
         let drawn = drawn.find_map(|(id, course)| {
             let places = places(run, course);
             let any = places.iter().any(Option::is_some);
-            any.then(|| ((*id).to_owned(), places))
+            any.then(|| (id.clone(), places))
         });
         let (chart, places) = drawn.unzip();
         let places = places.unwrap_or_default();
         let place = |number: &usize| places.get(*number).copied().flatten();
         let all = viewed.numbers.len() == run.poses.len();
         RunColumns {
-            label: readout::run(&viewed.shown),
+            label: readout::run(viewed),
             center_distance_mm: a,
             outlines: outline_of(outlines, run),
             pitch_radius_mm: Member::BOTH
@@ -140,7 +140,7 @@ fn poses(
         columns.insert(name, values);
     }
     for number in &viewed.numbers {
-        for (name, text) in Texts::new(viewed, *number).named() {
+        for (name, text) in texts(viewed, *number) {
             let name = format!("{name}_text");
             let index = words.index(&name, text);
             columns.entry(name).or_default().push(index);

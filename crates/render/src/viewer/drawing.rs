@@ -5,7 +5,7 @@
 
 use super::columns::{free_rotation, outline_of};
 use super::precision::{Precision, degrees};
-use super::readout::{Winding, first, touching};
+use super::readout::{first, touching};
 use crate::kit::{ACTION, GREY, INK, OVERLAP, PINION, WHEEL};
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::contact::{Contact, LostMotion, Status};
@@ -54,12 +54,13 @@ pub fn draw(
             .add(axis(module))
             .add(numbers(&placed, member, module, section, precision))
     };
-    let overlap = Group::new().set("clip-path", "url(#viewer-clip)").add(
-        Group::new()
-            .set("id", "viewer-overlap")
-            .set("transform", turn(Member::Pinion))
-            .add(metal(Member::Pinion).set("fill", OVERLAP)),
-    );
+    let overlap = Group::new()
+        .set("id", "viewer-overlap")
+        .set("transform", turn(Member::Pinion))
+        .add(metal(Member::Pinion).set("fill", OVERLAP));
+    let overlap = Group::new()
+        .set("clip-path", "url(#viewer-clip)")
+        .add(overlap);
     let clip = metal(Member::Wheel)
         .set("id", "viewer-clip-shape")
         .set("transform", turn(Member::Wheel));
@@ -70,12 +71,10 @@ pub fn draw(
         .set("stroke-dasharray", "22 4 2 4 2 4");
     let pitch_circle = |member: Member| {
         let radius = assembly.operating_pitch_radius(member);
+        let axis = assembly.axis(member).x;
         line()
             .set("id", format!("viewer-pitch-{}", member.name()))
-            .set(
-                "transform",
-                format!("translate({} 0)", assembly.axis(member).x),
-            )
+            .set("transform", format!("translate({axis} 0)"))
             .set("d", circle(rounded(radius, precision.decimals)))
             .set("stroke-dasharray", "14 3 2 3")
     };
@@ -117,26 +116,35 @@ fn definitions(
     gears.fold(Definitions::new(), |definitions, (number, member, pair)| {
         let placed = PlacedGear::new(pair, member, 0.0);
         let scale = format!("scale({})", precision.unit());
-        let wound = section.map(|at| Winding::new(&placed, member, at, precision.decimals));
-        let outline = match wound {
+        let outline = match section {
             None => Path::new().set("transform", scale),
-            Some(wound) => Path::new()
-                .set(
-                    "transform",
-                    format!("rotate({} {}) {scale}", wound.turned, wound.centre()),
-                )
-                .set("data-winds", wound.name)
-                .set("data-centre", wound.centre())
-                .set("data-then", scale),
+            Some(at) => {
+                let (turned, centre) = (turned(&placed, at), centre(&placed, precision));
+                Path::new()
+                    .set("transform", format!("rotate({turned} {centre}) {scale}"))
+                    .set("data-winds", member.name())
+                    .set("data-centre", centre)
+                    .set("data-then", scale)
+            }
         };
-        definitions.add(
-            outline
-                .set("id", format!("viewer-{}-{number}", member.name()))
-                .set("vector-effect", "non-scaling-stroke")
-                .set("stroke-linejoin", "round")
-                .set("d", path(&placed, pair.gear_reach(member), precision)),
-        )
+        let outline = outline
+            .set("id", format!("viewer-{}-{number}", member.name()))
+            .set("vector-effect", "non-scaling-stroke")
+            .set("stroke-linejoin", "round");
+        definitions.add(outline.set("d", path(&placed, pair.gear_reach(member), precision)))
     })
+}
+
+/// The rotation of the teeth of `gear` in `section`, mm, in degrees.
+fn turned(gear: &PlacedGear, section: f64) -> f64 {
+    degrees(gear.twist() * section)
+}
+
+/// The offset of the centre of `gear` from its axis, mm.
+fn centre(gear: &PlacedGear, precision: Precision) -> String {
+    let centre = gear.centre() - gear.axis();
+    let [x, y] = [centre.x, centre.y].map(|value| rounded(value, precision.decimals));
+    format!("{x} {y}")
 }
 
 /// The `viewBox` of the mesh zone and of the whole gears.
@@ -146,23 +154,16 @@ fn views(assembly: &AssembledPair, module: f64) -> [String; 2] {
     let view = |middle: f64, half_width: f64, half_height: f64| {
         let half_height = f64::max(half_height, half_width / ASPECT);
         let half_width = half_height * ASPECT;
-        let [x, y, width, height] = [
-            middle - half_width,
-            -half_height,
-            2.0 * half_width,
-            2.0 * half_height,
-        ]
-        .map(|v| rounded(v, 4));
-        format!("{x} {y} {width} {height}")
+        let corner = [middle - half_width, -half_height].map(|v| rounded(v, 4));
+        let size = [2.0 * half_width, 2.0 * half_height].map(|v| rounded(v, 4));
+        format!("{} {} {} {}", corner[0], corner[1], size[0], size[1])
     };
     let border = BORDER * module;
+    let half_width = 0.5 * (a + wheel + pinion) + border;
+    let half_height = f64::max(wheel, pinion) + border;
     [
         view(0.5 * (wheel + a - pinion), 0.0, HALF_HEIGHT * module),
-        view(
-            0.5 * (a + pinion - wheel),
-            0.5 * (a + wheel + pinion) + border,
-            f64::max(wheel, pinion) + border,
-        ),
+        view(0.5 * (a + pinion - wheel), half_width, half_height),
     ]
 }
 
@@ -182,11 +183,8 @@ fn path(gear: &PlacedGear, reach: f64, precision: Precision) -> String {
             Some([left, low]) => {
                 let [dx, dy] = [x - left, y - low];
                 // A minus sign separates two numbers as a space does.
-                let separator = if data.ends_with('l') || dx < 0 {
-                    ""
-                } else {
-                    " "
-                };
+                let is_first = data.ends_with('l');
+                let separator = if is_first || dx < 0 { "" } else { " " };
                 let between = if dy < 0 { "" } else { " " };
                 write!(data, "{separator}{dx}{between}{dy}")
             }
@@ -232,39 +230,29 @@ pub fn numbers(
     let mut teeth = gear.teeth_near(gear.centre(), tip);
     teeth.sort_by_cached_key(|(tooth, _)| u64::from(*tooth));
     let first = teeth.first().map_or(0.0, |(_, direction)| *direction);
-    let centre = gear.centre() - gear.axis();
-    let [x, y] = [centre.x, centre.y].map(|value| rounded(value, precision.decimals));
+    let centre = centre(gear, precision);
     let at_mate = match member {
         Member::Wheel => radius,
         Member::Pinion => -radius,
     };
-    let wound = section.map(|at| Winding::new(gear, member, at, precision.decimals));
-    let group = match wound {
-        None => Group::new().set("transform", format!("translate({x} {y})")),
-        Some(wound) => Group::new()
-            .set(
-                "transform",
-                format!("translate({x} {y}) rotate({})", wound.turned),
-            )
-            .set("data-winds", wound.name)
-            .set("data-centre", wound.centre()),
+    let group = match section.map(|at| turned(gear, at)) {
+        None => Group::new().set("transform", format!("translate({centre})")),
+        Some(turned) => Group::new()
+            .set("transform", format!("translate({centre}) rotate({turned})"))
+            .set("data-winds", member.name())
+            .set("data-centre", centre),
     };
     let group = group
         .set("font-size", rounded(NUMBER * module, 4))
         .set("text-anchor", "middle")
         .set("fill", GREY);
     teeth.into_iter().fold(group, |group, (tooth, direction)| {
-        let place = format!(
-            "rotate({}) translate({} 0) scale(1 -1)",
-            degrees(direction - first),
-            at_mate
-        );
-        group.add(
-            Text::new(tooth.to_string())
-                .set("id", format!("viewer-{}-tooth-{tooth}", member.name()))
-                .set("transform", place)
-                .set("dy", "0.35em"),
-        )
+        let turned = degrees(direction - first);
+        let place = format!("rotate({turned}) translate({at_mate} 0) scale(1 -1)");
+        let number = Text::new(tooth.to_string())
+            .set("id", format!("viewer-{}-tooth-{tooth}", member.name()))
+            .set("transform", place);
+        group.add(number.set("dy", "0.35em"))
     })
 }
 

@@ -4,7 +4,7 @@ use super::columns::{Columns, RunColumns, Words};
 use super::drawing;
 use super::precision::Precision;
 use super::readout::{self, HelicalColumns};
-use super::viewed::{Shown, Viewed, outlines, run_of};
+use super::viewed::{Viewed, outlines, run_of};
 use crate::kit::dark_style;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::curves::Course;
@@ -33,7 +33,7 @@ impl<'a> Mesh<'a> {
         start: [usize; 2],
         pairs: impl Iterator<Item = &'a AssembledPair>,
     ) -> Option<Mesh<'a>> {
-        let precision = Precision::of(&runs.get(start[0])?.shown.run.run.assembly);
+        let precision = Precision::of(&runs.get(start[0])?.run.run.assembly);
         Some(Mesh {
             study,
             runs,
@@ -47,7 +47,7 @@ impl<'a> Mesh<'a> {
     pub fn html(&self, more: &str) -> String {
         let [first, number] = self.start;
         let viewed = &self.runs[first];
-        let run = viewed.shown.run;
+        let run = viewed.run;
         let (assembly, pose) = (&run.run.assembly, &run.poses[number]);
         let section = if assembly.is_helical() {
             SECTION_CONTROLS
@@ -66,12 +66,12 @@ impl<'a> Mesh<'a> {
         )
     }
 
-    pub fn columns(&self, charts: &[(&str, &Course)]) -> Columns {
+    pub fn columns(&self, charts: &[(String, &Course)]) -> Columns {
         let [first, number] = self.start;
         let viewed = &self.runs[first];
         let place = viewed.numbers.binary_search(&number).unwrap_or(0);
         let pose = viewed.poses().nth(place);
-        let assembly = &viewed.shown.run.run.assembly;
+        let assembly = &viewed.run.run.assembly;
         let mut words = Words::default();
         let runs = self.runs.iter().map(|viewed| {
             RunColumns::new(viewed, charts, &self.outlines, self.precision, &mut words)
@@ -110,15 +110,9 @@ impl<'a> LivePose<'a> {
     }
 
     fn mesh(&self) -> Option<Mesh<'_>> {
-        let viewed = Viewed {
-            shown: Shown {
-                run: &self.run,
-                is_worst_of_cycle: false,
-            },
-            numbers: vec![0],
-        };
         let pairs = self.pairs.iter().map(|(_, pair)| pair);
-        Mesh::new(self.study, vec![viewed], [0, 0], pairs)
+        let runs = vec![Viewed::all(&self.run, false)];
+        Mesh::new(self.study, runs, [0, 0], pairs)
     }
 
     /// The picture with its controls, for `mesh.js`.

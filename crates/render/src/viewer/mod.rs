@@ -21,7 +21,7 @@ use gearlash::analysis::curves::Course;
 use gearlash::contact::Status;
 use mesh::Mesh;
 use std::fmt::Write;
-use viewed::{Shown, start, viewed, worst_outside_runs};
+use viewed::{Viewed, select, start, worst_outside_runs};
 
 /// The style sheet, for the head of the page.
 pub const STYLE: &str = include_str!("viewer.css");
@@ -45,25 +45,25 @@ const MOST_POSES: usize = 25_000;
 /// None for results of a simulation: the columns are numbers and names.
 pub fn fragment(
     analysis: &Analysis,
-    charts: &[(&str, &Course)],
+    charts: &[(String, &Course)],
 ) -> Result<String, serde_json::Error> {
     let worst_outside_runs = worst_outside_runs(analysis);
-    let turned = analysis.revolution.iter().map(|run| (run, false));
-    let runs: Vec<Shown> = turned
-        .chain(worst_outside_runs.iter().map(|run| (run, true)))
-        .map(|(run, is_worst_of_cycle)| Shown {
-            run,
-            is_worst_of_cycle,
-        })
-        .collect();
+    let turned = analysis
+        .revolution
+        .iter()
+        .map(|run| Viewed::all(run, false));
+    let worst = worst_outside_runs.iter().map(|run| Viewed::all(run, true));
+    let mut runs: Vec<Viewed> = turned.chain(worst).collect();
     let Some(start) = start(&runs, analysis) else {
         return Ok(String::new());
     };
     let pose = &runs[start[0]].run.poses[start[1]];
-    let (views, every) = viewed(&runs, MOST_POSES, start);
-    let held: usize = views.iter().map(|run| run.numbers.len()).sum();
-    let pairs = runs.iter().map(|shown| &shown.run.run.assembly);
-    let Some(mesh) = Mesh::new(analysis.study, views, start, pairs) else {
+    let count = |runs: &[Viewed]| -> usize { runs.iter().map(|run| run.numbers.len()).sum() };
+    let all = count(&runs);
+    let every = select(&mut runs, [all, MOST_POSES], start);
+    let held = count(&runs);
+    let pairs: Vec<_> = runs.iter().map(|run| &run.run.run.assembly).collect();
+    let Some(mesh) = Mesh::new(analysis.study, runs, start, pairs.into_iter()) else {
         return Ok(String::new());
     };
     let data = serde_json::to_string(&mesh.columns(charts))?;
@@ -72,7 +72,6 @@ pub fn fragment(
         mesh.html(POSES_CONTROLS)
     );
     if every > 1 {
-        let all: usize = runs.iter().map(|shown| shown.run.poses.len()).sum();
         let _ = writeln!(
             html,
             "<p class=\"viewer-note\">{held} of {all} poses can be looked at here: of each run every {every}{}, and those \

@@ -7,43 +7,43 @@ use gearlash::contact::{Status, first_least, worst_pose};
 use gearlash::outline::AssembledPair;
 use std::collections::BTreeSet;
 
-#[derive(Clone, Copy)]
-pub struct Shown<'a> {
+/// A run, and the selection of its poses.
+pub struct Viewed<'a> {
     pub run: &'a ComparedRun,
     /// Whether it is the worst pose of the mesh cycle, in addition to the even poses of the revolutions.
     pub is_worst_of_cycle: bool,
-}
-
-/// A run, and the selection of its poses.
-pub struct Viewed<'a> {
-    pub shown: Shown<'a>,
     /// Indices of the selected poses, ascending.
     pub numbers: Vec<usize>,
 }
 
 impl<'a> Viewed<'a> {
+    /// `run` with all its poses.
+    pub fn all(run: &'a ComparedRun, is_worst_of_cycle: bool) -> Viewed<'a> {
+        Viewed {
+            run,
+            is_worst_of_cycle,
+            numbers: (0..run.poses.len()).collect(),
+        }
+    }
+
     pub fn poses(&self) -> impl Iterator<Item = &'a ComparedPose> {
-        let poses = &self.shown.run.poses;
+        let poses = &self.run.poses;
         self.numbers.iter().map(|number| &poses[*number])
     }
 }
 
-/// Selects every n-th pose of every run of `runs`. `n`, the second value, is the least with at most `most` poses in all. Where
-/// `n` is above 1, each run also has its least and its greatest backlash and its first jammed, unmeshed and unproven pose. The
-/// pose at `start` (index of run and pose) is always selected.
-pub fn viewed<'a>(runs: &[Shown<'a>], most: usize, start: [usize; 2]) -> (Vec<Viewed<'a>>, usize) {
-    let all: usize = runs.iter().map(|shown| shown.run.poses.len()).sum();
+/// Selects every n-th pose of every run of `runs`, which have `all` poses; returns n, the least with at most `most` poses in all. Each run
+/// also keeps its least and its greatest backlash and its first jammed, unmeshed and unproven pose, and the pose at `start` (index
+/// of run and pose) is always selected.
+pub fn select(runs: &mut [Viewed], [all, most]: [usize; 2], start: [usize; 2]) -> usize {
     let every = all.div_ceil(most.max(1)).max(1);
-    let runs = runs.iter().enumerate().map(|(index, shown)| {
-        let mut numbers: BTreeSet<usize> = (0..shown.run.poses.len()).step_by(every).collect();
-        numbers.extend(extremes(shown.run));
+    for (index, viewed) in runs.iter_mut().enumerate() {
+        let evenly = viewed.numbers.iter().copied().step_by(every);
+        let mut numbers: BTreeSet<usize> = evenly.chain(extremes(viewed.run)).collect();
         numbers.extend((index == start[0]).then_some(start[1]));
-        Viewed {
-            shown: *shown,
-            numbers: numbers.into_iter().collect(),
-        }
-    });
-    (runs.collect(), every)
+        viewed.numbers = numbers.into_iter().collect();
+    }
+    every
 }
 
 pub fn run_of(
@@ -80,16 +80,16 @@ fn number_of(run: &ComparedRun, pair: &AssembledPair, pose: &ComparedPose) -> Op
 
 /// Indices of run and pose of the worst pose of the whole mesh cycle; without one, of the worst of `runs` by [`worst_pose`], or
 /// the first where none is in mesh.
-pub fn start(runs: &[Shown], analysis: &Analysis) -> Option<[usize; 2]> {
+pub fn start(runs: &[Viewed], analysis: &Analysis) -> Option<[usize; 2]> {
     let verdict = analysis.verdict();
     let proven = verdict.worst().and_then(|(_, pair, pose)| {
         let mut numbered = runs.iter().enumerate();
-        numbered.find_map(|(index, shown)| Some([index, number_of(shown.run, pair, pose)?]))
+        numbered.find_map(|(index, viewed)| Some([index, number_of(viewed.run, pair, pose)?]))
     });
     let poses = || {
         let numbered = runs.iter().enumerate();
-        numbered.flat_map(|(r, shown)| {
-            let poses = shown.run.poses.iter().enumerate();
+        numbered.flat_map(|(r, viewed)| {
+            let poses = viewed.run.poses.iter().enumerate();
             poses.map(move |(p, pose)| ([r, p], &pose.simulated))
         })
     };

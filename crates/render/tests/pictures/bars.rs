@@ -44,7 +44,7 @@ fn small_bar_chart() {
     let picture = Picture::of(&chart.svg);
     for (colour, series, from) in [(RIGHT, &series[0], -0.4), (LEFT, &series[1], 0.0)] {
         let own = picture.areas.iter().filter(|area| area.stroke == colour);
-        let mut drawn = own.filter(|area| area.room[3] > chart.plot.top);
+        let mut drawn = own.filter(|area| area.room[3] > chart.panels[0].top);
         for (tooth, value) in (1..).zip(&series.values) {
             let Some(value) = *value else {
                 continue;
@@ -52,7 +52,7 @@ fn small_bar_chart() {
             let [left, top, right, bottom] = drawn.next().unwrap().room;
             let x = f64::from(tooth) + from;
             let [low, high] = [(x, value.min(0.0)), (x + 0.4, value.max(0.0))]
-                .map(|(x, y)| place(&chart.plot, [x, y]));
+                .map(|(x, y)| place(&chart.panels[0], [x, y]));
             assert!(is_at([left, bottom], low) && is_at([right, top], high));
         }
         assert!(drawn.next().is_none());
@@ -84,7 +84,7 @@ fn a_curve_goes_through_its_points() {
         let line = drawn.next().unwrap();
         assert_eq!(line.points.len(), 2);
         for (spot, point) in line.points.iter().zip(expected) {
-            assert!(is_at(*spot, place(&chart.plot, point)));
+            assert!(is_at(*spot, place(&chart.panels[0], point)));
         }
     }
     assert!(drawn.next().is_none());
@@ -94,7 +94,7 @@ fn a_curve_goes_through_its_points() {
 #[test]
 fn noise_is_drawn_flat() {
     let points = [(1.0, Some(-1e-9)), (2.0, Some(1e-9)), (3.0, Some(0.0))];
-    let [low, high] = curve_over(&points).unwrap().plot.y;
+    let [low, high] = curve_over(&points).unwrap().panels[0].y;
     assert!(high - low >= 0.1);
     assert!((low + high).abs() < 1e-6);
 }
@@ -109,8 +109,8 @@ fn ten_thousand_teeth_are_a_thinned_line() {
     assert!(chart.svg.len() < 300_000);
     let drawn = Picture::of(&chart.svg).lines_of(RIGHT).concat();
     let heights = drawn.iter().map(|spot| spot[1]);
-    let [top, _] = ends(heights.filter(|y| *y > chart.plot.top));
-    assert!((top - place(&chart.plot, [1.0, 56.0])[1]).abs() < HALF);
+    let [top, _] = ends(heights.filter(|y| *y > chart.panels[0].top));
+    assert!((top - place(&chart.panels[0], [1.0, 56.0])[1]).abs() < HALF);
 }
 
 #[test]

@@ -38,7 +38,7 @@ const DIFFERENCE: [Drawn; 2] = [
 
 /// Lines of a chart in its plot are near their data and reach their extremes and period.
 fn check(course: &Course, (chart, picture): &(Chart, Picture), drawn: &[Drawn]) {
-    let plot: &Plot = &chart.plot;
+    let plot: &Plot = &chart.panels[0];
     let inside = |&[x, y]: &Spot| x >= plot.left && y >= plot.top && y < plot.bottom - HALF;
     for &(colour, flank, value) in drawn {
         let mut lines = picture.lines_of(colour);

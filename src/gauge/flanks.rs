@@ -3,9 +3,8 @@
 //! The measuring circle is the reference circle. About the gear's own centre it shows the gear's own pitch deviation.
 //! About the rotation axis, as on a machine that holds the gear by its datum, it also shows the eccentricity.
 
-use super::Unmeasured;
-use super::spread::{ends, mean, range};
 use super::workpiece::Workpiece;
+use super::{Unmeasured, ends, mean, range};
 use crate::gear::{AsBuilt, Flank, Pitch, PitchAxis, Side};
 use nalgebra::{Point2, UnitComplex, Vector2};
 

@@ -123,7 +123,7 @@ pub fn gauge(
     let k = settings.span_teeth.unwrap_or(usual_span(gear.gear()));
     let pin = settings.pin.unwrap_or(usual_pin(gear.gear()));
     let spans = spans(&work, k);
-    let pins = seats(&work, pin).and_then(|seats| pins(&work, pin, seats));
+    let pins = over_pins(&work, pin);
     let ball = settings.ball.unwrap_or(pin);
     let runout = runout(&work, ball);
     let roll = roll(
@@ -168,6 +168,19 @@ pub fn gauge(
     })
 }
 
+/// Measures over pins of the diameter `pin`, mm.
+fn over_pins(work: &Workpiece, pin: f64) -> Result<Pins, Unmeasured> {
+    let gear = work.as_built.gear();
+    let is_helical = gear.basic_data().hand().is_some();
+    pins(
+        seats(work, pin)?,
+        pin,
+        gear.tip_radius(),
+        work.bound(),
+        is_helical,
+    )
+}
+
 /// The pitch readings of [`gauge`] for `gear`, about the datum axis and about the gear's own centre, as far as possible.
 pub fn pitches(gear: &AsBuilt) -> Vec<PitchReadings> {
     let work = Workpiece::new(gear);
@@ -208,10 +221,9 @@ pub fn pin_sizes(gear: &AsBuilt) -> Option<[f64; 2]> {
     const WIDTH: f64 = 1.0 / 4095.0;
     let work = Workpiece::new(gear);
     let fits = |pin| {
-        seats(&work, pin).is_ok_and(|seats| {
-            let mut touched = seats.iter().flat_map(|seat| &seat.touched);
+        over_pins(&work, pin).is_ok_and(|pins| {
+            let mut touched = pins.seats.iter().flat_map(|seat| &seat.touched);
             touched.all(|touch| touch.curve == ProfilePart::Involute)
-                && pins(&work, pin, seats).is_ok()
         })
     };
     let usual = usual_pin(gear.gear());

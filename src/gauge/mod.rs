@@ -17,7 +17,6 @@ mod formula;
 mod gauged;
 mod grades;
 mod lead;
-mod master;
 mod outlines;
 mod pins;
 mod profile;
@@ -27,7 +26,6 @@ mod root;
 mod runout;
 mod seat;
 mod span;
-mod spread;
 mod stated;
 mod workpiece;
 
@@ -51,6 +49,26 @@ pub use stated::StatedThickness;
 /// The tooth `steps` ascending numbers after `tooth` of `teeth`.
 fn tooth_after(teeth: u32, tooth: u32, steps: u32) -> u32 {
     (tooth - 1 + steps) % teeth + 1
+}
+
+/// Arithmetic mean; NaN without values, which no gear has.
+fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = values.len();
+    values.sum::<f64>() / count as f64
+}
+
+/// Least and greatest; infinities without values, which no gear has.
+fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    )
+}
+
+/// Greatest less least; 0 without values.
+fn range(values: impl Iterator<Item = f64>) -> f64 {
+    let [least, most] = ends(values);
+    (most - least).max(0.0)
 }
 
 /// The reason why a gauge has no reading on this gear. It is a result, not a fault: the other gauges still measure.

@@ -8,10 +8,8 @@
 //! the helix through the centre of a ball. It touches where that ball does, and its middle has the ball's distance from the axis. Pins
 //! slide along their spaces until they are opposite each other. So the anvils measure `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
 
-use super::seat::{Seat, check_standing_out};
-use super::spread::{ends, mean};
-use super::workpiece::Workpiece;
-use super::{Unmeasured, tooth_after};
+use super::seat::Seat;
+use super::{Unmeasured, ends, mean, tooth_after};
 use nalgebra::Point2;
 
 /// One dimension over pins.
@@ -61,78 +59,60 @@ impl OverPins {
     }
 }
 
-/// Measures over pins of `diameter`, resting at `seats`.
-pub(super) fn pins(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> Result<Pins, Unmeasured> {
-    let basic_data = work.as_built.gear().basic_data();
-    let teeth = basic_data.teeth();
-    check_standing_out(&seats, diameter, work.as_built.gear().tip_radius())?;
-    let at = |tooth: u32| {
-        let seat = &seats[tooth as usize - 1];
-        (seat.centre, seat.error)
-    };
-    let (two, three) = over(teeth, diameter, work.bound(), at);
-    let lying = match basic_data.hand() {
-        None => Vec::new(),
-        Some(_) => {
-            let apart =
-                |one: Point2<f64>, other: Point2<f64>| one.coords.norm() + other.coords.norm();
-            over_two(teeth, diameter, work.bound(), at, apart)
-        }
-    };
-    Ok(Pins {
-        diameter,
-        two,
-        three,
-        lying,
-        seats,
-    })
-}
-
-/// Over two pins, each as far from the other as `apart` tells; otherwise as [`over`].
-fn over_two(
-    teeth: u32,
+/// The dimensions over pins of `diameter` that rest at `seats`. They must reach beyond the circle of radius `tip` of the tips. `rounding` is
+/// that of the sums, mm.
+pub(super) fn pins(
+    seats: Vec<Seat>,
     diameter: f64,
+    tip: f64,
     rounding: f64,
-    at: impl Fn(u32) -> (Point2<f64>, f64),
-    apart: impl Fn(Point2<f64>, Point2<f64>) -> f64,
-) -> Vec<OverPins> {
-    let one = |tooth: u32| {
-        let opposite = tooth_after(teeth, tooth, teeth / 2);
-        let ((one, one_error), (other, other_error)) = (at(tooth), at(opposite));
-        OverPins {
-            tooth,
-            opposite,
-            length: apart(one, other) + diameter,
-            error: one_error + other_error + rounding,
-        }
-    };
-    (1..=teeth).map(one).collect()
-}
-
-/// Over two pins and over three. `at` has for each tooth the centre of the pin in the space after it and its error
-/// bound, mm; `rounding` is the rounding of the sums, mm.
-pub(super) fn over(
-    teeth: u32,
-    diameter: f64,
-    rounding: f64,
-    at: impl Fn(u32) -> (Point2<f64>, f64),
-) -> (Vec<OverPins>, Vec<OverPins>) {
-    let apart = |one: Point2<f64>, other: Point2<f64>| (one - other).norm();
-    let two = over_two(teeth, diameter, rounding, &at, apart);
-    let three = (1..=teeth)
-        .filter(|_| !teeth.is_multiple_of(2))
-        .map(|tooth| {
+    is_helical: bool,
+) -> Result<Pins, Unmeasured> {
+    let is_low = |seat: &&Seat| seat.centre.coords.norm() + 0.5 * diameter <= tip;
+    if let Some(low) = seats.iter().find(is_low) {
+        return Err(Unmeasured(format!(
+            "a pin of {diameter} mm does not stand out of the space after tooth {}",
+            low.tooth
+        )));
+    }
+    let teeth = seats.len() as u32;
+    let at = |tooth: u32| &seats[tooth as usize - 1];
+    let over_two = |apart: fn(Point2<f64>, Point2<f64>) -> f64| {
+        let one = |tooth: u32| {
             let opposite = tooth_after(teeth, tooth, teeth / 2);
-            let (one, error) = at(tooth);
-            let pair = [opposite, tooth_after(teeth, opposite, 1)].map(&at);
-            let along = (pair[1].0 - pair[0].0).normalize();
+            let (one, other) = (at(tooth), at(opposite));
             OverPins {
                 tooth,
                 opposite,
-                length: along.perp(&(one - pair[0].0)).abs() + diameter,
-                // Along the anvil the single pin is between the two, so their errors do not grow.
-                error: error + pair[0].1.max(pair[1].1) + rounding,
+                length: apart(one.centre, other.centre) + diameter,
+                error: one.error + other.error + rounding,
             }
-        });
-    (two, three.collect())
+        };
+        (1..=teeth).map(one).collect::<Vec<OverPins>>()
+    };
+    let over_three = |tooth: u32| {
+        let opposite = tooth_after(teeth, tooth, teeth / 2);
+        let one = at(tooth);
+        let pair = [opposite, tooth_after(teeth, opposite, 1)].map(at);
+        let along = (pair[1].centre - pair[0].centre).normalize();
+        OverPins {
+            tooth,
+            opposite,
+            length: along.perp(&(one.centre - pair[0].centre)).abs() + diameter,
+            // Along the anvil the single pin is between the two, so their errors do not grow.
+            error: one.error + pair[0].error.max(pair[1].error) + rounding,
+        }
+    };
+    let single = (1..=teeth).filter(|_| !teeth.is_multiple_of(2));
+    Ok(Pins {
+        diameter,
+        two: over_two(|one, other| (one - other).norm()),
+        three: single.map(over_three).collect(),
+        lying: if is_helical {
+            over_two(|one, other| one.coords.norm() + other.coords.norm())
+        } else {
+            Vec::new()
+        },
+        seats,
+    })
 }

@@ -6,9 +6,8 @@
 //! is fitted over the roll. `f_Hα` is the rise of the mean line over the range, `f_fα` the range of the deviation about the mean line, and
 //! `F_α` the range of the deviation itself.
 
-use super::Unmeasured;
-use super::spread::{ends, mean, range};
 use super::workpiece::Workpiece;
+use super::{Unmeasured, ends, mean, range};
 use crate::gear::{Flank, involute};
 use crate::parallel;
 

@@ -134,10 +134,8 @@ pub(super) fn bracketed(
         // The pieces with the greatest possible excess first, because their number is limited.
         halved.sort_by(|one, other| other.slack().total_cmp(&one.slack()));
         halved.truncate((MOST * curve.steps).saturating_sub(samples.len()));
-        wanted = halved
-            .iter()
-            .map(|piece| piece.from + (piece.to - piece.from) / 2)
-            .collect();
+        let middle = |piece: &&CurvePiece| piece.from + (piece.to - piece.from) / 2;
+        wanted = halved.iter().map(middle).collect();
         more(wanted.len());
         if round >= HALVINGS && wanted.is_empty() {
             let (even, between): (Vec<_>, Vec<_>) =

@@ -1,9 +1,8 @@
 //! Runout `F_r`: a ball in every space, measured from the rotation axis.
 
-use super::Unmeasured;
 use super::seat::{Seat, seats};
-use super::spread::{ends, mean, range};
 use super::workpiece::Workpiece;
+use super::{Unmeasured, ends, mean, range};
 
 /// The ball in one space.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -41,22 +41,6 @@ pub(super) fn seats(work: &Workpiece, diameter: f64) -> Result<Vec<Seat>, Unmeas
     seats.into_iter().collect()
 }
 
-/// An error where a pin of `diameter` at rest does not reach beyond the circle of radius `tip` of the tips.
-pub(super) fn check_standing_out(
-    seats: &[Seat],
-    diameter: f64,
-    tip: f64,
-) -> Result<(), Unmeasured> {
-    let is_low = |seat: &&Seat| seat.centre.coords.norm() + 0.5 * diameter <= tip;
-    match seats.iter().find(is_low) {
-        Some(low) => Err(Unmeasured(format!(
-            "a pin of {diameter} mm does not stand out of the space after tooth {}",
-            low.tooth
-        ))),
-        None => Ok(()),
-    }
-}
-
 /// Lays a pin of `diameter` into the space after `tooth`.
 fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured> {
     let face = work.as_built.face();

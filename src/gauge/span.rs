@@ -12,9 +12,8 @@
 //! On helical teeth the anvils are tilted by the base helix angle, parallel to the straight lines of the flanks. Their normal is that of
 //! the helix. Both contacts are on one such normal, in sections `W_k sin β_b` apart, with the measuring plane in the middle.
 
-use super::Unmeasured;
-use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
+use super::{Unmeasured, ends, mean};
 use crate::contact::Touch;
 use crate::gear::{Flank, ProfilePart};
 use crate::parallel;

@@ -226,11 +226,9 @@ impl Shown {
 fn share_shown(spans: &Spans, stated: Deviations, other: Deviations) -> Option<Shown> {
     let other = spans.compare(&other).ok()?;
     let stated = spans.compare(&stated).ok()?;
-    let pairs: Vec<(f64, f64)> = stated
-        .iter()
-        .zip(other)
-        .map(|((read, said), (_, by_other))| (read - by_other, *said))
-        .collect();
+    let pairs = stated.iter().zip(other);
+    let pairs = pairs.map(|((read, said), (_, by_other))| (read - by_other, *said));
+    let pairs: Vec<(f64, f64)> = pairs.collect();
     if pairs.len() < FEWEST_SPANS {
         return None;
     }
@@ -284,10 +282,7 @@ fn eccentricity_in_own_pitch(
     let gear = flanks.gears.most();
     let in_runout = flanks.in_runout.filter(|stated| stated.um > 0.0)?;
     let found = separate_eccentricity(measured, gear).ok()?;
-    let in_pitch = Eccentricity {
-        um: 1000.0 * found.eccentricity,
-        high_tooth: found.high_tooth,
-    };
+    let in_pitch = Eccentricity::new(found.eccentricity, found.high_tooth);
     // Least squares of `datum`: deviations of s leave s cos α/√z in either component of the eccentricity.
     let basic_data = gear.basic_data();
     let rest = Flank::BOTH.map(|side| found.pitch.flank(side).iter().map(|f| f * f).sum::<f64>());

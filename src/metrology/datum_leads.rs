@@ -77,9 +77,6 @@ fn dot(one: &[f64], other: &[f64]) -> f64 {
 }
 
 /// The wobble in `leads` about the datum axis, and these leads about the axis of the teeth.
-///
-/// # Errors
-/// Traces that do not determine it; an eccentricity of helical teeth that is not known.
 pub(super) fn separate(
     design: &GearDesign,
     leads: &[Lead; 2],

@@ -61,23 +61,9 @@ pub enum Finding {
         with_pitch: bool,
     },
     /// Profiles were measured on some teeth; the others use their mean.
-    ProfileOfSomeTeeth {
-        /// The own flank.
-        flank: Flank,
-        /// Number of measured teeth.
-        measured: u32,
-        /// `z`.
-        teeth: u32,
-    },
+    ProfileOfSomeTeeth(SomeTeeth),
     /// Leads were measured on some teeth; the others use their mean.
-    LeadOfSomeTeeth {
-        /// The own flank.
-        flank: Flank,
-        /// Number of measured teeth.
-        measured: u32,
-        /// `z`.
-        teeth: u32,
-    },
+    LeadOfSomeTeeth(SomeTeeth),
     /// Spans give the mean thickness only.
     SpansGiveMeanOnly {
         /// `k`.
@@ -218,6 +204,18 @@ impl Finding {
             _ => false,
         }
     }
+}
+
+/// A flank that was traced on some teeth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct SomeTeeth {
+    /// The own flank.
+    pub flank: Flank,
+    /// Number of measured teeth.
+    pub measured: u32,
+    /// `z`.
+    pub teeth: u32,
 }
 
 /// Knowledge of the flanks on which a runout was read.
@@ -451,6 +449,14 @@ pub struct Eccentricity {
 }
 
 impl Eccentricity {
+    /// An eccentricity of `mm` towards a tooth.
+    pub(super) fn new(mm: f64, high_tooth: f64) -> Eccentricity {
+        Eccentricity {
+            um: 1000.0 * mm,
+            high_tooth,
+        }
+    }
+
     /// Distance between the two displacements, µm.
     pub(super) fn distance_um(&self, other: &Eccentricity, basic_data: &BasicGearData) -> f64 {
         let angle = (other.high_tooth - self.high_tooth) * basic_data.angular_pitch();

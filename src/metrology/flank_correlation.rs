@@ -76,12 +76,9 @@ pub fn datum_anticorrelation_p_value(pitch: &Pitch, gear: &Gear) -> f64 {
     let first = TAU / (2.0 * z as f64);
     let weight = |h: u32| ((first * f64::from(h)).sin() / first.sin()).powi(2);
     // |S|² + |D|² = 2 (|R|² + |L|²).
-    let others: f64 = harmonics
-        .iter()
-        .zip(1..)
-        .skip(1)
-        .map(|(harmonic, h)| 2.0 * weight(h) * harmonic.energy)
-        .sum();
+    let others = harmonics.iter().zip(1..).skip(1);
+    let others = others.map(|(harmonic, h)| 2.0 * weight(h) * harmonic.energy);
+    let others: f64 = others.sum();
     let n = 2.0 * (harmonics.len() - 1) as f64;
     let (k, q) = (common / apart, apart / (apart + others));
     let first = if n > 0.0 {
@@ -190,11 +187,9 @@ fn chernoff_bound(harmonics: impl Iterator<Item = (f64, f64)> + Clone) -> f64 {
     let exponent = (0..80)
         .map(|n| 1.25f64.powi(n))
         .map(|lambda| {
-            let sum: f64 = harmonics
-                .clone()
-                .map(|(e, _)| ln_sinh_ratio(lambda * e / energy))
-                .sum();
-            sum - lambda * against
+            let each = harmonics.clone();
+            let each = each.map(|(e, _)| ln_sinh_ratio(lambda * e / energy));
+            each.sum::<f64>() - lambda * against
         })
         .fold(0.0, f64::min);
     exponent.exp()

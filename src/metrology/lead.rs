@@ -55,7 +55,7 @@ pub(super) fn check(gear: &Gear, face: Face, leads: &[Lead; 2]) -> Vec<Measureme
 mod tests {
     use super::*;
     use crate::gear::{EndRelief, GearDesign, Trace};
-    use crate::metrology::{Finding, Measurements};
+    use crate::metrology::{Finding, Measurements, SomeTeeth};
 
     /// A gear of module 3 with these leads of its left flanks.
     fn measured(lead: Lead) -> Result<Vec<Finding>, Vec<MeasurementError>> {
@@ -127,11 +127,11 @@ mod tests {
         let ends = [(0.0, 0.0), (40.0, 0.005)];
         let traces = [1, 6, 11].map(|tooth| trace(Some(tooth), &ends));
         let found = measured(lead(|lead| lead.traces = traces.to_vec())).unwrap();
-        let expected = Finding::LeadOfSomeTeeth {
+        let expected = Finding::LeadOfSomeTeeth(SomeTeeth {
             flank: Flank::Left,
             measured: 3,
             teeth: 20,
-        };
+        });
         assert_eq!(found, [expected]);
     }
 }

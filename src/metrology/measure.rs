@@ -178,13 +178,11 @@ impl Measurements {
 
     /// Errors of the thickness and the runout alone, for invalid pitch or per-tooth thickness.
     pub fn check_thickness_and_runout(&self) -> Vec<MeasurementError> {
-        let checked = self
-            .tooth()
-            .gears(&Deviations::default())
-            .and_then(|gears| {
-                self.runout.check(&self.design.basic_data)?;
-                self.runout.runout().check(&gears)
-            });
+        let gears = self.tooth().gears(&Deviations::default());
+        let checked = gears.and_then(|gears| {
+            self.runout.check(&self.design.basic_data)?;
+            self.runout.runout().check(&gears)
+        });
         checked.err().into_iter().collect()
     }
 
@@ -246,12 +244,10 @@ impl Measurements {
         let curves = pitch.curves(&self.design.basic_data);
         match (curves, pitch.check_eccentricity(&self.runout)) {
             (Ok(curves), Ok(())) => Ok(Some(curves)),
-            (curves, once) => Err(curves
-                .err()
-                .into_iter()
-                .flatten()
-                .chain(once.err())
-                .collect()),
+            (curves, once) => {
+                let errors = curves.err().unwrap_or_default();
+                Err(errors.into_iter().chain(once.err()).collect())
+            }
         }
     }
 
@@ -279,17 +275,11 @@ impl Measurements {
         measured: Option<&Pitch>,
     ) -> Result<MeasuredGear, MeasurementError> {
         let basic_data = &self.design.basic_data;
-        let outliers: Vec<Outlier> = [
-            outliers::of_readings(&self.thickness, basic_data, &flanks.stated)
-                .map(Outlier::Reading),
-            self.pitch
-                .as_ref()
-                .and_then(|pitch| outliers::of_pitch(pitch, basic_data))
-                .map(Outlier::Pitch),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
+        let reading = outliers::of_readings(&self.thickness, basic_data, &flanks.stated);
+        let of_pitch = |pitch| outliers::of_pitch(pitch, basic_data);
+        let pitch = self.pitch.as_ref().and_then(of_pitch);
+        let outliers = reading.map(Outlier::Reading).into_iter();
+        let outliers: Vec<Outlier> = outliers.chain(pitch.map(Outlier::Pitch)).collect();
         let mut findings = self.findings(&flanks, measured);
         findings.extend(outliers.iter().copied().map(Finding::Outlier));
         let compared = self.compare(&flanks)?;
@@ -327,21 +317,11 @@ impl Measurements {
         }
         let teeth = basic_data.teeth();
         let profiles = self.profiles.each_ref().map(|profile| &profile.traces[..]);
-        for (flank, measured) in profile::of_some_teeth(teeth, profiles) {
-            findings.push(Finding::ProfileOfSomeTeeth {
-                flank,
-                measured,
-                teeth,
-            });
-        }
+        let of_some = profile::of_some_teeth(teeth, profiles);
+        findings.extend(of_some.map(Finding::ProfileOfSomeTeeth));
         let leads = self.leads.each_ref().map(|lead| &lead.traces[..]);
-        for (flank, measured) in profile::of_some_teeth(teeth, leads) {
-            findings.push(Finding::LeadOfSomeTeeth {
-                flank,
-                measured,
-                teeth,
-            });
-        }
+        let of_some = profile::of_some_teeth(teeth, leads);
+        findings.extend(of_some.map(Finding::LeadOfSomeTeeth));
         findings.extend(plausibility::readings_all_round(&self.thickness, flanks));
         findings.extend(contradictions::findings(
             &self.thickness,

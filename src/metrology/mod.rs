@@ -53,7 +53,8 @@ pub use error::{DeviationCause, Fits, LeadKey, MeasurementError, ProfileKey, Sta
 pub use finding::{
     AllRoundNote, Eccentricity, EccentricityNote, Finding, FittedReadings, FlankKnowledge,
     GearNotes, MeanOnly, Outlier, PitchOutlier, Quantity, ReadingOutlier, Reversal,
-    RunoutContradiction, RunoutSource, SameKind, ThicknessBesidePitch, ThicknessStatements, TooFar,
+    RunoutContradiction, RunoutSource, SameKind, SomeTeeth, ThicknessBesidePitch,
+    ThicknessStatements, TooFar,
 };
 pub use flank_correlation::{anticorrelation_p_value, datum_anticorrelation_p_value};
 pub use measure::{CrossCheck, MeasuredGear, Measurements};

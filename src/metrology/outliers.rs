@@ -62,19 +62,13 @@ pub(super) fn of_readings(
         .flatten()
         .map(|beside| beside.iter().map(|(_, said)| *said).collect());
     let said_of = said.clone().unwrap_or_else(|| vec![0.0; count]);
-    let left = || {
-        readings
-            .iter()
-            .zip(&said_of)
-            .map(|((_, mm), said)| mm - said)
-    };
+    let read_and_said = || readings.iter().zip(&said_of);
+    let left = || read_and_said().map(|((_, mm), said)| mm - said);
     let middle = median(left());
     let apart = |mm: f64| (mm - middle).abs();
     let spread = median(left().map(apart));
-    let (&(place, mm), left) = readings
-        .iter()
-        .zip(left())
-        .max_by(|a, b| apart(a.1).total_cmp(&apart(b.1)))?;
+    let each = readings.iter().zip(left());
+    let (&(place, mm), left) = each.max_by(|a, b| apart(a.1).total_cmp(&apart(b.1)))?;
     let why = if apart(left) > plausible {
         TooFar::CoarseGear(1000.0 * plausible)
     } else if count >= FEWEST && apart(left) > (STANDS_OUT * spread).max(THIMBLE_LINE) {
@@ -121,10 +115,8 @@ pub(super) fn of_pitch(
             half_within_um,
         })
     };
-    Flank::BOTH
-        .into_iter()
-        .filter_map(farthest)
-        .max_by(|a, b| a.off_um.total_cmp(&b.off_um))
+    let both = Flank::BOTH.into_iter().filter_map(farthest);
+    both.max_by(|a, b| a.off_um.total_cmp(&b.off_um))
 }
 
 /// Distance of each value from the others or from its neighbours, µm.
@@ -139,11 +131,8 @@ fn distances_um(kind: PitchKind, um: &[f64]) -> Vec<f64> {
             // Rotating an empty list by 1 would panic.
             before.rotate_right(1.min(um.len()));
             after.rotate_left(1.min(um.len()));
-            let beside = before.iter().zip(&after);
-            um.iter()
-                .zip(beside)
-                .map(|(f, (b, a))| f - (b + a) / 2.0)
-                .collect()
+            let beside = um.iter().zip(before.iter().zip(&after));
+            beside.map(|(f, (b, a))| f - (b + a) / 2.0).collect()
         }
     }
 }

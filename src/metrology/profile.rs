@@ -1,6 +1,7 @@
 //! Stated profile deviations: their checks, their findings, and the pitch of the involutes.
 
 use super::error::{MeasurementError, ProfileKey};
+use super::finding::SomeTeeth;
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Deviations, Excess, Face, Flank, Gear, Modification, Pitch, Trace};
 
@@ -82,23 +83,21 @@ fn check_range(gear: &Gear, profile: &Modification) -> Result<(), GearError> {
     )
 }
 
-/// The flanks with `traces` of some of the `teeth` only, each with the number of those teeth.
-pub(super) fn of_some_teeth(
-    teeth: u32,
-    traces: [&[Trace]; 2],
-) -> impl Iterator<Item = (Flank, u32)> {
+/// The flanks with `traces` of some of the `teeth` only.
+pub(super) fn of_some_teeth(teeth: u32, traces: [&[Trace]; 2]) -> impl Iterator<Item = SomeTeeth> {
     let each = Flank::BOTH.into_iter().zip(traces);
     each.filter_map(move |(flank, traces)| {
         let measured = traces.iter().filter(|trace| trace.tooth.is_some());
         let measured = measured.count() as u32;
-        (1..teeth).contains(&measured).then_some((flank, measured))
+        (1..teeth).contains(&measured).then_some(SomeTeeth {
+            flank,
+            measured,
+            teeth,
+        })
     })
 }
 
 /// The pitch of the involutes, from the `pitch` of the flanks measured on the reference circle.
-///
-/// # Errors
-/// As [`Modification::curves`].
 pub(super) fn of_involutes(
     pitch: &Pitch,
     gear: &Gear,

@@ -301,18 +301,12 @@ fn extreme_balls(gear: &Gear) -> Vec<f64> {
         .map(|roll| thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness()))
         .filter(|&ball| ball > 0.0 && ball.is_finite() && check_ball(gear, ball).is_ok())
         .collect();
-    [fitting.first(), fitting.last()]
-        .into_iter()
-        .flatten()
-        .copied()
-        .collect()
+    let ends = [fitting.first(), fitting.last()];
+    ends.into_iter().flatten().copied().collect()
 }
 
 fn eccentricity(fit: &RunoutFit) -> Eccentricity {
-    Eccentricity {
-        um: 1000.0 * fit.eccentricity,
-        high_tooth: fit.high_tooth,
-    }
+    Eccentricity::new(fit.eccentricity, fit.high_tooth)
 }
 
 fn greatest(pairs: &[(f64, f64)], of: impl Fn(f64, f64) -> f64) -> f64 {

@@ -234,19 +234,16 @@ impl FlankStatements<'_> {
             all.high_tooth = high_tooth.unwrap_or(1.0);
             all.any_direction = eccentricity > 0.0 && high_tooth.is_none();
         }
+        let readings = self.tooth.statement.readings();
         Ok(Flanks {
             gears,
             stated,
             deviations,
             eccentricity: note,
-            all_round: self
-                .tooth
-                .statement
-                .readings()
-                .map(|readings| AllRoundNote {
-                    readings: readings.len(),
-                    amplification: found.map(|found| found.amplification),
-                }),
+            all_round: readings.map(|readings| AllRoundNote {
+                readings: readings.len(),
+                amplification: found.map(|found| found.amplification),
+            }),
             in_runout: match &fit {
                 Some(fit) => fit.first_harmonic(),
                 None => runout.stated(),
@@ -274,9 +271,6 @@ fn fit_readings(
 }
 
 /// Own pitch of `gear` and eccentricity, separated from datum-axis `readings`.
-///
-/// # Errors
-/// [`GearError::DatumPitch`] if an eccentricity moves the measuring circle off the involute.
 fn separate_pitch(
     readings: &Pitch,
     gear: &Gear,
@@ -284,10 +278,7 @@ fn separate_pitch(
     runout: &Runout,
 ) -> Result<(Pitch, Eccentricity), GearError> {
     let separated = separate_eccentricity(readings, gear)?;
-    let in_pitch = Eccentricity {
-        um: 1000.0 * separated.eccentricity,
-        high_tooth: separated.high_tooth,
-    };
+    let in_pitch = Eccentricity::new(separated.eccentricity, separated.high_tooth);
     let pitch = match runout.stated() {
         Some(stated) if counts == Some(EccentricitySource::Runout) => {
             without_eccentricity(readings, gear, runout.eccentricity(), stated.high_tooth)?

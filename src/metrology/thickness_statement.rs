@@ -318,9 +318,6 @@ impl ThicknessStatement {
     /// `s_b`, mm, of a gear with the deviations `known`, without the excess of its profiles and leads at the contacts.
     ///
     /// A single reading counts as the mean of all places on a gear without other deviations.
-    ///
-    /// # Errors
-    /// As [`ThicknessStatement::base_thickness`]; profiles that no gear can have.
     pub(super) fn base_of_modified(
         &self,
         design: &GearDesign,

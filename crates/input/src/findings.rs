@@ -31,11 +31,11 @@ fn key(statements: &Statements, finding: &Finding) -> Cow<'static, str> {
         Finding::Outlier(Outlier::Pitch(found)) => pitch::key_of(table, found.flank),
         Finding::Outlier(Outlier::Reading(found)) if found.over_pins => "thickness.over_pins",
         Finding::Outlier(Outlier::Reading(_)) => "thickness.span",
-        Finding::ProfileOfSomeTeeth { flank, .. } => {
-            return profile::key_of(table, *flank, ProfileKey::Trace).into();
+        Finding::ProfileOfSomeTeeth(some) => {
+            return profile::key_of(table, some.flank, ProfileKey::Trace).into();
         }
-        Finding::LeadOfSomeTeeth { flank, .. } => {
-            return lead::key_of(table, *flank, LeadKey::Trace).into();
+        Finding::LeadOfSomeTeeth(some) => {
+            return lead::key_of(table, some.flank, LeadKey::Trace).into();
         }
         Finding::WobbleInLeads { .. } => "lead.axis",
         Finding::RunoutReadings(_) | Finding::RunoutContradictsFlanks(_) => "runout.file",
@@ -108,18 +108,11 @@ fn words(statements: &Statements, finding: &Finding) -> String {
             "{total_um} µm without high_tooth: least and greatest of the verdict are over every direction; single poses and the gauge have tooth 1 high"
         ),
         Finding::EccentricityInPitch(note) => in_pitch(note),
-        Finding::ProfileOfSomeTeeth {
-            flank,
-            measured,
-            teeth,
-        }
-        | Finding::LeadOfSomeTeeth {
-            flank,
-            measured,
-            teeth,
-        } => format!(
-            "traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
-            flank.name()
+        Finding::ProfileOfSomeTeeth(some) | Finding::LeadOfSomeTeeth(some) => format!(
+            "traces of {} of {} {} flanks; the other teeth take their mean",
+            some.measured,
+            some.teeth,
+            some.flank.name()
         ),
         Finding::PinsGiveMeanOnly {
             readings,

@@ -1,6 +1,7 @@
 //! The result of each wheel with each pinion, the best assignment, and simpler ways of pairing for comparison.
 
 use crate::analysis::extremes::WIDTH;
+use crate::contact::first_least;
 use crate::error::{Error, GearError, Tick};
 use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
@@ -414,13 +415,7 @@ impl Matrix {
     pub fn by_classes(&self) -> Option<(usize, Expected)> {
         let most = self.most().min(MOST_CLASSES);
         let each = (1..=most).map(|count| (count, self.expected(&self.classes(count))));
-        each.reduce(|best, one| {
-            if one.1.any_phase > best.1.any_phase {
-                one
-            } else {
-                best
-            }
-        })
+        first_least(each.map(|(count, found)| ((count, found), -found.any_phase, 0.0)))
     }
 
     /// Wheels and pinions of each class.

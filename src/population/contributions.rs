@@ -105,9 +105,9 @@ impl GroupSums {
         Ok(())
     }
 
-    /// Adds a row: `f` of A, of B and of each `AB_i`.
-    fn add_row(&mut self, row: Option<(i64, i64, Vec<i64>)>) -> Result<(), Overflow> {
-        let Some((a, b, mixed)) = row else {
+    /// Adds a row: `f` of A, of B and of each `AB_i`; `None` if an assembly lacks the extreme.
+    fn add_row(&mut self, row: Option<Vec<i64>>) -> Result<(), Overflow> {
+        let Some(&[a, b, ref mixed @ ..]) = row.as_deref() else {
             self.unused_rows += 1;
             return Ok(());
         };
@@ -206,51 +206,37 @@ impl Contributions {
 /// Least and greatest `j_wt` of an assembly, tenths of a nanometre.
 type LeastAndGreatest = [Option<i64>; 2];
 
-/// `f` of A, of B, and of each AB_i.
-struct Evaluated {
-    a: LeastAndGreatest,
-    b: LeastAndGreatest,
-    mixed: Vec<LeastAndGreatest>,
-}
-
-impl Evaluated {
-    /// Row `number` of both samples.
-    fn new(population: &Population, seed: u64, number: u64) -> Result<Evaluated, Error> {
-        let both = |sample: &dyn Fn(Factor) -> SampleKind| -> Result<LeastAndGreatest, Error> {
-            let draw = |factor| Draw {
-                seed,
-                sample: sample(factor),
-                number,
-            };
-            match population.assembled(&draw) {
-                Ok(assembly) => {
-                    let found = assembly.outcome()?;
-                    Ok([found.least, found.greatest].map(|mm| mm.map(tenths)))
-                }
-                Err(_) => Ok([None; 2]),
-            }
+/// `f` of A, of B, and of each AB_i in row `number` of both samples.
+fn evaluate(
+    population: &Population,
+    seed: u64,
+    number: u64,
+) -> Result<Vec<LeastAndGreatest>, Error> {
+    let of = |sample: &dyn Fn(Factor) -> SampleKind| -> Result<LeastAndGreatest, Error> {
+        let draw = |factor| Draw {
+            seed,
+            sample: sample(factor),
+            number,
         };
-        let mixed = population.factors().iter().map(|&one| {
-            both(&|factor| {
-                if factor == one {
-                    SampleKind::Second
-                } else {
-                    SampleKind::First
-                }
-            })
-        });
-        Ok(Evaluated {
-            a: both(&|_| SampleKind::First)?,
-            b: both(&|_| SampleKind::Second)?,
-            mixed: mixed.collect::<Result<_, Error>>()?,
+        match population.assembled(&draw) {
+            Ok(assembly) => {
+                let found = assembly.outcome()?;
+                Ok([found.least, found.greatest].map(|mm| mm.map(tenths)))
+            }
+            Err(_) => Ok([None; 2]),
+        }
+    };
+    let mixed = population.factors().iter().map(|&one| {
+        of(&|factor| {
+            if factor == one {
+                SampleKind::Second
+            } else {
+                SampleKind::First
+            }
         })
-    }
-
-    /// The values of the least (0) or the greatest (1); `None` if an assembly lacks it.
-    fn of_extreme(&self, end: usize) -> Option<(i64, i64, Vec<i64>)> {
-        let mixed: Option<Vec<i64>> = self.mixed.iter().map(|both| both[end]).collect();
-        Some((self.a[end]?, self.b[end]?, mixed?))
-    }
+    });
+    let whole = [of(&|_| SampleKind::First), of(&|_| SampleKind::Second)];
+    whole.into_iter().chain(mixed).collect()
 }
 
 /// The contributions to the least and to the greatest `j_wt`, from the first `rows` of both samples with `seed`. A row has two assemblies
@@ -273,13 +259,14 @@ pub fn contributions(
     for block in chunks(&(1..rows + 1), BLOCK) {
         let evaluated = parallel::map(chunks(&block, ROWS_PER_TICK), |chunk| {
             Error::if_stopped(tick(1))?;
-            let rows = chunk.map(|number| Evaluated::new(population, seed, number));
-            rows.collect::<Result<Vec<Evaluated>, Error>>()
+            let rows = chunk.map(|number| evaluate(population, seed, number));
+            rows.collect::<Result<Vec<_>, Error>>()
         });
         let evaluated = evaluated.into_iter().collect::<Result<Vec<_>, Error>>()?;
         for (number, row) in block.zip(evaluated.iter().flatten()) {
             for (end, groups) in sums.iter_mut().enumerate() {
-                groups[(number % JACKKNIFE_GROUPS as u64) as usize].add_row(row.of_extreme(end))?;
+                let values = row.iter().map(|both| both[end]).collect();
+                groups[(number % JACKKNIFE_GROUPS as u64) as usize].add_row(values)?;
             }
         }
     }

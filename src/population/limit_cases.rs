@@ -7,6 +7,7 @@ use super::scatter::Scatter;
 use super::scatters::{GearScatter, LeadScatter};
 use crate::analysis::extremes::phases_differ;
 use crate::analysis::phases::phase_count;
+use crate::contact::End;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Face, Flank, Lead};
 use crate::outline::{AssembledPair, GearChange};
@@ -57,13 +58,6 @@ const FACE_ENDS: [[f64; 2]; 5] = [
     [-1.0, 1.0],
 ];
 
-/// The direction of a limit: less or more backlash.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Towards {
-    Less,
-    More,
-}
-
 /// The limit cases of `population`. `None` if whole gears are drawn at random, which have no limits. `None` also if the runout of a gear
 /// given by a drawing scatters: its worst direction is not searched.
 ///
@@ -99,8 +93,8 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
         return Ok(None);
     }
     let both = |of: &dyn Fn(Factor) -> bool| {
-        let less = case(population, of, Towards::Less)?.0;
-        Ok::<_, Error>([less, case(population, of, Towards::More)?.1])
+        let [least, greatest] = End::BOTH.map(|end| case(population, of, end));
+        Ok::<_, Error>([least?, greatest?])
     };
     let mean = both(&|_| false)?;
     let mut squares = [Some(0.0); 2];
@@ -140,12 +134,12 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
     }))
 }
 
-/// Least and greatest with the quantities `at_limit` at their limit and all others at their mean, over the possible phases.
+/// The least or the greatest with the quantities `at_limit` at their limit towards it and all others at their mean, over the possible phases.
 fn case(
     population: &Population,
     at_limit: &dyn Fn(Factor) -> bool,
-    towards: Towards,
-) -> Result<(Option<f64>, Option<f64>), Error> {
+    end: End,
+) -> Result<Option<f64>, Error> {
     let scatters = population.scatters();
     let of_face = |one: &Factor| matches!(one, Factor::Lead(_) | Factor::Misalignment);
     let mut of_face = LIMITED_FACTORS.into_iter().filter(of_face);
@@ -156,10 +150,10 @@ fn case(
         1
     };
     let made = FACE_ENDS.iter().take(count);
-    let made = made.map(|ends| assembly(population, at_limit, towards, *ends));
+    let made = made.map(|ends| assembly(population, at_limit, end, *ends));
     // An impossible gear: the case does not exist.
     let Ok(assemblies) = made.collect::<Result<Vec<_>, _>>() else {
-        return Ok((None, None));
+        return Ok(None);
     };
     let in_phases = assemblies.iter().flat_map(|assembly| {
         let pair = &assembly.pair;
@@ -175,25 +169,30 @@ fn case(
     });
     let each = parallel::map(in_phases, |assembly: Assembly| assembly.outcome());
     let each = each.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let values = each.iter().map(|found| match end {
+        End::Least => found.least,
+        End::Greatest => found.greatest,
+    });
+    let beyond = match end {
+        End::Least => f64::min,
+        End::Greatest => f64::max,
+    };
     // A phase without a value leaves no value for all.
-    let least = each.iter().map(|found| found.least);
-    let least = least.reduce(|one, other| Some(one?.min(other?)));
-    let greatest = each.iter().map(|found| found.greatest);
-    let greatest = greatest.reduce(|one, other| Some(one?.max(other?)));
-    Ok((least.flatten(), greatest.flatten()))
+    let farthest = values.reduce(|one, other| Some(beyond(one?, other?)));
+    Ok(farthest.flatten())
 }
 
 fn assembly(
     population: &Population,
     at_limit: &dyn Fn(Factor) -> bool,
-    towards: Towards,
+    end: End,
     ends: [f64; 2],
 ) -> Result<Assembly, Error> {
     let scatters = population.scatters();
     // More material means less backlash, more distance means more.
-    let [less, more] = match towards {
-        Towards::Less => [1, 0],
-        Towards::More => [0, 1],
+    let [less, more] = match end {
+        End::Least => [1, 0],
+        End::Greatest => [0, 1],
     };
     let of = |scatter: &Option<Scatter>, alone: Factor, side: usize| match scatter {
         Some(scatter) if at_limit(alone) => Some(scatter.limits()[side]),
@@ -204,14 +203,13 @@ fn assembly(
         let scatter = scatters.of(member);
         let each = of(&scatter.per_tooth, Factor::PerTooth(member), less).unwrap_or(0.0);
         let pitch = if at_limit(Factor::Pitch(member)) {
-            let sense = if towards == Towards::Less { 1.0 } else { -1.0 };
-            pitch_limit(scatter, pair, member) * sense
+            pitch_limit(scatter, pair, member) * end.sign()
         } else {
             0.0
         };
         let lead = scatter.lead.as_ref();
-        let lead_end = at_limit(Factor::Lead(member)).then_some((towards, ends));
-        let is_worst = towards == Towards::Less && at_limit(Factor::Wobble(member));
+        let lead_end = at_limit(Factor::Lead(member)).then_some((end, ends));
+        let is_worst = end == End::Least && at_limit(Factor::Wobble(member));
         let is_off_axis = at_limit(Factor::Runout(member));
         GearChange {
             thicker: of(&scatter.thickness, Factor::Thickness(member), less),
@@ -256,7 +254,7 @@ fn assembly(
 }
 
 /// Leads of right and left flanks at their means, or at a limit with material at these ends of the face.
-fn lead_limit(lead: &LeadScatter, own: Face, limit: Option<(Towards, [f64; 2])>) -> [Lead; 2] {
+fn lead_limit(lead: &LeadScatter, own: Face, limit: Option<(End, [f64; 2])>) -> [Lead; 2] {
     let mean = |scatter: &Option<Scatter>| scatter.as_ref().map_or(0.0, Scatter::mean);
     let at = |scatter: &Option<Scatter>, end: usize| {
         scatter
@@ -268,20 +266,19 @@ fn lead_limit(lead: &LeadScatter, own: Face, limit: Option<(Towards, [f64; 2])>)
     let from_middle = (2.0 * zero - face[0] - face[1]) / (face[1] - face[0]);
     let costly = usize::from(from_middle * from_middle > 0.5);
     Flank::BOTH.map(|flank| {
-        let Some((towards, ends)) = limit else {
+        let Some((end, ends)) = limit else {
             return lead.with(mean(&lead.slope), mean(&lead.crowning));
         };
-        let end = ends[own.seen_from_front(flank).index()];
-        let slope = if end == 0.0 {
+        let tight = ends[own.seen_from_front(flank).index()];
+        let slope = if tight == 0.0 {
             mean(&lead.slope)
         } else {
             // Heights rise away from the reference face.
-            at(&lead.slope, usize::from(-own.ascending() * end > 0.0))
+            at(&lead.slope, usize::from(-own.ascending() * tight > 0.0))
         };
-        let crowning = if towards == Towards::Less {
-            costly
-        } else {
-            1 - costly
+        let crowning = match end {
+            End::Least => costly,
+            End::Greatest => 1 - costly,
         };
         lead.with(slope, at(&lead.crowning, crowning))
     })

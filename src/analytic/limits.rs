@@ -58,10 +58,8 @@ pub fn contact_ratio(assembly: &GearPair) -> f64 {
 
 /// Contact ratio over the part of the path outside both form circles.
 pub fn usable_contact_ratio(assembly: &GearPair) -> f64 {
-    let lost: f64 = Member::BOTH
-        .map(|member| (-form_margin(assembly, member)).max(0.0))
-        .iter()
-        .sum();
+    let lost = Member::BOTH.map(|member| (-form_margin(assembly, member)).max(0.0));
+    let lost: f64 = lost.iter().sum();
     let wheel = assembly.gear(Member::Wheel).gear().basic_data();
     contact_ratio(assembly) - lost / wheel.base_pitch()
 }

@@ -458,10 +458,8 @@ impl AsBuilt {
             let own = |side: Side, tooth: u32, place: ProfilePart| {
                 self.profile(side, tooth).part(place).ends
             };
-            let tip: f64 = Side::BOTH
-                .map(|side| own(side, tooth, ProfilePart::Tip)[1])
-                .iter()
-                .sum();
+            let tips = Side::BOTH.map(|side| own(side, tooth, ProfilePart::Tip)[1]);
+            let tip: f64 = tips.iter().sum();
             // The fillet and the start of the root land turn with the lower end of a modified flank.
             let land = gear.part(ProfilePart::Root).ends[0];
             let turned = |side: Side, tooth: u32| own(side, tooth, ProfilePart::Root)[0] - land;

@@ -117,10 +117,8 @@ impl<'a> Placed<'a> {
         let Some(first) = segments.iter().position(|s| s.curve == curve) else {
             return Vec::new();
         };
-        let count = segments[first..]
-            .iter()
-            .take_while(|s| s.curve == curve)
-            .count();
+        let own = segments[first..].iter().take_while(|s| s.curve == curve);
+        let count = own.count();
         let points = half.points()[first..=first + count].iter();
         points.map(self.place(side, tooth)).collect()
     }

@@ -118,10 +118,7 @@ impl AssembledPair {
 
     /// The centre distance, mm, from which tips pass each other.
     pub fn reach(&self) -> f64 {
-        Member::BOTH
-            .map(|member| self.gear_reach(member))
-            .iter()
-            .sum()
+        self.gear_reach(Member::Wheel) + self.gear_reach(Member::Pinion)
     }
 
     /// Greatest distance of a gear's metal from its axis, mm.

@@ -137,11 +137,8 @@ impl OutlineDifference {
         let along: Vec<Deviation> = parallel::map(points.iter(), |at| {
             deviation(at.edge, both.compare_point(at.point, rotation))
         });
-        let shares = points
-            .iter()
-            .zip(&along)
-            .map(|(at, found)| at.share * found.beyond);
-        let mean = shares.sum();
+        let found = points.iter().zip(&along);
+        let mean = found.map(|(at, found)| at.share * found.beyond).sum();
         let corners: Vec<ComparedPoint> = parallel::map(both.a.corners().iter(), |point| {
             both.compare_point(*point, rotation)
         });

@@ -67,10 +67,8 @@ pub fn fit_centre(segments: &[PathSegment]) -> Result<FittedCentre, OutlineError
 
 /// The centroid of the area that the segments' ends and middles enclose.
 fn centroid(segments: &[PathSegment]) -> Point2<f64> {
-    let points: Vec<Point2<f64>> = segments
-        .iter()
-        .flat_map(|segment| [segment.start(), segment.at(0.5)])
-        .collect();
+    let both = |segment: &PathSegment| [segment.start(), segment.at(0.5)];
+    let points: Vec<Point2<f64>> = segments.iter().flat_map(both).collect();
     // A path without area: the first point. The caller reports the error.
     let first = points.first().copied().unwrap_or_default();
     polygon::centroid(&points).unwrap_or(first)

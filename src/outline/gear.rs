@@ -372,10 +372,8 @@ impl OutlineGear {
 
 /// Direction of a tooth's centre line, rad: the middle between its flanks on the circle of `radius`.
 fn direction(tooth: &FoundTooth, radius: f64) -> f64 {
-    let [right, left] = tooth
-        .halves
-        .each_ref()
-        .map(|half| half.angle_at(radius).unwrap_or(0.0));
+    let angle = |half: &HalfOutline| half.angle_at(radius).unwrap_or(0.0);
+    let [right, left] = tooth.halves.each_ref().map(angle);
     right + 0.5 * (-left - right).rem_euclid(TAU)
 }
 

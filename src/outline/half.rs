@@ -87,10 +87,8 @@ const ROUNDING: f64 = 1e-12;
 impl HalfOutline {
     /// Least and greatest radius of the ends of the pieces, mm.
     pub(super) fn end_radii(&self) -> [f64; 2] {
-        let ends = self
-            .pieces
-            .iter()
-            .flat_map(|piece| piece.ends.map(|t| piece.point(t).norm()));
+        let radii = |piece: &HalfPiece| piece.ends.map(|t| piece.point(t).norm());
+        let ends = self.pieces.iter().flat_map(radii);
         ends.fold([f64::INFINITY, 0.0], |[least, most], radius| {
             [least.min(radius), most.max(radius)]
         })

@@ -37,18 +37,13 @@ struct Place {
 
 /// The teeth of `path`, counter-clockwise.
 pub(super) fn find_teeth(path: &ClosedPath) -> Result<Vec<FoundTooth>, OutlineError> {
-    let radii: Vec<f64> = path
-        .marks
-        .iter()
-        .map(|mark| mark.point.coords.norm())
-        .collect();
+    let radii = path.marks.iter().map(|mark| mark.point.coords.norm());
+    let radii: Vec<f64> = radii.collect();
     let least = radii.iter().copied().fold(f64::INFINITY, f64::min);
     let most = radii.iter().copied().fold(0.0, f64::max);
     let third = (most - least) / 3.0;
-    let start = radii
-        .iter()
-        .position(|&radius| radius == least)
-        .unwrap_or(0);
+    let start = radii.iter().position(|&radius| radius == least);
+    let start = start.unwrap_or(0);
     let count = radii.len();
     // Runs below and above alternate, the first one below.
     let mut runs: Vec<Vec<usize>> = vec![vec![]];
@@ -82,17 +77,14 @@ pub(super) fn find_teeth(path: &ClosedPath) -> Result<Vec<FoundTooth>, OutlineEr
         });
     }
     let path_radii = PathRadii { path, radii };
-    let regions: Vec<Region> = runs
-        .iter()
-        .enumerate()
-        .map(|(k, run)| path_radii.region(run, k % 2 == 1, REGION_SHARE * 3.0 * third))
-        .collect();
-    let roots: Vec<&Region> = regions.iter().step_by(2).collect();
-    let tips = regions.iter().skip(1).step_by(2);
-    Ok(tips
-        .enumerate()
-        .map(|(k, tip)| path_radii.tooth(roots[k], tip, roots[(k + 1) % found]))
-        .collect())
+    let region = |(k, run): (usize, &Vec<usize>)| {
+        path_radii.region(run, k % 2 == 1, REGION_SHARE * 3.0 * third)
+    };
+    let regions: Vec<Region> = runs.iter().enumerate().map(region).collect();
+    let region = |k: usize| &regions[k % regions.len()];
+    let tips = (1..regions.len()).step_by(2);
+    let teeth = tips.map(|tip| path_radii.tooth(region(tip - 1), region(tip), region(tip + 1)));
+    Ok(teeth.collect())
 }
 
 /// A tip or a root region.
@@ -113,10 +105,8 @@ struct PathRadii<'a> {
 impl PathRadii<'_> {
     fn region(&self, run: &[usize], is_tip: bool, height: f64) -> Region {
         let sign = if is_tip { 1.0 } else { -1.0 };
-        let top = run
-            .iter()
-            .map(|&k| sign * self.radii[k])
-            .fold(f64::NEG_INFINITY, f64::max);
+        let heights = run.iter().map(|&k| sign * self.radii[k]);
+        let top = heights.fold(f64::NEG_INFINITY, f64::max);
         let limit = sign * (top - height);
         let inside = |k: &&usize| sign * self.radii[**k] >= sign * limit;
         let first = run.iter().find(inside).copied().unwrap_or(run[0]);

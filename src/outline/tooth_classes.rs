@@ -118,9 +118,7 @@ fn piece_difference(one: &HalfPiece, other: &HalfPiece, turn: Complex<f64>) -> O
         let point = Complex::new(point.x, point.y);
         piece.turn * if piece.mirrored { point.conj() } else { point }
     };
-    let off = points
-        .iter()
-        .zip(&other_points)
-        .map(|(a, b)| (turn * place(one, a) - place(other, b)).norm());
+    let both = points.iter().zip(&other_points);
+    let off = both.map(|(a, b)| (turn * place(one, a) - place(other, b)).norm());
     Some(ends + off.fold(0.0, f64::max) + (radius - other_radius).abs())
 }

@@ -47,12 +47,7 @@ impl Backlash {
 
     /// Lost motion `φ_j = j_wt/r_w` of `gear`, rad, with its mate fixed.
     pub fn angle(&self, gear: Member) -> f64 {
-        let [wheel, pinion] = self.pitch_radii;
-        self.j_wt
-            / match gear {
-                Member::Wheel => wheel,
-                Member::Pinion => pinion,
-            }
+        self.j_wt / self.pitch_radii[gear as usize]
     }
 
     /// Lost motion of `gear`, arcmin.

@@ -175,14 +175,8 @@ impl<'a> Leaning<'a> {
         });
         let steps = Member::BOTH.map(|member| {
             let [own, mate] = [reach[member as usize], reach[1 - member as usize]];
-            let pitch = self
-                .assembly
-                .gear(member)
-                .gear()
-                .basic_data()
-                .angular_pitch();
             let half = overlap_half_angle(own, mate, distance).unwrap_or(0.0);
-            (half / pitch).ceil() as i64
+            (half / self.gears[member as usize].pitch).ceil() as i64
         });
         // The flank and the far corner of a tooth are less than a pitch apart.
         steps[0].max(steps[1]) + 2

@@ -125,20 +125,15 @@ impl SweepPlan {
     pub fn matings(&self, assembly: &impl ToothNumbers) -> Vec<Mating> {
         match self {
             SweepPlan::Matings { matings, fractions } => {
-                let mut list = Vec::with_capacity(2 * matings.len() * fractions.len());
-                for &(wheel_tooth, pinion_tooth) in matings {
-                    for flank in Side::BOTH {
-                        for &fraction in fractions {
-                            list.push(Mating {
-                                wheel_tooth,
-                                pinion_tooth,
-                                flank,
-                                fraction,
-                            });
-                        }
-                    }
-                }
-                list
+                let flanks = |&(wheel, pinion): &(u32, u32)| {
+                    Side::BOTH.map(|flank| Mating::at(wheel, pinion, flank))
+                };
+                let whole = matings.iter().flat_map(flanks);
+                let of_one = |mating: Mating| {
+                    let each = fractions.iter();
+                    each.map(move |&fraction| Mating { fraction, ..mating })
+                };
+                whole.flat_map(of_one).collect()
             }
             &SweepPlan::Revolution {
                 pitches,

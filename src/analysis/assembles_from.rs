@@ -57,9 +57,6 @@ impl Threshold {
 /// The centre distance from which `assembly` assembles. Its least `j_wt` over `matings` pitches from `first` on is
 /// `least`, mm, or `None` if a pose is jammed. The search goes from its own centre distance to tips that pass each
 /// other, within the budget `effort`. At other distances its least is found to within `width`, mm.
-///
-/// # Errors
-/// None for a pair with a kernel at each distance.
 pub(super) fn assembles_from(
     assembly: &GearPair,
     over: (Mating, u64),
@@ -189,9 +186,6 @@ const MOST_RAISED: u32 = 6;
 /// interferes until tips pass each other, is out of mesh, or has no extremes there.
 ///
 /// The tightest pose gives a distance. If another pose interferes there, it is the tightest pose of the next round.
-///
-/// # Errors
-/// None of a pair that was read.
 pub(super) fn assembles_from_of_outlines(
     kernel: &OutlineKernel,
     pair: &OutlinePair,
@@ -338,9 +332,6 @@ impl AtDistance<'_> {
 ///
 /// A pose out of mesh gives the distance up to which it is in mesh. Another pose of the cycle that is out of mesh there gives the next
 /// distance. Where no examined pose is, the whole cycle is searched.
-///
-/// # Errors
-/// A pose or search of `pair` fails.
 pub(super) fn meshes_to(
     [nearest, own]: [f64; 2],
     found: &Extremes,

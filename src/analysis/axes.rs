@@ -21,6 +21,7 @@
 //!
 //! A displacement across the line of centres turns it. That is another pose of the cycle, but for the turn of the lean, of the second order.
 
+use crate::contact::first_least;
 use crate::error::GearError;
 use crate::pair::{FaceDeviation, GearPair, Member, overlap_half_angle};
 use std::f64::consts::PI;
@@ -195,15 +196,9 @@ impl Axes {
     /// The place on the face whose section can move least; the reach is linear between these.
     fn least_moved_section(&self, [from, to]: [f64; 2]) -> f64 {
         let bearings = self.bearings.map_or([0.0; 2], |bearings| bearings.at);
-        let places = [0.0, bearings[0], bearings[1], from, to].map(|b| b.clamp(from, to));
-        let least = |one: f64, other: f64| {
-            if self.reach(other) < self.reach(one) {
-                other
-            } else {
-                one
-            }
-        };
-        places.into_iter().fold(from, least)
+        let places = [from, 0.0, bearings[0], bearings[1], to].map(|b| b.clamp(from, to));
+        let least = first_least(places.into_iter().map(|b| (b, self.reach(b), 0.0)));
+        least.unwrap_or(from)
     }
 
     /// The section of `pair` whose axes can move least, with the axes as far apart as they can move.

@@ -11,7 +11,7 @@ use super::study::{Run, RunPlan, Study};
 use crate::analytic::InvolutePair;
 use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, PROVEN_WIDTH,
-    PROVEN_WIDTH_DRAWN, Status, cycle_extremes_within,
+    PROVEN_WIDTH_DRAWN, Status, cycle_extremes_within, first_least,
 };
 use crate::error::{Error, Tick, go_on};
 use crate::gear::{Side, has_different_teeth, thickness};
@@ -42,7 +42,8 @@ pub(super) trait CyclePair {
         Ok(None)
     }
 
-    /// One end of `cycle` for this pair, in place of the pair of the cycle.
+    /// The extremes over `cycle` for this pair, in place of the pair of the cycle, and over all open leans of its axes. The one that is not
+    /// asked for may be missing.
     fn extremes_at(&self, cycle: &CyclePlan, end: End, effort: &Effort) -> Result<Extremes, Error>;
 
     /// The extremes over these matings, in brackets of about `width` mm. If the direction of a runout is unknown, they cover all directions.
@@ -51,7 +52,7 @@ pub(super) trait CyclePair {
     /// Whether wheel and pinion have unlike teeth.
     fn have_unlike_teeth(&self) -> [bool; 2];
 
-    /// [`CyclePlan::effort_of_remedy`].
+    /// Effort of a change that meets the requirements: as much as one verdict may take.
     fn effort_of_remedy<'t>(&self, cycle: &CyclePlan<'t>) -> Effort<'t>;
 
     /// How its teeth get thinner; `None` if only one gear's can.
@@ -87,10 +88,10 @@ impl CyclePair for OutlinePair {
 
     fn search(&self, cycle: &CyclePlan) -> Result<CycleResult, Error> {
         let kernel = OutlineKernel::new(self);
-        let over = cycle_of_outlines(self, cycle.over(), cycle.limits());
-        let found = over.extremes(&kernel, self, cycle.wanted(), PROVEN_WIDTH_DRAWN);
+        let over = cycle_of_outlines(self, cycle.over, (cycle.divisor, cycle.tick));
+        let found = over.extremes(&kernel, self, cycle.wanted, PROVEN_WIDTH_DRAWN);
         let (mut assembles_from, mut to) = (None, None);
-        if cycle.alone.is_none() {
+        if !cycle.is_alone {
             assembles_from = assembles_from_of_outlines(&kernel, self, &over, &found)?;
             let pose = |at, mating: &Mating| Ok(kernel.lost_motion_at(&self.at(at)?, mating).ok());
             let search = |at| {
@@ -103,7 +104,7 @@ impl CyclePair for OutlinePair {
                 pose: &pose,
                 search: &search,
                 onward: &|mating, pitches| mating.onward(self, pitches),
-                pitches: cycle.distinct,
+                pitches: cycle.over.1,
             };
             to = meshes_to(between, &found, &at_distance, &Effort::endless())?;
         }
@@ -118,15 +119,13 @@ impl CyclePair for OutlinePair {
     }
 
     fn extremes_at(&self, cycle: &CyclePlan, end: End, _: &Effort) -> Result<Extremes, Error> {
-        let over = cycle_of_outlines(self, cycle.over(), cycle.limits());
+        let over = cycle_of_outlines(self, cycle.over, (cycle.divisor, cycle.tick));
         Ok(over.extremes(&OutlineKernel::new(self), self, &[end], PROVEN_WIDTH_DRAWN))
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
-        let (over, width) = (
-            cycle_of_outlines(self, over, (1, &go_on)),
-            width.max(PROVEN_WIDTH_DRAWN),
-        );
+        let over = cycle_of_outlines(self, over, (1, &go_on));
+        let width = width.max(PROVEN_WIDTH_DRAWN);
         Ok(over.extremes(&OutlineKernel::new(self), self, &End::BOTH, width))
     }
 
@@ -178,17 +177,16 @@ impl CyclePair for GearPair {
 
     fn extremes_at(&self, cycle: &CyclePlan, end: End, effort: &Effort) -> Result<Extremes, Error> {
         if cycle.open_lean != [0.0; 2] {
-            let ends: &[End] = match end {
+            let wanted: &[End] = match end {
                 End::Least => &[End::Least],
                 End::Greatest => &[End::Greatest],
             };
             let whole = Effort::of_extremes(self, cycle.tick).left();
             let divisor = AXES * whole / (effort.left() / PARTS_OF_REST).max(1);
             let there = CyclePlan {
-                alone: Some(Alone {
-                    ends,
-                    divisor: divisor.max(1),
-                }),
+                wanted,
+                divisor: divisor.max(1),
+                is_alone: true,
                 ..cycle.with(self.clone().into())
             };
             let searched = there.search()?;
@@ -196,10 +194,10 @@ impl CyclePair for GearPair {
             return Ok(searched.found);
         }
         if has_open_runout(self) {
-            return Ok(cycle.any_direction(self, effort)?.found);
+            return Ok(any_direction(self, cycle.over, cycle.wanted, WIDTH, effort)?.found);
         }
-        let (kernel, over) = (&ExactKernel::new(self), cycle.over());
-        cycle_extremes_within(kernel, self, over, WIDTH, effort, &[end])
+        let kernel = &ExactKernel::new(self);
+        cycle_extremes_within(kernel, self, cycle.over, WIDTH, effort, &[end])
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
@@ -256,9 +254,8 @@ const PARTS_OF_REST: u64 = 4;
 #[derive(Clone)]
 pub(super) struct CyclePlan<'t> {
     pub run: Run,
-    first: Mating,
-    /// Number of distinct matings.
-    distinct: u64,
+    /// The first mating of the cycle, and the number of distinct ones.
+    over: (Mating, u64),
     /// Whether the pair has several distinct assembly phases.
     has_distinct_phases: bool,
     /// Number of phases of the same pair that are searched; they share the effort of one pair.
@@ -269,18 +266,13 @@ pub(super) struct CyclePlan<'t> {
     open_lean: [f64; 2],
     /// [`Study::bearing_ends`].
     bearing_ends: Option<BearingEnds>,
-    /// Searches the extremes alone: no distances that follow from them, and no losses along the face.
-    pub alone: Option<Alone>,
-    tick: &'t Tick<'t>,
-}
-
-/// A search for extremes alone.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Alone {
-    /// The extremes that are searched.
-    pub ends: &'static [End],
+    /// The extremes to search.
+    pub wanted: &'static [End],
     /// Divisor of the effort.
     pub divisor: u64,
+    /// Whether the extremes alone are searched: no distances that follow from them, and no losses along the face.
+    pub is_alone: bool,
+    tick: &'t Tick<'t>,
 }
 
 /// Extremes of a cycle.
@@ -335,7 +327,7 @@ impl<'t> CyclePlan<'t> {
     /// Wheel and pinion tooth that name its assembly phase; `None` if the pair has only one, or all are equal.
     pub fn own_phase(&self) -> Option<(u32, u32)> {
         self.has_distinct_phases
-            .then_some((self.first.wheel_tooth, self.first.pinion_tooth))
+            .then_some((self.over.0.wheel_tooth, self.over.0.pinion_tooth))
     }
 
     /// The extremes, over all leans of the axes that are open.
@@ -369,17 +361,10 @@ impl<'t> CyclePlan<'t> {
         let best = |end: End, hidden: Status| {
             let each = possible.iter().filter(|_| status != hidden);
             let each = each.filter_map(|one| {
-                let pose = one.poses[end as usize].as_ref()?;
-                Some((one.found.at(end)?, pose))
+                let (pose, extreme) = (one.poses[end as usize].as_ref()?, one.found.at(end)?);
+                Some(((extreme, pose), end.sign() * extreme.found, 0.0))
             });
-            let worse = |one: f64, other: f64| end.sign() * other < end.sign() * one;
-            let best = each.reduce(|best, one| {
-                if worse(best.0.found, one.0.found) {
-                    one
-                } else {
-                    best
-                }
-            });
+            let best = first_least(each);
             best.map(|(extreme, pose)| (extreme, pose.clone())).unzip()
         };
         let (least, least_pose) = best(End::Least, Status::Jammed);
@@ -446,9 +431,8 @@ impl<'t> CyclePlan<'t> {
     fn section_bound(&self, axes: &Axes, pair: &GearPair) -> Result<f64, Error> {
         let section = axes.section(pair)?;
         let radii = [pair, &section].map(|pair| pair.operating_pitch_radius(pair.free()));
-        let effort = self.effort(&section);
-        let cycle = self.as_stated(section);
-        let found = cycle.extremes_at(&cycle.run.assembly, End::Greatest, &effort)?;
+        let (cycle, effort) = (self.as_stated(section.clone()), &self.effort(&section));
+        let found = section.extremes_at(&cycle, End::Greatest, effort)?;
         let high = found
             .greatest
             .map_or(f64::INFINITY, |greatest| greatest.high);
@@ -481,10 +465,10 @@ impl<'t> CyclePlan<'t> {
     fn search_as_stated(&self, pair: &GearPair) -> Result<CycleResult, Error> {
         let effort = &self.effort(pair);
         let all = if has_open_runout(pair) {
-            self.any_direction(pair, effort)?
+            any_direction(pair, self.over, self.wanted, WIDTH, effort)?
         } else {
-            let (kernel, over) = (&ExactKernel::new(pair), self.over());
-            let found = cycle_extremes_within(kernel, pair, over, WIDTH, effort, self.wanted())?;
+            let (kernel, over) = (&ExactKernel::new(pair), self.over);
+            let found = cycle_extremes_within(kernel, pair, over, WIDTH, effort, self.wanted)?;
             AnyDirection {
                 poses: Poses::default(),
                 ends: [Some((pair.clone(), found)), Some((pair.clone(), found))],
@@ -518,7 +502,7 @@ impl<'t> CyclePlan<'t> {
 
     /// The loss of the least `found` by deviations along the face; `None` for a pair without any.
     fn face_loss(&self, pair: &GearPair, found: &Extremes) -> Result<Option<FaceLoss>, Error> {
-        if self.alone.is_some() || !pair.deviates_along_face() {
+        if self.is_alone || !pair.deviates_along_face() {
             return Ok(None);
         }
         let held = |found: &Extremes| {
@@ -528,7 +512,7 @@ impl<'t> CyclePlan<'t> {
         let without = |kinds: &[FaceDeviation]| {
             let pair = pair.without(kinds);
             let effort = &self.effort(&pair);
-            Ok(held(&self.extremes_at(&pair.into(), End::Least, effort)?))
+            Ok(held(&pair.extremes_at(self, End::Least, effort)?))
         };
         FaceLoss::new(|kind| pair.has(kind), held(found), without).map(Some)
     }
@@ -559,9 +543,8 @@ impl<'t> CyclePlan<'t> {
 
     fn at_clearance_end(&self, farther: f64, end: End) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
-        let (ends, divisor) = (self.wanted(), self.effort_divisor());
         let there = CyclePlan {
-            alone: Some(Alone { ends, divisor }),
+            is_alone: true,
             ..self.with(assembly.at(assembly.center_distance() + farther)?)
         };
         let end = there.search()?.clearance_end(&there.run.assembly, end);
@@ -573,49 +556,9 @@ impl<'t> CyclePlan<'t> {
         Ok(SearchedEnd { assembly, ..end })
     }
 
-    /// The extremes of `pair` over the cycle and over all open leans of its axes. The one that is not asked for may be missing.
-    pub fn extremes_at(
-        &self,
-        pair: &AssembledPair,
-        end: End,
-        effort: &Effort,
-    ) -> Result<Extremes, Error> {
-        cycle_pair(pair).extremes_at(self, end, effort)
-    }
-
-    /// Effort of a change that meets the requirements: as much as one verdict may take.
-    pub fn effort_of_remedy(&self) -> Effort<'t> {
-        cycle_pair(&self.run.assembly).effort_of_remedy(self)
-    }
-
     /// Effort of the search of `assembly`.
     fn effort(&self, assembly: &GearPair) -> Effort<'t> {
-        Effort::of_extremes(assembly, self.tick).part(self.phases * self.effort_divisor())
-    }
-
-    /// [`Alone::divisor`]; 1 for a whole search.
-    fn effort_divisor(&self) -> u64 {
-        self.alone.map_or(1, |alone| alone.divisor)
-    }
-
-    /// The parts of the effort of which each search may use one, and the tick that ends it.
-    fn limits(&self) -> (u64, &'t Tick<'t>) {
-        (self.effort_divisor(), self.tick)
-    }
-
-    /// The first mating of the cycle, and the number of distinct ones.
-    fn over(&self) -> (Mating, u64) {
-        (self.first, self.distinct)
-    }
-
-    /// The extremes to search.
-    fn wanted(&self) -> &'static [End] {
-        self.alone.map_or(&End::BOTH, |alone| alone.ends)
-    }
-
-    /// The extremes of `pair` over the cycle and all directions of its runout.
-    fn any_direction(&self, pair: &GearPair, effort: &Effort) -> Result<AnyDirection, Error> {
-        any_direction(pair, self.over(), self.wanted(), WIDTH, effort)
+        Effort::of_extremes(assembly, self.tick).part(self.phases * self.divisor)
     }
 
     /// The distance from which `pair`, with the result `found`, assembles.
@@ -627,14 +570,14 @@ impl<'t> CyclePlan<'t> {
     ) -> Result<Option<Threshold>, Error> {
         let least = found.least.map(|least| least.low);
         let is_clear = least.is_some_and(|least| least >= 0.0);
-        if self.alone.is_some() || found.status == Status::NoContact || is_clear {
+        if self.is_alone || found.status == Status::NoContact || is_clear {
             return Ok(None);
         }
         // A pair that needs no search has as much effort once more: with a share of the rest, what can be proven would not be.
         let own = &self.effort(pair);
         let is_short = !pair.varies_along_face() && ExactKernel::new(pair).is_direct();
         let effort = if is_short { own } else { effort };
-        assembles_from(pair, self.over(), least, 0.1 * WIDTH, effort)
+        assembles_from(pair, self.over, least, 0.1 * WIDTH, effort)
     }
 
     /// The distance up to which `pair`, with the result `found`, is in mesh.
@@ -645,7 +588,7 @@ impl<'t> CyclePlan<'t> {
         effort: &Effort,
     ) -> Result<Option<Threshold>, Error> {
         let nearest = InvolutePair::of(pair).center_distance(0.0);
-        let Some(nearest) = nearest.filter(|_| self.alone.is_none()) else {
+        let Some(nearest) = nearest.filter(|_| !self.is_alone) else {
             return Ok(None);
         };
         let kernel = ExactKernel::new(pair);
@@ -656,13 +599,13 @@ impl<'t> CyclePlan<'t> {
         let search = |at| {
             let there = pair.at(at)?;
             let (kernel, ends) = (kernel.at(&there), &[End::Greatest]);
-            cycle_extremes_within(&kernel, &there, self.over(), IN_MESH, effort, ends)
+            cycle_extremes_within(&kernel, &there, self.over, IN_MESH, effort, ends)
         };
         let at_distance = AtDistance {
             pose: &pose,
             search: &search,
             onward: &|mating, pitches| mating.onward(pair, pitches),
-            pitches: self.distinct,
+            pitches: self.over.1,
         };
         let between = [nearest, pair.center_distance()];
         meshes_to(between, found, &at_distance, effort)
@@ -698,13 +641,14 @@ pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<CyclePlan<'
             plans.push(CyclePlan {
                 phase: run.phase.or(own),
                 run: run.clone(),
-                first,
-                distinct,
+                over: (first, distinct),
                 has_distinct_phases,
                 phases: count,
                 open_lean: study.open_lean,
                 bearing_ends: study.bearing_ends,
-                alone: None,
+                wanted: &End::BOTH,
+                divisor: 1,
+                is_alone: false,
                 tick,
             });
         }

@@ -100,7 +100,8 @@ pub(super) fn extremes(
         (one, other) => one.or(other).unwrap_or(Status::Unproven),
     };
     let bounded = |end: &Option<Facing>| end.as_ref().map_or(Ok(None), Facing::bounded);
-    let (least, greatest) = (bounded(&near)?, bounded(&far)?);
+    let (least, least_pose) = bounded(&near)?.unzip();
+    let (greatest, greatest_pose) = bounded(&far)?.unzip();
     let losing = match status {
         Status::Jammed => &near,
         _ => &far,
@@ -108,31 +109,21 @@ pub(super) fn extremes(
     let lost = losing
         .as_ref()
         .and_then(|end| Some(end.directed(end.found.lost?, None)));
-    let lost = lost.transpose()?;
-    let pose = |(assembly, mating): &(GearPair, Mating)| PosedPair {
-        assembly: assembly.clone().into(),
-        mating: *mating,
-    };
-    let of_extreme = |found: &Option<(Extreme, GearPair)>| {
-        let (extreme, assembly) = found.as_ref()?;
-        Some(pose(&(assembly.clone(), extreme.mating)))
-    };
+    let lost = lost.transpose()?.map(|(assembly, mating)| PosedPair {
+        assembly: assembly.into(),
+        mating,
+    });
     let matings = near.iter().chain(&far).map(|end| end.found.matings).next();
     let open = Member::BOTH.map(|member| open_eccentricity(assembly.gear(member)));
     Ok(AnyDirection {
-        poses: [
-            of_extreme(&least),
-            of_extreme(&greatest),
-            lost.as_ref().map(pose),
-            None,
-        ],
         found: Extremes {
             matings: matings.unwrap_or(0),
             status,
-            least: least.map(|(extreme, _)| extreme),
-            greatest: greatest.map(|(extreme, _)| extreme),
-            lost: lost.map(|(_, mating)| mating),
+            least,
+            greatest,
+            lost: lost.as_ref().map(|pose| pose.mating),
         },
+        poses: [least_pose, greatest_pose, lost, None],
         off: open.iter().sum(),
         ends: [near, far].map(|end| end.map(|end| (end.centred, end.found))),
     })
@@ -182,8 +173,8 @@ impl<'a> Facing<'a> {
         })
     }
 
-    /// The bracket of the extreme of the centred pair, converted to the assembly; and the pair, with its high teeth where the extreme is attained.
-    fn bounded(&self) -> Result<Option<(Extreme, GearPair)>, Error> {
+    /// The bracket of the extreme of the centred pair, converted to the assembly; and the pose that attains it.
+    fn bounded(&self) -> Result<Option<(Extreme, PosedPair)>, Error> {
         let Some(mut extreme) = self.found.at(self.end) else {
             return Ok(None);
         };
@@ -251,7 +242,8 @@ impl<'a> Facing<'a> {
                 extreme.doubt.or(is_wide.then_some(Doubt::SecondOrder))
             },
         };
-        Ok(Some((bounded, assembly)))
+        let assembly = assembly.into();
+        Ok(Some((bounded, PosedPair { assembly, mating })))
     }
 
     /// Bound on the change of a lost motion, rad, by the turn of the line of centres where the pinion's shaft leans.

@@ -8,17 +8,14 @@
 
 use super::assembles_from::Threshold;
 use super::compare::{ComparedPose, ComparedRun};
-use super::cycles::{
-    Alone, CyclePlan, CycleResult, SearchedEnd, distinct, hunting_pitches, plans, worse,
-};
+use super::cycles::{CyclePlan, CycleResult, SearchedEnd, distinct, hunting_pitches, plans, worse};
 use super::directions::PosedPair;
 use super::face_loss::FaceLoss;
 use super::phases::phase_count;
-use super::simulate::simulate_plans;
+use super::simulate::Simulation;
 use super::study::{Material, Run, RunPlan, Study};
 use crate::contact::{Doubt, End, Extreme, Method, Status, is_proven};
-use crate::error::go_on;
-use crate::error::{Error, Tick};
+use crate::error::{Error, Tick, go_on};
 use crate::outline::AssembledPair;
 use crate::pair::Member;
 use crate::parallel;
@@ -124,7 +121,7 @@ pub struct RunExtreme {
     pub pose: ComparedPose,
 }
 
-/// The next poses of `runs`, in order.
+/// The poses of `runs`, in order.
 fn poses(runs: &[ComparedRun]) -> impl Iterator<Item = PairPose> + '_ {
     runs.iter().flat_map(|run| {
         run.poses.iter().map(|pose| PairPose {
@@ -132,19 +129,6 @@ fn poses(runs: &[ComparedRun]) -> impl Iterator<Item = PairPose> + '_ {
             pose: pose.clone(),
         })
     })
-}
-
-impl BearingEnd {
-    /// The extremes there; the pose, if any, is the next of `poses`.
-    fn new(end: &SearchedEnd, poses: &mut impl Iterator<Item = PairPose>) -> BearingEnd {
-        let pose = end.pose.as_ref().and_then(|_| poses.next());
-        let found = end.extreme.zip(pose);
-        BearingEnd {
-            assembly: end.assembly.clone(),
-            status: end.status,
-            extreme: found.map(|(extreme, pose)| RunExtreme::new(extreme, pose)),
-        }
-    }
 }
 
 impl RunExtreme {
@@ -293,12 +277,12 @@ pub fn extremes_alone(
     let has = |wanted| plans.iter().any(|plan| plan.run.material == wanted);
     let is_band = has(Material::Most) && has(Material::Least);
     for plan in &mut plans {
-        let ends: &[End] = match plan.run.material {
+        (plan.is_alone, plan.divisor) = (true, divisor);
+        plan.wanted = match plan.run.material {
             Material::Most if is_band => &[End::Least],
             Material::Least if is_band => &[End::Greatest],
             _ => &End::BOTH,
         };
-        plan.alone = Some(Alone { ends, divisor });
     }
     let CycleExtremes { mut each, runs } = of_plans(study, plans, method, tick)?;
     if is_band {
@@ -320,50 +304,49 @@ fn of_plans(
     method: Method,
     tick: &Tick,
 ) -> Result<CycleExtremes, Error> {
-    let found = parallel::map(0..plans.len() as u64, |index| {
+    let clearance = study.bearing_clearance;
+    let found = parallel::map(&plans, |plan| {
         Error::if_stopped(tick(1))?;
-        let plan = &plans[index as usize];
-        let clearance = study.bearing_clearance;
         let ends = (clearance > 0.0).then(|| plan.at_clearance_ends(clearance));
-        Ok((plan.search()?, ends.transpose()?))
+        Ok::<_, Error>((plan.search()?, ends.transpose()?))
     });
-    let found = found
-        .into_iter()
-        .collect::<Result<Vec<(CycleResult, Option<[SearchedEnd; 2]>)>, Error>>()?;
-    let all = || plans.iter().zip(&found);
-    let own = all().flat_map(|(planned, (searched, _))| {
-        let poses: Vec<&PosedPair> = searched.poses.iter().flatten().collect();
-        // Poses that follow each other and have the same pair share a run.
-        let runs = poses.chunk_by(|one, other| one.assembly == other.assembly);
-        runs.map(|poses| pose_plan(planned, poses))
-            .collect::<Vec<_>>()
-    });
-    let at_ends = all().flat_map(|(planned, (_, ends))| {
-        let each = ends.iter().flatten();
-        each.filter_map(|end| Some(pose_plan(planned, &[end.pose.as_ref()?])))
-    });
-    let simulated = |study: &Study, plans: Vec<RunPlan>| {
-        simulate_plans(study, plans, method.of_extremes(), &go_on)
-    };
-    let runs = simulated(study, own.collect())?;
-    // There the bearings have no further play.
+    // At the ends of their clearance the bearings have no further play.
     let without_play = Study {
         bearing_clearance: 0.0,
         ..study.clone()
     };
-    let runs_at_ends = simulated(&without_play, at_ends.collect())?;
-    let (mut own, mut at_ends) = (poses(&runs), poses(&runs_at_ends));
-    let each = all().map(|(planned, (searched, ends))| {
-        let bearings = ends.as_ref().map(|[near, far]| BearingExtremes {
-            clearance: study.bearing_clearance,
-            pressed: BearingEnd::new(near, &mut at_ends),
-            pulled_apart: BearingEnd::new(far, &mut at_ends),
-        });
-        RunExtremes::new(planned, searched, &mut own, bearings)
-    });
-    let each = each.collect();
-    drop(own);
-    Ok(CycleExtremes { each, runs })
+    let [own, at_ends] = [study, &without_play]
+        .map(|study| Simulation::new(study, method.of_extremes(), study.tolerance_um, &go_on));
+    let mut all = CycleExtremes::default();
+    for (planned, found) in plans.iter().zip(found) {
+        let (searched, ends) = found?;
+        let posed: Vec<&PosedPair> = searched.poses.iter().flatten().collect();
+        // Poses that follow each other and have the same pair share a run.
+        let shared = posed.chunk_by(|one, other| one.assembly == other.assembly);
+        let runs = own.runs(shared.map(|poses| pose_plan(planned, poses)))?;
+        let bearing_end = |end: SearchedEnd| {
+            let posed = end.pose.iter().map(|pose| pose_plan(planned, &[pose]));
+            let runs = at_ends.runs(posed)?;
+            let found = end.extreme.zip(poses(&runs).next());
+            Ok::<_, Error>(BearingEnd {
+                assembly: end.assembly,
+                status: end.status,
+                extreme: found.map(|(extreme, pose)| RunExtreme::new(extreme, pose)),
+            })
+        };
+        let bearings = match ends {
+            Some([near, far]) => Some(BearingExtremes {
+                clearance,
+                pressed: bearing_end(near)?,
+                pulled_apart: bearing_end(far)?,
+            }),
+            None => None,
+        };
+        let each = RunExtremes::new(planned, &searched, &mut poses(&runs), bearings);
+        all.each.push(each);
+        all.runs.extend(runs);
+    }
+    Ok(all)
 }
 
 /// The `poses` of one pair in the run of `planned`.

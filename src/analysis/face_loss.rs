@@ -18,9 +18,6 @@ pub struct FaceLoss {
 
 impl FaceLoss {
     /// The losses of a pair whose least is `least`, from the least without some kinds of deviation.
-    ///
-    /// # Errors
-    /// Errors of `without`.
     pub(super) fn new<E>(
         has: impl Fn(FaceDeviation) -> bool,
         least: Option<f64>,

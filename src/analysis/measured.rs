@@ -141,11 +141,7 @@ pub fn sides(measured: &[MeasuredMating], band: fn(&MeasuredMating) -> Option<Ba
     for mating in measured {
         let Some(band) = band(mating) else { continue };
         for value in [mating.row.right_um, mating.row.left_um] {
-            match band.side_of(value) {
-                0 => sides[1] += 1,
-                1 => sides[2] += 1,
-                _ => sides[0] += 1,
-            }
+            sides[(1 + band.side_of(value)) as usize] += 1;
         }
     }
     sides

@@ -37,8 +37,7 @@ use self::simulate::simulate;
 use self::study::Study;
 use self::verdict::Verdict;
 use crate::contact::{Method, MethodAgreement};
-use crate::error::go_on;
-use crate::error::{Error, Tick};
+use crate::error::{Error, Tick, go_on};
 
 /// Parts of an analysis of a pair, and the method.
 #[derive(Debug, Clone)]

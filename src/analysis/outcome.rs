@@ -78,50 +78,46 @@ pub const MODELS: [fn(&ComparedPose) -> Option<f64>; 3] = [
 impl<'a> Outcome<'a> {
     /// The outcome of all poses of `runs`, and of the `picked` ones, which do not count for the mean.
     pub fn of(runs: &[&'a ComparedRun], picked: &[&'a ComparedRun]) -> Outcome<'a> {
-        let all = || {
-            let runs = picked.iter().chain(runs).copied();
-            runs.flat_map(|run| run.poses.iter().map(move |pose| PoseOfRun { run, pose }))
-        };
+        let all = picked.iter().chain(runs).copied();
+        let all = all.flat_map(|run| run.poses.iter().map(move |pose| PoseOfRun { run, pose }));
+        let all: Vec<(PoseOfRun, &PoseResult)> =
+            all.map(|found| (found, &found.pose.simulated)).collect();
         let count = |holds: &dyn Fn(&PoseResult) -> bool| {
-            let of_kind = |found: &PoseOfRun| holds(&found.pose.simulated);
-            all().filter(of_kind).count()
+            let held = all.iter().filter(|(_, result)| holds(result));
+            held.count()
         };
         let is = |status: Status| move |pose: &PoseResult| pose.status() == status;
+        let bounded = all
+            .iter()
+            .filter_map(|(found, result)| Some((*found, result.backlash?, result.error_bound?)));
+        let bounded: Vec<(PoseOfRun, f64, f64)> = bounded.collect();
         let extreme = |sign: f64| {
-            first_least(all().filter_map(|found| {
-                let result = &found.pose.simulated;
-                Some((found, sign * result.backlash?, result.error_bound?))
-            }))
+            let signed = bounded.iter();
+            first_least(signed.map(|(found, value, bound)| (*found, sign * value, *bound)))
         };
-        let poses = || runs.iter().flat_map(|run| &run.poses);
-        let backlash = || poses().filter_map(|pose| pose.simulated.backlash);
-        let valued = backlash().count();
-        // Upper and lower bound of each value.
-        let ends = |sign: f64| {
-            all().filter_map(move |found| {
-                let result = &found.pose.simulated;
-                Some(result.backlash? + sign * result.error_bound?)
-            })
-        };
-        let (highest, lowest) = (ends(1.0).reduce(f64::min), ends(-1.0).reduce(f64::max));
-        let together = highest.zip(lowest).is_some_and(|(high, low)| low <= high);
-        let all_valued = ends(1.0).count() == all().count();
+        let upper_ends = bounded.iter().map(|(_, value, bound)| value + bound);
+        let lower_ends = bounded.iter().map(|(_, value, bound)| value - bound);
+        let lowest_and_highest = upper_ends.reduce(f64::min).zip(lower_ends.reduce(f64::max));
+        let together = lowest_and_highest.is_some_and(|(high, low)| low <= high);
+        let poses = runs.iter().flat_map(|run| &run.poses);
+        let values: Vec<f64> = poses.filter_map(|pose| pose.simulated.backlash).collect();
         Outcome {
-            poses: all().count(),
+            poses: all.len(),
             interfering: count(&PoseResult::interferes),
             touching: count(&PoseResult::just_touches),
             jammed: count(&is(Status::Jammed)),
             out_of_mesh: count(&is(Status::NoContact)),
             unproven: count(&is(Status::Unproven)),
             unproven_ends: [0, 1].map(|end| count(&|pose| pose.is_end_unproven(end))),
-            worst: worst_pose(all().map(|found| (found, &found.pose.simulated))),
-            uniform: together && all_valued,
+            uniform: together && bounded.len() == all.len(),
             least: extreme(1.0),
             greatest: extreme(-1.0),
-            mean: (valued > 0).then(|| backlash().sum::<f64>() / valued as f64),
-            error_bound: all()
-                .filter_map(|found| found.pose.simulated.error_bound)
+            mean: (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64),
+            error_bound: all
+                .iter()
+                .filter_map(|(_, result)| result.error_bound)
                 .reduce(f64::max),
+            worst: worst_pose(all.iter().copied()),
         }
     }
 }
@@ -132,33 +128,35 @@ pub fn by_distance<'a>(
     runs: &[&'a ComparedRun],
     picked: &[&'a ComparedRun],
 ) -> Vec<AtDistance<'a>> {
-    let distance = |run: &ComparedRun| run.run.assembly.center_distance();
     let mut distances: Vec<f64> = Vec::new();
     for run in runs {
-        if !distances.contains(&distance(run)) {
-            distances.push(distance(run));
+        let (distance, _) = run.run.group_key();
+        if !distances.contains(&distance) {
+            distances.push(distance);
         }
     }
     let at = |center_distance: f64| {
-        let only = |runs: &[&'a ComparedRun], keeps: &dyn Fn(&ComparedRun) -> bool| {
-            let runs = runs.iter().copied();
-            runs.filter(|run| keeps(run)).collect::<Vec<_>>()
+        let of = |material: Option<Material>| {
+            let is_here = |run: &ComparedRun| {
+                let (distance, own) = run.run.group_key();
+                distance == center_distance && material.is_none_or(|wanted| wanted == own)
+            };
+            let [runs, picked] = [runs, picked].map(|runs| {
+                let here = runs.iter().copied().filter(|run| is_here(run));
+                here.collect::<Vec<_>>()
+            });
+            (!runs.is_empty()).then(|| Outcome::of(&runs, &picked))
         };
-        let at = |run: &ComparedRun| distance(run) == center_distance;
-        let (here, picked) = (only(runs, &at), only(picked, &at));
-        let of = |material: Material| {
-            let of_material = |run: &ComparedRun| run.run.material == material;
-            let (runs, picked) = (only(&here, &of_material), only(&picked, &of_material));
-            (!runs.is_empty()).then(|| (material, Outcome::of(&runs, &picked)))
-        };
-        let materials = [Material::Most, Material::Least, Material::AsMeasured];
-        AtDistance {
+        let materials = [Material::Most, Material::Least, Material::AsMeasured].into_iter();
+        Some(AtDistance {
             center_distance,
-            all: Outcome::of(&here, &picked),
-            materials: materials.into_iter().filter_map(of).collect(),
-        }
+            all: of(None)?,
+            materials: materials
+                .filter_map(|material| Some((material, of(Some(material))?)))
+                .collect(),
+        })
     };
-    distances.into_iter().map(at).collect()
+    distances.into_iter().filter_map(at).collect()
 }
 
 /// Simulated minus `model` over `runs`; `None` where no pose has both.

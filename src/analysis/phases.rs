@@ -1,6 +1,7 @@
 //! Comparison of assembly phases: which teeth to mark together.
 
 use crate::analysis::tally::RunTally;
+use crate::contact::first_least;
 use crate::pair::{Mating, Member, SweepPlan, ToothNumbers};
 
 /// The phases of one centre distance and material.
@@ -32,20 +33,14 @@ pub fn phase_groups(runs: &[RunTally]) -> Vec<PhaseGroup<'_>> {
     of_phases
         .chunk_by(|a, b| key(a) == key(b))
         .map(|runs| {
-            let by = |better: fn(f64, f64) -> bool| {
-                let known = runs.iter().filter_map(|run| Some((*run, run.variation()?)));
-                let chosen = known.reduce(|chosen, next| {
-                    if better(next.1, chosen.1) {
-                        next
-                    } else {
-                        chosen
-                    }
-                });
-                chosen.map(|(run, _)| run)
+            let known = runs.iter().filter_map(|run| Some((*run, run.variation()?)));
+            let first = |sign: f64| {
+                let signed = known.clone();
+                first_least(signed.map(|(run, variation)| (run, sign * variation, 0.0)))
             };
             PhaseGroup {
-                best: by(|next, chosen| next < chosen),
-                worst: by(|next, chosen| next > chosen),
+                best: first(1.0),
+                worst: first(-1.0),
                 runs: runs.to_vec(),
             }
         })

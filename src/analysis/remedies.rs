@@ -172,7 +172,7 @@ pub fn remedies(
     };
     let plans = plans(study, tick)?;
     let pair = &plans[worst].run.assembly;
-    let effort = || plans[worst].effort_of_remedy();
+    let effort = || cycle_pair(pair).effort_of_remedy(&plans[worst]);
     let search = Search {
         study,
         plans: &plans,
@@ -475,7 +475,8 @@ impl<'a> Search<'a> {
             .collect();
         let bound = |pair: &AssembledPair| -> Result<f64, Error> {
             let end = if is_max { End::Greatest } else { End::Least };
-            let found = planned.extremes_at(pair, end, effort)?.at(end);
+            let found = cycle_pair(pair).extremes_at(planned, end, effort)?;
+            let found = found.at(end);
             Ok(found.map_or(
                 f64::NEG_INFINITY,
                 |end| if is_max { -end.high } else { end.low },

@@ -1,7 +1,7 @@
 //! Requirements on a pair.
 
 use crate::outline::AssembledPair;
-use crate::pair::{Backlash, GearPair, Member};
+use crate::pair::{Backlash, Member};
 
 /// Ends of an allowed range; `None`: no limit.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -45,46 +45,33 @@ impl Quantity {
 
     /// The bracket of the quantity over a run of `assembly` whose least (`is_max`: greatest) `j_wt`, mm, has the
     /// bracket `j_wt`. `None` for a drawn pair without this quantity.
+    ///
+    /// The radial clearance does not depend on backlash: both gears are off their axes in the worse (better) direction.
     pub fn bracket(
         self,
         assembly: &AssembledPair,
         j_wt: [f64; 2],
         is_max: bool,
     ) -> Option<[f64; 2]> {
+        let of_data = |value: fn(Backlash) -> f64| {
+            let pair = assembly.data()?;
+            Some(j_wt.map(|j_wt| value(Backlash::new(pair, j_wt))))
+        };
         match self {
             Quantity::OperatingBacklash => Some(j_wt),
+            Quantity::ReferenceBacklash => of_data(|all| all.j_t),
+            Quantity::NormalBacklash => of_data(|all| all.j_bn),
+            Quantity::RadialBacklash => of_data(|all| all.j_r.unwrap_or(f64::INFINITY)),
             Quantity::LostMotion(member) => Some(j_wt.map(|j_wt| assembly.angle(member, j_wt))),
             Quantity::RadialClearance => {
                 let both = Member::BOTH;
                 let centred =
                     both.map(|member| assembly.radial_clearance(member)[usize::from(is_max)]);
                 let off = both.map(|member| assembly.eccentricity(member));
-                let value = clearance_off_axes(centred, off, is_max);
+                let off: f64 = off.iter().sum();
+                let value = centred[0].min(centred[1]) + if is_max { off } else { -off };
                 let bound = assembly.outline_bound();
                 Some([value - bound, value + bound])
-            }
-            _ => {
-                let pair = assembly.data()?;
-                Some(j_wt.map(|j_wt| self.value(pair, j_wt, is_max)))
-            }
-        }
-    }
-
-    /// Value of the quantity for `assembly` at a pose with the backlash `j_wt`, mm, the least (`is_max`: the greatest) of the cycle. The
-    /// radial clearance does not depend on backlash: both gears are off their axes in the worse (better) direction.
-    pub fn value(self, assembly: &GearPair, j_wt: f64, is_max: bool) -> f64 {
-        let all = Backlash::new(assembly, j_wt);
-        match self {
-            Quantity::OperatingBacklash => j_wt,
-            Quantity::ReferenceBacklash => all.j_t,
-            Quantity::NormalBacklash => all.j_bn,
-            Quantity::RadialBacklash => all.j_r.unwrap_or(f64::INFINITY),
-            Quantity::LostMotion(member) => all.angle(member),
-            Quantity::RadialClearance => {
-                let both = Member::BOTH;
-                let centred = both.map(|member| assembly.radial_clearance(member));
-                let off = both.map(|member| assembly.gear(member).eccentricity());
-                clearance_off_axes(centred, off, is_max)
             }
         }
     }
@@ -92,10 +79,3 @@ impl Quantity {
 
 /// Requirements, each over the whole mesh cycle and at every centre distance and material.
 pub type Requirements = Vec<(Quantity, Limits)>;
-
-/// The least radial clearance, mm, of both gears' tips in their mates' roots, from those about the geometric centres.
-/// Both gears are off their axes in the worse direction, or with `is_max` in the better one.
-fn clearance_off_axes(centred: [f64; 2], off: [f64; 2], is_max: bool) -> f64 {
-    let off: f64 = off.iter().sum();
-    centred[0].min(centred[1]) + if is_max { off } else { -off }
-}

@@ -1,8 +1,8 @@
 //! Simulation of every run of a study.
 
 use super::compare::{ComparedPose, ComparedRun, compared};
-use super::study::{Material, RunPlan, Study};
-use crate::contact::{CutPair, Method, sweep_blocks};
+use super::study::{Material, Run, RunPlan, Study};
+use crate::contact::{CutPair, Method, PoseResult, sweep_blocks};
 use crate::error::{Error, Tick};
 use crate::parallel;
 
@@ -27,82 +27,98 @@ pub fn simulate_plans(
     method: Method,
     tick: &Tick,
 ) -> Result<Vec<ComparedRun>, Error> {
-    let mut runs: Vec<ComparedRun> = Vec::new();
-    each_block::<Error>(
-        study,
-        plans,
-        method,
-        study.tolerance_um,
-        tick,
-        &mut |block| {
-            if block.is_first {
-                runs.push(ComparedRun {
-                    run: block.plan.run.clone(),
-                    poses: Vec::with_capacity(block.plan.matings.len()),
-                });
-            }
-            if let Some(run) = runs.last_mut() {
-                run.poses.extend(block.poses);
-            }
-            Ok(())
-        },
-    )?;
-    Ok(runs)
+    Simulation::new(study, method, study.tolerance_um, tick).runs(plans)
 }
 
-/// Some poses of one run.
-pub(super) struct Block<'a> {
-    pub plan: &'a RunPlan,
-    /// The poses in order, after those of the previous block; empty for a run without poses.
-    pub poses: Vec<ComparedPose>,
-    /// Whether the run begins.
-    pub is_first: bool,
-    /// Whether it ends.
-    pub is_last: bool,
-}
-
-/// As [`simulate_plans`], its poses compared within `tolerance_um` and delivered to `take` block by block, so that they need not be kept.
-///
-/// # Errors
-/// As [`simulate`], and of `take`.
-pub(super) fn each_block<E: From<Error>>(
-    study: &Study,
-    plans: Vec<RunPlan>,
+/// The simulation of runs of a study.
+pub(super) struct Simulation<'a> {
+    study: &'a Study,
     method: Method,
     tolerance_um: f64,
-    tick: &Tick,
-    take: &mut dyn FnMut(Block) -> Result<(), E>,
-) -> Result<(), E> {
-    let cut = |material: Material| {
-        let gears = study.materials.iter().find(|gears| gears.0 == material);
-        gears.map(|(_, wheel, pinion)| match method {
-            Method::Exact { .. } | Method::Checked => CutPair::for_certificates(wheel, pinion),
-            Method::Polygon | Method::Both => CutPair::new(wheel, pinion, study.chordal_error),
-        })
-    };
-    let cuts = [Material::Most, Material::Least, Material::AsMeasured].map(|m| (m, cut(m)));
-    for plan in &plans {
-        let (assembly, matings) = (&plan.run.assembly, &plan.matings);
-        let mut done = 0;
-        let mut each = |poses: Vec<_>| {
-            let is_first = done == 0;
-            done += poses.len();
-            take(Block {
-                plan,
-                poses: parallel::map(poses, |found| compared(assembly, found, tolerance_um)),
-                is_first,
-                is_last: done == matings.len(),
-            })
-        };
-        if matings.is_empty() {
-            each(Vec::new())?;
-            continue;
+    tick: &'a Tick<'a>,
+    /// The gears of each material, cut for polygons.
+    cuts: Vec<(Material, CutPair)>,
+}
+
+impl<'a> Simulation<'a> {
+    /// Runs with the gears, clearance and chord of `study`, whose poses are compared within `tolerance_um`. `tick` as of [`simulate`].
+    pub fn new(
+        study: &'a Study,
+        method: Method,
+        tolerance_um: f64,
+        tick: &'a Tick<'a>,
+    ) -> Simulation<'a> {
+        let cuts = study.materials.iter().map(|(material, wheel, pinion)| {
+            let cut = match method {
+                Method::Exact { .. } | Method::Checked => CutPair::for_certificates(wheel, pinion),
+                Method::Polygon | Method::Both => CutPair::new(wheel, pinion, study.chordal_error),
+            };
+            (*material, cut)
+        });
+        Simulation {
+            cuts: cuts.collect(),
+            study,
+            method,
+            tolerance_um,
+            tick,
         }
-        let mut cuts = cuts.iter();
-        let cut = cuts.find(|(material, _)| *material == plan.run.material);
-        let cut = cut.and_then(|(_, cut)| cut.as_ref());
-        let clearance = study.bearing_clearance;
-        sweep_blocks(assembly, cut, method, matings, clearance, tick, &mut each)?;
     }
-    Ok(())
+
+    /// The runs of `plans` with their poses.
+    ///
+    /// # Errors
+    /// As [`simulate`].
+    pub fn runs(
+        &self,
+        plans: impl IntoIterator<Item = RunPlan>,
+    ) -> Result<Vec<ComparedRun>, Error> {
+        let run = |plan: RunPlan| {
+            let mut poses = Vec::with_capacity(plan.matings.len());
+            let mut keep = |block: Vec<ComparedPose>| {
+                poses.extend(block);
+                Ok::<(), Error>(())
+            };
+            self.each_block(&plan, &mut keep)?;
+            let run = plan.run;
+            Ok(ComparedRun { run, poses })
+        };
+        plans.into_iter().map(run).collect()
+    }
+
+    /// Delivers the poses of a run to `take` block by block, in order, so that they need not be kept.
+    ///
+    /// # Errors
+    /// As [`simulate`], and of `take`.
+    pub fn each_block<E: From<Error>>(
+        &self,
+        plan: &RunPlan,
+        take: &mut dyn FnMut(Vec<ComparedPose>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let (
+            Run {
+                material, assembly, ..
+            },
+            matings,
+        ) = (&plan.run, &plan.matings);
+        if matings.is_empty() {
+            return Ok(());
+        }
+        let cut = self.cuts.iter().find(|(of, _)| of == material);
+        let (cut, clearance) = (cut.map(|(_, cut)| cut), self.study.bearing_clearance);
+        let tolerance_um = self.tolerance_um;
+        let mut each = |poses: Vec<PoseResult>| {
+            take(parallel::map(poses, |found| {
+                compared(assembly, found, tolerance_um)
+            }))
+        };
+        sweep_blocks(
+            assembly,
+            cut,
+            self.method,
+            matings,
+            clearance,
+            self.tick,
+            &mut each,
+        )
+    }
 }

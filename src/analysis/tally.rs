@@ -5,7 +5,7 @@
 
 use crate::analysis::compare::{ComparedPose, ComparedRun, PoseVerdict, Summary};
 use crate::analysis::diagnosis::PoseEvidence;
-use crate::analysis::simulate::each_block;
+use crate::analysis::simulate::Simulation;
 use crate::analysis::study::{Material, Run, Study};
 use crate::contact::{BLOCK, FirstLeast, Method, MethodAgreement, Status};
 use crate::error::{Error, Tick};
@@ -57,14 +57,18 @@ pub struct RunTally {
     sum: f64,
     least: FirstLeast<ComparedPose>,
     greatest: FirstLeast<ComparedPose>,
-    worst: Option<(ComparedPose, f64)>,
-    keep: KeepLimits,
+    worst: Option<ComparedPose>,
+    /// Whether all poses are kept.
+    lists: bool,
+    /// Limit of the unproven poses that are kept.
+    most_unproven: usize,
 }
 
 impl RunTally {
-    /// The tally of `run` before its first pose.
-    fn new(run: &Run, keep: KeepLimits) -> RunTally {
+    /// The tally of `run` before its first pose, in a study of `poses` that may keep `unproven` of them, after the runs `done`.
+    fn new(run: &Run, poses: u64, unproven: usize, done: &[RunTally]) -> RunTally {
         let data = run.assembly.data();
+        let kept: usize = done.iter().map(|run| run.first_unproven.len()).sum();
         RunTally {
             evidence: data.map(|pair| PoseEvidence::new(pair, run.material)),
             material: run.material,
@@ -87,7 +91,8 @@ impl RunTally {
             least: FirstLeast::default(),
             greatest: FirstLeast::default(),
             worst: None,
-            keep,
+            lists: poses <= MOST_LISTED as u64,
+            most_unproven: unproven.saturating_sub(kept),
         }
     }
 
@@ -112,11 +117,11 @@ impl RunTally {
         }
         if result.is_unproven() {
             self.unproven += 1;
-            if self.first_unproven.len() < self.keep.unproven {
+            if self.first_unproven.len() < self.most_unproven {
                 self.first_unproven.push(pose.clone());
             }
         }
-        if self.keep.listed {
+        if self.lists {
             self.listed.push(pose.clone());
         }
         self.agreement.add(result);
@@ -128,12 +133,10 @@ impl RunTally {
             self.least.add(backlash, bound, || pose.clone());
             self.greatest.add(-backlash, bound, || pose.clone());
         }
-        if let (Some(backlash), Some(formula)) = (result.backlash, pose.line_of_action) {
-            let difference = backlash - formula;
-            let worst = self.worst.as_ref();
-            if worst.is_none_or(|(_, worst)| difference.abs() > worst.abs()) {
-                self.worst = Some((pose.clone(), difference));
-            }
+        if let Some(difference) = off_line_of_action(pose)
+            && (self.worst()).is_none_or(|(_, worst)| difference.abs() > worst.abs())
+        {
+            self.worst = Some(pose.clone());
         }
     }
 
@@ -201,8 +204,8 @@ impl RunTally {
 
     /// Simulated minus model 3, mm, of the pose where its amount is largest.
     pub fn worst(&self) -> Option<(&ComparedPose, f64)> {
-        let (pose, difference) = self.worst.as_ref()?;
-        Some((pose, *difference))
+        let pose = self.worst.as_ref()?;
+        Some((pose, off_line_of_action(pose)?))
     }
 
     /// The run in numbers.
@@ -219,30 +222,9 @@ impl RunTally {
     }
 }
 
-/// The poses to keep.
-#[derive(Debug, Clone, Copy)]
-struct KeepLimits {
-    listed: bool,
-    unproven: usize,
-}
-
-impl KeepLimits {
-    /// For a study of `poses`, which may keep `unproven` of them.
-    fn new(poses: u64, unproven: usize) -> KeepLimits {
-        KeepLimits {
-            listed: poses <= MOST_LISTED as u64,
-            unproven,
-        }
-    }
-
-    /// For the next run, after `done`.
-    fn after(self, done: &[RunTally]) -> KeepLimits {
-        let kept: usize = done.iter().map(|run| run.first_unproven.len()).sum();
-        KeepLimits {
-            unproven: self.unproven.saturating_sub(kept),
-            ..self
-        }
-    }
+/// Simulated minus model 3, mm.
+fn off_line_of_action(pose: &ComparedPose) -> Option<f64> {
+    Some(pose.simulated.backlash? - pose.line_of_action?)
 }
 
 /// The tallies of whole `runs`.
@@ -267,11 +249,10 @@ type Take<'a, E> = dyn FnMut(Piece) -> Result<(), E> + 'a;
 
 /// [`simulate_by_blocks`] for `runs` that already exist.
 pub fn tally_by_blocks<E>(runs: &[ComparedRun], take: &mut Take<E>) -> Result<Vec<RunTally>, E> {
-    let poses: usize = runs.iter().map(|run| run.poses.len()).sum();
-    let keep = KeepLimits::new(poses as u64, MOST_UNPROVEN);
+    let count = runs.iter().map(|run| run.poses.len() as u64).sum();
     let mut done = Vec::with_capacity(runs.len());
     for ComparedRun { run, poses } in runs {
-        let mut tally = RunTally::new(run, keep.after(&done));
+        let mut tally = RunTally::new(run, count, MOST_UNPROVEN, &done);
         take(Piece::Begin(&tally))?;
         for block in poses.chunks(BLOCK) {
             tally.add_block(block, take)?;
@@ -297,23 +278,14 @@ pub fn simulate_by_blocks<E: From<Error>>(
     tick: &Tick,
     take: &mut Take<E>,
 ) -> Result<Vec<RunTally>, E> {
-    let keep = KeepLimits::new(study.pose_count(), unproven);
-    let mut runs: Vec<RunTally> = Vec::new();
-    let plans = study.runs()?;
-    each_block::<E>(study, plans, method, tolerance_um, tick, &mut |block| {
-        if block.is_first {
-            let tally = RunTally::new(&block.plan.run, keep.after(&runs));
-            take(Piece::Begin(&tally))?;
-            runs.push(tally);
-        }
-        let Some(tally) = runs.last_mut() else {
-            return Ok(());
-        };
-        tally.add_block(&block.poses, take)?;
-        if block.is_last {
-            take(Piece::End(tally))?;
-        }
-        Ok(())
-    })?;
-    Ok(runs)
+    let simulation = Simulation::new(study, method, tolerance_um, tick);
+    let mut done = Vec::new();
+    for plan in study.runs()? {
+        let mut tally = RunTally::new(&plan.run, study.pose_count(), unproven, &done);
+        take(Piece::Begin(&tally))?;
+        simulation.each_block(&plan, &mut |block| tally.add_block(&block, take))?;
+        take(Piece::End(&tally))?;
+        done.push(tally);
+    }
+    Ok(done)
 }

@@ -221,10 +221,9 @@ impl<'a> Verdict<'a> {
 
     /// The distance from which all runs assemble, among those that do not; `None` if one never does.
     pub fn assembles_from(&self) -> Option<Threshold> {
-        let failing = self
-            .runs
-            .iter()
-            .filter(|run| run.assembles() == Some(false) && run.status != Status::NoContact);
+        let fails = |run: &&RunExtremes| run.assembles() == Some(false);
+        let failing = self.runs.iter().filter(fails);
+        let failing = failing.filter(|run| run.status != Status::NoContact);
         let from = failing.map(|run| run.assembles_from);
         Threshold::farthest(from.collect::<Option<Vec<_>>>()?.into_iter())
     }

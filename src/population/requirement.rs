@@ -135,7 +135,7 @@ impl AssemblyLimits {
                 let per = match quantity {
                     Quantity::RadialClearance => return None,
                     Quantity::RadialBacklash => 0.5 / end.operating_pressure_angle().tan(),
-                    other => other.value(end, 1.0, false),
+                    other => other.bracket(&end.clone().into(), [1.0; 2], false)?[0],
                 };
                 limit.map(|limit| limit / per)
             };

@@ -7,16 +7,6 @@ use gearlash::population::{
     limit_cases,
 };
 
-const QUANTITIES: [Quantity; 7] = [
-    Quantity::OperatingBacklash,
-    Quantity::ReferenceBacklash,
-    Quantity::NormalBacklash,
-    Quantity::RadialBacklash,
-    Quantity::LostMotion(Member::Wheel),
-    Quantity::LostMotion(Member::Pinion),
-    Quantity::RadialClearance,
-];
-
 fn limited(quantity: Quantity, limit: f64, is_max: bool) -> Vec<(Quantity, Limits)> {
     let limits = Limits {
         min: (!is_max).then_some(limit),
@@ -53,9 +43,14 @@ fn every_requirement_is_judged_as_the_verdict_of_the_pair_judges_it() {
             ..Study::of_pair("alone", pair, 1)
         };
         let found = runs_of(&study, false);
-        for quantity in QUANTITIES {
-            let least = quantity.value(&near, outcome.least.unwrap(), false);
-            let greatest = quantity.value(&far, outcome.greatest.unwrap(), true);
+        let others = Quantity::BESIDE_OPERATING_BACKLASH;
+        for quantity in [Quantity::OperatingBacklash].into_iter().chain(others) {
+            let value = |end: &GearPair, j_wt: Option<f64>, is_max| {
+                let ends = quantity.bracket(&end.clone().into(), [j_wt.unwrap(); 2], is_max);
+                ends.unwrap()[0]
+            };
+            let least = value(&near, outcome.least, false);
+            let greatest = value(&far, outcome.greatest, true);
             let hair = match quantity {
                 Quantity::LostMotion(member) => 1e-4 / pair.operating_pitch_radius(member),
                 _ => 1e-4,

@@ -39,16 +39,11 @@ impl Course {
     pub fn with_cycle(mut self, runs: &[RunExtremes]) -> Course {
         let here = |run: &&RunExtremes| run.assembly.center_distance() == self.center_distance;
         let ends = End::BOTH.map(|end| {
-            let found = |run: &RunExtreme| end.sign() * run.found();
             let ends = runs.iter().filter(here);
             let ends = ends.filter_map(|run| Some((run.material, run.at(end)?)));
-            ends.reduce(|best, next| {
-                if found(next.1) < found(best.1) {
-                    next
-                } else {
-                    best
-                }
-            })
+            first_least(
+                ends.map(|(material, run)| ((material, run), end.sign() * run.found(), 0.0)),
+            )
         });
         self.cycle_um = ends.map(|end| end.map(|(_, extreme)| extreme.found() * 1e3));
         let place = |(material, extreme)| self.extreme_of_cycle(material, extreme);
@@ -149,20 +144,17 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
     for run in runs {
         let assembly = &run.run.assembly;
         for flank in Side::BOTH {
-            let of_flank = |pose: &&ComparedPose| pose.simulated.pose.mating().flank == flank;
-            let poses: Vec<&ComparedPose> = run.poses.iter().filter(of_flank).collect();
-            let Some(first) = poses.first() else {
+            let poses = flank_poses(run, flank);
+            let (Some((_, first)), Some((last, _))) = (poses.first(), poses.last()) else {
                 continue;
             };
             let first = first.simulated.pose.mating();
-            let matings = poses.iter().map(|pose| pose.simulated.pose.mating());
-            let pitches: Vec<f64> = pitches_from_first(matings).collect();
-            let scale = Scale::new(assembly, first, &pitches);
+            let scale = Scale::new(assembly, first, *last);
             (span, teeth) = (scale.span(), scale.teeth);
             let first = first.at_flank(assembly, Side::Right);
             start = (first.wheel_tooth, first.pinion_tooth);
-            let x = pitches.iter().map(|pitches| scale.place(*pitches));
-            let points = x.zip(poses.iter().copied());
+            let points = poses.into_iter();
+            let points = points.map(|(pitches, pose)| (scale.place(pitches), pose));
             placed.extend(points.clone().map(|(x, pose)| (x, run.run.material, pose)));
             lines.push(CourseLine {
                 material: run.run.material,
@@ -231,10 +223,10 @@ struct Scale {
 }
 
 impl Scale {
-    /// The scale of consecutive poses from the mating `first` on, at these `pitches` from it.
-    fn new(assembly: &AssembledPair, first: &Mating, pitches: &[f64]) -> Scale {
+    /// The scale of consecutive poses from the mating `first` on, up to `last` pitches from it.
+    fn new(assembly: &AssembledPair, first: &Mating, last: f64) -> Scale {
         // The last step counts in whole.
-        let pitches = pitches.last().map_or(0.0, |last| last.floor()) + 1.0;
+        let pitches = last.floor() + 1.0;
         let teeth = assembly.teeth(Member::Wheel);
         if pitches > f64::from(teeth) {
             return Scale {
@@ -264,18 +256,19 @@ impl Scale {
     }
 }
 
-/// Pitches from the first mating's tooth to each of `matings`: one more with each change of teeth.
-pub(super) fn pitches_from_first<'a>(
-    matings: impl Iterator<Item = &'a Mating>,
-) -> impl Iterator<Item = f64> {
-    matings.scan((None, 0u32), |(last, whole), mating| {
+/// The poses of one flank of `run`, each with its pitches from the first one's tooth: one more with each change of teeth.
+pub(super) fn flank_poses(run: &ComparedRun, flank: Side) -> Vec<(f64, &ComparedPose)> {
+    let (mut last, mut whole) = (None, 0u32);
+    let poses = run.poses.iter();
+    let matings = poses.map(|pose| (pose.simulated.pose.mating(), pose));
+    let of_flank = matings.filter(|(mating, _)| mating.flank == flank);
+    let placed = of_flank.map(|(mating, pose)| {
         let teeth = (mating.wheel_tooth, mating.pinion_tooth);
-        if last.is_some_and(|last| last != teeth) {
-            *whole += 1;
-        }
-        *last = Some(teeth);
-        Some(f64::from(*whole) + mating.fraction)
-    })
+        let before = last.replace(teeth);
+        whole += u32::from(before.is_some_and(|before| before != teeth));
+        (f64::from(whole) + mating.fraction, pose)
+    });
+    placed.collect()
 }
 
 /// The sense in which wheel tooth numbers come into mesh: +1 ascending, −1 descending.

@@ -8,16 +8,16 @@ mod course;
 mod field;
 mod over_distance;
 mod refined;
-mod tangent;
 
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
-pub use field::{BindingContact, ContactLine, Field, FieldSection, FieldSide, STRETCH_END};
+pub use field::{
+    BindingContact, ContactLine, Field, FieldSection, FieldSide, PathLimit, STRETCH_END,
+};
 pub use over_distance::{
     DistancePoint, Followed, OverDistance, binding, followed, measured_teeth, over_distance,
     over_distance_pose_count,
 };
 pub use refined::refined;
-pub use tangent::PathLimit;
 
 use crate::analysis::compare::ComparedRun;
 use crate::analysis::simulate::{simulate, simulate_plans};

@@ -9,6 +9,7 @@
 //! 3. The middles of the steps beside a bend, and of those at the edge of a gap, repeatedly: until a point lies within [`FLAT`] of
 //!    the chord of its neighbours, or the step is [`FINEST`].
 
+use super::course::flank_poses;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::extremes::{RunExtreme, RunExtremes};
 use crate::analysis::simulate::simulate_plans;
@@ -72,14 +73,12 @@ pub fn refined(
         }
     }
     let mut curves = curves.into_iter();
-    let refined = revolution.iter().map(|run| ComparedRun {
-        run: run.run.clone(),
-        poses: Side::BOTH
-            .iter()
-            .filter_map(|_| curves.next())
-            .flat_map(|curve| curve.points)
-            .map(|point| point.pose)
-            .collect(),
+    let refined = revolution.iter().map(|run| {
+        let points = curves.by_ref().take(2).flat_map(|curve| curve.points);
+        ComparedRun {
+            run: run.run.clone(),
+            poses: points.map(|point| point.pose).collect(),
+        }
     });
     Ok(refined.collect())
 }
@@ -141,19 +140,15 @@ impl<'a> Curve<'a> {
     /// The curves of both flanks of a run.
     fn of(run: &'a ComparedRun) -> [Curve<'a>; 2] {
         Side::BOTH.map(|flank| {
-            let is_of_flank = |pose: &&ComparedPose| pose.simulated.pose.mating().flank == flank;
-            let poses: Vec<&ComparedPose> = run.poses.iter().filter(is_of_flank).collect();
-            let matings = poses.iter().map(|pose| pose.simulated.pose.mating());
-            let points = super::course::pitches_from_first(matings).zip(&poses);
+            let points = flank_poses(run, flank).into_iter();
+            let points = points.map(|(pitches, pose)| Point {
+                pitches,
+                pose: pose.clone(),
+            });
             Curve {
                 run,
                 flank,
-                points: points
-                    .map(|(pitches, pose)| Point {
-                        pitches,
-                        pose: (*pose).clone(),
-                    })
-                    .collect(),
+                points: points.collect(),
             }
         })
     }

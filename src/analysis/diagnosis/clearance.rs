@@ -6,8 +6,8 @@
 
 use super::lands::{Land, between_lands, near, root_land, tip_land};
 use crate::analytic::InvolutePair;
-use crate::error::go_on;
-use crate::error::{Error, Tick};
+use crate::contact::first_least;
+use crate::error::{Error, Tick, go_on};
 use crate::gear::Placed;
 use crate::pair::{GearPair, Mating, Member, Pose};
 use crate::parallel;
@@ -49,9 +49,6 @@ pub fn radial_clearance(
 }
 
 /// The least distance over one pitch from each of `pitches`; `tick` is called once for each.
-///
-/// # Errors
-/// [`Error::Interrupted`] after a break.
 pub(super) fn least_over(
     assembly: &GearPair,
     member: Member,
@@ -68,16 +65,10 @@ pub(super) fn least_over(
         let looked_at = || (*bound <= reached).then(|| rolling.within_pitch(*mating));
         Error::if_stopped(tick(1)).map(|()| looked_at())
     });
-    // In order, so that the first of equals is taken with any number of threads.
-    let mut least: Option<RadialClearance> = None;
-    for found in found {
-        if let Some(found) = found?
-            && least.is_none_or(|least| found.distance < least.distance)
-        {
-            least = Some(found);
-        }
-    }
-    Ok(least)
+    let found: Vec<Option<RadialClearance>> = found.into_iter().collect::<Result<_, Error>>()?;
+    // The first of equals, with any number of threads.
+    let found = found.into_iter().flatten();
+    Ok(first_least(found.map(|found| (found, found.distance, 0.0))))
 }
 
 /// The starts of the pitches over which the least distance is searched, no two with the same teeth.

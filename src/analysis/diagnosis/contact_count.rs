@@ -132,17 +132,14 @@ impl ContactCount {
             if is_worst_off_line {
                 self.worst_off_line = Some(worst.clone());
             }
-            match &mut self.loss {
-                Some(known) if is_worst => known.worst = worst,
-                Some(_) => {}
-                None => {
-                    self.loss = Some(Loss {
-                        least: loss,
-                        mean: 0.0,
-                        poses: 0,
-                        worst,
-                    });
-                }
+            if is_worst {
+                let known = self.loss.as_ref();
+                self.loss = Some(Loss {
+                    least: known.map_or(loss, |known| known.least),
+                    mean: known.map_or(0.0, |known| known.mean),
+                    poses: known.map_or(0, |known| known.poses),
+                    worst,
+                });
             }
         }
         if let Some(known) = &mut self.loss {

@@ -1,16 +1,14 @@
 //! Every check of one assembled pair, from the evidence of its poses and the searched distances.
 
-use super::start::Searched;
 use crate::analysis::diagnosis::check::{Check, CheckVerdict, met};
 use crate::analysis::diagnosis::clearance::least_over;
 use crate::analysis::diagnosis::onset::{Onset, first_form_onset};
 use crate::analysis::diagnosis::pose_evidence::{PoseEvidence, pose_in_words};
 use crate::analysis::diagnosis::zero_distance::ZeroDistance;
-use crate::analysis::directions::has_open_runout;
-use crate::analysis::extremes::{CycleExtremes, WIDTH};
+use crate::analysis::extremes::WIDTH;
 use crate::analysis::face_loss::FaceLoss;
 use crate::analytic::limits;
-use crate::contact::{FacePlace, PoseClass, Status, Touch};
+use crate::contact::{FacePlace, PoseClass, Touch, first_least};
 use crate::error::{Error, Tick};
 use crate::gear::{Gear, Profile, ProfilePart, Side};
 use crate::pair::{FaceDeviation, GearPair, Mating, Member};
@@ -43,6 +41,9 @@ const SHARES: [[&str; 4]; 2] = [
     ],
 ];
 
+/// The result of a search over poses, if any; or the reason why it is unproven.
+pub type Searched<T> = Result<Option<T>, String>;
+
 /// The state of a check whose value is a searched distance.
 pub(super) enum LimitState<T> {
     /// The limit is known to be met without a search.
@@ -63,8 +64,13 @@ impl<T> LimitState<T> {
     }
 }
 
-/// The data of checks besides the evidence of poses.
-pub(super) struct SearchedDistances<'a> {
+/// One assembled pair with the evidence of its poses and its searched distances.
+pub(super) struct CheckContext<'a> {
+    pub assembly: &'a GearPair,
+    pub evidence: &'a PoseEvidence,
+    /// Loss of the least by deviations along the face; `None` if unknown or for a pair without any.
+    pub face_loss: Option<FaceLoss>,
+    pub allow_off_line: bool,
     /// Whether to skip tips that are clear of all roots in any direction.
     pub skip_clear_tips: bool,
     /// The starts of the pitches over which the clearance of the tips is searched.
@@ -73,33 +79,24 @@ pub(super) struct SearchedDistances<'a> {
     pub onset: LimitState<Onset>,
 }
 
-/// One assembled pair with the evidence of its poses.
-pub(super) struct CheckContext<'a> {
-    pub assembly: &'a GearPair,
-    pub evidence: &'a PoseEvidence,
-    /// Loss of the least by deviations along the face; `None` if unknown or for a pair without any.
-    pub face_loss: Option<FaceLoss>,
-    pub allow_off_line: bool,
-}
-
 impl CheckContext<'_> {
     /// Every check, except those known to be met.
-    pub fn checks(&self, searched: &SearchedDistances, tick: &Tick) -> Result<Vec<Check>, Error> {
+    pub fn checks(&self, tick: &Tick) -> Result<Vec<Check>, Error> {
         let doubt = PoseEvidence::doubt([self.evidence]);
         let of_poses = |check: Check| match &doubt {
             Some(reason) => check.not_proven(reason),
             None => check,
         };
         let mut checks = Vec::new();
-        let look = |member: &Member| !searched.skip_clear_tips || !self.is_surely_clear(*member);
+        let look = |member: &Member| !self.skip_clear_tips || !self.is_surely_clear(*member);
         for member in Member::BOTH.into_iter().filter(look) {
-            checks.push(self.clearance(member, &(searched.pitches)()?, tick)?);
+            checks.push(self.clearance(member, &(self.pitches)()?, tick)?);
         }
         checks.extend(Member::BOTH.map(|member| of_poses(self.k_8(member))));
         checks.extend(Member::BOTH.map(|member| of_poses(self.form(member))));
-        checks.extend(of(&searched.onset, |onset| self.onset(onset)));
+        checks.extend(of(&self.onset, |onset| self.onset(onset)));
         checks.push(of_poses(self.off_line()));
-        checks.extend(of(&searched.zero, |zero| self.zero(zero)));
+        checks.extend(of(&self.zero, |zero| self.zero(zero)));
         checks.push(of_poses(self.backlash()));
         checks.extend(Member::BOTH.map(|member| self.undercut(member)));
         checks.push(self.contact_ratio());
@@ -107,11 +104,8 @@ impl CheckContext<'_> {
         if self.assembly.deviates_along_face() {
             checks.push(of_poses(self.edge_contact()));
             checks.extend(self.face_use());
-            checks.extend(
-                Member::BOTH
-                    .iter()
-                    .filter_map(|member| self.lead_covers(*member)),
-            );
+            let covers = Member::BOTH.map(|member| self.lead_covers(member));
+            checks.extend(covers.into_iter().flatten());
             checks.extend(self.tilt());
         }
         Ok(checks)
@@ -123,28 +117,6 @@ impl CheckContext<'_> {
 
     fn module(&self) -> f64 {
         self.gear(Member::Wheel).basic_data().module()
-    }
-
-    /// Whether the pair assembles over the whole cycle; `None` if that is uncertain or within rounding.
-    pub fn assembles(&self, cycle: &CycleExtremes) -> Option<bool> {
-        let here = self.evidence.group_key();
-        let runs = cycle.each.iter().filter(|run| run.group_key() == here);
-        // For all directions of a runout the search follows one of them.
-        let beyond = if has_open_runout(self.assembly) {
-            10.0 * WIDTH
-        } else {
-            0.01 * WIDTH
-        };
-        let each = runs.map(|run| {
-            let least = run.least.as_ref().filter(|least| least.holds())?;
-            match run.status {
-                Status::Clear if least.low >= beyond => Some(true),
-                Status::Interference if least.high <= -beyond => Some(false),
-                _ => None,
-            }
-        });
-        let each = each.collect::<Option<Vec<bool>>>()?;
-        (!each.is_empty()).then(|| each.into_iter().all(|assembles| assembles))
     }
 
     /// Whether `member`'s tips meet the limit for any position of the teeth and any direction of the eccentricities.
@@ -228,16 +200,10 @@ impl CheckContext<'_> {
             as_built.flank_offset(Side::Left, tooth) - as_built.flank_offset(Side::Right, tooth)
         };
         let teeth = 1..=gear.basic_data().teeth();
-        let thinnest = teeth.reduce(|thinnest, tooth| {
-            if widening(tooth) < widening(thinnest) {
-                tooth
-            } else {
-                thinnest
-            }
-        });
+        let thinnest = first_least(teeth.map(|tooth| (tooth, widening(tooth), 0.0)));
         let leaning = limits::tip_helix_cos(gear);
-        let outlines =
-            thinnest.map(|tooth| formula + gear.tip_radius() * widening(tooth) * leaning);
+        let thicker = |tooth| gear.tip_radius() * widening(tooth) * leaning;
+        let outlines = thinnest.map(|tooth| formula + thicker(tooth));
         let least = outlines.map_or(formula, |outlines| outlines.min(formula));
         let limit = LEAST_TIP * self.module();
         Check {
@@ -547,10 +513,7 @@ impl CheckContext<'_> {
             margin: Some(least - LEAST_CONTACT_RATIO),
             unit: "1",
             verdict: CheckVerdict::unless(met(least - LEAST_CONTACT_RATIO), CheckVerdict::Fail),
-            details: nominal
-                .map(|nominal| ("at_nominal_zero_backlash_distance", nominal))
-                .into_iter()
-                .collect(),
+            details: Vec::from_iter(nominal.map(|at| ("at_nominal_zero_backlash_distance", at))),
             note: nominal.map_or(String::new(), |nominal| {
                 let overlap = if overlap > 0.0 {
                     format!("; margin with overlap ratio {overlap:.4}")

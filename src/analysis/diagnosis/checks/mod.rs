@@ -1,7 +1,6 @@
 //! Every check of a pair, for each centre distance and material.
 
 mod context;
-mod start;
 
 use super::check::{Check, CheckName, CheckVerdict};
 use super::clearance::pitches;
@@ -10,16 +9,17 @@ use super::onset::{Onset, non_involute_onset};
 use super::pose_evidence::PoseEvidence;
 use super::zero_distance::{ZeroDistance, zero_distance};
 use crate::analysis::compare::ComparedRun;
-use crate::analysis::extremes::CycleExtremes;
-use crate::analysis::study::{Material, RunPlan, Study};
-use crate::contact::{ExactKernel, keeps_to_involutes};
+use crate::analysis::directions::has_open_runout;
+use crate::analysis::extremes::{CycleExtremes, WIDTH};
+use crate::analysis::study::{Material, Run, RunPlan, Study};
+use crate::contact::{ExactKernel, Status, keeps_to_involutes};
 use crate::error::{Error, Tick};
-use crate::pair::{GearPair, Member};
-use context::{CheckContext, LimitState, SearchedDistances};
-use start::{Starts, distinct};
+use crate::pair::{GearPair, Mating, Member};
+use context::{CheckContext, LimitState};
+use std::collections::HashSet;
 use std::sync::OnceLock;
 
-pub use start::Searched;
+pub use context::Searched;
 
 /// The diagnosis of a study's pair.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -153,14 +153,8 @@ fn groups(
         };
         let group = group.with_least_of(&cycle.runs);
         let (assembly, (distance, material)) = (&group.assembly, group.group_key());
-        let context = CheckContext {
-            assembly,
-            evidence: &group,
-            face_loss: cycle.face_loss(distance, material),
-            allow_off_line: study.allow_off_line_contact,
-        };
         let is_proven = starts.doubt(material).is_none();
-        let zero = match context.assembles(cycle).filter(|_| may_skip && is_proven) {
+        let zero = match assembles(&group, cycle).filter(|_| may_skip && is_proven) {
             Some(true) => LimitState::Kept,
             Some(false) => LimitState::Missed,
             None => LimitState::Found(cached(&mut zeros, material, || {
@@ -181,7 +175,11 @@ fn groups(
             let matings = starts.matings(|run| run.group_key() == (distance, material))?;
             Ok(pitches(assembly, &matings))
         };
-        let searched = SearchedDistances {
+        let context = CheckContext {
+            assembly,
+            evidence: &group,
+            face_loss: cycle.face_loss(distance, material),
+            allow_off_line: study.allow_off_line_contact,
             skip_clear_tips: may_skip,
             pitches: &pitches,
             zero,
@@ -190,13 +188,35 @@ fn groups(
         groups.push(CheckedPair {
             assembly: assembly.clone(),
             material,
-            checks: context.checks(&searched, tick)?,
+            checks: context.checks(tick)?,
             contact: group.contact.clone(),
-            zero: searched.zero.found(),
-            onset: searched.onset.found(),
+            zero: context.zero.found(),
+            onset: context.onset.found(),
         });
     }
     Ok(groups)
+}
+
+/// Whether the pair of `group` assembles over the whole cycle; `None` if that is uncertain or within rounding.
+fn assembles(group: &PoseEvidence, cycle: &CycleExtremes) -> Option<bool> {
+    let here = group.group_key();
+    let runs = cycle.each.iter().filter(|run| run.group_key() == here);
+    // For all directions of a runout the search follows one of them.
+    let beyond = if has_open_runout(&group.assembly) {
+        10.0 * WIDTH
+    } else {
+        0.01 * WIDTH
+    };
+    let each = runs.map(|run| {
+        let least = run.least.as_ref().filter(|least| least.holds())?;
+        match run.status {
+            Status::Clear if least.low >= beyond => Some(true),
+            Status::Interference if least.high <= -beyond => Some(false),
+            _ => None,
+        }
+    });
+    let each = each.collect::<Option<Vec<bool>>>()?;
+    (!each.is_empty()).then(|| !each.contains(&false))
 }
 
 /// The result for `material`, searched now if it is missing.
@@ -211,4 +231,74 @@ fn cached<T: Clone>(
     let now = search()?;
     found.push((material, now.clone()));
     Ok(now)
+}
+
+/// The poses from which a study is searched. The results are those of all centre distances of a material.
+struct Starts<'a> {
+    study: &'a Study,
+    /// The evidence of all poses.
+    evidence: &'a [PoseEvidence],
+    /// The poses with the least and the greatest backlash of the mesh cycle.
+    extremes: &'a [ComparedRun],
+    /// The runs of the study, listed when first needed.
+    plans: OnceLock<Vec<RunPlan>>,
+}
+
+impl Starts<'_> {
+    /// The reason for doubt about the poses of `material`: a search from unproven poses is unproven too.
+    fn doubt(&self, material: Material) -> Option<String> {
+        PoseEvidence::doubt(self.evidence.iter().filter(|run| run.material == material))
+    }
+
+    /// The matings of the runs that are `wanted`, each once.
+    fn matings(&self, wanted: impl Fn(&Run) -> bool) -> Result<Vec<Mating>, Error> {
+        let plans = match self.plans.get() {
+            Some(plans) => plans,
+            None => {
+                let plans = self.study.runs()?;
+                self.plans.get_or_init(|| plans)
+            }
+        };
+        let plans = plans.iter().filter(|plan| wanted(&plan.run));
+        let matings = plans.flat_map(|plan| &plan.matings);
+        Ok(distinct(matings.copied()))
+    }
+
+    /// The result of `look` from the poses and the extremes of `material`, unless there is doubt about them or it loses a contact.
+    fn search<T>(
+        &self,
+        assembly: &GearPair,
+        material: Material,
+        look: impl Fn(&GearPair, &[Mating], &Tick) -> Result<Option<T>, Error>,
+        tick: &Tick,
+    ) -> Result<Searched<T>, Error> {
+        if let Some(reason) = self.doubt(material) {
+            return Ok(Err(reason));
+        }
+        let is_of = |run: &&ComparedRun| run.run.material == material;
+        let beside = || self.extremes.iter().filter(is_of);
+        // For a runout without direction, the worst direction.
+        let worst = beside().find_map(|run| run.run.assembly.data());
+        let is_open = has_open_runout(assembly);
+        let worst = worst.filter(|_| is_open).unwrap_or(assembly);
+        let own = self.matings(|run| run.material == material)?;
+        let poses = beside().flat_map(|run| &run.poses);
+        let extremes = poses.map(|pose| *pose.simulated.pose.mating());
+        let matings = distinct(own.into_iter().chain(extremes));
+        match look(worst, &matings, tick) {
+            Ok(found) => Ok(Ok(found)),
+            Err(error) => match error.pose_failure() {
+                Some(why) => Ok(Err(format!("the search met a pose without proof: {why}"))),
+                None => Err(error),
+            },
+        }
+    }
+}
+
+/// `matings`, each once.
+fn distinct(matings: impl Iterator<Item = Mating>) -> Vec<Mating> {
+    let mut met = HashSet::new();
+    matings
+        .filter(|m| met.insert((m.wheel_tooth, m.pinion_tooth, m.flank, m.fraction.to_bits())))
+        .collect()
 }

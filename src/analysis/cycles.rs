@@ -26,21 +26,16 @@ const IN_MESH: f64 = 0.1;
 
 /// Width, mm, of a bracket of `j_wt` of `assembly` that counts as proven.
 pub fn proven_width(assembly: &AssembledPair) -> f64 {
-    cycle_pair(assembly).width()
+    match assembly {
+        AssembledPair::Data(_) => PROVEN_WIDTH,
+        AssembledPair::Drawn(_) => PROVEN_WIDTH_DRAWN,
+    }
 }
 
 /// A pair whose mesh cycle is searched. Gears by data and drawn gears have a kernel each.
 pub(super) trait CyclePair {
-    /// [`proven_width`].
-    fn width(&self) -> f64;
-
     /// The search of `cycle`, over all leans of the axes that are open.
     fn search(&self, cycle: &CyclePlan) -> Result<CycleResult, Error>;
-
-    /// [`CyclePlan::at_clearance_ends`] of bearings that let axes lean; `None` where they stay parallel.
-    fn in_bearings(&self, _: &CyclePlan) -> Result<Option<[SearchedEnd; 2]>, Error> {
-        Ok(None)
-    }
 
     /// The extremes over `cycle` for this pair, in place of the pair of the cycle, and over all open leans of its axes. The one that is not
     /// asked for may be missing.
@@ -82,10 +77,6 @@ pub(super) fn cycle_pair(assembly: &AssembledPair) -> &dyn CyclePair {
 }
 
 impl CyclePair for OutlinePair {
-    fn width(&self) -> f64 {
-        PROVEN_WIDTH_DRAWN
-    }
-
     fn search(&self, cycle: &CyclePlan) -> Result<CycleResult, Error> {
         let kernel = OutlineKernel::new(self);
         let over = cycle_of_outlines(self, cycle.over, (cycle.divisor, cycle.tick));
@@ -152,10 +143,6 @@ impl CyclePair for OutlinePair {
 }
 
 impl CyclePair for GearPair {
-    fn width(&self) -> f64 {
-        PROVEN_WIDTH
-    }
-
     fn search(&self, cycle: &CyclePlan) -> Result<CycleResult, Error> {
         if cycle.open_lean != [0.0; 2] {
             return cycle.over_axes(&Axes::new(self, cycle.open_lean, None), self);
@@ -163,16 +150,6 @@ impl CyclePair for GearPair {
         let mut searched = cycle.search_as_stated(self)?;
         searched.face_loss = cycle.face_loss(self, &searched.found)?;
         Ok(searched)
-    }
-
-    fn in_bearings(&self, cycle: &CyclePlan) -> Result<Option<[SearchedEnd; 2]>, Error> {
-        if cycle.bearing_ends.is_none() {
-            return Ok(None);
-        }
-        let axes = Axes::new(self, cycle.open_lean, cycle.bearing_ends);
-        let searched = cycle.over_axes(&axes, self)?;
-        let ends = End::BOTH.map(|end| searched.clearance_end(&cycle.run.assembly, end));
-        Ok(Some(ends))
     }
 
     fn extremes_at(&self, cycle: &CyclePlan, end: End, effort: &Effort) -> Result<Extremes, Error> {
@@ -532,8 +509,10 @@ impl<'t> CyclePlan<'t> {
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them further apart by it. Backlash grows with the distance,
     /// so no pose in between has less or more.
     pub fn at_clearance_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
-        if let Some(ends) = cycle_pair(&self.run.assembly).in_bearings(self)? {
-            return Ok(ends);
+        if let (AssembledPair::Data(pair), Some(_)) = (&self.run.assembly, self.bearing_ends) {
+            let axes = Axes::new(pair, self.open_lean, self.bearing_ends);
+            let searched = self.over_axes(&axes, pair)?;
+            return Ok(End::BOTH.map(|end| searched.clearance_end(&self.run.assembly, end)));
         }
         Ok([
             self.at_clearance_end(-clearance, End::Least)?,

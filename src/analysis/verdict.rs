@@ -107,7 +107,10 @@ impl<'a> Verdict<'a> {
             requirement: RequirementOutcome::of(required, &missed),
             is_kept_within_uncertainty: missed.is_empty() && is_within(),
             unmet: missed,
-            lost_motion_of: lost_motion_of(required),
+            lost_motion_of: required.iter().find_map(|(quantity, _)| match quantity {
+                Quantity::LostMotion(member) => Some(*member),
+                _ => None,
+            }),
             failed_checks,
             uncertainty,
         }
@@ -235,14 +238,6 @@ impl<'a> Verdict<'a> {
         let to = apart.map(|run| run.meshes_to);
         Threshold::nearest(to.collect::<Option<Vec<_>>>()?.into_iter())
     }
-}
-
-/// The gear whose lost motion `required` limits.
-fn lost_motion_of(required: &Requirements) -> Option<Member> {
-    required.iter().find_map(|(quantity, _)| match quantity {
-        Quantity::LostMotion(member) => Some(*member),
-        _ => None,
-    })
 }
 
 /// The limits of `required` that some of `runs` do not meet, each with its worst value, widened by the expanded `uncertainty`;

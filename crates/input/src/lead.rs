@@ -258,7 +258,7 @@ fn open_conventions(
     let has = |is_stated: fn(&FlankLeadSpec) -> bool| flanks().any(is_stated);
     let has_slopes = has(|flank| flank.slope_um.is_some() || flank.helix_slope_um.is_some());
     let has_traces = has(|flank| flank.trace.is_some());
-    let has_crowning = has(|flank| flank.crowning_um.is_some());
+    let has_ends = has(|flank| flank.crowning_um.is_some() || flank.end_relief.is_some());
     let traces = || flanks().flat_map(|flank| flank.trace.iter().flat_map(Either::as_list));
     let has_teeth = traces().any(|trace| trace.tooth.is_some() || trace.table.is_some());
     let lacks_direction = traces().any(|trace| trace.direction.is_none());
@@ -280,7 +280,7 @@ fn open_conventions(
         ),
         (
             "zero_mm",
-            has_crowning || has_traces,
+            has_slopes || has_ends || has_traces,
             format!(
                 "pitch and thickness count as measured in the measuring plane, at height {height} mm; write zero_mm = {height}, or the height where they were",
                 height = shortest(plane)

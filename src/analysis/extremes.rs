@@ -313,6 +313,7 @@ fn of_plans(
     // At the ends of their clearance the bearings have no further play.
     let without_play = Study {
         bearing_clearance: 0.0,
+        bearing_ends: None,
         ..study.clone()
     };
     let [own, at_ends] = [study, &without_play]

@@ -104,9 +104,14 @@ impl<'a> Simulation<'a> {
             return Ok(());
         }
         let cut = self.cuts.iter().find(|(of, _)| of == material);
-        let (cut, clearance) = (cut.map(|(_, cut)| cut), self.study.bearing_clearance);
+        let (cut, clearance) = (cut.map(|(_, cut)| cut), self.study.clearance_of_poses());
         let tolerance_um = self.tolerance_um;
-        let mut each = |poses: Vec<PoseResult>| {
+        let mut each = |mut poses: Vec<PoseResult>| {
+            if self.study.bearing_ends.is_some() {
+                for pose in &mut poses {
+                    pose.with_clearance = Some([Ok(None), Ok(None)]);
+                }
+            }
             take(parallel::map(poses, |found| {
                 compared(assembly, found, tolerance_um)
             }))

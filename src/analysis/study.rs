@@ -314,6 +314,14 @@ impl Study {
         self.is_helical() || self.deviates_along_face()
     }
 
+    /// [`Study::bearing_clearance`] of single poses, mm: 0 where the axes tilt in their bearings, which extremes alone cover.
+    pub fn clearance_of_poses(&self) -> f64 {
+        match self.bearing_ends {
+            None => self.bearing_clearance,
+            Some(_) => 0.0,
+        }
+    }
+
     /// Whether its poses cover whole revolutions.
     pub fn sweeps(&self) -> bool {
         matches!(

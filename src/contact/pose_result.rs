@@ -86,7 +86,7 @@ impl PoseResult {
         self.unproven().next().is_some()
     }
 
-    /// `j_wt`, mm, at the two ends of the bearing clearance; `backlash` twice without clearance.
+    /// `j_wt`, mm, at the two ends of the bearing clearance; `backlash` twice without clearance, none where the axes tilt in it.
     pub fn range(&self) -> [Option<f64>; 2] {
         match &self.with_clearance {
             None => [self.backlash; 2],

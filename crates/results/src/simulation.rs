@@ -86,7 +86,11 @@ fn listed_note(study: &Study) -> String {
     } else {
         "Of the listed poses"
     };
-    format!("{of} (the verdict above is of the whole mesh cycle):\n")
+    let axes = match study.bearing_ends {
+        None => "",
+        Some(_) => ", without bearing clearance",
+    };
+    format!("{of}{axes} (the verdict above is of the whole mesh cycle):\n")
 }
 
 const AT: &str = ", simulated; \"at\": mating, fraction of a pitch beyond it, flank.";
@@ -104,7 +108,7 @@ fn pose_table(runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String 
 
 fn run_table(study: &Study, runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String {
     let rows = runs.iter();
-    let rows = rows.map(|run| RunRow::new(run, study.bearing_clearance));
+    let rows = rows.map(|run| RunRow::new(run, study.clearance_of_poses()));
     let rows: Vec<RunRow> = rows.collect();
     RunRow::columns().table(&rows, RunRow::center_distance, unit, screen)
 }
@@ -301,7 +305,7 @@ fn measured_rows(
 
 /// The measured matings for a page, compared with the simulated bands.
 pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<PeopleColumn> {
-    let (unit, has_clearance) = (BacklashUnit::Um, study.bearing_clearance > 0.0);
+    let (unit, has_clearance) = (BacklashUnit::Um, study.clearance_of_poses() > 0.0);
     let rows = measured_rows(measured, |mating| mating.simulated, unit, has_clearance);
     MeasuredRow::columns().for_people(&rows, MeasuredRow::center_distance, unit)
 }
@@ -334,7 +338,7 @@ fn measured_count(
     let mut text = format!(
         "\n{inside} of {total} measured values lie inside the {band} band: {below} below it (↓), {above} above it (↑).\n",
     );
-    if study.bearing_clearance > 0.0 {
+    if study.clearance_of_poses() > 0.0 {
         let [_, inside, _] = sides(measured, |mating| mating.with_clearance);
         let _ = writeln!(
             text,

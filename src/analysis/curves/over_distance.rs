@@ -179,7 +179,7 @@ pub fn over_distance(
     Ok(OverDistance {
         followed,
         matings,
-        clearance: study.bearing_clearance,
+        clearance: study.clearance_of_poses(),
         agreement,
         unproven: runs.iter().map(|run| run.unproven().count()).sum(),
         two_materials: study.material_count() > 1,

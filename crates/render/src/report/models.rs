@@ -61,7 +61,7 @@ pub(super) fn sentence(report: &Report) -> Option<String> {
     let mut text = format!(
         "{inside} of {of} measured values lie inside the simulated band, {below} below it, {above} above it"
     );
-    if report.pair.study.bearing_clearance > 0.0 {
+    if report.pair.study.clearance_of_poses() > 0.0 {
         let [_, inside, _] = sides(&report.analysis.measured, |mating| mating.with_clearance);
         text += &format!("; {inside} of {of} with the bearing clearance taken in");
     }

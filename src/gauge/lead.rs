@@ -72,7 +72,7 @@ pub struct FaceRunout {
     pub amount: f64,
     /// Diameter on which it is read, mm: the reference circle.
     pub diameter: f64,
-    /// Tooth at which the face stands out most, fractional.
+    /// Tooth at which the face stands out most, fractional, of the section at its end of the teeth.
     pub high_tooth: f64,
     /// Bound on the error of `amount`, mm.
     pub error: f64,
@@ -204,7 +204,8 @@ fn face_runout(
     let per_height = diameter / (far.height - near.height);
     let off = (centre(far) - centre(near)) * per_height;
     let error = (near.eccentricity.error + far.eccentricity.error) * per_height;
-    let angle = gear.face().ascending() * off.y.atan2(off.x);
+    let wound = basic_data.twist() * face.place(0.0);
+    let angle = gear.face().ascending() * (off.y.atan2(off.x) - wound);
     let (amount, high_tooth) = if off.norm() > error {
         (off.norm(), basic_data.tooth_towards(angle))
     } else {

@@ -576,6 +576,11 @@ impl AsBuilt {
         self.leads.is_some()
     }
 
+    /// Whether its transverse sections differ: helical teeth, lead deviations, or wobble.
+    pub fn varies_along_face(&self) -> bool {
+        self.gear.basic_data().hand().is_some() || self.has_leads() || self.wobble != 0.0
+    }
+
     /// Heights over the measuring plane of both ends of a stretch, mm from this section away from the viewer, the lesser first.
     fn heights(&self, stretch: [f64; 2]) -> [f64; 2] {
         let [one, other] = stretch.map(|b| self.height + self.inwards() * b);

@@ -23,7 +23,7 @@ pub fn of_gear(gear: &AsBuilt, chordal_error: f64) -> Vec<PathSegment> {
     placed_outline(gear, FRAC_PI_2, chordal_error)
 }
 
-/// [`of_gear`] of the transverse section of a helical gear at `b`, mm along the axis from the measuring plane away from the viewer.
+/// [`of_gear`] of the transverse section at `b`, mm along the axis from the measuring plane away from the viewer.
 ///
 /// The outline turns with the helix; the direction of the eccentricity is constant.
 pub fn of_section(gear: &AsBuilt, b: f64, chordal_error: f64) -> Vec<PathSegment> {

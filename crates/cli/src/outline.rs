@@ -16,8 +16,8 @@ use std::path::{Path, PathBuf};
 ///
 /// The closed outline in mm, with every tooth where it was measured, as the reference face shows it: the rotation axis at 0,0 (a
 /// gear with runout is beside it), tooth 1 up, numbers clockwise. Flanks are chords within the tolerance of their curves; tip and
-/// root lands are arcs in DXF (bulges) and SVG, chords in CSV. The file's header states the bound. A helical gear gives a
-/// transverse section, turned with the helix.
+/// root lands are arcs in DXF (bulges) and SVG, chords in CSV. The file's header states the bound. A gear that varies along
+/// the face gives a transverse section, turned with the helix.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// Pair file or gear file, - for standard input
@@ -34,7 +34,7 @@ pub(super) struct Args {
     /// Greatest distance of a chord from its curve, µm
     #[arg(long, value_name = "T", default_value_t = 1.0, value_parser = tolerance, allow_negative_numbers = true)]
     tolerance_um: f64,
-    /// Section of a helical gear, mm from the measuring plane [default: 0, or the nearest end of the teeth]
+    /// Transverse section, mm from the measuring plane [default: 0, or the nearest end of the teeth]
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     section: Option<f64>,
     /// File, - for standard output [default: in out/<file stem>]
@@ -86,8 +86,8 @@ fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
 }
 
 /// The requested section, mm; the gear must have it.
-fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
-    let spec = entry.spec.data().filter(|spec| spec.is_helical());
+fn section(requested: Option<f64>, entry: &GearEntry, gear: &AsBuilt) -> Result<f64, Error> {
+    let spec = entry.spec.data().filter(|_| gear.varies_along_face());
     let face = spec.and_then(GearSpec::face);
     let Some(mm) = requested else {
         return Ok(face.map_or(0.0, |[from, to]| 0f64.clamp(from, to)));
@@ -116,7 +116,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
             args.file.display()
         )));
     };
-    let section_mm = section(args.section, entry)?;
+    let section_mm = section(args.section, entry, gear)?;
     check_size(args.tolerance_um, gear)?;
     let (format, ending) = args.format.format();
     let is_csv = |file: &Path| {

@@ -53,7 +53,7 @@ pub(super) struct Args {
     /// End of the thickness tolerance [default: most; with --worst or --greatest both]
     #[arg(long, value_enum)]
     material: Option<MaterialName>,
-    /// Section of helical gears, mm from the measuring plane [default: where the flank touches]
+    /// Transverse section, mm from the measuring plane [default: where the flank touches]
     #[arg(long, value_name = "Z_MM", allow_negative_numbers = true)]
     section: Option<f64>,
     /// Enlarge thickness, pitch and eccentricity, on perfect teeth
@@ -91,8 +91,8 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
 
 /// Checks that the request can be drawn for this pair.
 fn check(args: &Args, study: &Study) -> Result<(), Error> {
-    if args.section.is_some() && !study.is_helical() {
-        return Err(Error::usage(SPUR_SECTION));
+    if args.section.is_some() && !study.varies_along_face() {
+        return Err(Error::usage(ALIKE));
     }
     if args.exaggerate.is_some() {
         options::by_data(
@@ -108,14 +108,14 @@ fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize),
     let pose = &subject.pose;
     let assembly = &subject.assembly;
     let pair = assembly.data();
-    let helical = pair.filter(|pair| pair.is_helical());
-    let section = helical.map(|pair| section(args, pair, pose)).transpose()?;
+    let varied = pair.filter(|pair| pair.varies_along_face());
+    let section = varied.map(|pair| section(args, pair, pose)).transpose()?;
     let view = Snapshot::of_result(title, assembly, subject.material, pose, section.as_ref());
     Ok(match (pair, args.exaggerate) {
         _ if args.animate => {
             let steps = pitch(assembly, &pose.pose)?;
             let unproven = steps.iter().filter(|step| step.is_unproven()).count();
-            let first = helical.zip(section.as_ref());
+            let first = varied.zip(section.as_ref());
             let sections = first.map(|(pair, first)| sections(pair, &steps, first));
             let sections = sections.transpose()?.unwrap_or_default();
             let picture = gearlash_render::animation(&view, &steps, &sections);
@@ -130,10 +130,9 @@ fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize),
     })
 }
 
-const SPUR_SECTION: &str =
-    "--section is for helical gears: every section of these gears is the same; leave it out";
+const ALIKE: &str = "--section: every section of these gears is the same; leave it out";
 
-/// The section of helical gears to draw.
+/// The section to draw.
 fn section(args: &Args, assembly: &GearPair, pose: &PoseResult) -> Result<MeshSection, Error> {
     let found = pose.proven();
     let at = args

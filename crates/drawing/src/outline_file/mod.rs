@@ -38,7 +38,7 @@ pub struct OutlineFile<'a> {
     pub material: Material,
     /// The gear.
     pub gear: &'a AsBuilt,
-    /// The transverse section that is drawn, mm from the measuring plane away from the viewer; 0 for a spur gear.
+    /// The transverse section that is drawn, mm from the measuring plane away from the viewer; 0 where all are equal.
     pub section_mm: f64,
     /// Bound on the distance of a chord from its curve, µm (> 0).
     pub tolerance_um: f64,
@@ -48,9 +48,10 @@ impl OutlineFile<'_> {
     /// The outline in `format`: see [`of_gear`] and [`of_section`] for its position.
     pub fn text(&self, format: OutlineFormat) -> String {
         let tolerance = self.tolerance_um * 1e-3;
-        let outline = match self.gear.gear().basic_data().hand() {
-            None => of_gear(self.gear, tolerance),
-            Some(_) => of_section(self.gear, self.section_mm, tolerance),
+        let outline = if self.gear.varies_along_face() {
+            of_section(self.gear, self.section_mm, tolerance)
+        } else {
+            of_gear(self.gear, tolerance)
         };
         match format {
             OutlineFormat::Dxf => dxf::text(&outline, tolerance, &self.header(true)),
@@ -87,12 +88,17 @@ impl OutlineFile<'_> {
             ),
         ];
         let basic_data = built.gear().basic_data();
-        if let Some(hand) = basic_data.hand() {
+        if built.varies_along_face() {
+            let helix = basic_data.hand().map_or(String::new(), |hand| {
+                format!(
+                    ", in which tooth 1 is up (helix {} deg, {} hand)",
+                    number((basic_data.helix_angle().to_degrees() * 1e9).round() / 1e9),
+                    hand.name()
+                )
+            });
             lines.push(format!(
-                "section: transverse, {} mm from the measuring plane, in which tooth 1 is up (helix {} deg, {} hand)",
-                number(self.section_mm),
-                number((basic_data.helix_angle().to_degrees() * 1e9).round() / 1e9),
-                hand.name()
+                "section: transverse, {} mm from the measuring plane{helix}",
+                number(self.section_mm)
             ));
         }
         if built.any_direction() && built.eccentricity() > 0.0 {

@@ -103,7 +103,7 @@ pub fn draw(
     format!("{sheet}\n")
 }
 
-/// The outlines, `viewer-wheel-0` and so on; for helical gears in a section.
+/// The outlines, `viewer-wheel-0` and so on, in a section where sections differ.
 fn definitions(
     outlines: &[&AssembledPair],
     section: Option<f64>,
@@ -216,7 +216,7 @@ pub fn axis(module: f64) -> Path {
     line().set("d", format!("M-{arm} 0H{arm}M0 -{arm}V{arm}"))
 }
 
-/// The number of every tooth of a gear at the origin, upright where the tooth points at the mate; for helical gears in a section.
+/// The number of every tooth of a gear at the origin, upright where the tooth points at the mate, in a section where sections differ.
 pub fn numbers(
     gear: &PlacedGear,
     member: Member,

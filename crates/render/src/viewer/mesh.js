@@ -1,5 +1,5 @@
 "use strict";
-// Moves the picture of a mesh: turns the gears, marks contacts, zooms and pans, and chooses the section of helical gears. The
+// Moves the picture of a mesh: turns the gears, marks contacts, zooms and pans, and chooses the section. The
 // report and the page that runs the program use it alike. Everything about gears (rotations, contacts, classes, backlash) comes
 // in columns of poses; this file only sets transforms and texts. Angles are degrees counter-clockwise, lengths mm, y up.
 //
@@ -76,7 +76,7 @@ function gearlashMesh(data, step) {
     byId("backlash").title = backlash === null ? "" : backlash + " µm";
   }
 
-  // ---- the section of helical gears: turns the outlines and their numbers by the twist of the teeth, about the gears' own
+  // ---- the section: turns the outlines and their numbers by the twist of the teeth, about the gears' own
   // centres, which do not wind
   function showSection() {
     const slider = byId("section");

@@ -49,7 +49,7 @@ impl<'a> Mesh<'a> {
         let viewed = &self.runs[first];
         let run = viewed.run;
         let (assembly, pose) = (&run.run.assembly, &run.poses[number]);
-        let section = if assembly.is_helical() {
+        let section = if assembly.varies_along_face() {
             SECTION_CONTROLS
         } else {
             ""

@@ -1,4 +1,4 @@
-//! The contacts of a pose, the texts beside its picture, and the section of helical gears.
+//! The contacts of a pose, the texts beside its picture, and the section of gears that vary along the face.
 
 use super::precision::DEGREES;
 use super::viewed::Viewed;
@@ -7,7 +7,7 @@ use gearlash::analysis::study::Material;
 use gearlash::contact::{Contact, PoseResult};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
-use gearlash::pair::Member;
+use gearlash::pair::{GearPair, Member};
 use gearlash_results::ContactRow;
 use gearlash_text::numbers::{decades, fixed, rounded, trimmed, two_digits_up};
 use serde::Serialize;
@@ -75,7 +75,7 @@ pub fn texts(viewed: &Viewed, number: usize) -> BTreeMap<&'static str, String> {
         ("right", contact(Side::Right)),
         ("left", contact(Side::Left)),
     ]);
-    if run.run.assembly.is_helical() {
+    if run.run.assembly.varies_along_face() {
         texts.insert("section-contacts", sections(pose));
     }
     texts
@@ -112,7 +112,7 @@ const PLACE: usize = 6;
 /// Decimals of a chosen section, mm.
 const SECTION: usize = 2;
 
-/// Data of helical gears for the script.
+/// Data of gears that vary along the face for the script.
 #[derive(Serialize)]
 pub struct HelicalColumns {
     face_mm: [f64; 2],
@@ -122,7 +122,7 @@ pub struct HelicalColumns {
 }
 
 impl HelicalColumns {
-    /// The columns of `assembly`, with the section of `pose` shown first; `None` for spur gears.
+    /// The columns of `assembly`, with the section of `pose` shown first; `None` where all sections are equal.
     pub fn of(assembly: &AssembledPair, pose: &PoseResult) -> Option<HelicalColumns> {
         let start_mm = first(assembly, pose)?;
         let twist = |member| {
@@ -138,13 +138,13 @@ impl HelicalColumns {
     }
 }
 
-/// The section shown first, mm: where the free gear touches on its right flanks, else the middle of the face; `None` for spur
-/// gears.
+/// The section shown first, mm: where the free gear touches on its right flanks, else the middle of the face; `None` where all
+/// sections are equal.
 pub fn first(assembly: &AssembledPair, pose: &PoseResult) -> Option<f64> {
     let [from, to] = assembly.face();
     let touching = touching(pose, Side::Right).map(|contact| contact.section);
     assembly
-        .is_helical()
+        .varies_along_face()
         .then(|| touching.unwrap_or(0.5 * (from + to)))
 }
 
@@ -162,8 +162,14 @@ pub fn note(assembly: &AssembledPair, pose: &PoseResult) -> String {
     let Some(section) = first(assembly, pose) else {
         return String::new();
     };
+    let deviates = assembly.data().is_some_and(GearPair::deviates_along_face);
+    let without = if deviates {
+        ", without deviations along the face"
+    } else {
+        ""
+    };
     format!(
-        "<p class=\"viewer-note\" id=\"viewer-section-text\">Drawn in the section at z = <span id=\"viewer-section-here\">{}</span> mm. \
+        "<p class=\"viewer-note\" id=\"viewer-section-text\">Drawn in the section at z = <span id=\"viewer-section-here\">{}</span> mm{without}. \
          <span id=\"viewer-section-contacts\">{}</span></p>\n",
         trimmed(section, 0, SECTION),
         sections(pose)

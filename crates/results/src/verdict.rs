@@ -859,7 +859,7 @@ pub(crate) fn doubt_words(doubt: Doubt) -> &'static str {
         Doubt::Profile => "deviations bounded for each flank as a whole",
         Doubt::ContactLost => "contact lost at a pose",
         Doubt::Drawing => "the drawings leave more open",
-        Doubt::Sections => "sections of leaning axes leave more open",
+        Doubt::Sections => "bounds over the face leave more open",
         Doubt::Axes => "axes bounded together",
     }
 }

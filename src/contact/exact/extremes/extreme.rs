@@ -85,7 +85,7 @@ pub enum Doubt {
     ContactLost,
     /// The uncertainty of the drawings is wider than the requested bracket.
     Drawing,
-    /// The error by sections of leaning axes is wider than the requested bracket.
+    /// The bound over the face, with the error by sections of leaning axes, is wider than the requested bracket.
     Sections,
     /// Axes without a stated place are bounded all together.
     Axes,

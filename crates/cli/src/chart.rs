@@ -12,7 +12,7 @@ use crate::output::Target;
 use crate::progress::{Progress, run_under_bar};
 use clap::ValueEnum;
 use gearlash::analysis::compare::ComparedRun;
-use gearlash::analysis::curves::{self, Course, Field, Followed};
+use gearlash::analysis::curves::{self, Course, Followed};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::study::Study;
 use gearlash::analysis::{Analysis, Plan};
@@ -20,9 +20,10 @@ use gearlash::contact::Method;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
+use gearlash_input::PairFile;
 use gearlash_render::chart::{self, Heading};
+use gearlash_results::gauge::stated_leads;
 use gearlash_results::verdict::extremes_in_short;
-use gearlash_text::numbers::stated_distance;
 use std::path::PathBuf;
 
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
@@ -69,7 +70,7 @@ enum Kind {
     Inspection,
     /// Contacts (backlash for outlines) over centre distance and mesh phase, as `check --map`
     Map,
-    /// Helical gears: where over the common face and on the path of contact the teeth touch at the pose that binds
+    /// Gears that vary along the face: where over it and on the path of contact the teeth touch at the pose that binds
     Field,
 }
 
@@ -81,7 +82,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let drawn = match args.kind {
         Kind::Revolution | Kind::Difference => DrawnChart::over_teeth(args, study.clone())?,
         Kind::Distance => DrawnChart::over_distance(args, study)?,
-        Kind::Inspection => DrawnChart::inspection(args, study)?,
+        Kind::Inspection => DrawnChart::inspection(args, &file)?,
         Kind::Map => DrawnChart::map(args, study)?,
         Kind::Field => DrawnChart::field(args, study.clone())?,
     };
@@ -211,16 +212,20 @@ impl DrawnChart {
     }
 
     /// One gear's deviations.
-    fn inspection(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
+    fn inspection(args: &Args, file: &PairFile) -> Result<DrawnChart, Error> {
+        let study = &file.study;
         let reason = "--kind inspection is for gears by their data: a drawing states no deviations";
         let [wheel, pinion] = options::by_data(study, reason)?;
-        let (name, gear) = match args.gear {
-            Some(GearName::Pinion) => ("pinion", pinion),
-            Some(GearName::Wheel) | None => ("wheel", wheel),
+        let (name, gear, number) = match args.gear {
+            Some(GearName::Pinion) => ("pinion", pinion, 1),
+            Some(GearName::Wheel) | None => ("wheel", wheel, 0),
         };
+        let specs = file.spec.by_data();
+        let lead = specs.and_then(|specs| stated_leads(gear, specs[number]));
+        let heading = Heading::alone(&study.title, "");
         let inspection = Inspection::of(gear);
         Ok(DrawnChart {
-            svg: chart::inspection(&Heading::alone(&study.title, ""), name, &inspection)?.svg,
+            svg: chart::inspection_and_leads(&heading, name, &inspection, lead.as_ref())?.svg,
             file: format!("chart_inspection_{name}.svg"),
             agrees: true,
         })
@@ -252,21 +257,15 @@ impl DrawnChart {
         let end = args.material.map(|end| material(end, &study)).transpose()?;
         let title = study.title.clone();
         let found = cycle::find(("--kind field", Wanted::Least), study, distance, end)?;
-        let pair = found.assembly.data();
-        let field = pair.and_then(|pair| Field::of(pair, &found.pose));
-        let Some(field) = field else {
+        let drawn = chart::field_at_least(&title, found.material, &found.assembly, &found.pose)?;
+        let Some(drawn) = drawn else {
             return Err(Error::usage(
                 "--kind field: the worst pose is jammed or unproven; there are no contact lines",
             ));
         };
         let a = found.assembly.center_distance();
-        let subtitle = format!(
-            "Field of action at the least backlash · a = {} mm · {}",
-            stated_distance(a),
-            found.material.words()
-        );
         Ok(DrawnChart {
-            svg: chart::field(&Heading::alone(&title, &subtitle), &field)?.svg,
+            svg: drawn.svg,
             file: format!("chart_field_a{a}_{}.svg", found.material.name()),
             agrees: all_proven(found.unproven),
         })

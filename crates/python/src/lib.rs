@@ -26,7 +26,7 @@ mod _core {
     #[pymodule_export]
     use super::extremes::{check, extremes};
     #[pymodule_export]
-    use super::pictures::{inspection, over_distance, over_teeth, snapshot};
+    use super::pictures::{field, inspection, over_distance, over_teeth, snapshot};
     #[pymodule_export]
     use super::population::{match_cells, match_result, rows_columns};
     #[pymodule_export]

@@ -5,13 +5,16 @@ use crate::error::Outcome;
 use crate::gear::Gear;
 use crate::pair::{Pair, mating};
 use gearlash::analysis::curves::{self, Followed};
+use gearlash::analysis::extremes::extremes;
 use gearlash::analysis::outcome::by_distance;
+use gearlash::analysis::verdict::Verdict;
 use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::{Method, lost_motion_at};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::pose_picture;
+use gearlash_results::gauge::stated_leads;
 use gearlash_results::verdict::extremes_in_short;
 use pyo3::prelude::*;
 
@@ -101,11 +104,41 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Ou
     Ok(chart::distance(BacklashUnit::Um, &heading, &curve, &outcomes)?.svg)
 }
 
-/// A gear's deviations, tooth by tooth.
+/// The field of action at the least backlash.
+#[pyfunction]
+pub fn field(
+    py: Python<'_>,
+    pair: &Pair,
+    distance: Option<f64>,
+    material: Option<&str>,
+) -> Outcome<String> {
+    let (named, assembly) = pair.assembly(distance, material)?;
+    let mut study = pair.study().clone();
+    if !study.varies_along_face() {
+        return Err("kind = \"field\": along the face of this pair nothing changes".into());
+    }
+    if material.is_some() {
+        study.keep(named);
+    }
+    if distance.is_some() {
+        let at = study.at(vec![assembly.center_distance()]);
+        study = at.map_err(|reason| format!("center_distance_mm: {reason}"))?;
+    }
+    let found = work(py, None, |tick| extremes(&study, METHOD, tick))?;
+    let verdict = Verdict::of_study(&study, &found.each, Vec::new());
+    let none = "kind = \"field\": no pose is in mesh";
+    let (run, assembly, pose) = verdict.worst().ok_or(none)?;
+    let drawn = chart::field_at_least(&study.title, run.material, assembly, &pose.simulated)?;
+    let none = "kind = \"field\": the worst pose is jammed or unproven; there are no contact lines";
+    Ok(drawn.ok_or(none)?.svg)
+}
+
+/// A gear's deviations, tooth by tooth, and its leads.
 #[pyfunction]
 pub fn inspection(gear: &Gear, material: Option<&str>) -> Outcome<String> {
     let (_, as_built) = gear.as_built(material)?;
     let inspection = Inspection::of(as_built);
     let heading = Heading::alone(&gear.title, "");
-    Ok(chart::inspection(&heading, gear.entry.name, &inspection)?.svg)
+    let lead = stated_leads(as_built, &gear.spec);
+    Ok(chart::inspection_and_leads(&heading, gear.entry.name, &inspection, lead.as_ref())?.svg)
 }

@@ -77,7 +77,7 @@ class Pair(Stated[_core.Pair]):
 
     @property
     def face_mm(self) -> tuple[float, float] | None:
-        """Ends of the common face of helical gears, mm from the wheel's measuring plane; ``None`` for spur gears."""
+        """Ends of the common face, mm from the wheel's measuring plane; ``None`` where all sections are equal."""
         face = self._core.face_mm
         return None if face is None else (face[0], face[1])
 
@@ -208,13 +208,15 @@ class Pair(Stated[_core.Pair]):
     ) -> Picture:
         """Backlash as a curve.
 
-        ``kind``: ``revolution`` over the wheel's teeth, ``difference`` from the formula there, or ``distance`` over the centre
-        distance, of the teeth ``mating`` or else of what binds.
+        ``kind``: ``revolution`` over the wheel's teeth, ``difference`` from the formula there, ``distance`` over the centre
+        distance, of the teeth ``mating`` or else of what binds, or ``field`` along the face at the least backlash.
         """
         if kind == "distance":
             return Picture(_core.over_distance(self._core, mating))
+        if kind == "field":
+            return Picture(_core.field(self._core, center_distance_mm, material))
         if kind not in ("revolution", "difference"):
-            raise GearlashError(f'kind = {kind!r}: "revolution", "difference" or "distance"')
+            raise GearlashError(f'kind = {kind!r}: "revolution", "difference", "distance" or "field"')
         return Picture(
             _core.over_teeth(self._core, kind == "difference", center_distance_mm, material)
         )

@@ -6,9 +6,11 @@ use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis, TextStyle};
 use crate::pose_name::{flank_heading, pose_name};
 use gearlash::analysis::curves::{ContactLine, Field, FieldSection, FieldSide, PathLimit};
-use gearlash::contact::ContactKind;
+use gearlash::analysis::study::Material;
+use gearlash::contact::{ContactKind, PoseResult};
 use gearlash::gear::Side;
-use gearlash_text::numbers::{trimmed, um};
+use gearlash::outline::AssembledPair;
+use gearlash_text::numbers::{stated_distance, trimmed, um};
 
 /// Heights of a field and of the curve below it.
 const HEIGHTS: [f64; 2] = [270.0, 150.0];
@@ -37,6 +39,26 @@ const SHADES: usize = 8;
 const PALEST: f64 = 0.12;
 /// Half the height of a line of contact points, as a share of the axis.
 const HALF_POINT: f64 = 0.012;
+
+/// The [`field`] at `pose` of a pair, that with the least backlash; `None` for a pose without contact lines.
+///
+/// # Errors
+/// As [`field`].
+pub fn field_at_least(
+    title: &str,
+    material: Material,
+    assembly: &AssembledPair,
+    pose: &PoseResult,
+) -> Result<Option<Chart>, PictureError> {
+    let found = assembly.data().and_then(|pair| Field::of(pair, pose));
+    let subtitle = format!(
+        "Field of action at the least backlash · a = {} mm · {}",
+        stated_distance(assembly.center_distance()),
+        material.words()
+    );
+    let heading = Heading::alone(title, &subtitle);
+    found.map(|found| field(&heading, &found)).transpose()
+}
 
 /// The field of action. Each side has its contact lines, and below them the transverse gap of each section.
 ///

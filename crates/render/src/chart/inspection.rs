@@ -63,6 +63,31 @@ pub fn inspection(
     bar_panels(heading, &details, &x_axis, &panels)
 }
 
+/// [`inspection`], and below it the leads that the gear states. Leads alone are the whole chart.
+///
+/// # Errors
+/// As [`inspection`].
+pub fn inspection_and_leads(
+    heading: &Heading,
+    gear: &str,
+    inspection: &Inspection,
+    lead: Option<&LeadReadings>,
+) -> Result<Chart, PictureError> {
+    let teeth = self::inspection(heading, gear, inspection)?;
+    match lead {
+        None => Ok(teeth),
+        Some(read) if inspection.deviates() => Ok(teeth.above(leads(heading, read)?)),
+        Some(read) => {
+            let subtitle = gear;
+            let heading = Heading {
+                subtitle,
+                ..heading.clone()
+            };
+            leads(&heading, read)
+        }
+    }
+}
+
 /// Most curves beside the worst one; more could not be distinguished.
 const MOST_OTHERS: usize = 11;
 const HEIGHT: f64 = 236.0;

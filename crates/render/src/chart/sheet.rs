@@ -104,6 +104,23 @@ impl Chart {
     pub fn narrow(&self) -> Chart {
         self.drawn_from.draw(&NARROW)
     }
+
+    /// This chart with the panels of `below` under its own, and with its lines and names that are new.
+    pub(super) fn above(mut self, below: Chart) -> Chart {
+        let (own, further) = (&mut self.drawn_from, below.drawn_from);
+        for line in further.lines {
+            if !own.lines.contains(&line) {
+                own.lines.push(line);
+            }
+        }
+        for entry in further.entries {
+            if own.entries.iter().all(|known| known.name != entry.name) {
+                own.entries.push(entry);
+            }
+        }
+        own.panels.extend(further.panels);
+        self.drawn_from.draw(&WIDE)
+    }
 }
 
 /// A picture that cannot be drawn.

@@ -2,8 +2,9 @@
 
 use gearlash::gauge::{GradedReading, LeadReadings, PitchReadings, ProfileReadings, Unmeasured};
 use gearlash::gauge::{graded, leads, pitches, profiles};
-use gearlash::gear::Inspection;
+use gearlash::gear::{AsBuilt, Inspection};
 use gearlash_input::PairFile;
+use gearlash_input::spec::GearSpec;
 
 /// The accuracy grades of one gear as the gauge measures it, and the required grade.
 #[derive(Debug, Clone)]
@@ -35,15 +36,20 @@ pub fn grades(pair: &PairFile) -> Vec<GearGrades> {
     });
     let grades = deviating.map(|(name, gear, spec)| {
         let profile = spec.profile.as_ref();
-        let lead = spec.lead.as_ref().zip(spec.face());
         GearGrades {
             name,
             required: spec.grade,
             graded: graded(gear, spec.thickness.pin_mm()),
             pitches: pitches(gear),
             profile: profile.and_then(|_| profiles(gear, spec.evaluation_radii()).ok()),
-            lead: lead.and_then(|(lead, face)| leads(gear, face, lead.range_mm).ok()),
+            lead: stated_leads(gear, spec),
         }
     });
     grades.collect()
+}
+
+/// The leads of `gear` about the axis of its teeth, where `spec` states any.
+pub fn stated_leads(gear: &AsBuilt, spec: &GearSpec) -> Option<LeadReadings> {
+    let (lead, face) = spec.lead.as_ref().zip(spec.face())?;
+    leads(gear, face, lead.range_mm).ok()
 }

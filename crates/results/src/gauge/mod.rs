@@ -12,7 +12,7 @@ use gearlash_input::short_for_span;
 use gearlash_input::spec::GearSpec;
 use gearlash_input::{NoGearFile, gauged_file};
 
-pub use grades::{GearGrades, grades};
+pub use grades::{GearGrades, grades, stated_leads};
 pub use json::json;
 pub use lengths::{ByTooth, Length, length_table, lengths};
 pub use readings::{Chart, teeth_csv, tooth_table};

@@ -63,7 +63,7 @@ pub fn gauged_file(
             }),
             // Thickness and pitch were read in the measuring plane.
             lead: spec.lead.clone().map(|lead| LeadSpec {
-                zero_mm: None,
+                zero_mm: spec.heights().map(|[from, _]| 0.0 - from),
                 ..lead
             }),
             ..spec.clone()

@@ -16,6 +16,14 @@ const READING_PLACE: OpenKey = (
 );
 const SPANNED: OpenKey = ("how many teeth are spanned", "teeth = …");
 const PIN: OpenKey = ("the diameter of the pins, mm", "pin_mm = …");
+/// Conventions of leads that no file says, at their defaults, and that of a trace.
+const LEAD: &str = "\
+# The file does not say these; change what differs.
+from = \"reference\"  # or \"far\": the end where heights begin
+axis = \"own\"  # or \"datum\": measured about the bore
+# zero_mm = …  # the height where pitch and thickness were measured
+";
+const LEAD_TRACE: &str = "direction = \"transverse\"  # or \"normal\": square to the teeth\n";
 /// Comment lines of a table that another one states, too.
 const STATED: &str = "# Pitch of both flanks holds the thickness of each tooth. Where it was measured on its own, remove the #:\n";
 
@@ -76,6 +84,9 @@ pub(super) fn lines(
             );
         }
         let mut block = format!("[{gear}.{below}]\nfile = {}\n", text(&name));
+        if table.kind == Kind::Lead {
+            block = format!("[{gear}.lead]\n{LEAD}{block}{LEAD_TRACE}");
+        }
         if by_space {
             block += "at = \"space\"\n";
         }

@@ -123,10 +123,11 @@ impl Pair {
         self.study().center_distances.clone()
     }
 
-    /// Ends of the common face of helical gears, mm from the wheel's measuring plane; `None` for spur gears.
+    /// Ends of the common face, mm from the wheel's measuring plane; `None` where all sections are equal.
     #[getter]
     fn face_mm(&self) -> Option<[f64; 2]> {
-        self.study().is_helical().then_some(self.study().face)
+        let study = self.study();
+        study.varies_along_face().then_some(study.face)
     }
 
     /// Teeth of wheel and pinion.

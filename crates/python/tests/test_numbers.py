@@ -9,8 +9,8 @@ import gearlash
 from conftest import of_command
 
 
-def perfect(teeth: int, module: float = 3.0, face: str = "front") -> gearlash.Gear:
-    return gearlash.Gear(teeth=teeth, module_mm=module, pressure_angle_deg=20.0, reference_face=face)
+def perfect(teeth: int, module: float = 3.0, face: str = "front", **more) -> gearlash.Gear:
+    return gearlash.Gear(teeth=teeth, module_mm=module, pressure_angle_deg=20.0, reference_face=face, **more)
 
 
 def involute_backlash_um(teeth: int, module: float, distance: float) -> float:
@@ -50,6 +50,11 @@ def test_a_nominal_pair_has_the_backlash_of_the_closed_form() -> None:
     least = pair.extremes().least
     assert least is not None and least.proven
     assert least.j_wt_um[0] - 1e-6 <= expected <= least.j_wt_um[1] + 1e-6
+    # A helix turned by f on one gear takes f/cos α_wt: each side binds at another end.
+    turned = perfect(44, face_width_mm=20.0, lead={"helix_slope_um": "8 r", "over": "face"})
+    (run,) = gearlash.Pair(turned, perfect(44, face="back", face_width_mm=20.0), 132.1).extremes().runs
+    cost = 8.0 * 132.1 / (132.0 * math.cos(math.radians(20.0)))
+    assert run.along_face_um is not None and run.along_face_um["lead"] == pytest.approx(cost, abs=1e-3)
 
 
 def test_a_nominal_helical_pair_has_the_backlash_of_the_closed_form() -> None:
@@ -59,8 +64,7 @@ def test_a_nominal_helical_pair_has_the_backlash_of_the_closed_form() -> None:
     pinion = gearlash.Gear(teeth=teeth[1], hand="left", face_mm=(-10.0, 40.0), reference_face="back", **wound)
     distance = 0.5 * sum(teeth) * module / math.cos(beta) + 0.2
     pair = gearlash.Pair(wheel, pinion, distance, face_offset_mm=2.0)
-    assert pair.face_mm == (-8.0, 20.0)
-    assert "helix_angle_deg=18" in repr(wheel)
+    assert pair.face_mm == (-8.0, 20.0) and "helix_angle_deg=18" in repr(wheel)
     # ISO 21771, transverse section: j_wt = 2 a (inv α_wt − inv α_t), j_bn = j_wt cos α_wt cos β_b.
     alpha = math.atan(math.tan(alpha_n) / math.cos(beta))
     working = math.acos((distance - 0.2) * math.cos(alpha) / distance)
@@ -68,13 +72,10 @@ def test_a_nominal_helical_pair_has_the_backlash_of_the_closed_form() -> None:
     expected = 2e3 * distance * (inv(working) - inv(alpha))
     poses = pair.revolution(steps_per_pitch=4)
     assert np.abs(poses.j_wt_um - expected).max() < 1e-6
-    pose = pair.lost_motion(1, 1)
-    assert pose.j_bn_um == pytest.approx(
-        expected * math.cos(working) * math.cos(math.asin(math.sin(beta) * math.cos(alpha_n))), rel=1e-9
-    )
+    normal = expected * math.cos(working) * math.cos(math.asin(math.sin(beta) * math.cos(alpha_n)))
+    assert pair.lost_motion(1, 1).j_bn_um == pytest.approx(normal, rel=1e-9)
     least = pair.extremes().least
-    assert least is not None and least.proven
-    assert "Proven" in pair.check().verdict
+    assert least is not None and least.proven and "Proven" in pair.check().verdict
 
 
 @pytest.mark.parametrize("name", ["karba_44x44.toml", "profiled_44x44.toml", "hunting_51x23.toml"])
@@ -201,7 +202,6 @@ def test_without_certificates_poses_are_the_same(fixtures, name: str, distances:
 def test_flanks_start_and_hunting_cycle() -> None:
     pair = gearlash.Pair(perfect(9, 2.0), perfect(6, 2.0, "back"), 15.4)
     whole = pair.revolution(steps_per_pitch=2, hunting=True, start=(3, 5))
-    assert len(whole) == 2 * 18
-    assert (whole.wheel_tooth[0], whole.pinion_tooth[0]) == (3, 5)
+    assert len(whole) == 2 * 18 and (whole.wheel_tooth[0], whole.pinion_tooth[0]) == (3, 5)
     left = pair.revolution(steps_per_pitch=2, flank="left")
     assert (left.flank == gearlash.Flank.LEFT).all()

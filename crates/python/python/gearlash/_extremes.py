@@ -65,6 +65,8 @@ class RunExtremes:
     """``None`` where a pose is out of mesh."""
     assembles_from_mm: tuple[float, float] | None
     """Where the pair does not assemble: bracket of the least centre distance at which it assembles."""
+    along_face_um: dict[str, float | None] | None
+    """What ``lead``, ``wobble`` and ``shafts`` cost the least backlash each, µm, where any is stated."""
     record: dict[str, Any] = field(repr=False, compare=False)
     """The extremes as in ``result.json``, including the bearings' play."""
 

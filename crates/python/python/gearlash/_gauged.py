@@ -10,6 +10,12 @@ from gearlash._errors import GearlashError
 Floats = NDArray[np.float64]
 
 
+def _one_of(name: str, value: str, *allowed: str) -> None:
+    if value not in allowed:
+        names = [f'"{each}"' for each in allowed]
+        raise GearlashError(f"{name} = {value!r}: {', '.join(names[:-1])} or {names[-1]}")
+
+
 class Gauged:
     """The gauges' readings on the outline of a gear of z teeth: arrays of shape (z,), tooth 1 first.
 
@@ -20,8 +26,8 @@ class Gauged:
         self.record = record
         """The gear as in ``gearlash gauge --format json``, with error bounds, profiles, grades and the roll test's poses."""
 
-    def _read(self, name: str) -> Any:
-        read = self.record[name]
+    def _read(self, name: str, record: dict[str, Any] | None = None) -> Any:
+        read = (record or self.record)[name]
         if isinstance(read, dict) and "not_measured" in read:
             raise GearlashError(f"{name}: not measured: {read['not_measured']}")
         return read
@@ -74,14 +80,23 @@ class Gauged:
 
         ``axis``: about the gear's ``own`` centre or the ``datum`` axis; ``kind``: ``cumulative`` or ``single``.
         """
-        for name, value, allowed in (
-            ("flank", flank, ("right", "left")),
-            ("axis", axis, ("own", "datum")),
-            ("kind", kind, ("cumulative", "single")),
-        ):
-            if value not in allowed:
-                raise GearlashError(f'{name} = {value!r}: "{allowed[0]}" or "{allowed[1]}"')
+        _one_of("flank", flank, "right", "left")
+        _one_of("axis", axis, "own", "datum")
+        _one_of("kind", kind, "cumulative", "single")
         return np.array(self._read(f"pitch_{axis}")[flank][f"{kind}_um"], dtype=np.float64)
+
+    def lead_um(self, flank: str, axis: str = "own", kind: str = "helix_slope") -> Floats:
+        """Lead deviation of the gear's own ``right`` or ``left`` flanks, µm, of a gear that deviates along the face.
+
+        ``axis``: as of :meth:`pitch_um`; ``kind``: ``helix_slope`` f_Hβ, ``crowning`` C_β, ``form`` f_fβ or ``total`` F_β.
+        """
+        _one_of("flank", flank, "right", "left")
+        _one_of("axis", axis, "own", "datum")
+        _one_of("kind", kind, "helix_slope", "crowning", "form", "total")
+        if not self.record.get("along_face"):
+            raise GearlashError("leads: the gear does not deviate along the face")
+        read = self._read(f"lead_{axis}", self.record["along_face"])
+        return np.array(read[flank][f"{kind}_um"], dtype=np.float64)
 
     @property
     def roll_um(self) -> tuple[float, float]:

@@ -66,6 +66,10 @@ class Contact:
     """Out of the wheel's metal; of length 1."""
     contact_class: str
     """``involute-involute``, ``tip-involute`` …"""
+    section_mm: float | None
+    """Place along the axes, mm from the wheel's measuring plane, away from the viewer."""
+    at: str | None
+    """``near_end``, ``far_end``, ``inside`` or ``tip_edge``, where deviations along the face are stated."""
 
 
 @dataclass(frozen=True)

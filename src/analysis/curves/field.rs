@@ -254,13 +254,14 @@ impl<'a> HeldSide<'a> {
         })
     }
 
-    /// The contact lines of a pair that deviates along the face, from its sections.
+    /// The contact lines of a pair that deviates along the face, from its sections. That of the contact is in its section, too.
     fn lines_of(&self, sections: &[SectionAlone]) -> Vec<ContactLine> {
         let mut lines: Vec<ContactLine> = Vec::new();
-        let whole = sections
-            .iter()
-            .filter(|alone| alone.is_whole(self.assembly));
-        for alone in whole {
+        for alone in sections {
+            let is_whole = alone.is_whole(self.assembly);
+            if !is_whole && alone.at != self.contact.section {
+                continue;
+            }
             let (pair, here) = (&alone.pair, &alone.pose);
             let held = here.free_rotation() + self.contact.rotation - self.pose.free_rotation();
             let Some(tangent) = Tangent::new(pair, here, self.side, held) else {
@@ -268,6 +269,9 @@ impl<'a> HeldSide<'a> {
             };
             for contact in SideContact::all(pair, here, self.side) {
                 let teeth = by_member(pair, contact.locked_tooth, contact.free_tooth);
+                if !is_whole && teeth != self.teeth() {
+                    continue;
+                }
                 let rolls = by_member(pair, contact.locked_roll, contact.free_roll);
                 let place = tangent.place([rolls.0, rolls.1]);
                 let gap = self.gap(contact.rotation - held);

@@ -32,9 +32,10 @@
       const call = waiting.get(data.id);
       waiting.delete(data.id);
       if (data.fault === undefined) return call.done(data.answer);
+      const fails = () => call.failed(new Error(data.fault));
       // A panic leaves the program in no known state: the next call meets a new one.
-      if (call.begun) begin(name);
-      call.failed(new Error(data.fault));
+      if (call.begun) begin(name).then(fails, fails);
+      else fails();
     };
     workers[name] = { worker, waiting };
     return ask(name, "start", module);
@@ -58,7 +59,10 @@
   const quietly = (work) => work.catch((fault) => { if (fault !== STOPPED) fail(fault); });
   // Words of the page that need no program stand in its HTML.
   const words = (id, name = "words") => byId(id).dataset[name];
-  const fail = (fault) => showProblems([{ reason: `${words("problem-list", "fault")} ${fault.message}`, help: words("problem-list", "report"), link: byId("report")?.href }]);
+  function fail(fault) {
+    for (const timer of [lagging, resting, settling]) clearTimeout(timer);
+    showProblems([{ reason: `${words("problem-list", "fault")} ${fault.message}`, help: words("problem-list", "report"), link: byId("report")?.href }]);
+  }
   const say = async (what, names = "") => {
     const { problems, title } = await answer("live", "said", what, names);
     showProblems(problems, title);
@@ -459,10 +463,10 @@
   let lagging = null;
 
   // Of several requests the newest wins; one is on its way.
-  function newest(name, into, act) {
+  function newest(act) {
     let wanted = false;
     let busy = false;
-    return async () => {
+    const work = async () => {
       wanted = true;
       if (busy) return;
       busy = true;
@@ -471,18 +475,14 @@
           wanted = false;
           await act();
         }
-      } catch (fault) {
-        if (fault === STOPPED) return;
-        byId(into).textContent = `${words("problem-list", "fault")} ${fault.message}`;
-        await send(name);
-        await ask(name, "open", main);
       } finally {
         busy = false;
       }
     };
+    return () => quietly(work());
   }
 
-  const livePose = newest("live", "here", async () => {
+  const livePose = newest(async () => {
     const at = place();
     if (!mesh) await drawMesh(at);
     const pose = await answer("live", "pose", "live", ...at);
@@ -504,11 +504,11 @@
       byId("spoken").replaceChildren(...[...spoken].map((words) => make("span", words)));
     }, 1000);
   }
-  const liveBand = newest("band", "cycle", async () => {
+  const liveBand = newest(async () => {
     clearTimeout(settling);
     await bandAt(distance(), false);
   });
-  const wholeBand = newest("band", "cycle", () => bandAt(distance(), true));
+  const wholeBand = newest(() => bandAt(distance(), true));
 
   function live() {
     if (!isDistance()) {

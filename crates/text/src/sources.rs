@@ -3,6 +3,7 @@
 //! Only ordinary files are kept: writing to a pipe or a device that was read does no harm.
 
 use crate::error::Problem;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs::{File, Metadata};
 use std::path::{Component, Path, PathBuf};
@@ -84,7 +85,10 @@ fn identity(path: &Path, metadata: &Metadata) -> Option<Identity> {
 
 /// Files by name and bytes, in place of a folder. A name is relative to that folder, such as `wheel.csv` or `data/wheel.csv`.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Files(BTreeMap<String, Vec<u8>>);
+pub struct Files {
+    each: BTreeMap<String, Vec<u8>>,
+    asked: RefCell<Vec<String>>,
+}
 
 impl Files {
     /// No files.
@@ -94,23 +98,28 @@ impl Files {
 
     /// Adds a file, in place of one with the same name.
     pub fn add(&mut self, name: &str, bytes: Vec<u8>) {
-        self.0.insert(plain_name(Path::new(name)), bytes);
+        self.each.insert(plain_name(Path::new(name)), bytes);
     }
 
     /// Takes a file out; whether there was one.
     pub fn remove(&mut self, name: &str) -> bool {
-        self.0.remove(&plain_name(Path::new(name))).is_some()
+        self.each.remove(&plain_name(Path::new(name))).is_some()
     }
 
     /// The bytes of the file with this name.
     pub fn get(&self, name: &str) -> Option<&[u8]> {
-        let bytes = self.0.get(&plain_name(Path::new(name)));
+        let bytes = self.each.get(&plain_name(Path::new(name)));
         bytes.map(Vec::as_slice)
     }
 
     /// The names, sorted.
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.0.keys().map(String::as_str)
+        self.each.keys().map(String::as_str)
+    }
+
+    /// The files that [`Files::bytes`] was asked for, without their folders, in small letters.
+    pub fn asked(&self) -> Vec<String> {
+        self.asked.borrow().clone()
     }
 
     /// The bytes of the file called `path`. A file that was given without its folder counts, also in capital letters.
@@ -118,9 +127,10 @@ impl Files {
     pub fn bytes(&self, path: &Path) -> Result<Vec<u8>, Problem> {
         let name = plain_name(path);
         let last = name.rsplit('/').next().unwrap_or(&name);
+        self.asked.borrow_mut().push(last.to_lowercase());
         let is_last = |own: &&String| own.eq_ignore_ascii_case(last);
-        let alike = || self.0.get(self.0.keys().find(is_last)?);
-        let found = self.0.get(&name).or_else(|| self.0.get(last));
+        let alike = || self.each.get(self.each.keys().find(is_last)?);
+        let found = self.each.get(&name).or_else(|| self.each.get(last));
         found
             .or_else(alike)
             .cloned()

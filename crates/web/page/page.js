@@ -71,6 +71,9 @@
   // ---- files: names and bytes; one of them is the pair file in the editor
   const files = new Map();
   let main = "pair.toml";
+  // The files that the pair file names, as the program reads it. Before its first answer all may be named.
+  let named = new Set();
+  const isNamed = (name, among = named) => among.has(name.toLowerCase());
   const text = byId("text");
   const isText = (name) => /\.(toml|json)$/i.test(name);
   const isDrawing = (name) => /\.(dxf|svg)$/i.test(name);
@@ -91,6 +94,7 @@
 
   function edit(name) {
     main = name;
+    named = new Set([...files.keys()].map((name) => name.toLowerCase()));
     text.value = decoded(files.get(name));
     // As the editor has it: with its own ends of lines.
     saved = text.value;
@@ -112,13 +116,13 @@
       // The pair file is replaced by another.
       if (name === main) return make("li", name, { className: "now" });
       const item = make("li", name);
-      if (!isNamed(name, text.value)) item.append(" ", make("span", words("files", "unused"), { className: "grey" }));
+      if (!isNamed(name)) item.append(" ", make("span", words("files", "unused"), { className: "grey" }));
       const out = make("button", "×", { type: "button" });
       out.setAttribute("aria-label", `Remove ${name}`);
       out.addEventListener("click", () => {
         files.delete(name);
         byId("understood").hidden = true;
-        if (isDrawing(name) && !isNamed(name, text.value)) quietly(useDrawings());
+        if (isDrawing(name) && !isNamed(name)) quietly(useDrawings());
         else calculate();
       });
       item.append(" ", out);
@@ -128,11 +132,17 @@
     if (focused >= 0) (buttons()[focused] ?? buttons().at(-1) ?? byId("open")).focus();
   }
 
-  const isNamed = (name, content) => content.split(/["'/\\]/).includes(name);
+  // With problems, it may name the files of its last answer too.
+  const note = ({ problems, files }) => { named = new Set([...(problems ? named : []), ...files]); };
+  async function noteNames() {
+    files.set(main, new TextEncoder().encode(text.value));
+    await send("live");
+    note(await answer("live", "open", main));
+  }
 
   // The files of the former pair leave; those stay that came with the next one, or that only the next one names.
   function dismiss(next, others) {
-    const isFormer = (name) => name === main || isNamed(name, text.value) || !isNamed(name, next);
+    const isFormer = (name) => name === main || isNamed(name) || !isNamed(name, next);
     for (const name of files.keys()) if (!others.includes(name) && isFormer(name)) files.delete(name);
     byId("examples").value = "";
   }
@@ -161,15 +171,21 @@
     const names = [...added.keys()];
     // A text that a pair file names is the file of a gear.
     const texts = names.filter(isText);
-    const isOfOther = (name) => texts.some((other) => other !== name && isNamed(name, decoded(added.get(other))));
-    const pair = texts.find((name) => !isOfOther(name) && (name === main || !isNamed(name, text.value)));
-    if (pair) dismiss(decoded(added.get(pair)), names);
+    run += 1;
+    byId("found").classList.add("old");
+    await noteNames();
+    const namedBy = new Map();
+    for (const [name, bytes] of added) await ask("live", "add", name, bytes);
+    for (const name of texts) namedBy.set(name, new Set((await answer("live", "open", name)).files));
+    const isOfOther = (name) => texts.some((other) => other !== name && isNamed(name, namedBy.get(other)));
+    const pair = texts.find((name) => !isOfOther(name) && (name === main || !isNamed(name)));
+    if (pair) dismiss(namedBy.get(pair), names);
     for (const [name, bytes] of added) files.set(name, bytes);
     listFiles();
     const drawings = names.filter(isDrawing);
     const tables = names.filter((name) => !isText(name) && !isDrawing(name));
-    if (!pair && tables.length === 1 && drawings.length === 0 && !isNamed(tables[0], text.value)) await understand(tables[0]);
-    if (!pair && tables.filter((name) => !isNamed(name, text.value)).length > 1) {
+    if (!pair && tables.length === 1 && drawings.length === 0 && !isNamed(tables[0])) await understand(tables[0]);
+    if (!pair && tables.filter((name) => !isNamed(name)).length > 1) {
       run += 1;
       byId("working").hidden = true;
       return say("tables", tables.join(", "));
@@ -181,7 +197,7 @@
 
   // Drawings that the pair file does not name: two become a pair.
   async function useDrawings() {
-    const drawings = [...files.keys()].filter((name) => isDrawing(name) && !isNamed(name, text.value));
+    const drawings = [...files.keys()].filter((name) => isDrawing(name) && !isNamed(name));
     if (drawings.length === 0) return calculate();
     if (drawings.length === 2) return (await startFromDrawings(drawings)) && calculate();
     run += 1;
@@ -214,7 +230,7 @@
       byId("unit-row").hidden = false;
       return false;
     }
-    dismiss(made.text, [wheel, pinion]);
+    dismiss(new Set(), [wheel, pinion]);
     files.set("pair.toml", new TextEncoder().encode(made.text));
     edit("pair.toml");
     return true;
@@ -228,7 +244,7 @@
     byId("understood-title").textContent = found.title;
     byId("understood-text").textContent = found.text ?? found.failed;
     byId("understood-toml").textContent = found.toml ?? "";
-    byId("paste").hidden = !found.toml || isJson(text.value) || isNamed(name, text.value);
+    byId("paste").hidden = !found.toml || isJson(text.value) || isNamed(name);
   }
 
   async function send(name) {
@@ -275,6 +291,8 @@
       await send("long");
       const found = await answer("long", "open", main);
       if (now !== run) return;
+      note(found);
+      listFiles();
       if (found.problems || found.failed) {
         showProblems(found.problems ?? [{ reason: found.failed }], found.title);
         return;
@@ -730,10 +748,11 @@
   const MOST_OF_LINK = 8192;
   const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
 
-  byId("link").addEventListener("click", async () => {
+  onClick("link", async () => {
+    await noteNames();
     const packed = await through(new TextEncoder().encode(text.value), new CompressionStream("gzip"));
     const code = base64(new Uint8Array(packed)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
-    const isAlone = ![...files.keys()].some((name) => name !== main && isNamed(name, text.value));
+    const isAlone = ![...files.keys()].some((name) => name !== main && isNamed(name));
     const fits = isAlone && code.length <= MOST_OF_LINK;
     if (fits) {
       inLink = text.value;

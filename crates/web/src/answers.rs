@@ -85,12 +85,19 @@ pub struct Page {
 }
 
 impl Page {
-    /// Reads the pair file `main` of the files: its title, warnings and what a page lets one choose; or all its problems.
+    /// Reads the pair file `main` of the files: its title, warnings and what a page lets one choose; or all its problems. `files` are those
+    /// that it names, as [`Files::asked`].
     pub fn open(&mut self, main: &str) -> Value {
+        let files = Rc::new(self.files.clone());
+        let mut found = self.read(Rc::clone(&files), main);
+        found["files"] = json!(files.asked());
+        found
+    }
+
+    fn read(&mut self, files: Rc<Files>, main: &str) -> Value {
         self.main = main.to_owned();
         self.pair = None;
-        let read = read_files(Rc::new(self.files.clone()), main);
-        let pair = match read {
+        let pair = match read_files(files, main) {
             Ok(pair) => pair,
             Err(error) => return problems(&error),
         };

@@ -79,7 +79,8 @@ impl Gearlash {
         self.page.too_large(name, bytes as u64).to_string()
     }
 
-    /// Reads the pair file `main`: `{title, stem, notes, teeth, distances_mm, materials}`, or `{title, problems}`.
+    /// Reads the pair file `main`: `{title, stem, notes, teeth, distances_mm, materials}`, or `{title, problems}`; and
+    /// the `files` that it names, without their folders, in small letters.
     pub fn open(&mut self, main: &str) -> String {
         self.page.open(main).to_string()
     }

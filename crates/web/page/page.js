@@ -424,18 +424,15 @@
   }
 
   // ---- result
-  function verdict(into, { state, word, status, proof, rows, qualifiers }) {
+  function verdict(into, { state, word, rows, text, left_out }) {
     const list = make("dl", undefined, { className: "extremes" });
-    for (const { name, value, arcmin, place } of rows) {
+    for (const [name, value] of rows) {
       const row = make("div");
       row.append(make("dt", name), make("dd", value, { className: "number" }));
-      if (arcmin) row.append(make("dd", arcmin));
-      row.append(make("dd", place));
       list.append(row);
     }
     into.className = `verdict ${state}`;
-    into.replaceChildren(make("p", word, { className: "word" }), make("p", status, { className: "status" }), list,
-      ...qualifiers.map((line) => make("p", line)), make("p", proof, { className: "proof" }));
+    into.replaceChildren(make("p", word, { className: "word" }), list, make("pre", text, { className: "status" }), ...left_out.map((line) => make("p", line)));
   }
 
   function checks(table) {

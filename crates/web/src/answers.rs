@@ -623,25 +623,16 @@ fn word(state: CheckVerdict, verdict: &Verdict) -> &'static str {
     }
 }
 
-/// The verdict in parts, and its `text` in lines.
+/// The verdict in lines, as the program prints it: their `text`, the numbers in it, and the sentences for which it has no room.
 fn verdict_json(verdict: &Verdict) -> Value {
-    let shown = uncut(verdict);
-    let row = |row: &ExtremeLine| {
-        json!({
-            "name": format!("{} backlash", row.name),
-            "value": row.value,
-            "arcmin": row.arcmin.as_ref().map(|(value, member)| format!("{value} arcmin at the {}", member.name())),
-            "place": row.place_words(),
-        })
-    };
+    let shown = lines(verdict);
+    let row = |row: &ExtremeLine| json!([format!("{} backlash", row.name), row.value]);
     json!({
         "state": shown.state.name(),
         "word": word(shown.state, verdict),
-        "status": shown.status,
-        "proof": shown.proof,
         "rows": shown.extremes.iter().map(row).collect::<Vec<_>>(),
-        "qualifiers": shown.qualifiers,
-        "text": lines(verdict).to_string(),
+        "text": shown.to_string(),
+        "left_out": shown.left_out,
     })
 }
 

@@ -841,6 +841,8 @@
     quietly(take(event.dataTransfer.files));
   });
 
+  // Folded where the result stands below.
+  byId("saves").open = matchMedia("(min-width: 60rem)").matches;
   (async () => {
     module = await unpacked(byId("wasm").textContent);
     await Promise.all(["long", "live", "band"].map(begin));

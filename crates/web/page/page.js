@@ -476,6 +476,8 @@
   let resting = null;
   let settling = null;
   let lagging = null;
+  // Ends of the axis of the band, µm.
+  let axis = null;
 
   // Of several requests the newest wins; one is on its way.
   function newest(act) {
@@ -560,6 +562,7 @@
     for (const id of ["here", "cycle"]) byId(id).textContent = "…";
     byId("viewer").classList.add("old");
     delete byId("cycle").dataset.a;
+    axis = null;
     scale(null);
     live();
     marks(opened.marks);
@@ -622,14 +625,17 @@
     scale(band.failed ? null : band);
   }
 
-  // Least to greatest as a band, with the limits of the requirement as lines.
+  // Least to greatest as a band, with the limits of the requirement as lines. The axis stays until the band leaves it, so that the band
+  // is seen to move.
   function scale(band) {
     const drawing = byId("scale");
     drawing.replaceChildren();
     byId("scale-words").replaceChildren();
     if (!band || band.least_um === null || band.greatest_um === null) return;
     const ends = [0, band.least_um, band.greatest_um, ...band.limits.map(({ um }) => um)];
-    const [low, high] = [Math.min(...ends), Math.max(...ends)];
+    const [least, most] = [Math.min(...ends), Math.max(...ends)];
+    if (!axis || least < axis[0] || most > axis[1]) axis = [2 * least - most, 2 * most - least];
+    const [low, high] = axis;
     const x = (um) => 10 + (580 * (um - low)) / (high - low || 1);
     const add = (tag, attributes) => {
       const part = document.createElementNS("http://www.w3.org/2000/svg", tag);

@@ -86,7 +86,7 @@ pub fn draw(viewed: &Viewed, number: usize) -> String {
     texts.insert("run", run(viewed));
     let j_wt = viewed.run.poses[number].simulated.backlash;
     let full = j_wt.map_or(String::new(), |j| format!("{}", j * 1e3));
-    let title = j_wt.map_or(String::new(), |_| format!("{full} µm"));
+    let title = j_wt.map_or(String::new(), |_| format!("{full} µm").replace('-', "−"));
     let rows = [
         ("run", "Run"),
         ("pose", "Pose"),

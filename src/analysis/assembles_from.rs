@@ -9,7 +9,7 @@ use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, LostMotion, OutlineCycle, OutlineKernel,
     Status, cycle_extremes_within,
 };
-use crate::error::Error;
+use crate::error::{Error, Tick};
 use crate::numeric::try_bisect;
 use crate::outline::OutlinePair;
 use crate::pair::{GearPair, Mating, Member};
@@ -302,21 +302,19 @@ pub(super) struct AtDistance<'a> {
     pub onward: &'a dyn Fn(&Mating, f64) -> Mating,
     /// Pitches of the cycle.
     pub pitches: u64,
+    /// Called with each pose.
+    pub tick: &'a Tick<'a>,
 }
 
 impl AtDistance<'_> {
     fn is_in_mesh(&self, at: f64, mating: &Mating) -> Result<bool, Error> {
+        Error::if_stopped((self.tick)(0))?;
         let found = (self.pose)(at, mating)?;
         Ok(found.is_none_or(|found| found.status() != Status::NoContact))
     }
 
     /// The first of `lost` turned by each of `pitches` that is out of mesh at the distance `at`.
-    fn beside(
-        &self,
-        at: f64,
-        lost: &Mating,
-        pitches: impl IntoIterator<Item = f64>,
-    ) -> Result<Option<Mating>, Error> {
+    fn beside(&self, at: f64, lost: &Mating, pitches: [f64; 2]) -> Result<Option<Mating>, Error> {
         for pitches in pitches {
             let mating = (self.onward)(lost, pitches);
             if !self.is_in_mesh(at, &mating)? {
@@ -342,18 +340,31 @@ pub(super) fn meshes_to(
         return Ok(None);
     };
     let mut high = own;
+    let nearer =
+        |lost: &Mating, at| try_bisect(nearest, at, MESH_WIDTH, |at| pair.is_in_mesh(at, lost));
+    // Places of a pitch to examine: all of them once, then the place of the pose that was found.
+    let mut places = POSES_A_PITCH;
     for _ in 0..MESH_STEPS {
         let mut step = 0.5 / POSES_A_PITCH;
         let mut at = high;
         let mut next = Some(lost);
         while at > nearest && step > LEAST_STEP {
-            if let Some(mating) = next {
-                lost = mating;
-                let in_mesh = |at| pair.is_in_mesh(at, &lost);
-                [at, high] = try_bisect(nearest, at, MESH_WIDTH, in_mesh)?;
-                let poses = (POSES_A_PITCH as u64 * pair.pitches).min(MOST_POSES_BESIDE);
-                let everywhere = (1..poses).map(|pose| pose as f64 / POSES_A_PITCH);
-                next = pair.beside(at, &lost, everywhere)?;
+            if let Some(first) = next.take() {
+                lost = first;
+                [at, high] = nearer(&lost, at)?;
+                let poses = (places as u64 * pair.pitches).min(MOST_POSES_BESIDE);
+                for pose in 1..poses {
+                    if at <= nearest {
+                        break;
+                    }
+                    let other = (pair.onward)(&first, pose as f64 / places);
+                    // A pose that is in mesh is so at lesser distances, too.
+                    if !pair.is_in_mesh(at, &other)? {
+                        lost = other;
+                        [at, high] = nearer(&lost, at)?;
+                    }
+                }
+                places = 1.0;
             } else {
                 next = pair.beside(at, &lost, [-step, step])?;
                 step *= 0.5;

@@ -96,6 +96,7 @@ impl CyclePair for OutlinePair {
                 search: &search,
                 onward: &|mating, pitches| mating.onward(self, pitches),
                 pitches: cycle.over.1,
+                tick: cycle.tick,
             };
             to = meshes_to(between, &found, &at_distance, &Effort::endless())?;
         }
@@ -585,6 +586,7 @@ impl<'t> CyclePlan<'t> {
             search: &search,
             onward: &|mating, pitches| mating.onward(pair, pitches),
             pitches: self.over.1,
+            tick: self.tick,
         };
         let between = [nearest, pair.center_distance()];
         meshes_to(between, found, &at_distance, effort)

@@ -340,8 +340,6 @@ pub(super) fn meshes_to(
         return Ok(None);
     };
     let mut high = own;
-    let nearer =
-        |lost: &Mating, at| try_bisect(nearest, at, MESH_WIDTH, |at| pair.is_in_mesh(at, lost));
     // Places of a pitch to examine: all of them once, then the place of the pose that was found.
     let mut places = POSES_A_PITCH;
     for _ in 0..MESH_STEPS {
@@ -350,18 +348,14 @@ pub(super) fn meshes_to(
         let mut next = Some(lost);
         while at > nearest && step > LEAST_STEP {
             if let Some(first) = next.take() {
-                lost = first;
-                [at, high] = nearer(&lost, at)?;
                 let poses = (places as u64 * pair.pitches).min(MOST_POSES_BESIDE);
-                for pose in 1..poses {
-                    if at <= nearest {
-                        break;
-                    }
+                for pose in 0..poses {
                     let other = (pair.onward)(&first, pose as f64 / places);
                     // A pose that is in mesh is so at lesser distances, too.
-                    if !pair.is_in_mesh(at, &other)? {
+                    if at > nearest && !pair.is_in_mesh(at, &other)? {
                         lost = other;
-                        [at, high] = nearer(&lost, at)?;
+                        let in_mesh = |at| pair.is_in_mesh(at, &lost);
+                        [at, high] = try_bisect(nearest, at, MESH_WIDTH, in_mesh)?;
                     }
                 }
                 places = 1.0;

@@ -117,7 +117,7 @@ impl Files {
         self.each.keys().map(String::as_str)
     }
 
-    /// The files that [`Files::bytes`] was asked for, without their folders, in small letters.
+    /// The files that [`Files::bytes`] was asked for, without their folders.
     pub fn asked(&self) -> Vec<String> {
         self.asked.borrow().clone()
     }
@@ -127,7 +127,7 @@ impl Files {
     pub fn bytes(&self, path: &Path) -> Result<Vec<u8>, Problem> {
         let name = plain_name(path);
         let last = name.rsplit('/').next().unwrap_or(&name);
-        self.asked.borrow_mut().push(last.to_lowercase());
+        self.asked.borrow_mut().push(last.to_owned());
         let is_last = |own: &&String| own.eq_ignore_ascii_case(last);
         let alike = || self.each.get(self.each.keys().find(is_last)?);
         let found = self.each.get(&name).or_else(|| self.each.get(last));

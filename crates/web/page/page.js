@@ -74,6 +74,7 @@
   // The files that the pair file names, as the program reads it. Before its first answer all may be named.
   let named = new Set();
   const isNamed = (name, among = named) => among.has(name.toLowerCase());
+  const small = (each) => new Set([...each].map((name) => name.toLowerCase()));
   const text = byId("text");
   const isText = (name) => /\.(toml|json)$/i.test(name);
   const isDrawing = (name) => /\.(dxf|svg)$/i.test(name);
@@ -94,7 +95,7 @@
 
   function edit(name) {
     main = name;
-    named = new Set([...files.keys()].map((name) => name.toLowerCase()));
+    named = small(files.keys());
     text.value = decoded(files.get(name));
     // As the editor has it: with its own ends of lines.
     saved = text.value;
@@ -133,7 +134,7 @@
   }
 
   // With problems, it may name the files of its last answer too.
-  const note = ({ problems, files }) => { named = new Set([...(problems ? named : []), ...files]); };
+  const note = ({ problems, files }) => { named = small([...(problems ? named : []), ...files]); };
   async function noteNames() {
     files.set(main, new TextEncoder().encode(text.value));
     await send("live");
@@ -174,12 +175,12 @@
     run += 1;
     byId("found").classList.add("old");
     await noteNames();
-    const namedBy = new Map();
+    const namedBy = {};
     for (const [name, bytes] of added) await ask("live", "add", name, bytes);
-    for (const name of texts) namedBy.set(name, new Set((await answer("live", "open", name)).files));
-    const isOfOther = (name) => texts.some((other) => other !== name && isNamed(name, namedBy.get(other)));
+    for (const name of texts) namedBy[name] = small((await answer("live", "open", name)).files);
+    const isOfOther = (name) => texts.some((other) => other !== name && isNamed(name, namedBy[other]));
     const pair = texts.find((name) => !isOfOther(name) && (name === main || !isNamed(name)));
-    if (pair) dismiss(namedBy.get(pair), names);
+    if (pair) dismiss(namedBy[pair], names);
     for (const [name, bytes] of added) files.set(name, bytes);
     listFiles();
     const drawings = names.filter(isDrawing);

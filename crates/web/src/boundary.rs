@@ -80,7 +80,7 @@ impl Gearlash {
     }
 
     /// Reads the pair file `main`: `{title, stem, notes, teeth, distances_mm, materials}`, or `{title, problems}`; and
-    /// the `files` that it names, without their folders, in small letters.
+    /// the `files` that it names, without their folders.
     pub fn open(&mut self, main: &str) -> String {
         self.page.open(main).to_string()
     }

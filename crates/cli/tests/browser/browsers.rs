@@ -210,6 +210,7 @@ pub struct Tab {
 
 impl Script for Tab {
     fn open_address(&mut self, address: &str) {
+        self.assert_silent();
         self.events.clear();
         self.call("Page.navigate", json!({ "url": address }));
         while self.events("Page.loadEventFired").is_empty() {
@@ -252,27 +253,29 @@ impl Tab {
     }
 
     /// The page has shown no error, said nothing, and asked for nothing elsewhere.
-    pub fn assert_silent(&self) {
+    fn assert_silent(&self) {
         let said = "Runtime.exceptionThrown Runtime.consoleAPICalled Log.entryAdded Page.javascriptDialogOpening";
         for event in said.split(' ') {
             assert_eq!(self.events(event), Vec::<&Value>::new());
         }
         for request in self.events("Network.requestWillBeSent") {
             let url = request["params"]["request"]["url"].as_str().unwrap();
-            let mut own = ["file:", "blob:", "data:"].into_iter();
+            let mut own = ["file:", "blob:", "data:", "http://127.0.0.1:"].into_iter();
             assert!(own.any(|own| url.starts_with(own)), "it asks for {url}");
         }
     }
 
-    /// Presses and releases a key, as named by `KeyboardEvent.key`.
+    /// Presses and releases a key, as named by `KeyboardEvent.key`; behind `Control+`, with the control key.
     pub fn key(&mut self, key: &str, shift: bool) {
-        let modifiers = if shift { 8 } else { 0 };
+        let with_control = key.strip_prefix("Control+");
+        let modifiers = with_control.map_or(0, |_| 2) + if shift { 8 } else { 0 };
+        let key = with_control.unwrap_or(key);
         let arrows = ["ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown"];
         let code = arrows.iter().position(|arrow| *arrow == key);
         let code = code.map_or(0, |arrow| 37 + arrow);
         let mut event = json!({ "key": key, "code": key, "modifiers": modifiers, "windowsVirtualKeyCode": code });
-        if key.chars().count() == 1 {
-            event["text"] = json!(key);
+        if key.chars().count() == 1 || key == "Enter" {
+            event["text"] = json!(key.replace("Enter", "\r"));
         }
         for kind in ["keyDown", "keyUp"] {
             event["type"] = json!(kind);
@@ -307,6 +310,15 @@ impl Tab {
     pub fn click(&mut self, selector: &str) {
         let at = self.middle(selector);
         self.click_at(at);
+    }
+}
+
+/// Every tab was silent.
+impl Drop for Tab {
+    fn drop(&mut self) {
+        if !std::thread::panicking() {
+            self.assert_silent();
+        }
     }
 }
 

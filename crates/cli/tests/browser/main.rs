@@ -27,7 +27,6 @@ macro_rules! named {
 
 fn main() {
     let reports = named![
-        page::opens_from_disk_without_errors,
         page::says_the_same_without_script,
         page::the_first_chart_is_near_the_top_and_says_it_can_be_clicked,
         mesh::slider_and_arrow_keys_turn_the_gears,
@@ -53,7 +52,6 @@ fn main() {
     ];
     // Tests of the page that `crates/web/build` makes.
     let pages = named![
-        web::page_opens_from_a_server,
         web::page_runs_in_firefox,
         web::page_takes_workbooks_and_drawings,
         web::page_mesh_moves_with_the_distance,
@@ -67,10 +65,8 @@ fn main() {
         web::page_examples_have_the_verdict_of_the_program,
         web::page_problems_have_their_places,
         web::page_says_in_words_what_fails,
-        web::page_slider_gives_the_extremes_of_the_program,
-        web::page_fits_its_window,
+        web::page_tells_internal_faults,
         web::page_prints_its_result,
-        web::page_saved_has_its_pair,
     ];
     let mut arguments = Arguments::from_args();
     // One browser; its tabs would only wait for each other.

@@ -99,13 +99,6 @@ pub fn shown_text(tab: &mut Tab, name: &str) -> String {
     of(tab, name, "textContent")
 }
 
-pub fn opens_from_disk_without_errors(browser: &Chromium, site: &Site) {
-    let mut tab = open(browser, site);
-    tab.until("document.getElementById('viewer').classList.contains('viewer-js')");
-    tab.assert_silent();
-    tab.holds("!document.getElementById('viewer-controls').hidden");
-}
-
 /// The picture and the texts of the first pose come from Rust, the later ones from the script. Both must be equal. (The script
 /// draws only the visible part of dash-dotted lines.)
 pub fn says_the_same_without_script(browser: &Chromium, site: &Site) {

@@ -1,7 +1,7 @@
-// Answers of the page's program under node, as one line of JSON for each case. Input: {folder of the page, cases: [[file name, path] …]}.
+// Answers of the page's program under node, as one line of JSON for each case. Input: {folder of the page, cases: [[file name, path] …], slow: those with a report}.
 const fs = require("fs");
 const vm = require("vm");
-const { page, cases } = JSON.parse(fs.readFileSync(0, "utf8"));
+const { page, cases, slow } = JSON.parse(fs.readFileSync(0, "utf8"));
 // The glue declares its name for a page; a script run by name keeps it.
 const glue = fs.readFileSync(`${page}/gearlash.js`, "utf8");
 const program = vm.runInThisContext(`${glue}; wasm_bindgen`);
@@ -15,15 +15,22 @@ const wrapped = (object) => new Proxy(object, {
 });
 const Gearlash = wrapped(program.Gearlash);
 let steps = 0;
-let heard = 0;
+// The longest time of the processor between two steps of a long answer, ms.
 let silence = 0;
-let said = "";
 let where = "";
-let main_file = "";
+let heard = [];
 const listen = (stage) => {
-  const now = performance.now();
-  if (heard > 0 && now - heard > silence) [silence, where] = [now - heard, `${main_file}: ${said} to ${stage}`];
-  [heard, said] = [now, stage];
+  const now = process.cpuUsage().user / 1e3;
+  if (now - heard[0] > silence) [silence, where] = [now - heard[0], `${heard.slice(1)} to ${stage}`];
+  heard = [now, main, stage];
+};
+let main = "";
+const long = (name, act) => {
+  heard = [];
+  listen(name);
+  const answer = act();
+  listen("end");
+  return answer;
 };
 Gearlash.on_progress((done, of, stage) => { steps += 1; listen(stage); });
 Gearlash.version();
@@ -42,35 +49,32 @@ for (const files of cases) {
   one.add("gone.toml", new Uint8Array());
   one.clear();
   for (const [name, path] of files) one.add(name, fs.readFileSync(path));
-  const main = files[0][0];
-  main_file = main;
+  main = files[0][0];
   const answers = [one.open(main)];
   const opened = JSON.parse(answers[0]);
   if (opened.stem !== undefined) {
-    heard = performance.now();
-    const result = timed(() => one.result());
-    listen("result");
-    heard = 0;
+    const result = long("result", () => timed(() => one.result()));
     const at = JSON.parse(result).start ?? { wheel: 1, pinion: 1, left: false, fraction: 0 };
     const a = opened.distances_mm[0];
-    one.with_distance(main, "", a);
-    one.too_large(main, 2 ** 20 + 1);
-    one.said("tables", main);
     const place = [a, 0, at.wheel, at.pinion, at.left, at.fraction];
-    answers.push(result, one.mark_of_jam(), timed(() => one.live_band(a, false)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
+    const text = fs.readFileSync(files[0][1], "utf8");
+    answers.push(one.with_distance(main, text, a + 0.01), one.too_large(main, 2 ** 20 + 1), one.said("tables", main));
+    answers.push(result, long("jam", () => one.mark_of_jam()), timed(() => one.live_band(a, false)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
     // As the slider moves it, after the first.
-    timed(() => [one.live_band(a + 0.01, false), one.pose("live", a + 0.01, ...place.slice(1))]);
+    answers.push(...timed(() => [one.live_band(a + 0.01, false), one.pose("live", a + 0.01, ...place.slice(1))]), one.live_band(a + 0.01, true));
   } else {
-    answers.push(one.understand(main), one.of_drawings(main, files.at(-1)[0], ""));
+    answers.push(one.understand(main), long("drawings", () => one.of_drawings(main, files.at(-1)[0], "")));
   }
   answers.push(JSON.stringify(one.zip().length));
   process.stdout.write(`[${answers.join(",")}]\n`);
 }
-const last = wrapped(new program.Gearlash());
-const [name, path] = cases[0][0];
-last.add(name, fs.readFileSync(path));
-last.open(name);
-process.stdout.write(`[${last.report("2026-01-01")},${last.mark_of_mesh()}]\n`);
+for (const files of slow) {
+  const one = wrapped(new program.Gearlash());
+  for (const [name, path] of files) one.add(name, fs.readFileSync(path));
+  main = files[0][0];
+  one.open(main);
+  process.stdout.write(`[${long("report", () => one.report("2026-01-01"))},${long("mesh", () => one.mark_of_mesh())}]\n`);
+}
 const all = [Object.getOwnPropertyNames(program.Gearlash.prototype), Object.getOwnPropertyNames(program.Gearlash)].flat();
 const own = all.filter((key) => !key.startsWith("__") && !["constructor", "free", "length", "name", "prototype"].includes(key));
 process.stdout.write(`${JSON.stringify({ uncalled: own.filter((key) => !called.has(key)), steps, silence, where, times })}\n`);

@@ -2,14 +2,21 @@
 
 use super::contact_count::ContactCount;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
+use crate::analysis::cycles::hunting_pitches;
 use crate::analysis::study::Material;
-use crate::contact::{Contact, ContactClass, ContactKind, FacePlace, ToothPlace, Unproven};
+use crate::contact::{
+    Contact, ContactClass, ContactKind, ExactKernel, FacePlace, ToothPlace, Unproven,
+};
 use crate::gear::Side;
-use crate::pair::{GearPair, Mating, Member};
+use crate::pair::{GearPair, Mating, Member, Pose};
+use crate::parallel;
 use std::collections::HashSet;
 
 /// Contacts whose radii differ by less than this, mm, count as at one radius. Platforms round differently; so all of them name the first.
 const EQUAL_RADIUS: f64 = 1e-9;
+
+/// Poses over the cycle for the share of each end of the face (tuned: a percent).
+const CYCLE_POSES: u32 = 128;
 
 /// The evidence of poses of one centre distance and material.
 #[derive(Debug, Clone, PartialEq)]
@@ -90,11 +97,7 @@ impl PoseEvidence {
         let Some(found) = result.proven() else {
             return;
         };
-        for (counts, at) in self.places.iter_mut().zip(places(&self.assembly, pose)) {
-            if let Some(at) = at {
-                counts[at as usize] += 1;
-            }
-        }
+        self.count(places(&self.assembly, pose));
         for (touched, member) in self.touched.iter_mut().zip(Member::BOTH) {
             let mut is_below = false;
             for side in Side::BOTH {
@@ -119,6 +122,31 @@ impl PoseEvidence {
             }
         }
         self
+    }
+
+    /// Counts the places along the face at [`CYCLE_POSES`] poses over the whole cycle from `first` on, in place of those of its poses.
+    pub(super) fn with_places_from(mut self, first: &Mating) -> PoseEvidence {
+        let pair = &self.assembly;
+        let kernel = ExactKernel::new(pair);
+        // Whole pitches and the golden section: every part of the cycle, and every phase of a pitch.
+        let step = (hunting_pitches(pair) / u64::from(CYCLE_POSES)) as f64 + 0.618;
+        let of_pose = |number: u32| {
+            let pose = Pose::new(pair, first.onward(pair, step * f64::from(number)));
+            let found = kernel.lost_motion(&pose).ok();
+            Side::BOTH.map(|side| FacePlace::of(pair, &pose, &found.as_ref()?.on(side)?))
+        };
+        let of_poses = parallel::map(0..CYCLE_POSES, of_pose);
+        self.places = Default::default();
+        of_poses.into_iter().for_each(|places| self.count(places));
+        self
+    }
+
+    fn count(&mut self, places: [Option<FacePlace>; 2]) {
+        for (counts, at) in self.places.iter_mut().zip(places) {
+            if let Some(at) = at {
+                counts[at as usize] += 1;
+            }
+        }
     }
 
     /// The sum of several; `None` for none.

@@ -151,7 +151,14 @@ fn groups(
         let Some(group) = PoseEvidence::sum(runs) else {
             continue;
         };
-        let group = group.with_least_of(&cycle.runs);
+        let mut group = group.with_least_of(&cycle.runs);
+        if !may_skip && !study.sweeps() && group.assembly.deviates_along_face() {
+            let key = group.group_key();
+            let matings = starts.matings(|run| run.group_key() == key)?;
+            if let Some(first) = matings.first() {
+                group = group.with_places_from(first);
+            }
+        }
         let (assembly, (distance, material)) = (&group.assembly, group.group_key());
         let is_proven = starts.doubt(material).is_none();
         let zero = match assembles(&group, cycle).filter(|_| may_skip && is_proven) {

@@ -92,11 +92,14 @@ impl MeshSection {
         MeshSection::new(assembly, &pose.pose, found, at).map(Some)
     }
 
-    /// Place over the face of `assembly` where the flank of `pose` touches, mm; without contact the place nearest to the measuring plane.
+    /// Place over the face of `assembly` where the flank of `pose` touches, mm; without contact the place nearest to the measuring plane. Teeth
+    /// that lean can touch a little beyond the common face: then its end.
     pub fn of_contact(assembly: &GearPair, pose: &Pose, over_face: Option<&LostMotion>) -> f64 {
         let contact = over_face.and_then(|found| found.on(pose.mating().flank));
         let [from, to] = assembly.face();
-        contact.map_or(0f64.clamp(from, to), |contact| contact.section)
+        contact
+            .map_or(0.0, |contact| contact.section)
+            .clamp(from, to)
     }
 
     /// Its place along the axis from the measuring plane, mm, away from the viewer.

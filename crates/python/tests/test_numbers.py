@@ -45,8 +45,7 @@ def test_a_nominal_pair_has_the_backlash_of_the_closed_form() -> None:
     # Nothing touches between both, more open than either contact.
     assert right["open_rad"] < right["until_rad"] and left["until_rad"] < left["open_rad"]
     poses = pair.revolution(steps_per_pitch=4)
-    assert len(poses) == 44 * 4
-    assert np.abs(poses.j_wt_um - expected).max() < 1e-6
+    assert len(poses) == 44 * 4 and np.abs(poses.j_wt_um - expected).max() < 1e-6
     least = pair.extremes().least
     assert least is not None and least.proven
     assert least.j_wt_um[0] - 1e-6 <= expected <= least.j_wt_um[1] + 1e-6
@@ -203,5 +202,4 @@ def test_flanks_start_and_hunting_cycle() -> None:
     pair = gearlash.Pair(perfect(9, 2.0), perfect(6, 2.0, "back"), 15.4)
     whole = pair.revolution(steps_per_pitch=2, hunting=True, start=(3, 5))
     assert len(whole) == 2 * 18 and (whole.wheel_tooth[0], whole.pinion_tooth[0]) == (3, 5)
-    left = pair.revolution(steps_per_pitch=2, flank="left")
-    assert (left.flank == gearlash.Flank.LEFT).all()
+    assert (pair.revolution(steps_per_pitch=2, flank="left").flank == gearlash.Flank.LEFT).all()

@@ -131,8 +131,7 @@ def test_verdict_extremes_and_checks_are_those_of_check(fixtures) -> None:
     pair = gearlash.read(path)
     checked = pair.check()
     assert checked.record == {**result, "file": path.stem}
-    assert checked.verdict == result["verdict"]["text"] and checked.passed == result["passed"]
-    assert repr(checked) == f"Checked({checked.verdict})"
+    assert checked.verdict == result["verdict"]["text"] and checked.passed == result["passed"] and repr(checked) == f"Checked({checked.verdict})"
     assert [run.record for run in pair.extremes().runs] == result["extremes"]
     assert {check.id for check in checked.checks} == {check["id"] for check in result["checks"]}
 
@@ -140,10 +139,9 @@ def test_verdict_extremes_and_checks_are_those_of_check(fixtures) -> None:
 def test_a_jammed_and_an_unmeshed_pair_are_results() -> None:
     wheel, pinion = perfect(20, 2.0), perfect(20, 2.0, "back")
     jammed = gearlash.Pair(wheel, pinion, 38.0)
-    assert jammed.lost_motion(1, 1).status is gearlash.Status.JAMMED
-    assert jammed.lost_motion(1, 1).j_wt_um is None
+    pose = jammed.lost_motion(1, 1)
+    assert pose.status is gearlash.Status.JAMMED and pose.j_wt_um is None and jammed.extremes().least is None
     assert np.isnan(jammed.lost_motions(1, [1, 2]).j_wt_um).all()
-    assert jammed.extremes().least is None
     apart = gearlash.Pair(wheel, pinion, 45.0)
     assert apart.lost_motions([1], [1]).status.tolist() == [gearlash.Status.NO_CONTACT]
     assert apart.extremes().greatest is None
@@ -155,8 +153,7 @@ def test_the_gauge_is_that_of_the_command(fixtures) -> None:
     found = gearlash.Gear.read(path, "pinion").gauge()
     assert found.record == result["gears"][0]
     spans = found.record["spans"]
-    assert found.span_teeth == spans["teeth"]
-    assert found.spans_mm.tolist() == [reading["mm"] for reading in spans["readings"]]
+    assert found.spans_mm.tolist() == [reading["mm"] for reading in spans["readings"]] and found.span_teeth == spans["teeth"]
 
 
 def test_deviations_may_be_arrays() -> None:

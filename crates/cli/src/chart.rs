@@ -5,14 +5,14 @@ use crate::cycle::{self, Wanted};
 use crate::distances::{self, Distances};
 use crate::error::{Error, exit_code};
 use crate::input;
-use crate::maps::{self, DrawnMap};
+use crate::maps;
 use crate::options::{self, GearName, MaterialName, MethodArgs, UnitArgs};
-use crate::options::{agreed, agreement_of, all_proven, material, teeth};
+use crate::options::{agreed, agreement_of, all_proven, material, name_of, teeth};
 use crate::output::Target;
 use crate::progress::{Progress, run_under_bar};
 use clap::ValueEnum;
 use gearlash::analysis::compare::ComparedRun;
-use gearlash::analysis::curves::{self, Course, Followed};
+use gearlash::analysis::curves::{self, Followed};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::study::Study;
 use gearlash::analysis::{Analysis, Plan};
@@ -24,6 +24,7 @@ use gearlash_input::PairFile;
 use gearlash_render::chart::{self, Heading};
 use gearlash_results::gauge::stated_leads;
 use gearlash_results::verdict::extremes_in_short;
+use gearlash_text::characters::listed;
 use std::path::PathBuf;
 
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
@@ -97,13 +98,8 @@ fn check_options(args: &Args) -> Result<(), Error> {
         if !is_given || kinds.contains(&args.kind) {
             return Ok(());
         }
-        let names = kinds.iter().filter_map(ValueEnum::to_possible_value);
-        let names: Vec<String> = names.map(|kind| kind.get_name().to_owned()).collect();
-        let last = names.last().cloned().unwrap_or_default();
-        let kinds = match &names[..names.len() - 1] {
-            [] => last,
-            others => format!("{} or {last}", others.join(", ")),
-        };
+        let kinds: Vec<String> = kinds.iter().map(name_of).collect();
+        let kinds = listed(&kinds, "or");
         Err(Error::Usage(format!(
             "{option} belongs to --kind {kinds}; leave it out"
         )))
@@ -121,15 +117,12 @@ fn check_options(args: &Args) -> Result<(), Error> {
     belongs(args.unit.given(), "--unit", &with_unit)
 }
 
-/// The file of a map.
-const MAP: &str = "chart_map.svg";
-
 /// A chart and the name of its file.
 struct DrawnChart {
-    pub svg: String,
-    pub file: String,
+    svg: String,
+    file: String,
     /// Whether every pose is proven, and both methods agree where both are requested.
-    pub agrees: bool,
+    agrees: bool,
 }
 
 impl DrawnChart {
@@ -141,9 +134,17 @@ impl DrawnChart {
             let wanted = material(end, &study)?;
             study.keep(wanted);
         }
-        let distance = distance(args, &study.center_distances)?;
+        let stated = &study.center_distances;
+        let requested = requested_distance(args)?;
+        if requested.is_none() && stated.len() > 1 {
+            print_note_line(&format!(
+                "note: at the least of {} centre distances; choose with --center-distance",
+                stated.len()
+            ));
+        }
+        let distance = requested.or(stated.first().copied());
         let refused = |reason| Error::Usage(format!("--center-distance: {reason}"));
-        let study = study.at(distance).map_err(refused)?;
+        let study = study.at(Vec::from_iter(distance)).map_err(refused)?;
         let plan = Plan::new(&study, args.method.of(&study)?);
         let plan = plan.with_revolution().with_extremes();
         input::allow(&args.pair, plan.poses(), &input::HELD)?;
@@ -158,8 +159,9 @@ impl DrawnChart {
             ));
         }
         let course = &course.clone().with_cycle(&analysis.extremes.each);
-        let cycle = in_unit(print_verdict(&analysis), unit);
+        let cycle = print_verdict(&analysis, unit);
         let heading = Heading::alone(&study.title, &cycle);
+        let end = args.material.map(|end| format!("_{}", name_of(&end)));
         let (name, chart) = match args.kind {
             Kind::Difference => {
                 let chart = chart::difference(&heading, course, study.tolerance_um);
@@ -169,7 +171,12 @@ impl DrawnChart {
         };
         Ok(DrawnChart {
             svg: chart?.svg,
-            file: file(name, args, course, unit),
+            file: format!(
+                "chart_{name}_a{}{}{}.svg",
+                course.center_distance,
+                end.unwrap_or_default(),
+                suffix(unit)
+            ),
             agrees: agreed(&analysis),
         })
     }
@@ -184,8 +191,17 @@ impl DrawnChart {
         let all: Vec<&ComparedRun> = whole.iter().flat_map(Analysis::all).collect();
         let followed = match args.mating {
             Some((wheel, pinion)) => Followed::Teeth(wheel, pinion),
-            None => binding(study, &all),
+            None => curves::binding(study, all.iter().copied()),
         };
+        let (wheel, pinion) = match followed {
+            Followed::Teeth(wheel, pinion) => (wheel, pinion),
+            Followed::Pose(mating) => (mating.wheel_tooth, mating.pinion_tooth),
+        };
+        if args.mating.is_none() {
+            print_note_line(&format!(
+                "note: mating {wheel},{pinion}, in which the backlash is least (the teeth of the verdict are those in contact); choose with --mating"
+            ));
+        }
         let poses = curves::over_distance_pose_count(study);
         input::allow(&args.pair, poses, &input::HELD)?;
         let progress = Progress::of(poses, "poses");
@@ -199,10 +215,9 @@ impl DrawnChart {
             (error, _) => error.into(),
         })?;
         drop(progress);
-        let (wheel, pinion) = teeth_of(followed);
         let unproven = curve.unproven + whole.as_ref().map_or(0, Analysis::unproven);
-        let cycle = whole.as_ref().map(print_verdict).unwrap_or_default();
-        let cycle = in_unit(cycle, unit);
+        let cycle = whole.as_ref().map(|whole| print_verdict(whole, unit));
+        let cycle = cycle.unwrap_or_default();
         let heading = Heading::alone(&study.title, &cycle);
         Ok(DrawnChart {
             svg: chart::distance(unit, &heading, &curve, &by_distance(&all, &[]))?.svg,
@@ -239,9 +254,15 @@ impl DrawnChart {
             .with_checks();
         let analysis = run_under_bar(&plan)?;
         print_verdict_lines(&analysis.verdict());
+        let maps = maps::of(&analysis)?;
+        if maps.len() > 1 {
+            print_note_line("note: with the most material; `gearlash check --map` draws both");
+        }
+        let first = maps.into_iter().next();
+        let none = || Error::usage("no pose with a backlash was found to map from");
         Ok(DrawnChart {
-            svg: first_map(maps::of(&analysis)?)?,
-            file: MAP.to_owned(),
+            svg: first.ok_or_else(none)?.svg,
+            file: "chart_map.svg".to_owned(),
             agrees: agreed(&analysis),
         })
     }
@@ -272,20 +293,6 @@ impl DrawnChart {
     }
 }
 
-/// The centre distance of a chart: the requested one, else the first of `stated`, if there is one.
-fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
-    if let Some(given) = requested_distance(args)? {
-        return Ok(vec![given]);
-    }
-    if stated.len() > 1 && args.kind != Kind::Map {
-        print_note_line(&format!(
-            "note: at the least of {} centre distances; choose with --center-distance",
-            stated.len()
-        ));
-    }
-    Ok(stated.iter().take(1).copied().collect())
-}
-
 /// The requested centre distance.
 fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
     match args.center_distance.as_ref().map(|given| &given.0[..]) {
@@ -297,39 +304,14 @@ fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
     }
 }
 
-/// The map of the most material.
-fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
-    if maps.len() > 1 {
-        print_note_line("note: with the most material; `gearlash check --map` draws both");
-    }
-    let first = maps.into_iter().next();
-    let none = || Error::usage("no pose with a backlash was found to map from");
-    first.map(|map| map.svg).ok_or_else(none)
-}
-
-/// Words on the cycle's extremes. They are in µm, so a picture of angles has none.
-fn in_unit(cycle: String, unit: BacklashUnit) -> String {
-    match unit {
-        BacklashUnit::Um => cycle,
-        BacklashUnit::Arcmin { .. } => String::new(),
-    }
-}
-
-/// Prints the verdict on standard error; returns it in short for the picture.
-fn print_verdict(analysis: &Analysis) -> String {
+/// Prints the verdict on standard error; returns it in short for a picture. It is in µm, so a picture of angles has none.
+fn print_verdict(analysis: &Analysis, unit: BacklashUnit) -> String {
     let verdict = analysis.verdict();
     print_verdict_lines(&verdict);
-    extremes_in_short(&verdict)
-}
-
-fn file(name: &str, args: &Args, course: &Course, unit: BacklashUnit) -> String {
-    let end = match args.material {
-        Some(MaterialName::Most) => "_most",
-        Some(MaterialName::Least) => "_least",
-        None => "",
-    };
-    let unit = suffix(unit);
-    format!("chart_{name}_a{}{end}{unit}.svg", course.center_distance)
+    match unit {
+        BacklashUnit::Um => extremes_in_short(&verdict),
+        BacklashUnit::Arcmin { .. } => String::new(),
+    }
 }
 
 /// Suffix of the file name of a chart in `unit`; empty for µm.
@@ -347,21 +329,4 @@ fn whole_analysis<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Err
     let plan = Plan::new(study, method).with_revolution().with_extremes();
     input::allow(&args.pair, plan.poses(), &input::HELD)?;
     run_under_bar(&plan)
-}
-
-/// The binding pose of all runs.
-fn binding(study: &Study, runs: &[&ComparedRun]) -> Followed {
-    let binding = curves::binding(study, runs.iter().copied());
-    let (wheel, pinion) = teeth_of(binding);
-    print_note_line(&format!(
-        "note: mating {wheel},{pinion}, in which the backlash is least (the teeth of the verdict are those in contact); choose with --mating"
-    ));
-    binding
-}
-
-fn teeth_of(followed: Followed) -> (u32, u32) {
-    match followed {
-        Followed::Teeth(wheel, pinion) => (wheel, pinion),
-        Followed::Pose(mating) => (mating.wheel_tooth, mating.pinion_tooth),
-    }
 }

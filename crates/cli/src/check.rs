@@ -20,8 +20,6 @@ use std::path::{Path, PathBuf};
 
 const OPTION: &str = "--center-distance";
 
-const NOT_FOUND: &str = "two drawings need their centre distance, as none is found at which they mesh without play: add --center-distance A";
-
 /// Check a pair: clearances, interference, backlash and limits, by formula and on the outlines
 ///
 /// Each check has its value by formula, its value on the outlines over the poses of the pair file, its
@@ -80,7 +78,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let mut map = None;
     let judge = |path: &Path, file: &PairFile| pair(args, path, file, &mut map);
     let (outcome, summary) = judged::outcome("check", files, args.format, judge)?;
-    let code = print_outcome(&outcome, args.format, &args.screen, &summary)?;
+    let code = print_outcome(&outcome, args.format, &args.screen, summary.as_deref())?;
     if let Some(written) = map.filter(|_| args.format == JudgedFormat::Text) {
         print_note(&format!("\n{written}\n"))?;
     }
@@ -97,12 +95,12 @@ fn pair(
     let study = &file.study;
     let method = args.method.of(study)?;
     input::allow(path, study.pose_count(), &input::HELD)?;
-    let folder = args.map.then(|| {
-        let named = args.output.clone();
-        named.unwrap_or_else(|| own_folder(&file.stem))
-    });
-    let prepare = |path: PathBuf| OutputFolder::prepare(&path, &file.sources, maps::is_own);
-    let folder = folder.map(prepare).transpose()?;
+    let mut folder = None;
+    if args.map {
+        let own = || own_folder(&file.stem);
+        let path = args.output.clone().unwrap_or_else(own);
+        folder = Some(OutputFolder::prepare(&path, &file.sources, maps::is_own)?);
+    }
     let plan = Plan::new(study, method)
         .with_remedies(file.spec.stated_gears())
         .with_checks();
@@ -112,14 +110,14 @@ fn pair(
         let files: Vec<_> = maps.flat_map(DrawnMap::files).collect();
         *map = Some(folder.write(&files)?);
     }
-    let name = path.display().to_string();
-    let verdict = analysis.verdict();
-    let is_proven = agreed(&analysis);
-    let screen = args.screen.screen();
-    let remedies = RemedyRecords::new(file, &analysis.remedies);
-    let diagnosis = &analysis.diagnosis;
     Ok(checked(
-        &name, file, diagnosis, &verdict, &remedies, is_proven, &screen,
+        &path.display().to_string(),
+        file,
+        &analysis.diagnosis,
+        &analysis.verdict(),
+        &RemedyRecords::new(file, &analysis.remedies),
+        agreed(&analysis),
+        &args.screen.screen(),
     ))
 }
 
@@ -139,11 +137,11 @@ fn drawings(args: &Args) -> Result<Option<PairFile>, Error> {
     let Some(scan) = scan.filter(|Distances(scan)| scan.len() > 1) else {
         return Ok(Some(pair));
     };
-    let moved = pair.at(scan.0.clone()).map_err(|reason| {
+    let refused = |reason| {
         let reason = distance_refused(&reason);
         Error::Usage(format!("{OPTION} {scan}: {reason}"))
-    });
-    moved.map(Some)
+    };
+    pair.at(scan.0.clone()).map(Some).map_err(refused)
 }
 
 /// Two drawings on the command line, apart if no distance is given; `None` for pair files.
@@ -180,7 +178,7 @@ fn moved(path: &Path, distances: Option<&Distances>) -> Result<PairFile, InputEr
     let Some(distances) = distances else {
         return Ok(pair);
     };
-    let moved = pair.at(distances.0.clone()).map_err(|reason| {
+    let mut moved = pair.at(distances.0.clone()).map_err(|reason| {
         let problem = Problem {
             key: OPTION.to_owned(),
             value: Some(distances.to_string()),
@@ -188,36 +186,35 @@ fn moved(path: &Path, distances: Option<&Distances>) -> Result<PairFile, InputEr
             help: "or leave it out".to_owned(),
         };
         InputError::of(display_path(path), vec![problem])
-    });
-    let words = format!(
+    })?;
+    moved.warnings.push(format!(
         "assembly.center_distance_mm: {distances} mm of {OPTION} replaces every distance of the file"
-    );
-    moved.map(|mut pair| {
-        pair.warnings.push(words);
-        pair
-    })
+    ));
+    Ok(moved)
 }
 
 /// The least centre distance, mm, at which the gears of two drawings assemble, and a warning that names it. `drawings`
 /// are apart. The search begins where a tip touches a root.
 fn without_play(args: &Args, drawings: Drawings) -> Result<(f64, String), Error> {
-    let not_found = || Error::usage(NOT_FOUND);
+    let not_found = || {
+        Error::usage(
+            "two drawings need their centre distance, as none is found at which they mesh without play: add --center-distance A",
+        )
+    };
     let apart = gearlash_input::read_drawings(&drawings)?;
     let nearest = tips_on_roots(&apart.study)?.ok_or_else(not_found)?;
     let tight = apart.at(vec![nearest])?;
     let plan = Plan::new(&tight.study, args.method.of(&tight.study)?).with_extremes();
     let analysis = run_under_bar(&plan)?;
     let found = WithoutPlay::of(&analysis.verdict(), nearest).ok_or_else(not_found)?;
-    let distance = found.distance;
     let mesh = if found.flanks_bind {
         "the gears mesh without play"
     } else {
         "a tip touches a root and no flank binds"
     };
-    Ok((
-        distance,
-        format!(
-            "no centre distance is given: at {distance:.3} mm, taken here, {mesh}; --center-distance states another"
-        ),
-    ))
+    let taken = format!(
+        "no centre distance is given: at {:.3} mm, taken here, {mesh}; --center-distance states another",
+        found.distance
+    );
+    Ok((found.distance, taken))
 }

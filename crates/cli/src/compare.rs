@@ -128,7 +128,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let judge = |path: &Path, file: &PairFile| compared(args, path, file, unproven, &progress);
     let (outcome, summary) = judged::outcome("compare", files, format, judge)?;
     drop(progress);
-    print_outcome(&outcome, format, &args.screen, &summary)
+    print_outcome(&outcome, format, &args.screen, summary.as_deref())
 }
 
 /// Compares one pair; keeps at most `unproven` of its unproven poses.

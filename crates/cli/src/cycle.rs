@@ -3,6 +3,7 @@
 
 use crate::console::print_verdict_lines;
 use crate::error::Error;
+use crate::options::name_of;
 use crate::progress::Progress;
 use clap::ValueEnum;
 use gearlash::analysis::compare::ComparedPose;
@@ -17,19 +18,6 @@ use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Mating;
 use gearlash_input::distance_refused;
-
-/// The certified extremes of `study`, and the checks that fail at its poses, under a progress bar.
-fn extremes_and_failed_checks(study: &Study) -> Result<(CycleExtremes, Vec<CheckName>), Error> {
-    let progress = Progress::of(run_count(study)? + study.pose_count(), "steps");
-    let method = Method::Exact { certify: true };
-    let cycle = progress.searching(|| extremes(study, method, &|steps| progress.tick(steps)))?;
-    let exact = Method::Exact { certify: false };
-    let tick = |steps| progress.tick(steps);
-    let none = &mut |_: Piece| Ok::<(), Error>(());
-    let runs = simulate_by_blocks(study, exact, study.tolerance_um, 0, &tick, none)?;
-    let failed = failed_checks(study, &runs, &cycle)?;
-    Ok((cycle, failed))
-}
 
 /// The checks that fail at the poses of `runs`.
 pub(super) fn failed_checks(
@@ -111,7 +99,15 @@ pub(super) fn find(
     material: Option<Material>,
 ) -> Result<Found, Error> {
     let study = narrowed(option, study, distance, material)?;
-    let (found, failed) = extremes_and_failed_checks(&study)?;
+    let progress = Progress::of(run_count(&study)? + study.pose_count(), "steps");
+    let tick = |steps| progress.tick(steps);
+    let certified = Method::Exact { certify: true };
+    let found = progress.searching(|| extremes(&study, certified, &tick))?;
+    let exact = Method::Exact { certify: false };
+    let none = &mut |_: Piece| Ok::<(), Error>(());
+    let runs = simulate_by_blocks(&study, exact, study.tolerance_um, 0, &tick, none)?;
+    let failed = failed_checks(&study, &runs, &found)?;
+    drop(progress);
     let verdict = Verdict::of_study(&study, &found.each, failed);
     print_verdict_lines(&verdict);
     let chosen = match wanted {
@@ -169,24 +165,17 @@ fn least_of(
         add(run.run.material, &run.run.assembly, &run.poses);
     }
     let progress = Progress::of(study.pose_count(), "poses");
-    let (exact, tolerance) = (Method::Exact { certify: false }, study.tolerance_um);
+    let tick = |steps| progress.tick(steps);
+    let exact = Method::Exact { certify: false };
     let take = &mut |piece: Piece| {
         if let Piece::Poses(of, poses) = piece {
             add(of.material, &of.assembly, poses);
         }
         Ok::<(), Error>(())
     };
-    simulate_by_blocks(
-        study,
-        exact,
-        tolerance,
-        0,
-        &|steps| progress.tick(steps),
-        take,
-    )?;
+    simulate_by_blocks(study, exact, study.tolerance_um, 0, &tick, take)?;
     let Some((_, material, assembly, mating)) = least else {
-        let names = seen.iter().filter_map(ValueEnum::to_possible_value);
-        let names: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();
+        let names: Vec<String> = seen.iter().map(name_of).collect();
         let kinds = match &names[..] {
             [] if study.drawn.is_empty() => "involutes alone touch, if anything does".to_owned(),
             [] => "kinds are known of gears by data alone".to_owned(),

@@ -11,10 +11,9 @@ const VARIABLE: &str = "SOURCE_DATE_EPOCH";
 /// # Errors
 /// [`Error::Usage`] where the variable is set and not empty, and is no number of seconds within the calendar.
 pub(super) fn today() -> Result<String, Error> {
-    match std::env::var_os(VARIABLE) {
+    // Empty counts as unset: shells clear a variable so.
+    match std::env::var_os(VARIABLE).filter(|text| !text.is_empty()) {
         None => Ok(day(Timestamp::now())),
-        // Empty counts as unset: shells clear a variable so.
-        Some(text) if text.is_empty() => Ok(day(Timestamp::now())),
         Some(text) => of_epoch(&text.to_string_lossy()),
     }
 }

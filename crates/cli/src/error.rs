@@ -27,22 +27,15 @@ pub enum Error {
     /// A result that cannot be written.
     #[error("{}: cannot be written: {source}; choose another place with -o", path.display())]
     Output {
-        /// The file or folder.
         path: PathBuf,
-        /// The system's reason.
         source: std::io::Error,
     },
     /// A result that would overwrite a file that was read.
     #[error(
         "{}: this is the file {}, which was read and would be lost; name another place for the result",
-        output.display(), input.display()
+        .0.display(), .1.display()
     )]
-    OverInput {
-        /// The path of the result.
-        output: PathBuf,
-        /// The name under which the file was read.
-        input: PathBuf,
-    },
+    OverInput(PathBuf, PathBuf),
     /// A failed write to standard output.
     #[error("standard output: cannot be written: {0}")]
     Printing(std::io::Error),
@@ -67,10 +60,7 @@ impl Error {
 
     /// The error of a result at `output`, which would overwrite a file that was read as `input`.
     pub fn over_input(output: &Path, input: &Path) -> Error {
-        Error::OverInput {
-            output: output.to_path_buf(),
-            input: input.to_path_buf(),
-        }
+        Error::OverInput(output.to_path_buf(), input.to_path_buf())
     }
 
     /// The error of `what`, which the library cannot convert to text.

@@ -2,7 +2,7 @@
 
 use super::console::has_colours;
 use crate::error::Error;
-use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Element, Level, Origin, Renderer, Snippet};
 use gearlash_text::InputError;
 use gearlash_text::characters::{plain, quoted_source};
 use std::ops::Range;
@@ -21,10 +21,15 @@ pub(super) fn explain(error: &Error) -> String {
 }
 
 fn rendered(error: &Error, renderer: &Renderer) -> String {
+    let titled = |line: &str, place: Option<Element>| {
+        let title = Level::ERROR.primary_title(line);
+        renderer.render(&[title.elements(place)]) + "\n"
+    };
     match error {
         Error::Input(input) => {
             let problems = input.lines().into_iter().zip(input.spans());
-            let text = problems.map(|(line, span)| problem(input, &line, span, renderer));
+            let text =
+                problems.map(|(line, span)| titled(&line, span.map(|span| place(input, &span))));
             text.collect()
         }
         Error::Several(errors) => {
@@ -33,22 +38,13 @@ fn rendered(error: &Error, renderer: &Renderer) -> String {
         }
         other => {
             let lines = other.lines();
-            let text = lines.iter().map(|line| titled(line, None, renderer));
-            text.collect()
+            lines.iter().map(|line| titled(line, None)).collect()
         }
     }
 }
 
-/// One problem: its line, and the text at `span` of the file.
-fn problem(
-    input: &InputError,
-    line: &str,
-    span: Option<Range<usize>>,
-    renderer: &Renderer,
-) -> String {
-    let Some(span) = span else {
-        return titled(line, None, renderer);
-    };
+/// The text at `span` of the file, or where a long line has it.
+fn place(input: &InputError, span: &Range<usize>) -> Element<'static> {
     let text = &input.text;
     let start = text[..span.start].rfind('\n').map_or(0, |end| end + 1);
     let end = text[start..]
@@ -59,33 +55,14 @@ fn problem(
     let shown = quoted_source(&text[start..end]);
     if shown.len() > LONGEST_SHOWN {
         let column = 1 + text[start..span.start].chars().count();
-        let place = Origin::path(path).line(number).char_column(column);
-        return titled(line, Some(Place::Told(place)), renderer);
+        let place = Origin::path(path).line(number);
+        return place.char_column(column).into();
     }
     // A value of several lines is shown by its first.
     let marked = span.start - start..span.end.min(end) - start;
     let annotation = AnnotationKind::Primary.span(marked);
     let snippet = Snippet::source(shown).path(path).line_start(number);
-    titled(
-        line,
-        Some(Place::Shown(snippet.annotation(annotation))),
-        renderer,
-    )
-}
-
-enum Place<'a> {
-    Shown(Snippet<'a, annotate_snippets::Annotation<'a>>),
-    Told(Origin<'a>),
-}
-
-fn titled(line: &str, place: Option<Place>, renderer: &Renderer) -> String {
-    let title = Level::ERROR.primary_title(line);
-    let group = match place {
-        None => annotate_snippets::Group::with_title(title),
-        Some(Place::Shown(snippet)) => title.element(snippet),
-        Some(Place::Told(origin)) => title.element(origin),
-    };
-    renderer.render(&[group]) + "\n"
+    snippet.annotation(annotation).into()
 }
 
 #[cfg(test)]

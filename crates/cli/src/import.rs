@@ -3,7 +3,7 @@
 
 use crate::console::{check_streams_not_input, print};
 use crate::error::Error;
-use crate::options::ScreenArgs;
+use crate::options::{ScreenArgs, name_of};
 use crate::output::Target;
 use clap::ValueEnum;
 use gearlash_drawing::Unit;
@@ -87,32 +87,42 @@ enum Format {
     Json,
 }
 
-/// The keys beside `file` that options state.
-const KEYS: [&str; 7] = [
-    "sheet",
-    "header_row",
-    "tooth_column",
-    "left",
-    "right",
-    "column",
-    "decimal",
-];
-
 impl Args {
+    /// The keys beside `file`, with the values that options state.
+    fn keys(&self) -> [(&'static str, Option<String>); 7] {
+        [
+            ("sheet", self.sheet.clone()),
+            ("header_row", self.header_row.map(|row| row.to_string())),
+            ("tooth_column", self.tooth_column.clone()),
+            ("left", self.left.clone()),
+            ("right", self.right.clone()),
+            ("column", self.column.clone()),
+            ("decimal", self.decimal.clone()),
+        ]
+    }
+
     /// Whether an option for tables alone is given.
     fn of_tables(&self) -> bool {
-        let texts = [
-            &self.sheet,
-            &self.tooth_column,
-            &self.left,
-            &self.right,
-            &self.column,
-            &self.decimal,
-        ];
-        texts.iter().any(|text| text.is_some())
-            || self.only.is_some()
-            || self.header_row.is_some()
-            || self.format == Format::Json
+        let states_key = self.keys().iter().any(|(_, stated)| stated.is_some());
+        states_key || self.only.is_some() || self.format == Format::Json
+    }
+
+    /// Words about keys of a pair file in those of options: `tooth_column = "A"` is `--tooth-column A`.
+    fn as_options(&self, words: &str) -> String {
+        let mut words = words.to_owned();
+        for (key, _) in self.keys() {
+            let option = format!("--{} ", key.replace('_', "-"));
+            while let Some((before, rest)) = words.split_once(&format!("{key} = ")) {
+                let quoted = rest.strip_prefix('"').and_then(|rest| rest.split_once('"'));
+                // A name of a shell's signs keeps its quotation marks.
+                let is_plain = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '…');
+                words = match quoted.filter(|(name, _)| is_plain(name)) {
+                    Some((name, after)) => format!("{before}{option}{name}{after}"),
+                    None => format!("{before}{option}{rest}"),
+                };
+            }
+        }
+        words.replace(", --", " --")
     }
 }
 
@@ -125,11 +135,10 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
         return Err(Error::usage("--units belongs to a drawing; leave it out"));
     }
     // Decides by the content of the file, not by its name.
-    let bytes = if args.file.as_path() == Path::new("-") {
-        Vec::new()
-    } else {
-        import::bytes(&args.file)?
-    };
+    let mut bytes = Vec::new();
+    if args.file.as_path() != Path::new(STANDARD_INPUT) {
+        bytes = import::bytes(&args.file)?;
+    }
     let of_other = |what: &str, options: &str| {
         let file = args.file.display();
         Err(Error::Usage(format!(
@@ -140,14 +149,21 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
         if args.rexs.is_given() {
             return of_other("a table", "--stage and no --output");
         }
-        return match table(args, bytes) {
-            Ok(table) => show(args, &table),
-            Err(_) if holds_points() => Err(Error::Usage(format!(
+        let found = table(args, bytes).map_err(|error| {
+            if !holds_points() {
+                return error;
+            }
+            Error::Usage(format!(
                 "{}: holds the points of an outline, no readings; use it with `gearlash check`, or in [wheel.outline]",
                 args.file.display()
-            ))),
-            Err(error) => Err(error),
-        };
+            ))
+        })?;
+        check_streams_not_input(&found.sources)?;
+        print(&match args.format {
+            Format::Text => text::imported(&found, &args.screen.screen()),
+            Format::Json => found.to_json(),
+        })?;
+        return Ok(0);
     }
     if args.of_tables() {
         return of_other(
@@ -175,31 +191,21 @@ fn outlines(args: &Args) -> Result<u8, Error> {
     }
     let found = listed_outlines(&args.file, args.units.as_deref())?;
     let name = args.file.file_name().unwrap_or_default().to_string_lossy();
-    let (gear, screen) = (args.gear.name(), args.screen.screen());
-    print(&text::listed_outlines(&name, &found, gear, &screen))?;
+    let (gear, screen) = (name_of(&args.gear), args.screen.screen());
+    print(&text::listed_outlines(&name, &found, &gear, &screen))?;
     Ok(0)
 }
 
 /// A table in cells, or of a protocol.
 fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
-    let row = args.header_row.map(|row| row.to_string());
-    let stated = [
-        &args.sheet,
-        &row,
-        &args.tooth_column,
-        &args.left,
-        &args.right,
-        &args.column,
-        &args.decimal,
-    ];
-    let stated = KEYS.into_iter().zip(stated);
-    let keys = stated.filter_map(|(key, stated)| Some((key, stated.clone()?)));
+    let keys = args.keys().into_iter();
+    let keys = keys.filter_map(|(key, stated)| Some((key, stated?)));
     let keys: Vec<(&str, String)> = keys.collect();
     let kind = |only: &String| Kind::NAMED.into_iter().find(|(name, _)| name == only);
     let options = Options {
         only: args.only.as_ref().and_then(kind).map(|(_, kind)| kind),
         keys: &keys,
-        gear: args.gear.name(),
+        gear: &name_of(&args.gear),
     };
     let found = import::tables(&args.file, bytes, &options);
     Ok(found.map_err(|mut error| {
@@ -210,48 +216,11 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
         }
         if args.of_tables() {
             for problem in &mut error.problems {
-                problem.help = as_options(&problem.help);
+                problem.help = args.as_options(&problem.help);
             }
         }
         error
     })?)
-}
-
-/// Words about keys of a pair file in those of options: `tooth_column = "A"` is `--tooth-column A`.
-fn as_options(words: &str) -> String {
-    let mut words = words.to_owned();
-    for key in KEYS {
-        let option = format!("--{} ", key.replace('_', "-"));
-        while let Some((before, rest)) = words.split_once(&format!("{key} = ")) {
-            let quoted = rest.strip_prefix('"').and_then(|rest| rest.split_once('"'));
-            // A name of a shell's signs keeps its quotation marks.
-            let is_plain = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '…');
-            words = match quoted.filter(|(name, _)| is_plain(name)) {
-                Some((name, after)) => format!("{before}{option}{name}{after}"),
-                None => format!("{before}{option}{rest}"),
-            };
-        }
-    }
-    words.replace(", --", " --")
-}
-
-fn show(args: &Args, found: &Imported) -> Result<u8, Error> {
-    check_streams_not_input(&found.sources)?;
-    print(&match args.format {
-        Format::Text => text::imported(found, &args.screen.screen()),
-        Format::Json => found.to_json(),
-    })?;
-    Ok(0)
-}
-
-impl GearTable {
-    fn name(self) -> &'static str {
-        match self {
-            GearTable::Wheel => "wheel",
-            GearTable::Pinion => "pinion",
-            GearTable::Gear => "gear",
-        }
-    }
 }
 
 /// Options for a gearbox model.
@@ -290,8 +259,7 @@ fn model(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<u8, Error> {
         let reasons: String = reasons.filter(|_| !is_readable).collect();
         return Err(Error::Usage(format!("{name}: {why}{reasons}")));
     }
-    let is_stdout = |output: &PathBuf| output.as_path() == Path::new("-");
-    if !args.output.as_ref().is_some_and(is_stdout) {
+    if args.output.as_deref() != Some(Path::new("-")) {
         let mut text = text::gearbox(&name, &file, screen);
         match &chosen {
             Ok(pair) => text += &format!("\n{}", text::gearbox_pair(pair, screen)),

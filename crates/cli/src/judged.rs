@@ -50,12 +50,12 @@ pub(super) fn outcome(
     files: Vec<ReadFile>,
     format: JudgedFormat,
     mut judge: impl FnMut(&Path, &PairFile) -> Result<Judgement, Error>,
-) -> Result<(Outcome, StepSummary), Error> {
+) -> Result<(Outcome, Option<PathBuf>), Error> {
     let mut sources = Sources::new();
     for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
         sources.extend(&file.sources);
     }
-    let summary = StepSummary::prepare(format, &sources)?;
+    let summary = step_summary(format, &sources)?;
     let is_text = format == JudgedFormat::Text;
     let is_alone = files.len() == 1;
     let mut judged_files = Vec::new();
@@ -103,36 +103,28 @@ fn judged_file(
     })
 }
 
-/// The step summary of a GitHub workflow.
-pub(super) struct StepSummary(Option<PathBuf>);
-
-impl StepSummary {
-    /// The step summary, if `format` writes one; never one of `sources`.
-    fn prepare(format: JudgedFormat, sources: &Sources) -> Result<StepSummary, Error> {
-        let named = std::env::var_os("GITHUB_STEP_SUMMARY").filter(|name| !name.is_empty());
-        let named = named.filter(|_| format == JudgedFormat::Github);
-        let Some(summary) = named.map(PathBuf::from) else {
-            return Ok(StepSummary(None));
-        };
-        check_not_input(sources, &summary)?;
-        Ok(StepSummary(Some(summary)))
+/// The step summary of a GitHub workflow, if `format` writes one; never one of `sources`.
+fn step_summary(format: JudgedFormat, sources: &Sources) -> Result<Option<PathBuf>, Error> {
+    let named = std::env::var_os("GITHUB_STEP_SUMMARY").filter(|name| !name.is_empty());
+    let summary = named.map(PathBuf::from);
+    let summary = summary.filter(|_| format == JudgedFormat::Github);
+    if let Some(summary) = &summary {
+        check_not_input(sources, summary)?;
     }
+    Ok(summary)
+}
 
-    /// Adds `text`; text of earlier steps stays.
-    fn append(&self, text: &str) -> Result<(), Error> {
-        let Some(summary) = &self.0 else {
-            return Ok(());
-        };
-        let mut options = std::fs::OpenOptions::new();
-        let file = options.append(true).create(true).open(summary);
-        let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
-        written.map_err(|source| {
-            Error::Usage(format!(
-                "GITHUB_STEP_SUMMARY={}: cannot be written: {source}; unset the variable, or use --format markdown",
-                summary.display()
-            ))
-        })
-    }
+/// Adds `text` to the step `summary`; text of earlier steps stays.
+fn append(summary: &Path, text: &str) -> Result<(), Error> {
+    let mut options = std::fs::OpenOptions::new();
+    let file = options.append(true).create(true).open(summary);
+    let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
+    written.map_err(|source| {
+        Error::Usage(format!(
+            "GITHUB_STEP_SUMMARY={}: cannot be written: {source}; unset the variable, or use --format markdown",
+            summary.display()
+        ))
+    })
 }
 
 /// Prints `outcome` in `format`; the exit code.
@@ -140,7 +132,7 @@ pub(super) fn print_outcome(
     outcome: &Outcome,
     format: JudgedFormat,
     screen: &ScreenArgs,
-    summary: &StepSummary,
+    summary: Option<&Path>,
 ) -> Result<u8, Error> {
     print(&match format {
         JudgedFormat::Text => outcome.text(&screen.screen()),
@@ -158,7 +150,9 @@ pub(super) fn print_outcome(
         }
         JudgedFormat::Markdown => outcome.markdown(),
     })?;
-    summary.append(&outcome.markdown())?;
+    if let Some(summary) = summary {
+        append(summary, &outcome.markdown())?;
+    }
     Ok(match outcome.unreadable() {
         0 => exit_code(outcome.passes()),
         _ => 2,

@@ -59,12 +59,10 @@ fn of_contacts(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Er
         match &group.zero {
             Ok(Some(zero)) => drawn.push((group, zero)),
             Ok(None) => {}
-            Err(reason) => {
-                print_note_line(&format!(
-                    "note: no map of {}: the pose with the least backlash is unproven ({reason})",
-                    material.words()
-                ));
-            }
+            Err(reason) => print_note_line(&format!(
+                "note: no map of {}: the pose with the least backlash is unproven ({reason})",
+                material.words()
+            )),
         }
     }
     let progress = Progress::of(drawn.len() as u64 * u64::from(MAP_ROWS), "rows of the map");

@@ -4,7 +4,7 @@ use crate::console::{check_streams_not_input, print_error_line, print_note_line,
 use crate::error::{Error, exit_code};
 use crate::options::{ResultsArgs, ScreenArgs};
 use crate::progress::Progress;
-use gearlash_input::matching::{MatchFile, MatchResult, read_match};
+use gearlash_input::matching::{MatchResult, read_match};
 use gearlash_render::match_map;
 use gearlash_results::matching;
 use std::path::{Path, PathBuf};
@@ -65,7 +65,11 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     }
     let is_own = |name: &str| FILES.contains(&name);
     let prepared = args.results.folder(&file.pair.stem, sources, is_own)?;
-    let result = matched(&file)?;
+    let (wheels, pinions) = (file.wheels.len(), file.pinions.len());
+    let bar = Progress::of((wheels * pinions) as u64, "pairs");
+    let cells = file.cells(0..wheels, &|steps| bar.tick(steps))?;
+    let result = MatchResult::new(&file, cells)?;
+    drop(bar);
     let json = matching::json(&result);
     let matrix = matching::csv(&result).map_err(Error::unwritable("the result"))?;
     let text = matching::text(&result, &args.screen.screen());
@@ -98,12 +102,4 @@ fn check_folders(args: &Args, output: Option<&Path>) -> Result<(), Error> {
         }
     }
     Ok(())
-}
-
-/// Every wheel with every pinion, and the assignment.
-fn matched(file: &MatchFile) -> Result<MatchResult, Error> {
-    let (wheels, pinions) = (file.wheels.len(), file.pinions.len());
-    let bar = Progress::of((wheels * pinions) as u64, "pairs");
-    let cells = file.cells(0..wheels, &|steps| bar.tick(steps))?;
-    Ok(MatchResult::new(file, cells)?)
 }

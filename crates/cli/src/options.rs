@@ -90,6 +90,12 @@ pub(super) fn choose<'a, T>(
     }
 }
 
+/// The name of an option's `value`.
+pub(super) fn name_of(value: &impl ValueEnum) -> String {
+    let named = value.to_possible_value();
+    named.map_or_else(String::new, |named| named.get_name().to_owned())
+}
+
 /// Wheel and pinion tooth, such as `11,11`.
 pub(super) fn teeth(text: &str) -> Result<(u32, u32), String> {
     let parsed = text.split_once(',').and_then(|(wheel, pinion)| {
@@ -437,43 +443,35 @@ pub(super) fn agreed(analysis: &Analysis) -> bool {
 
 /// Prints on standard error the number of unproven poses, if any. Returns whether all are proven.
 pub(super) fn all_proven(unproven: usize) -> bool {
-    match unproven {
-        0 => return true,
-        1 => print_error_line("warning: 1 pose is UNPROVEN; the result tells which and why"),
-        poses => print_error_line(&format!(
-            "warning: {poses} poses are UNPROVEN; the result tells which and why"
-        )),
+    if unproven > 0 {
+        let are = if unproven == 1 {
+            "pose is"
+        } else {
+            "poses are"
+        };
+        print_error_line(&format!(
+            "warning: {unproven} {are} UNPROVEN; the result tells which and why"
+        ));
     }
-    false
+    unproven == 0
 }
 
 /// Prints on standard error the difference of both methods. Returns whether it passes. Prints nothing for a single method.
 pub(super) fn agreement_of(found: MethodAgreement) -> bool {
-    if !found.is_empty() {
-        print_note_line(&agreement_words(found));
+    if found.is_empty() {
+        return found.agrees();
     }
-    found.agrees()
-}
-
-fn agreement_words(found: MethodAgreement) -> String {
     let verdict = if found.agrees() { "agree" } else { "DISAGREE" };
-    let poses = |count: usize| match count {
-        1 => "1 pose".to_owned(),
-        _ => format!("{count} poses"),
-    };
-    let mut parts = Vec::new();
-    if found.one_alone > 0 {
-        parts.push(format!(
-            "at {} only one method has a contact",
-            poses(found.one_alone)
-        ));
-    }
-    if found.beyond > 0 {
-        parts.push(format!(
-            "at {} they differ by more than is allowed",
-            poses(found.beyond)
-        ));
-    }
+    let counts = [
+        (found.one_alone, "only one method has a contact"),
+        (found.beyond, "they differ by more than is allowed"),
+    ];
+    let counts = counts.into_iter().filter(|(count, _)| *count > 0);
+    let counts = counts.map(|(count, what)| {
+        let poses = if count == 1 { "pose" } else { "poses" };
+        format!("at {count} {poses} {what}")
+    });
+    let mut parts: Vec<String> = counts.collect();
     if found.compared > 0 {
         parts.push(format!(
             "largest difference {} µm of j_wt (allowed at a pose: {} or the sum of both error bounds)",
@@ -481,5 +479,9 @@ fn agreement_words(found: MethodAgreement) -> String {
             order_um(METHODS_AGREE_WITHIN)
         ));
     }
-    format!("exact and polygon method {verdict}: {}", parts.join("; "))
+    print_note_line(&format!(
+        "exact and polygon method {verdict}: {}",
+        parts.join("; ")
+    ));
+    found.agrees()
 }

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::input::reported;
-use crate::options::{GearName, MaterialName, choose};
+use crate::options::{GearName, MaterialName, choose, name_of};
 use crate::output::Target;
 use clap::ValueEnum;
 use gearlash::analysis::study::Material;
@@ -10,7 +10,8 @@ use gearlash::gear::{AsBuilt, HalfTooth, Side};
 use gearlash_drawing::{OutlineFile, OutlineFormat};
 use gearlash_input::GearEntry;
 use gearlash_input::spec::GearSpec;
-use std::path::{Path, PathBuf};
+use gearlash_text::has_extension;
+use std::path::PathBuf;
 
 /// Write the outline of a gear as measured as DXF, SVG or CSV
 ///
@@ -47,17 +48,6 @@ enum Format {
     Dxf,
     Svg,
     Csv,
-}
-
-impl Format {
-    /// The format, and its file extension.
-    fn format(self) -> (OutlineFormat, &'static str) {
-        match self {
-            Format::Dxf => (OutlineFormat::Dxf, "dxf"),
-            Format::Svg => (OutlineFormat::Svg, "svg"),
-            Format::Csv => (OutlineFormat::Csv, "csv"),
-        }
-    }
 }
 
 /// A tolerance in µm.
@@ -118,14 +108,17 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     };
     let section_mm = section(args.section, entry, gear)?;
     check_size(args.tolerance_um, gear)?;
-    let (format, ending) = args.format.format();
-    let is_csv = |file: &Path| {
-        let given = file.extension();
-        ending == "csv" && given.is_some_and(|given| given.eq_ignore_ascii_case("csv"))
+    let ending = name_of(&args.format);
+    let format = match args.format {
+        Format::Dxf => OutlineFormat::Dxf,
+        Format::Svg => OutlineFormat::Svg,
+        Format::Csv => OutlineFormat::Csv,
     };
     let target = match &args.output {
         // A CSV file is allowed here: it is the table itself.
-        Some(file) if is_csv(file) => Target::prepare(file.clone(), &study.sources)?,
+        Some(file) if ending == "csv" && has_extension(file, &["csv"]) => {
+            Target::prepare(file.clone(), &study.sources)?
+        }
         Some(file) => Target::prepare_beside(file.clone(), &study.sources)?,
         None => {
             let name = match material {

@@ -20,16 +20,12 @@ pub(super) fn clear() {
 }
 
 /// Counts steps on standard error; hidden without a terminal. Dropping it removes the bar.
-pub(super) struct Progress {
-    bar: ProgressBar,
-}
+pub(super) struct Progress(ProgressBar);
 
 impl Progress {
     /// No bar: for a terminal that shows the growing result, or with --quiet.
     pub fn none() -> Progress {
-        Progress {
-            bar: ProgressBar::hidden(),
-        }
+        Progress(ProgressBar::hidden())
     }
 
     /// A bar for `steps`, which are called `named`. The current work appears beside it where there is room.
@@ -37,8 +33,7 @@ impl Progress {
         if is_quiet() {
             return Progress::none();
         }
-        let bar = ProgressBar::new(steps);
-        Progress::shown(bar, &with_estimate(named))
+        Progress::shown(ProgressBar::new(steps), &with_estimate(named))
     }
 
     /// A spinner for work of unknown length, with the current work beside it.
@@ -52,16 +47,21 @@ impl Progress {
     }
 
     fn shown(bar: ProgressBar, template: &str) -> Progress {
-        if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style);
-        }
         *SHOWN.lock().unwrap_or_else(PoisonError::into_inner) = Some(bar.clone());
-        Progress { bar }
+        let progress = Progress(bar);
+        progress.set_template(template);
+        progress
+    }
+
+    fn set_template(&self, template: &str) {
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            self.0.set_style(style);
+        }
     }
 
     /// Shows the current work.
     pub fn now(&self, doing: &str) {
-        self.bar.set_message(doing.to_owned());
+        self.0.set_message(doing.to_owned());
     }
 
     /// Does `work` whose steps take very different times, as searches of a mesh cycle do. The time since the start is shown meanwhile.
@@ -74,26 +74,23 @@ impl Progress {
 
     /// Shows the remaining time, or that since the start.
     fn show_estimate(&self, estimates: bool) {
-        let template = if estimates {
-            with_estimate("steps")
+        if estimates {
+            self.set_template(&with_estimate("steps"));
         } else {
-            self.bar.enable_steady_tick(Duration::from_secs(1));
-            "{bar:40} {pos}/{len} steps, {elapsed} {wide_msg}".to_owned()
-        };
-        if let Ok(style) = ProgressStyle::with_template(&template) {
-            self.bar.set_style(style);
-            self.bar.reset_eta();
+            self.0.enable_steady_tick(Duration::from_secs(1));
+            self.set_template("{bar:40} {pos}/{len} steps, {elapsed} {wide_msg}");
         }
+        self.0.reset_eta();
     }
 
     /// Adds steps that turned out to be needed.
     pub fn more(&self, steps: usize) {
-        self.bar.inc_length(steps as u64);
+        self.0.inc_length(steps as u64);
     }
 
     /// Counts `steps`. It never breaks the work: a signal ends the process from a thread of its own.
     pub fn tick(&self, steps: u64) -> ControlFlow<()> {
-        self.bar.inc(steps);
+        self.0.inc(steps);
         ControlFlow::Continue(())
     }
 }

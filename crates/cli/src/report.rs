@@ -12,7 +12,7 @@ use gearlash::error::go_on;
 use gearlash_input::{PairFile, import};
 use gearlash_render::{self, Report};
 use gearlash_results::gauge::grades;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, json};
 use std::path::{Path, PathBuf};
 
 /// Write one HTML page with verdict, input, checks, curves, formulas and the mesh
@@ -106,8 +106,8 @@ fn with_pair(page: Option<&Path>, path: &Path, pair: &PairFile) -> Result<String
         let bytes = import::bytes(source)?;
         files.insert(named(source), BASE64.encode(&bytes).into());
     }
-    let held: Value = json!({ "main": named(path), "files": files });
+    let held = json!({ "main": named(path), "files": files }).to_string();
     // No text of a file ends the element.
-    let held = held.to_string().replace('<', "\\u003c");
+    let held = held.replace('<', "\\u003c");
     Ok(text.replacen(EMPTY, &EMPTY.replace("null", &held), 1))
 }

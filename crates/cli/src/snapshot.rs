@@ -5,7 +5,7 @@ use crate::cycle::{self, Binding, Found, Wanted};
 use crate::distances;
 use crate::error::{Error, exit_code};
 use crate::input;
-use crate::options::{self, MaterialName, all_proven, material, teeth};
+use crate::options::{self, MaterialName, all_proven, material, name_of, teeth};
 use crate::output::Target;
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
@@ -76,23 +76,10 @@ enum Flank {
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = input::pair(&args.pair)?;
     let (study, sources) = (&file.study, &file.sources);
-    check(args, study)?;
-    let given = Target::prepare_given(args.output.as_ref(), sources)?;
-    let (subject, name) = subject(args, study.clone())?;
-    let (picture, unproven) = picture(args, &study.title, &subject)?;
-    let name = match args.section {
-        Some(at) => name.replace(".svg", &format!("_z{at}.svg")),
-        None => name,
-    };
-    let target = Target::given_or_own(given, &file.stem, &name, sources)?;
-    target.write(&picture)?;
-    Ok(exit_code(all_proven(subject.unproven + unproven)))
-}
-
-/// Checks that the request can be drawn for this pair.
-fn check(args: &Args, study: &Study) -> Result<(), Error> {
     if args.section.is_some() && !study.varies_along_face() {
-        return Err(Error::usage(ALIKE));
+        return Err(Error::usage(
+            "--section: every section of these gears is the same; leave it out",
+        ));
     }
     if args.exaggerate.is_some() {
         options::by_data(
@@ -100,7 +87,14 @@ fn check(args: &Args, study: &Study) -> Result<(), Error> {
             "--exaggerate is for gears by their data: a drawing states no deviations; leave it out",
         )?;
     }
-    Ok(())
+    let given = Target::prepare_given(args.output.as_ref(), sources)?;
+    let (subject, name) = subject(args, study.clone())?;
+    let (picture, unproven) = picture(args, &study.title, &subject)?;
+    let section = args.section.map(|at| format!("_z{at}"));
+    let name = format!("{name}{}.svg", section.unwrap_or_default());
+    let target = Target::given_or_own(given, &file.stem, &name, sources)?;
+    target.write(&picture)?;
+    Ok(exit_code(all_proven(subject.unproven + unproven)))
 }
 
 /// The picture, and the number of unproven poses in it beside the subject.
@@ -115,9 +109,14 @@ fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize),
         _ if args.animate => {
             let steps = pitch(assembly, &pose.pose)?;
             let unproven = steps.iter().filter(|step| step.is_unproven()).count();
-            let first = varied.zip(section.as_ref());
-            let sections = first.map(|(pair, first)| sections(pair, &steps, first));
-            let sections = sections.transpose()?.unwrap_or_default();
+            // Each step in the section of the first.
+            let mut sections = Vec::new();
+            if let (Some(pair), Some(first)) = (varied, &section) {
+                for step in &steps {
+                    let found = step.proven();
+                    sections.push(MeshSection::new(pair, &step.pose, found, first.at())?);
+                }
+            }
             let picture = gearlash_render::animation(&view, &steps, &sections);
             (picture, unproven)
         }
@@ -129,8 +128,6 @@ fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize),
         _ => (gearlash_render::snapshot(&view), 0),
     })
 }
-
-const ALIKE: &str = "--section: every section of these gears is the same; leave it out";
 
 /// The section to draw.
 fn section(args: &Args, assembly: &GearPair, pose: &PoseResult) -> Result<MeshSection, Error> {
@@ -145,61 +142,37 @@ fn section(args: &Args, assembly: &GearPair, pose: &PoseResult) -> Result<MeshSe
     })
 }
 
-/// Each of `steps` in the section of the first.
-fn sections(
-    assembly: &GearPair,
-    steps: &[PoseResult],
-    first: &MeshSection,
-) -> Result<Vec<MeshSection>, Error> {
-    let steps = steps.iter();
-    let sections =
-        steps.map(|step| MeshSection::new(assembly, &step.pose, step.proven(), first.at()));
-    Ok(sections.collect::<Result<_, _>>()?)
-}
-
-/// The pose that is requested by its backlash, and the option for it.
-fn wanted(args: &Args) -> Option<(&'static str, Wanted)> {
-    match args.worst {
+/// The requested pose, by its teeth or by its backlash, and the name of its file without extension.
+fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
+    let wanted = match args.worst {
         Some(None) => Some(("--worst", Wanted::Least)),
         Some(Some(binding)) => Some(("--worst", Wanted::LeastOf(binding))),
         None => args.greatest.then_some(("--greatest", Wanted::Greatest)),
-    }
-}
-
-const MISSING_SUBJECT: &str =
-    "which pose? give --mating W,P and --flank right|left, --worst or --greatest";
-
-/// The requested pose, by its teeth or by its backlash, and the name of its file.
-fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
-    if let Some((option, wanted)) = wanted(args) {
+    };
+    if let Some((option, wanted)) = wanted {
         let material = args.material.map(|end| material(end, &study)).transpose()?;
         let found = cycle::find((option, wanted), study, args.center_distance, material)?;
         let (distance, end) = (found.assembly.center_distance(), found.material.name());
         let name = match wanted {
             Wanted::Least => "worst".to_owned(),
             Wanted::Greatest => "greatest".to_owned(),
-            Wanted::LeastOf(binding) => {
-                let kind = binding.to_possible_value();
-                format!("worst_{}", kind.as_ref().map_or("", |kind| kind.get_name()))
-            }
+            Wanted::LeastOf(binding) => format!("worst_{}", name_of(&binding)),
         };
-        return Ok((found, format!("{name}_a{distance}_{end}.svg")));
+        return Ok((found, format!("{name}_a{distance}_{end}")));
     }
     let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
-        return Err(Error::usage(MISSING_SUBJECT));
+        return Err(Error::usage(
+            "which pose? give --mating W,P and --flank right|left, --worst or --greatest",
+        ));
     };
     let (material, assembly) = assembly(args, &study)?;
-    let flank = match flank {
-        Flank::Right => Side::Right,
-        Flank::Left => Side::Left,
-    };
     let mating = mating(teeth, args.fraction, &assembly, flank)?;
     let result = lost_motion_at(&assembly, mating)?;
     let file = format!(
-        "snapshot_{}_{}_{}_a{}_{}.svg",
+        "snapshot_{}_{}_{}_a{}_{}",
         mating.wheel_tooth,
         mating.pinion_tooth,
-        flank.name(),
+        name_of(&flank),
         assembly.center_distance(),
         material.name()
     );
@@ -242,7 +215,7 @@ fn mating(
     (wheel_tooth, pinion_tooth): (u32, u32),
     fraction: f64,
     assembly: &AssembledPair,
-    flank: Side,
+    flank: Flank,
 ) -> Result<Mating, Error> {
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
         let teeth = assembly.teeth(member);
@@ -258,6 +231,10 @@ fn mating(
             "--fraction {fraction}: a number of pitches between -1000 and 1000"
         )));
     }
+    let flank = match flank {
+        Flank::Right => Side::Right,
+        Flank::Left => Side::Left,
+    };
     Ok(Mating {
         fraction,
         ..Mating::at(wheel_tooth, pinion_tooth, flank)

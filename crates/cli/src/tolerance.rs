@@ -160,16 +160,14 @@ fn draw(
     Ok(tally.into_tally())
 }
 
-const HISTOGRAM: &str = "histogram.svg";
-const CONVERGENCE: &str = "convergence.svg";
-const CONTRIBUTIONS: &str = "contributions.svg";
+/// The files of a result, beside the worst assemblies.
 const FILES: [&str; 7] = [
     "result.json",
     "result.csv",
     "histogram.csv",
-    HISTOGRAM,
-    CONVERGENCE,
-    CONTRIBUTIONS,
+    "histogram.svg",
+    "convergence.svg",
+    "contributions.svg",
     "index.html",
 ];
 
@@ -212,22 +210,18 @@ fn finish(
         pictures: &pictures,
         date: &date,
     });
-    let mut files = vec![
-        ("result.json".to_owned(), json.clone()),
-        ("result.csv".to_owned(), csv.clone()),
-        (
-            "histogram.csv".to_owned(),
-            population::histogram_csv(result),
-        ),
-        ("index.html".to_owned(), page),
-        (CONVERGENCE.to_owned(), pictures.convergence.svg),
+    let contents = [
+        Some(json.clone()),
+        Some(csv.clone()),
+        Some(population::histogram_csv(result)),
+        pictures.histogram.map(|picture| picture.svg),
+        Some(pictures.convergence.svg),
+        pictures.contributions.map(|picture| picture.svg),
+        Some(page),
     ];
-    for (name, picture) in [
-        (HISTOGRAM, pictures.histogram),
-        (CONTRIBUTIONS, pictures.contributions),
-    ] {
-        files.extend(picture.map(|picture| (name.to_owned(), picture.svg)));
-    }
+    let files = FILES.into_iter().zip(contents);
+    let files = files.filter_map(|(name, content)| Some((name.to_owned(), content?)));
+    let mut files: Vec<(String, String)> = files.collect();
     for (index, worst) in result.worst.iter().enumerate() {
         let (name, text) = worst_file(index, worst, &args.pair);
         files.push((name, text.map_err(Error::unwritable("the result"))?));

@@ -14,7 +14,7 @@ use gearlash::outline::OutlineGear;
 use gearlash_input::spec::GearSpec;
 use gearlash_input::{GearEntry, GearsFile};
 use gearlash_render::gauge::{charts, page, text};
-use gearlash_results::gauge::{GaugedGear, json, possible_files, stem, table_name, teeth_csv};
+use gearlash_results::gauge::{GaugedGear, json, possible_files, stem, teeth_csv};
 use std::path::PathBuf;
 
 /// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, profile, roll test
@@ -133,20 +133,18 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
 
 /// The gears of the file or drawing.
 fn read(args: &Args) -> Result<GearsFile, Error> {
-    if is_drawing(&args.file) {
+    let file = if is_drawing(&args.file) {
         let [options] = args.drawn.options()?;
-        reported(
-            &args.file,
-            gearlash_input::read_drawing(&args.file, &options),
-        )
+        gearlash_input::read_drawing(&args.file, &options)
     } else if args.drawn.given() {
-        Err(Error::Usage(format!(
+        return Err(Error::Usage(format!(
             "{} belong to a drawing: files state them",
             DrawnArgs::NAMES
-        )))
+        )));
     } else {
-        reported(&args.file, gearlash_input::read_gears(&args.file))
-    }
+        gearlash_input::read_gears(&args.file)
+    };
+    reported(&args.file, file)
 }
 
 /// A gear on the gauge: by its data with its table, or by its outline.
@@ -154,11 +152,9 @@ type OnGauge<'a> = (Option<(&'a AsBuilt, &'a GearSpec)>, Option<&'a OutlineGear>
 
 /// A gear in each of its materials.
 fn materials(gear: &GearEntry) -> Vec<(Material, OnGauge<'_>)> {
-    let data = gear
-        .materials
-        .iter()
-        .map(|(material, as_built)| (*material, (Some(as_built).zip(gear.spec.data()), None)));
-    let drawn = gear.drawn.iter();
+    let (data, drawn) = (gear.materials.iter(), gear.drawn.iter());
+    let data =
+        data.map(|(material, as_built)| (*material, (Some(as_built).zip(gear.spec.data()), None)));
     let drawn = drawn.map(|(material, outline)| (*material, (None, Some(outline))));
     data.chain(drawn).collect()
 }
@@ -191,8 +187,7 @@ fn finish(
 ) -> Result<u8, Error> {
     check_pin(args.pin_mm, gears)?;
     for gauged in gears {
-        let short: Vec<String> = gauged.short_face().into_iter().collect();
-        warn(&args.file, &short, &[]);
+        warn(&args.file, gauged.short_face().as_slice(), &[]);
     }
     print(&match args.results.format {
         Format::Text => text(title, gears, args.positions, &args.screen.screen()),
@@ -202,10 +197,10 @@ fn finish(
     if let Format::Csv = args.results.format {
         // Blank columns do not explain themselves; the other formats state the reasons.
         for gauged in gears {
-            let lines = gauged.unmeasured().into_iter();
-            let lines: Vec<String> = lines
-                .map(|line| format!("{}: {line}", gauged.words()))
-                .collect();
+            let mut lines = gauged.unmeasured();
+            for line in &mut lines {
+                *line = format!("{}: {line}", gauged.words());
+            }
             warn(&args.file, &lines, &[]);
         }
     }
@@ -214,9 +209,9 @@ fn finish(
     };
     let mut files = Vec::new();
     for gauged in gears {
-        let table =
-            teeth_csv(std::slice::from_ref(gauged)).map_err(Error::unwritable("the table"))?;
-        files.push((table_name(&gauged.stem()), table));
+        let table = teeth_csv(std::slice::from_ref(gauged));
+        let table = table.map_err(Error::unwritable("the table"))?;
+        files.push((format!("{}.csv", gauged.stem()), table));
         if args.page {
             files.extend(page(gauged)?);
         } else {
@@ -224,11 +219,10 @@ fn finish(
         }
         match gauged.gear_file() {
             Ok(file) => files.extend(file),
-            Err(reason) => warn(
-                &args.file,
-                &[format!("no gear file of the {}: {reason}", gauged.name)],
-                &[],
-            ),
+            Err(reason) => {
+                let lost = format!("no gear file of the {}: {reason}", gauged.name);
+                warn(&args.file, &[lost], &[]);
+            }
         }
     }
     args.results.write(folder, &files)?;

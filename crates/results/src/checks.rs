@@ -60,20 +60,20 @@ impl CheckRow {
 }
 
 row_type!(row: CheckRow {
-    "" Severity [people(shown("verdict"))] => row.check.verdict.name();
+    "" Severity [heading(shown("verdict"))] => row.check.verdict.name();
     "id" Plain => row.check.id;
     "title" Plain [heading(shown("check").left().broken())] => row.check.title;
     "gear" Plain => row.check.gear.map(Member::name);
-    "" Plain [people(shown("gear").left())] => row.check.gear.map_or("", Member::name);
-    "" Distance [people(shown("a mm").spare(2))] => row.of_several(row.center_distance);
-    "" Plain [people(shown("material").spare(2))] => row.of_several(row.material);
-    "formula" FourDecimals [heading(shown("formula").spare(1))] => row.check.formula;
+    "" Plain [heading(shown("gear").left())] => row.check.gear.map_or("", Member::name);
+    "" Distance [heading(shown("a mm").spare(2))] => row.of_several(row.center_distance);
+    "" Plain [heading(shown("material").spare(2))] => row.of_several(row.material);
+    "formula" Fixed(4) [heading(shown("formula").spare(1))] => row.check.formula;
     "outlines" Plain => row.check.outlines;
-    "" FourDecimals [people(shown("outlines"))] => row.outlines_value();
-    "limit" FourDecimals [heading(shown("limit"))] => row.check.limit;
-    "margin" FourDecimals [heading(shown("margin"))] => row.check.margin;
+    "" Fixed(4) [heading(shown("outlines"))] => row.outlines_value();
+    "limit" Fixed(4) [heading(shown("limit"))] => row.check.limit;
+    "margin" Fixed(4) [heading(shown("margin"))] => row.check.margin;
     "unit" Plain => row.check.unit;
-    "" Plain [people(shown("").left())] => unit(row.check.unit);
+    "" Plain [heading(shown("").left())] => unit(row.check.unit);
     "verdict" Plain => row.check.verdict.name();
     "center_distance_mm" Plain => row.center_distance;
     "material" Plain => row.material;
@@ -87,10 +87,7 @@ pub const MARGIN: &str = "Margin: to the limit, from the worse of formula and ou
 
 /// The unit of a check, as shown to people.
 fn unit(unit: &'static str) -> &'static str {
-    match unit {
-        "1" => "",
-        unit => unit,
-    }
+    if unit == "1" { "" } else { unit }
 }
 
 /// The outcome of `check` for the pair of `file`, called `name`; `is_proven`: all its poses are proven. Its text is for `screen`.
@@ -123,12 +120,11 @@ pub fn checked(
         Case::new("poses", proof, of_poses.to_owned()),
     ];
     cases.extend(check_cases(diagnosis));
-    let groups = || diagnosis.groups.iter();
-    let checks = groups().flat_map(|group| {
+    let checks = diagnosis.groups.iter().flat_map(|group| {
         let checks = group.checks.iter();
         checks.map(|check| CheckRow::new(group, check, true).json())
     });
-    let runs = groups().map(|group| {
+    let runs = diagnosis.groups.iter().map(|group| {
         json!({
             "center_distance_mm": group.assembly.center_distance(),
             "material": group.material.name(),
@@ -270,24 +266,27 @@ fn governing(diagnosis: &Diagnosis) -> Vec<(&CheckedPair, &Check)> {
             };
             match governing.iter_mut().find(same) {
                 None => governing.push((group, check)),
-                Some(known) => {
-                    let is_worse = check.verdict > known.1.verdict;
-                    // A loss in µm; those that differ by rounding are equal.
-                    let loss = |check: &Check| {
-                        let of = |(name, _): &&(&str, f64)| *name == "worst_loss_um";
-                        check.details.iter().find(of).map_or(0.0, |(_, loss)| *loss)
-                    };
-                    let more = loss(check) - loss(known.1);
-                    let closer = check.verdict == known.1.verdict
-                        && (more > 1e-6 || more > -1e-6 && check.margin < known.1.margin);
-                    if is_worse || closer {
-                        *known = (group, check);
-                    }
-                }
+                Some(known) if governs(check, known.1) => *known = (group, check),
+                Some(_) => {}
             }
         }
     }
     governing
+}
+
+/// Whether `check` is worse than the same check elsewhere.
+fn governs(check: &Check, known: &Check) -> bool {
+    if check.verdict != known.verdict {
+        return check.verdict > known.verdict;
+    }
+    // A loss in µm; those that differ by rounding are equal.
+    let [loss, known_loss] = [check, known].map(|check| {
+        let mut details = check.details.iter();
+        let loss = details.find(|(name, _)| *name == "worst_loss_um");
+        loss.map_or(0.0, |(_, loss)| *loss)
+    });
+    let more = loss - known_loss;
+    more > 1e-6 || more > -1e-6 && check.margin < known.margin
 }
 
 fn contact(diagnosis: &Diagnosis, requirement: RequirementOutcome) -> String {
@@ -297,8 +296,8 @@ fn contact(diagnosis: &Diagnosis, requirement: RequirementOutcome) -> String {
     let classes: Vec<String> = classes.collect();
     let mut text = format!("\n{} poses: {}.\n", count.poses(), classes.join(", "));
     if let Some(loss) = &count.loss {
-        let worst = &loss.worst;
-        let mating = worst.pose.mating();
+        let (worst, mating) = (&loss.worst, loss.worst.pose.mating());
+        let (wheel, pinion) = (&worst.contact.wheel, &worst.contact.pinion);
         let _ = writeln!(
             text,
             "Backlash j_wt by formula less that on the outlines: {} to {} µm, {} µm on average.",
@@ -319,12 +318,12 @@ fn contact(diagnosis: &Diagnosis, requirement: RequirementOutcome) -> String {
                 worst.material.words(),
                 um_ascii(worst.backlash + worst.loss, 3),
                 um_ascii(worst.backlash, 3),
-                worst.contact.wheel.tooth,
-                worst.contact.wheel.curve.name(),
-                ascii(worst.contact.wheel.radius, 3),
-                worst.contact.pinion.tooth,
-                worst.contact.pinion.curve.name(),
-                ascii(worst.contact.pinion.radius, 3),
+                wheel.tooth,
+                wheel.curve.name(),
+                ascii(wheel.radius, 3),
+                pinion.tooth,
+                pinion.curve.name(),
+                ascii(pinion.radius, 3),
                 worst.side.name(),
             );
         }
@@ -383,12 +382,10 @@ row_type!(row: (f64, BacklashCell) {
 
 /// `map` of a drawn pair as CSV, one row per cell with its pose.
 pub fn backlash_map_csv(map: &BacklashMap) -> csv::Result<String> {
-    let rows = map
-        .distances
-        .iter()
-        .zip(map.cells.chunks(map.columns.max(1)));
-    let rows = rows.flat_map(|(a, cells)| cells.iter().map(|cell| (*a, *cell)));
-    Row::columns().csv(&rows.collect::<Vec<_>>())
+    let rows = map.cells.chunks(map.columns.max(1));
+    let cells = map.distances.iter().zip(rows);
+    let cells = cells.flat_map(|(a, cells)| cells.iter().map(|cell| (*a, *cell)));
+    Row::columns().csv(&cells.collect::<Vec<_>>())
 }
 
 // A cell of a map of contacts, with its centre distance, mm, and its fraction of a pitch.

@@ -16,53 +16,54 @@ use crate::layout::{self, Screen, Table, Tone};
 use gearlash::pair::BacklashUnit;
 use gearlash_text::characters::{self, cell, csv_text, plain};
 use gearlash_text::numbers::{NONE, backlash, backlash_ascii, fixed, power, stated_distance};
-use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
+use serde::Serialize;
+use serde_json::{Value as Json, json};
 
 /// A row type.
 pub trait Row: Sized + 'static {
     /// Its columns.
     fn columns() -> &'static Columns<Self>;
 
-    /// The row as JSON.
-    fn json(&self) -> serde_json::Value {
-        serde_json::json!(Self::columns().object(self))
+    /// The row as a JSON object.
+    fn json(&self) -> Json {
+        let mut object = json!({});
+        for column in &Self::columns().columns {
+            if let Some(key) = &column.key
+                && let Value::Json(value) = (column.value)(self)
+            {
+                *place(&mut object, key) = value;
+            }
+        }
+        object
     }
 }
 
 /// Rows as a list of JSON.
-pub(crate) fn list<'r, R: Row>(rows: impl IntoIterator<Item = &'r R>) -> serde_json::Value {
+pub(crate) fn list<'r, R: Row>(rows: impl IntoIterator<Item = &'r R>) -> Json {
     rows.into_iter().map(R::json).collect()
 }
 
 /// `value` as JSON with a line end.
-pub(crate) fn json_text(value: &serde_json::Value) -> String {
+pub(crate) fn json_text(value: &Json) -> String {
     characters::json(format!("{value:#}")) + "\n"
 }
 
 /// The value of a column in one row.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum Value {
     /// The key is left out. In a list, in CSV and for people it means no value.
     Absent,
-    /// No value.
-    Null,
-    /// Yes or no.
-    Bool(bool),
-    /// A count, or the number of a tooth.
-    Count(u64),
-    /// A measure in the column's unit.
-    Number(f64),
-    /// A word of the interface.
-    Word(&'static str),
-    /// Any text.
-    Text(String),
     /// A least and a greatest backlash, µm, each with the centre distance, mm, at which it is a lost motion.
     Band([(Option<f64>, f64); 2]),
-    /// An object or a list that has no columns.
-    Json(serde_json::Value),
+    /// A value of JSON; null for no value.
+    Json(Json),
 }
 
 impl Value {
+    /// No value.
+    pub const NULL: Value = Value::Json(Json::Null);
+
     /// `value`; without one the key is left out.
     pub fn optional(value: Option<impl Into<Value>>) -> Value {
         value.map_or(Value::Absent, Into::into)
@@ -72,52 +73,27 @@ impl Value {
     pub fn um(mm: impl Into<Option<f64>>) -> Value {
         mm.into().map(|mm| mm * 1e3).into()
     }
-}
 
-macro_rules! values {
-    ($($kind:ident($type:ty)),*) => {
-        $(impl From<$type> for Value {
-            fn from(value: $type) -> Value {
-                Value::$kind(value.into())
-            }
-        })*
-    };
-}
-
-values!(
-    Bool(bool),
-    Count(u32),
-    Count(u64),
-    Number(f64),
-    Word(&'static str),
-    Text(String),
-    Json(serde_json::Value)
-);
-
-impl From<usize> for Value {
-    fn from(count: usize) -> Value {
-        Value::Count(count as u64)
-    }
-}
-
-impl<T: Into<Value>> From<Option<T>> for Value {
-    fn from(value: Option<T>) -> Value {
-        value.map_or(Value::Null, Into::into)
-    }
-}
-
-impl Serialize for Value {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+    /// The number of a measure; `None` for a count and for anything else.
+    pub fn measure(&self) -> Option<f64> {
         match self {
-            Value::Absent | Value::Null => to.serialize_none(),
-            Value::Bool(value) => to.serialize_bool(*value),
-            Value::Count(count) => to.serialize_u64(*count),
-            Value::Number(number) => to.serialize_f64(*number),
-            Value::Word(word) => to.serialize_str(word),
-            Value::Text(text) => to.serialize_str(text),
-            Value::Band(ends) => ends.map(|(um, _)| um).serialize(to),
-            Value::Json(value) => value.serialize(to),
+            Value::Json(Json::Number(number)) if number.is_f64() => number.as_f64(),
+            _ => None,
         }
+    }
+
+    /// Its text; `None` for anything else.
+    pub fn text(&self) -> Option<&str> {
+        match self {
+            Value::Json(Json::String(text)) => Some(text),
+            _ => None,
+        }
+    }
+}
+
+impl<T: Into<Json>> From<T> for Value {
+    fn from(value: T) -> Value {
+        Value::Json(value.into())
     }
 }
 
@@ -136,14 +112,8 @@ pub enum Format {
     BacklashAgain,
     /// An error bound of a backlash, by its order of magnitude.
     Bound,
-    /// A measure with four decimals.
-    FourDecimals,
-    /// A length in µm with two decimals.
-    Hundredths,
-    /// A length in µm with three decimals.
-    Thousandths,
-    /// A length in mm with six decimals.
-    Millionths,
+    /// A measure with this number of decimals.
+    Fixed(usize),
     /// A status or a verdict, coloured by its severity.
     Severity,
     /// An angle, rad; degrees in a page.
@@ -171,15 +141,15 @@ pub struct Column<R> {
 }
 
 impl<R: 'static> Column<R> {
-    /// A column of JSON and CSV.
+    /// A column of JSON and CSV; of neither without a key.
     pub fn new(
         key: &str,
         format: Format,
         value: impl Fn(&R) -> Value + Send + Sync + 'static,
     ) -> Column<R> {
         Column {
-            key: Some(key.to_owned()),
-            csv: Some(key.replace('.', "_")),
+            key: Some(key.to_owned()).filter(|key| !key.is_empty()),
+            csv: Some(key.replace('.', "_")).filter(|name| !name.is_empty()),
             rank: 1,
             optional_in_csv: false,
             format,
@@ -237,24 +207,14 @@ impl<R: 'static> Column<R> {
         self.page = Some(name.to_owned());
         self
     }
-
-    /// A column for pages only.
-    pub fn only_page(self, name: &str) -> Column<R> {
-        self.no_json().no_csv().page(name)
-    }
-
-    /// A column for people only.
-    pub fn people(self, heading: layout::Column) -> Column<R> {
-        self.no_json().no_csv().heading(heading)
-    }
 }
 
 /// Columns of a row type, one per line: key, format, further properties of [`Column`], and value.
 macro_rules! columns {
-    ($row:ident: $type:ty { $($key:literal $format:ident $([$($with:ident $(($($to:expr),*))?),*])? => $value:expr;)* }) => {
+    ($row:ident: $type:ty { $($key:literal $format:ident $(($decimals:literal))? $([$($with:ident $(($($to:expr),*))?),*])? => $value:expr;)* }) => {
         vec![$($crate::column::Column::<$type>::new(
             $key,
-            $crate::column::Format::$format,
+            $crate::column::Format::$format $(($decimals))?,
             |$row| $crate::column::Value::from($value),
         )$($(.$with($($($to),*)?))*)?),*]
     };
@@ -283,42 +243,21 @@ pub(crate) fn shown(heading: &str) -> layout::Column {
     layout::Column::new(heading)
 }
 
-/// The columns of a row type, laid out for JSON and CSV.
+/// The columns of a row type.
 pub struct Columns<R> {
     columns: Vec<Column<R>>,
-    json: Vec<Node>,
     /// The indices of the columns in CSV order.
     csv: Vec<usize>,
 }
 
-/// A key of JSON and its content.
-#[derive(Debug)]
-struct Node {
-    key: String,
-    under: Under,
-}
-
-#[derive(Debug)]
-enum Under {
-    Value(usize),
-    Object(Vec<Node>),
-    List(Vec<Node>),
-}
-
 impl<R: Row> Columns<R> {
-    /// Lays out `columns`.
+    /// The row type's `columns`.
     pub fn new(columns: Vec<Column<R>>) -> Columns<R> {
-        let mut json = Vec::new();
-        for (number, column) in columns.iter().enumerate() {
-            if let Some(key) = &column.key {
-                add(&mut json, key, number);
-            }
-        }
         let mut csv: Vec<usize> = (0..columns.len())
             .filter(|number| columns[*number].csv.is_some())
             .collect();
-        csv.sort_by_cached_key(|number| u64::from(columns[*number].rank));
-        Columns { columns, json, csv }
+        csv.sort_by_cached_key(|number| columns[*number].rank);
+        Columns { columns, csv }
     }
 
     /// The columns for another row type that contains such a row under `prefix`.
@@ -345,18 +284,6 @@ impl<R: Row> Columns<R> {
                 }),
             }
         })
-    }
-
-    /// `row` as a JSON object.
-    pub fn object(&'static self, row: &R) -> Object<'static> {
-        let values = self.columns.iter().map(|column| match &column.key {
-            Some(_) => (column.value)(row),
-            None => Value::Absent,
-        });
-        Object {
-            nodes: &self.json,
-            values: values.collect(),
-        }
     }
 
     /// The name of each column: its key in JSON, else its name in CSV.
@@ -413,10 +340,10 @@ impl<R: Row> Columns<R> {
         writer.write_record(self.csv_names(with_optional))?;
         for row in rows {
             let cells = self.csv_values(row, with_optional).into_iter();
-            writer.write_record(cells.map(|value| match value {
-                Value::Absent | Value::Null => String::new(),
-                Value::Text(text) => cell(&text),
-                value => display_text(&value, Format::Plain, BacklashUnit::Um, f64::NAN),
+            writer.write_record(cells.map(|value| match value.text() {
+                Some(text) => cell(text),
+                None if value == Value::NULL => String::new(),
+                None => display_text(&value, Format::Plain, BacklashUnit::Um, f64::NAN),
             }))?;
         }
         csv_text(writer)
@@ -433,11 +360,10 @@ impl<R: Row> Columns<R> {
         let shown = self.columns.iter().filter_map(|column| {
             let heading = column.heading.as_ref()?;
             let values: Vec<Value> = rows.iter().map(|row| (column.value)(row)).collect();
-            let is_empty = values.iter().all(|value| match value {
-                Value::Absent => true,
-                // No row has a value of the model.
-                Value::Null => column.format == Format::BacklashAgain,
-                _ => false,
+            // Without any value of a model, its column is empty.
+            let is_empty = values.iter().all(|value| {
+                *value == Value::Absent
+                    || *value == Value::NULL && column.format == Format::BacklashAgain
             });
             let cells = values.iter().zip(rows);
             let cells =
@@ -522,7 +448,7 @@ pub enum Values {
     /// Numbers; NaN for no value.
     Numbers(Vec<f64>),
     /// Words by their index in the list.
-    Words(Vec<u8>, &'static [&'static str]),
+    Words(Vec<u8>, Vec<&'static str>),
 }
 
 impl Values {
@@ -530,6 +456,11 @@ impl Values {
     pub(crate) const COUNTS: Values = Values::Counts(Vec::new());
     /// An empty list of numbers.
     pub(crate) const NUMBERS: Values = Values::Numbers(Vec::new());
+
+    /// An empty list of these words.
+    pub(crate) fn words<const N: usize>(words: [&'static str; N]) -> Values {
+        Values::Words(Vec::new(), words.to_vec())
+    }
 }
 
 impl Array {
@@ -537,15 +468,12 @@ impl Array {
     fn push(&mut self, value: &Value) {
         match &mut self.values {
             Values::Counts(counts) => counts.push(match value {
-                Value::Count(count) => u32::try_from(*count).unwrap_or(u32::MAX),
+                Value::Json(count) => count.as_u64().map_or(0, |count| count as u32),
                 _ => 0,
             }),
-            Values::Numbers(numbers) => numbers.push(match value {
-                Value::Number(number) => *number,
-                _ => f64::NAN,
-            }),
+            Values::Numbers(numbers) => numbers.push(value.measure().unwrap_or(f64::NAN)),
             Values::Words(places, words) => {
-                let place = words.iter().position(|word| *value == Value::Word(word));
+                let place = words.iter().position(|word| value.text() == Some(word));
                 places.push(place.unwrap_or(words.len()) as u8);
             }
         }
@@ -575,26 +503,24 @@ pub struct PeopleColumn {
 
 /// `value` for people, at centre distance `a`, mm.
 fn display_text(value: &Value, format: Format, unit: BacklashUnit, a: f64) -> String {
-    match (value, format) {
-        (Value::Absent, _) => String::new(),
-        (Value::Null, _) => NONE.to_owned(),
-        (Value::Number(um), Format::Backlash | Format::BacklashAgain) => backlash(unit, *um, a, 3),
-        (Value::Number(um), Format::Bound) => power(unit.of_um(*um, a), 0),
-        (Value::Number(mm), Format::Distance) => stated_distance(*mm),
-        (Value::Number(value), Format::FourDecimals) => fixed(*value, 4),
-        (Value::Number(um), Format::Hundredths) => fixed(*um, 2),
-        (Value::Number(um), Format::Thousandths) => fixed(*um, 3),
-        (Value::Number(mm), Format::Millionths) => fixed(*mm, 6),
-        (Value::Number(value), _) => value.to_string(),
-        (Value::Word(word), _) => (*word).to_owned(),
-        (Value::Text(text), _) => plain(text),
-        (Value::Bool(value), _) => value.to_string(),
-        (Value::Count(count), _) => count.to_string(),
-        (Value::Band(ends), _) => {
+    if let Some(number) = value.measure() {
+        return match format {
+            Format::Backlash | Format::BacklashAgain => backlash(unit, number, a, 3),
+            Format::Bound => power(unit.of_um(number, a), 0),
+            Format::Distance => stated_distance(number),
+            Format::Fixed(decimals) => fixed(number, decimals),
+            _ => number.to_string(),
+        };
+    }
+    match value {
+        Value::Absent => String::new(),
+        Value::Band(ends) => {
             let [least, greatest] = ends.map(|(um, a)| backlash(unit, um, a, 1));
             format!("{least} … {greatest}")
         }
-        (Value::Json(value), _) => value.to_string(),
+        Value::Json(Json::Null) => NONE.to_owned(),
+        Value::Json(Json::String(text)) => plain(text),
+        Value::Json(value) => value.to_string(),
     }
 }
 
@@ -625,106 +551,15 @@ pub(crate) fn quantity_words(unit: BacklashUnit) -> String {
     }
 }
 
-/// Adds the column with index `number` under the path `key`.
-fn add(nodes: &mut Vec<Node>, key: &str, number: usize) {
-    let Some((name, rest)) = key.split_once('.') else {
-        nodes.push(Node {
-            key: key.to_owned(),
-            under: Under::Value(number),
-        });
-        return;
-    };
-    let is_group = |node: &Node| node.key == name && !matches!(node.under, Under::Value(_));
-    let at = nodes.iter().position(is_group).unwrap_or_else(|| {
-        let is_list = rest.starts_with(|digit: char| digit.is_ascii_digit());
-        nodes.push(Node {
-            key: name.to_owned(),
-            under: if is_list {
-                Under::List(Vec::new())
-            } else {
-                Under::Object(Vec::new())
-            },
-        });
-        nodes.len() - 1
-    });
-    if let Under::Object(inner) | Under::List(inner) = &mut nodes[at].under {
-        add(inner, rest, number);
-    }
-}
-
-/// A row as a JSON object.
-#[derive(Debug)]
-pub struct Object<'a> {
-    nodes: &'a [Node],
-    values: Vec<Value>,
-}
-
-impl<'a> Object<'a> {
-    /// The keys of the first level with their values.
-    pub fn entries(&self) -> impl Iterator<Item = (&str, impl Serialize)> {
-        let nodes = self.nodes.iter();
-        let present = nodes.filter(|node| !node.is_absent(&self.values));
-        present.map(|node| (node.key.as_str(), node.with(&self.values)))
-    }
-
-    /// The value under `key` of the first level.
-    pub fn get(&self, key: &str) -> Option<impl Serialize> {
-        let mut entries = self.entries();
-        entries.find_map(|(name, value)| (name == key).then_some(value))
-    }
-}
-
-impl Serialize for Object<'_> {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        object(self.nodes, &self.values, to)
-    }
-}
-
-/// A node and the values of a row.
-struct NodeOf<'a> {
-    node: &'a Node,
-    values: &'a [Value],
-}
-
-impl Node {
-    fn with<'a>(&'a self, values: &'a [Value]) -> NodeOf<'a> {
-        NodeOf { node: self, values }
-    }
-
-    fn is_absent(&self, values: &[Value]) -> bool {
-        match &self.under {
-            Under::Value(number) => values[*number] == Value::Absent,
-            Under::Object(nodes) | Under::List(nodes) => {
-                nodes.iter().all(|node| node.is_absent(values))
+/// The value at the path `key` in `object`. Missing objects and lists on the path are added; every list has two elements.
+fn place<'j>(object: &'j mut Json, key: &str) -> &'j mut Json {
+    key.split('.').fold(object, |outer, name| match name {
+        "0" | "1" => {
+            if outer.is_null() {
+                *outer = json!([null, null]);
             }
+            &mut outer[usize::from(name == "1")]
         }
-    }
-}
-
-impl Serialize for NodeOf<'_> {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        match &self.node.under {
-            Under::Value(number) => self.values[*number].serialize(to),
-            Under::Object(nodes) => object(nodes, self.values, to),
-            Under::List(nodes) => {
-                let mut list = to.serialize_seq(Some(nodes.len()))?;
-                for node in nodes {
-                    if node.is_absent(self.values) {
-                        list.serialize_element(&Value::Null)?;
-                    } else {
-                        list.serialize_element(&node.with(self.values))?;
-                    }
-                }
-                list.end()
-            }
-        }
-    }
-}
-
-fn object<S: Serializer>(nodes: &[Node], values: &[Value], to: S) -> Result<S::Ok, S::Error> {
-    let mut map = to.serialize_map(None)?;
-    for node in nodes.iter().filter(|node| !node.is_absent(values)) {
-        map.serialize_entry(&node.key, &node.with(values))?;
-    }
-    map.end()
+        name => &mut outer[name],
+    })
 }

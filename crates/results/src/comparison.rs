@@ -3,8 +3,8 @@
 use crate::column::{Row, Value, list, row_type, shown};
 use crate::judged::{Case, Judgement, VERDICT, escape_markdown, mark};
 use crate::layout::{Screen, Tone, pose_label};
-use crate::pose::{PoseRow, pose_doubts};
-use crate::run::{extremes, verdict_record};
+use crate::pose::pose_doubts;
+use crate::run::{extremes, extremes_at, verdict_record};
 use crate::verdict::{lines, message};
 use gearlash::analysis::compare::{ComparedPose, PoseVerdict, Summary};
 use gearlash::analysis::diagnosis::{CheckName, CheckVerdict};
@@ -103,12 +103,10 @@ impl ComparedPair<'_> {
         let lines = lines(&verdict);
         let agrees = self.agreement() == Agreement::Agrees && self.is_proven;
         let kept = verdict.requirement.is_kept();
-        let mut formulas = self.first_line();
-        for run in &self.runs {
-            if let Some(failure) = self.failure(run) {
-                formulas += &format!("\n{}: {failure}", run_name(run));
-            }
-        }
+        let failures = self.runs.iter();
+        let failures =
+            failures.filter_map(|run| Some(format!("\n{}: {}", run_name(run), self.failure(run)?)));
+        let formulas = self.first_line() + &failures.collect::<String>();
         let outcome = |passes: bool, unproven: bool| match (passes, unproven) {
             (true, _) => CheckVerdict::Pass,
             (false, true) => CheckVerdict::Unproven,
@@ -147,12 +145,10 @@ impl ComparedPair<'_> {
             screen.toned(tone, &self.first_line())
         );
         for run in &self.runs {
-            let difference = match run.worst() {
-                Some((_, difference)) => {
-                    format!("simulated − model 3 up to {} µm", signed_um(difference, 4))
-                }
-                None => "nothing to compare".to_owned(),
-            };
+            let difference = run.worst().map(|(_, mm)| signed_um(mm, 4));
+            let difference = difference.map_or("nothing to compare".to_owned(), |um| {
+                format!("simulated − model 3 up to {um} µm")
+            });
             let outcome = match self.failure(run) {
                 Some(reason) => format!("{}  {reason}", screen.toned(Tone::Bad, "FAIL")),
                 None => {
@@ -160,12 +156,8 @@ impl ComparedPair<'_> {
                     screen.toned(Tone::Good, "ok") + &trouble.unwrap_or_default()
                 }
             };
-            let poses = run.poses;
-            let _ = writeln!(
-                text,
-                "{}: {poses} poses, {difference}  {outcome}",
-                run_name(run)
-            );
+            let (name, poses) = (run_name(run), run.poses);
+            let _ = writeln!(text, "{name}: {poses} poses, {difference}  {outcome}");
             let off = run.count(PoseVerdict::OffLine);
             if off > 0 && self.allows_off_line() {
                 let _ = writeln!(
@@ -293,9 +285,9 @@ pub(crate) struct ComparedRow {
 impl ComparedRow {
     /// The places of the least and the greatest backlash.
     fn ends(&self) -> [String; 2] {
-        let (least, greatest) = self.run.extremes().unzip();
-        let at = |length, pose: Option<&ComparedPose>| match pose {
-            Some(pose) => format!("{} at {}", um_ascii(length, 3), pose_label(pose)),
+        let [least, greatest] = extremes_at(&self.run);
+        let at = |length, pose: Option<String>| match pose {
+            Some(pose) => format!("{} at {pose}", um_ascii(length, 3)),
             None => NONE.to_owned(),
         };
         [at(self.summary.min, least), at(self.summary.max, greatest)]
@@ -320,21 +312,22 @@ impl ComparedRow {
     }
 
     /// The first unproven poses.
-    fn unproven_poses(&self) -> Option<Vec<serde_json::Value>> {
-        let poses = self.run.first_unproven.iter().map(unproven_pose);
-        Some(poses.collect()).filter(|poses: &Vec<_>| !poses.is_empty())
+    fn unproven_poses(&self) -> Value {
+        let poses = &self.run.first_unproven;
+        let is_any = !poses.is_empty();
+        Value::optional(is_any.then(|| poses.iter().map(unproven_pose).collect::<Vec<_>>()))
     }
 }
 
 row_type!(row: ComparedRow {
-    "" Plain [people(shown("run").left())] => run_name(&row.run);
+    "" Plain [heading(shown("run").left())] => run_name(&row.run);
     "center_distance_mm" Plain => row.run.assembly.center_distance();
     "material" Plain => row.run.material.name();
     "poses" Plain [heading(shown("poses"))] => row.run.poses;
-    "" Plain [people(shown("least j_wt µm"))] => row.ends()[0].clone();
-    "" Plain [people(shown("greatest j_wt µm"))] => row.ends()[1].clone();
-    "" Plain [people(shown("off model 2 µm"))] => um_ascii(row.summary.off_involute, 3);
-    "" Plain [people(shown("off model 3 µm"))] => row.off_line_of_action();
+    "" Plain [heading(shown("least j_wt µm"))] => row.ends()[0].clone();
+    "" Plain [heading(shown("greatest j_wt µm"))] => row.ends()[1].clone();
+    "" Plain [heading(shown("off model 2 µm"))] => um_ascii(row.summary.off_involute, 3);
+    "" Plain [heading(shown("off model 3 µm"))] => row.off_line_of_action();
     "compared" Plain => row.run.compared;
     "passed" Plain => row.passed;
     "off_line" Plain [heading(shown("touch off the line of action"))] => row.run.count(PoseVerdict::OffLine);
@@ -342,7 +335,7 @@ row_type!(row: ComparedRow {
     "above" Plain => row.run.count(PoseVerdict::Above);
     "max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
     "max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
-    "worst" Plain => row.run.worst().map_or(Value::Null, |_| Value::Absent);
+    "worst" Plain => row.run.worst().map_or(Value::NULL, |_| Value::Absent);
     "worst.wheel_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.wheel_tooth));
     "worst.pinion_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.pinion_tooth));
     "worst.flank" Plain => Value::optional(row.worst_mating().map(|mating| mating.flank.name()));
@@ -350,8 +343,8 @@ row_type!(row: ComparedRow {
     "worst.difference_um" Plain => Value::optional(row.run.worst().map(|(_, mm)| mm * 1e3));
     "worst.error_bound_um" Plain => Value::optional(row.run.worst().map(|(pose, _)| Value::um(pose.simulated.error_bound)));
     "unproven" Plain => row.run.count(PoseVerdict::Unproven);
-    "unproven_poses" Plain => Value::optional(row.unproven_poses().map(serde_json::Value::Array));
-    "" Plain [people(shown("verdict").left())] => row.verdict();
+    "unproven_poses" Plain => row.unproven_poses();
+    "" Plain [heading(shown("verdict").left())] => row.verdict();
 });
 
 fn run_name(run: &RunTally) -> String {
@@ -392,7 +385,7 @@ fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
 
 /// An unproven pose. Where only an end of its bearing clearance is unproven, it has no `unproven`.
 fn unproven_pose(pose: &ComparedPose) -> serde_json::Value {
-    let mut value = json!({ "mating": PoseRow::mating_json(pose.simulated.pose.mating()) });
+    let mut value = json!({ "mating": pose.simulated.pose.mating().json() });
     if let Err(unproven) = &pose.simulated.found {
         value["unproven"] = unproven.json();
     }

@@ -47,13 +47,13 @@ struct PlaceRow {
 }
 
 row_type!(row: PlaceRow {
-    "" Plain [people(shown("").left())] => row.name;
-    "" Plain [people(shown("µm"))] => signed_um(row.at.beyond, 2);
+    "" Plain [heading(shown("").left())] => row.name;
+    "" Plain [heading(shown("µm"))] => signed_um(row.at.beyond, 2);
     "deviation_um" Plain [rank(2)] => 1e3 * row.at.beyond;
     "a_tooth" Plain [heading(shown("tooth of A"))] => row.at.tooth;
-    "point_mm.0" FourDecimals [csv("x_mm"), heading(shown("x mm"))] => row.point[0];
-    "point_mm.1" FourDecimals [csv("y_mm"), heading(shown("y mm"))] => row.point[1];
-    "radius_mm" FourDecimals [heading(shown("radius mm"))] => row.at.point.coords.norm();
+    "point_mm.0" Fixed(4) [csv("x_mm"), heading(shown("x mm"))] => row.point[0];
+    "point_mm.1" Fixed(4) [csv("y_mm"), heading(shown("y mm"))] => row.point[1];
+    "radius_mm" Fixed(4) [heading(shown("radius mm"))] => row.at.point.coords.norm();
     "normal_x" Plain [no_json] => row.at.normal.x;
     "normal_y" Plain [no_json] => row.at.normal.y;
 });
@@ -84,17 +84,17 @@ struct DrawingRow {
 }
 
 row_type!(row: DrawingRow {
-    "" Plain [people(shown("").left())] => row.name;
+    "" Plain [heading(shown("").left())] => row.name;
     "file" Plain => row.file.clone();
     "teeth" Plain [heading(shown("teeth"))] => row.gear.teeth();
     "center_mm.0" Plain => row.center[0];
     "center_mm.1" Plain => row.center[1];
-    "" FourDecimals [people(shown("root diameter mm"))] => 2.0 * row.gear.root_radius();
-    "tip_diameter_mm" FourDecimals [heading(shown("tip diameter mm"))] => 2.0 * row.gear.tip_radius();
+    "" Fixed(4) [heading(shown("root diameter mm"))] => 2.0 * row.gear.root_radius();
+    "tip_diameter_mm" Fixed(4) [heading(shown("tip diameter mm"))] => 2.0 * row.gear.tip_radius();
     "root_diameter_mm" Plain => 2.0 * row.gear.root_radius();
-    "" Plain [people(shown("centre mm").left())] => row.center.map(|mm| ascii(mm, 4)).join(", ");
+    "" Plain [heading(shown("centre mm").left())] => row.center.map(|mm| ascii(mm, 4)).join(", ");
     "error_bound_um" Plain => 1e3 * row.gear.bound();
-    "" Plain [people(shown("within µm"))] => um_ascii(row.gear.bound(), 4);
+    "" Plain [heading(shown("within µm"))] => um_ascii(row.gear.bound(), 4);
 });
 
 fn drawings(compared: &ComparedOutlines) -> [DrawingRow; 2] {

@@ -190,15 +190,9 @@ impl Outcome {
                     text.push('\n');
                 }
                 JudgedFile::Judged(judged) if judged.passes => {
-                    let rows = judged.verdict.extremes.iter();
-                    let rows: Vec<String> = rows
-                        .map(|row| format!("{} {}", row.name, row.value))
-                        .collect();
-                    let line = format!(
-                        "{}     {name:<width$}  {}",
-                        screen.toned(Tone::Good, "ok"),
-                        rows.join(", ")
-                    );
+                    let ok = screen.toned(Tone::Good, "ok");
+                    let extremes = judged.verdict.extremes_in_short();
+                    let line = format!("{ok}     {name:<width$}  {extremes}");
                     let _ = writeln!(text, "{}", line.trim_end());
                 }
                 JudgedFile::Judged(judged) => {
@@ -207,9 +201,9 @@ impl Outcome {
                         let _ = writeln!(text, "  {line}");
                     }
                     for case in judged.cases_without_verdict().filter(|case| case.fails()) {
+                        let (verdict, name) = (case.verdict.name(), &case.name);
                         let message = case.message.replace('\n', "\n    ");
-                        let _ =
-                            writeln!(text, "  {}: {}: {message}", case.verdict.name(), case.name);
+                        let _ = writeln!(text, "  {verdict}: {name}: {message}");
                     }
                     if let Some(hint) = &judged.hint {
                         let _ = writeln!(text, "  {}", plain(hint));
@@ -258,10 +252,8 @@ impl Outcome {
                     }
                 }
                 JudgedFile::Judged(judged) => {
-                    let keys = judged
-                        .warnings
-                        .iter()
-                        .filter_map(|words| words.split(": ").next());
+                    let warnings = judged.warnings.iter();
+                    let keys = warnings.filter_map(|words| words.split(": ").next());
                     let keys = iter::once("require").chain(keys);
                     let lines = lines_of_keys(&text_of(&judged.file), keys);
                     let (of_limits, of_warnings) = (lines[0], &lines[1..]);

@@ -143,19 +143,20 @@ impl Column {
 
     /// Left out where the table is too wide; the highest `rank` goes first.
     pub fn spare(self, rank: u8) -> Column {
-        let fit = Fit::Spare(rank);
-        Column { fit, ..self }
+        self.fit(Fit::Spare(rank))
     }
 
     /// Broken between words where the table is too wide.
     pub fn broken(self) -> Column {
-        let fit = Fit::Broken;
-        Column { fit, ..self }
+        self.fit(Fit::Broken)
     }
 
     /// Moved below its row where the table is too wide.
     pub fn below(self) -> Column {
-        let fit = Fit::Below;
+        self.fit(Fit::Below)
+    }
+
+    fn fit(self, fit: Fit) -> Column {
         Column { fit, ..self }
     }
 }

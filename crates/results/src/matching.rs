@@ -36,9 +36,9 @@ row_type!(row: AssignmentRow {
     "pinion" Plain [heading(shown("pinion").left())] => row.pinion.clone();
     "wheel_tooth" Plain [no_csv] => row.wheel_tooth();
     "pinion_tooth" Plain => row.found.best.pinion_tooth;
-    "" Plain [people(shown("teeth to mark").left())] => row.marks();
-    "least_um" Hundredths [heading(shown("least µm"))] => Value::um(row.found.best.outcome.least);
-    "greatest_um" Hundredths [heading(shown("greatest µm"))] => Value::um(row.found.best.outcome.greatest);
+    "" Plain [heading(shown("teeth to mark").left())] => row.marks();
+    "least_um" Fixed(2) [heading(shown("least µm"))] => Value::um(row.found.best.outcome.least);
+    "greatest_um" Fixed(2) [heading(shown("greatest µm"))] => Value::um(row.found.best.outcome.greatest);
     "status" Plain [no_json] => row.found.best.outcome.kind.name();
     "phases_meeting" Plain [no_json] => row.found.phases_that_meet;
     "assigned" Plain [no_json] => u32::from(row.is_assigned);
@@ -102,13 +102,12 @@ fn left_over(result: &MatchResult, kind: usize, name: &str) -> String {
     } else {
         nearest(result, rows.into_iter()).map_or(String::new(), |(row, beyond)| {
             let outcome = row.found.best.outcome;
-            let um = |mm: Option<f64>| um_ascii(mm, 2);
             format!(
                 " ({} to {} µm with {}, {} µm beyond the limits)",
-                um(outcome.least),
-                um(outcome.greatest),
+                um_ascii(outcome.least, 2),
+                um_ascii(outcome.greatest, 2),
                 mate(&row),
-                um(Some(beyond))
+                um_ascii(beyond, 2)
             )
         })
     };
@@ -170,21 +169,17 @@ pub fn text(result: &MatchResult, screen: &Screen) -> String {
             stated_distance(result.clearance)
         ));
     }
-    let nearest = if pairs.is_empty() {
-        nearest(result, rows(result))
-    } else {
-        None
-    };
-    if let Some((row, beyond)) = nearest {
+    if pairs.is_empty()
+        && let Some((row, beyond)) = nearest(result, rows(result))
+    {
         let outcome = row.found.best.outcome;
-        let um = |mm: Option<f64>| um_ascii(mm, 2);
         text += &screen.fold(&format!(
             "Nearest: wheel {} with pinion {}, least {} µm, greatest {} µm, {} µm beyond the limits.\n",
             plain(&row.wheel),
             plain(&row.pinion),
-            um(outcome.least),
-            um(outcome.greatest),
-            um(Some(beyond))
+            um_ascii(outcome.least, 2),
+            um_ascii(outcome.greatest, 2),
+            um_ascii(beyond, 2)
         ));
     }
     text += &screen.fold(&format!(

@@ -49,9 +49,9 @@ struct SpreadRow {
 }
 
 row_type!(row: SpreadRow {
-    "" Plain [people(shown("j_wt µm").left())] => row.name.clone();
-    "" Hundredths [people(shown("least"))] => Value::um(row.ends[0]);
-    "" Hundredths [people(shown("greatest"))] => Value::um(row.ends[1]);
+    "" Plain [heading(shown("j_wt µm").left())] => row.name.clone();
+    "" Fixed(2) [heading(shown("least"))] => Value::um(row.ends[0]);
+    "" Fixed(2) [heading(shown("greatest"))] => Value::um(row.ends[1]);
 });
 
 /// The statistics of the spread.
@@ -89,11 +89,11 @@ struct ContributionRow {
 }
 
 row_type!(row: ContributionRow {
-    "" Plain [people(shown("share of the variance, %").left())] => row.name;
-    "" Plain [people(shown("of the least"))] => percent(row.least[0]);
-    "" Plain [people(shown("by itself").spare(1))] => percent(row.least[1]);
-    "" Plain [people(shown("of the greatest"))] => Value::optional(row.greatest.map(|of| percent(of[0])));
-    "" Plain [people(shown("by itself").spare(1))] => Value::optional(row.greatest.map(|of| percent(of[1])));
+    "" Plain [heading(shown("share of the variance, %").left())] => row.name;
+    "" Plain [heading(shown("of the least"))] => percent(row.least[0]);
+    "" Plain [heading(shown("by itself").spare(1))] => percent(row.least[1]);
+    "" Plain [heading(shown("of the greatest"))] => Value::optional(row.greatest.map(|of| percent(of[0])));
+    "" Plain [heading(shown("by itself").spare(1))] => Value::optional(row.greatest.map(|of| percent(of[1])));
 });
 
 /// Sentences below the table that define a share of the variance.
@@ -124,8 +124,8 @@ struct WorstRow {
 
 row_type!(row: WorstRow {
     "assembly" Plain [heading(shown("worst assemblies").left())] => row.number;
-    "least_um" Hundredths [heading(shown("least µm"))] => um(row.ends[0]);
-    "greatest_um" Hundredths [heading(shown("greatest µm"))] => um(row.ends[1]);
+    "least_um" Fixed(2) [heading(shown("least µm"))] => um(row.ends[0]);
+    "greatest_um" Fixed(2) [heading(shown("greatest µm"))] => um(row.ends[1]);
     "file" Plain => worst_name(row.index);
 });
 

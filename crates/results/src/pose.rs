@@ -83,16 +83,6 @@ impl PoseRow {
         }
     }
 
-    /// A mating as JSON.
-    pub(crate) fn mating_json(mating: &Mating) -> serde_json::Value {
-        json!({
-            "wheel_tooth": mating.wheel_tooth,
-            "pinion_tooth": mating.pinion_tooth,
-            "flank": mating.flank.name(),
-            "fraction": mating.fraction,
-        })
-    }
-
     /// Its centre distance, mm.
     pub fn center_distance(&self) -> f64 {
         self.center_distance
@@ -127,12 +117,6 @@ impl PoseRow {
         self.result().found.as_ref().err()
     }
 
-    /// The proof of the contacts by directions, where it was kept.
-    fn proof(&self) -> Value {
-        let proof = self.result().proof.as_deref();
-        Value::optional(proof.map(|proof| json!(proof)))
-    }
-
     /// The reason why the backlash at one end of the bearing clearance is not proven.
     fn unproven_end(&self, end: usize) -> Option<&Unproven> {
         let ends = self.result().with_clearance.as_ref()?;
@@ -152,20 +136,12 @@ impl PoseRow {
 
 row_type!(PoseRow = columns());
 
-/// The flanks, in the order of [`Side::BOTH`].
-const FLANKS: [&str; 2] = [Side::Right.name(), Side::Left.name()];
-
-/// The statuses, in the order of [`Status::ALL`].
-const STATUSES: [&str; 5] = {
-    let [clear, interference, jammed, no_contact, unproven] = Status::ALL;
-    [
-        clear.name(),
-        interference.name(),
-        jammed.name(),
-        no_contact.name(),
-        unproven.name(),
-    ]
-};
+row_type!(row: Mating {
+    "wheel_tooth" Plain => row.wheel_tooth;
+    "pinion_tooth" Plain => row.pinion_tooth;
+    "flank" Plain => row.flank.name();
+    "fraction" Plain => row.fraction;
+});
 
 fn columns() -> Vec<Column<PoseRow>> {
     let mut columns = columns!(row: PoseRow {
@@ -177,11 +153,11 @@ fn columns() -> Vec<Column<PoseRow>> {
         "pinion_rotation_rad" Plain => row.rotation(Member::Pinion);
         "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0), array("wheel_tooth", Values::COUNTS)] => row.mating().wheel_tooth;
         "mating.pinion_tooth" Plain [csv("pinion_tooth"), rank(0), array("pinion_tooth", Values::COUNTS)] => row.mating().pinion_tooth;
-        "" Plain [people(shown("mating"))] => row.mating_words();
-        "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank")), array("flank", Values::Words(Vec::new(), &FLANKS)), page("flank")] => row.mating().flank.name();
+        "" Plain [heading(shown("mating"))] => row.mating_words();
+        "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank")), array("flank", Values::words(Side::BOTH.map(Side::name))), page("flank")] => row.mating().flank.name();
         "mating.fraction" Plain [csv("fraction"), rank(0), array("fraction", Values::NUMBERS)] => row.mating().fraction;
-        "" Angle [only_page("locked_rad")] => row.result().pose.locked_rotation();
-        "" Angle [only_page("free_rad")] => row.free_rotation();
+        "" Angle [page("locked_rad")] => row.result().pose.locked_rotation();
+        "" Angle [page("free_rad")] => row.free_rotation();
         "right_rad" Plain => row.right_rad();
         "left_rad" Plain => row.right_rad().zip(row.angle).map(|(right, angle)| right + angle);
         "lost_motion_rad" Angle [page("lost_motion_rad")] => row.angle;
@@ -194,7 +170,7 @@ fn columns() -> Vec<Column<PoseRow>> {
         "j_wt_range_um.0" Plain [csv("j_wt_range_min_um")] => Value::um(row.result().range()[0]);
         "j_wt_range_um.1" Plain [csv("j_wt_range_max_um")] => Value::um(row.result().range()[1]);
         "error_bound_um" Bound [heading(shown("± bound").spare(6)), array("error_bound_um", Values::NUMBERS)] => Value::um(row.angle.and(row.result().error_bound));
-        "status" Severity [heading(shown("status")), array("status", Values::Words(Vec::new(), &STATUSES))] => row.result().status().name();
+        "status" Severity [heading(shown("status")), array("status", Values::words(Status::ALL.map(Status::name)))] => row.result().status().name();
     });
     let unproven = Unproven::columns();
     columns.extend(unproven.within("unproven", |row: &PoseRow| row.unproven()));
@@ -205,17 +181,17 @@ fn columns() -> Vec<Column<PoseRow>> {
         "unproven_range_min_reason" Plain [no_json, rank(2)] => row.unproven_end(0).map(|end| end.reason.clone());
         "unproven_range_max_reason" Plain [no_json, rank(2)] => row.unproven_end(1).map(|end| end.reason.clone());
         "class" Plain => row.class.map(PoseClass::name);
-        "right" Plain [no_csv] => row.right.as_ref().map_or(Value::Null, |_| Value::Absent);
-        "" Plain [people(shown("right contact").spare(3))] => row.right.as_ref().map(ContactRow::words);
+        "right" Plain [no_csv] => row.right.as_ref().map_or(Value::NULL, |_| Value::Absent);
+        "" Plain [heading(shown("right contact").spare(3))] => row.right.as_ref().map(ContactRow::words);
     }));
     columns.extend(ContactRow::columns().within("right", |row: &PoseRow| row.right.as_ref()));
     columns.extend(columns!(row: PoseRow {
-        "left" Plain [no_csv] => row.left.as_ref().map_or(Value::Null, |_| Value::Absent);
-        "" Plain [people(shown("left contact").spare(2))] => row.left.as_ref().map(ContactRow::words);
+        "left" Plain [no_csv] => row.left.as_ref().map_or(Value::NULL, |_| Value::Absent);
+        "" Plain [heading(shown("left contact").spare(2))] => row.left.as_ref().map(ContactRow::words);
     }));
     columns.extend(ContactRow::columns().within("left", |row: &PoseRow| row.left.as_ref()));
     columns.extend(columns!(row: PoseRow {
-        "proof" Plain [no_csv] => row.proof();
+        "proof" Plain [no_csv] => Value::optional(row.result().proof.as_deref().map(|proof| json!(proof)));
         "analytic.michalec_um" BacklashAgain [csv("michalec_um"), heading(shown("Michalec").spare(5))] => Value::um(row.pose.michalec);
         "analytic.involute_um" BacklashAgain [csv("involute_um"), heading(shown("involute").spare(4))] => Value::um(row.pose.involute);
         "analytic.line_of_action_um" BacklashAgain [csv("line_of_action_um"), heading(shown("line of action").spare(1))] => Value::um(row.pose.line_of_action);
@@ -315,11 +291,11 @@ row_type!(row: ContactRow {
     "point_mm.0" Place [no_csv, page("x_mm")] => row.contact.point.x;
     "point_mm.1" Place [no_csv, page("y_mm")] => row.contact.point.y;
     "section_mm" Plain [optional_in_csv] => row.contact.section;
-    "" Plain [only_page("section_mm")] => Value::optional(row.varies_along_face.then_some(row.contact.section));
+    "" Plain [page("section_mm")] => Value::optional(row.varies_along_face.then_some(row.contact.section));
     "at" Plain [optional_in_csv] => Value::optional(row.at.map(FacePlace::name));
     "normal.0" Plain [no_csv] => row.contact.normal.x;
     "normal.1" Plain [no_csv] => row.contact.normal.y;
-    "" Angle [only_page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);
+    "" Angle [page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);
     "class" Plain [no_csv] => row.class.map(|class| class.kind.name());
     "tip_gear" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.tip).map(Member::name));
     "tip_moment" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.moment).map(|moment| moment.name()));

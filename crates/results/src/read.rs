@@ -91,13 +91,13 @@ fn values(table: &ImportedTable) -> Table {
 }
 
 row_type!(row: (usize, ListedOutline) {
-    "" Plain [people(shown("number"))] => row.0;
-    "" Name [people(shown("layer or id").left())] => row.1.name.clone();
-    "" Name [people(shown("from, mm").left())] => row.1.start.clone();
-    "" Plain [people(shown("size, mm").left())] => format!("{:.3} x {:.3}", row.1.size_mm.x, row.1.size_mm.y);
-    "" Plain [people(shown("parts"))] => row.1.parts;
-    "" Plain [people(shown("inside"))] => row.1.inside;
-    "" Name [people(shown("at").left().spare(1))] => row.1.place.clone();
+    "" Plain [heading(shown("number"))] => row.0;
+    "" Name [heading(shown("layer or id").left())] => row.1.name.clone();
+    "" Name [heading(shown("from, mm").left())] => row.1.start.clone();
+    "" Plain [heading(shown("size, mm").left())] => format!("{:.3} x {:.3}", row.1.size_mm.x, row.1.size_mm.y);
+    "" Plain [heading(shown("parts"))] => row.1.parts;
+    "" Plain [heading(shown("inside"))] => row.1.inside;
+    "" Name [heading(shown("at").left().spare(1))] => row.1.place.clone();
 });
 
 /// The outlines of the drawing called `name`, and the table of the gear `gear` that names one of them; of the wheel and one more, both gears.
@@ -146,11 +146,11 @@ pub fn listed_outlines(
 }
 
 row_type!(row: RexsStage {
-    "" Plain [people(shown("stage"))] => row.id.to_string();
-    "" Name [people(shown("kind").left().spare(1))] => row.kind.clone();
-    "" Name [people(shown("name").left().spare(2))] => row.name.clone();
-    "" Plain [people(shown("").left())] => if row.pair.is_ok() { "pair file" } else { "left out" };
-    "" Name [people(shown("became").left().below())] => row.pair.as_ref().map_or_else(String::clone, |pair| pair.summary.clone());
+    "" Plain [heading(shown("stage"))] => row.id.to_string();
+    "" Name [heading(shown("kind").left().spare(1))] => row.kind.clone();
+    "" Name [heading(shown("name").left().spare(2))] => row.name.clone();
+    "" Plain [heading(shown("").left())] => if row.pair.is_ok() { "pair file" } else { "left out" };
+    "" Name [heading(shown("became").left().below())] => row.pair.as_ref().map_or_else(String::clone, |pair| pair.summary.clone());
 });
 
 /// The stages of the gearbox model called `name` with their results, and the parts that were left out.

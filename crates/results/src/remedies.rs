@@ -52,23 +52,19 @@ impl RemedyRecord {
         let digits = decimals + usize::from(present.iter().any(is_fine));
         let [first, last] = present.map(|present| ascii(present, digits));
         let (of, present) = match (remedy.what, remedy.gears) {
-            (Change::CenterDistance, _) if first == last => (String::new(), first),
             (Change::CenterDistance, _) => {
                 (String::new(), format!("each of the list {first} … {last}"))
             }
-            (_, Gears::Both) if first == last => (" of both gears".to_owned(), first),
-            (_, Gears::Both) => (
-                " of both gears".to_owned(),
-                format!("{first} (wheel) and {last} (pinion)"),
-            ),
-            (_, Gears::One(member)) => (
-                format!(" of the {}", member.name()),
-                match member {
-                    Member::Wheel => first,
-                    Member::Pinion => last,
-                },
-            ),
+            (_, Gears::Both) => {
+                let both = format!("{first} (wheel) and {last} (pinion)");
+                (" of both gears".to_owned(), both)
+            }
+            (_, Gears::One(member)) => {
+                let own = [&first, &last][member as usize].clone();
+                (format!(" of the {}", member.name()), own)
+            }
         };
+        let present = if first == last { first } else { present };
         RemedyRecord {
             what,
             gear: remedy.gears.name(),
@@ -123,19 +119,18 @@ fn statement(file: &PairFile, member: Member, change: f64) -> Option<String> {
     let most = gears.next()?;
     let least = gears.next_back().unwrap_or(most);
     let data = most.basic_data();
+    let per_arc = thickness::per_normal_thickness(data);
     // `length` gives the stated length at a base thickness, mm.
     let by = |name: &str, length: &dyn Fn(f64) -> f64| {
         let base = most.base_thickness();
-        let changed = base + change * scale * thickness::per_normal_thickness(data);
+        let changed = base + change * scale * per_arc;
         let by = (length(changed) - length(base)) / scale;
         let word = if by < 0.0 { "smaller" } else { "larger" };
         Some(format!("{name} {} mm {word}", ascii(by.abs(), 4)))
     };
-    if let Some(span) = &stated.span {
-        let k = span.teeth;
-        return by(&format!("span W_{k}"), &|base| {
-            thickness::span_from_base(data, k, base)
-        });
+    let span = |teeth: u32| move |base: f64| thickness::span_from_base(data, teeth, base);
+    if let Some(of) = &stated.span {
+        return by(&format!("span W_{}", of.teeth), &span(of.teeth));
     }
     if let Some(pins) = &stated.over_pins {
         let (body, pin) = (pins.kind.unwrap_or_default(), pins.pin_mm * scale);
@@ -151,14 +146,10 @@ fn statement(file: &PairFile, member: Member, change: f64) -> Option<String> {
         });
     }
     if stated.base_thickness_mm.is_some() {
-        return by("base thickness", &|base| {
-            thickness::span_from_base(data, 1, base)
-        });
+        return by("base thickness", &span(1));
     }
     if stated.arc_thickness_mm.is_some() {
-        return by("arc thickness", &|base| {
-            base / thickness::per_normal_thickness(data)
-        });
+        return by("arc thickness", &|base| base / per_arc);
     }
     let is_band = most.base_thickness() != least.base_thickness();
     let [min, max] =
@@ -254,14 +245,12 @@ fn sentence(reason: NoRemedy) -> String {
             "The thickness is not changed: one gear is drawn and the other given by its data."
         }
         NoRemedy::NoDistance => "No centre distance was found that is enough.",
-        NoRemedy::NoThickness(Gears::Both) => {
-            "No thickness of both gears was found that is enough."
-        }
-        NoRemedy::NoThickness(Gears::One(Member::Wheel)) => {
-            "No thickness of the wheel alone was found that is enough."
-        }
-        NoRemedy::NoThickness(Gears::One(Member::Pinion)) => {
-            "No thickness of the pinion alone was found that is enough."
+        NoRemedy::NoThickness(gears) => {
+            let of = match gears {
+                Gears::Both => "both gears".to_owned(),
+                Gears::One(member) => format!("the {} alone", member.name()),
+            };
+            return format!("No thickness of {of} was found that is enough.");
         }
         NoRemedy::NotEnough => "No single change is enough.",
     };

@@ -5,12 +5,12 @@ use crate::column::{Column, Row, Value, columns, row_type, shown};
 use crate::layout::pose_label;
 use crate::pose::{ContactRow, PoseRow};
 use crate::verdict::{doubt_words, extreme_doubt, lines};
+use gearlash::analysis::assembles_from::Threshold;
 use gearlash::analysis::compare::{ComparedPose, Summary};
 use gearlash::analysis::diagnosis::{ContactCount, Worst};
 use gearlash::analysis::extremes::{CoveredPhases, RunExtreme, RunExtremes};
 use gearlash::analysis::tally::RunTally;
 use gearlash::analysis::verdict::Verdict;
-use gearlash::contact::Doubt;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{FaceDeviation, Member, arcmin};
 use gearlash_text::characters;
@@ -19,51 +19,40 @@ use serde_json::json;
 /// A run and its summary.
 #[derive(Debug)]
 pub struct RunRow {
-    assembly: AssembledPair,
-    material: &'static str,
-    phase: Option<(u32, u32)>,
-    poses: usize,
-    unproven: usize,
+    run: RunTally,
     summary: Summary,
-    contact: Option<serde_json::Value>,
-    /// The places of the least and the greatest backlash.
-    at: [Option<String>; 2],
     /// Radial clearance of both bearings, mm.
     clearance: f64,
+}
+
+/// The names of the poses of `run` with the least and the greatest backlash.
+pub(crate) fn extremes_at(run: &RunTally) -> [Option<String>; 2] {
+    let (least, greatest) = run.extremes().unzip();
+    [least, greatest].map(|pose| pose.map(pose_label))
 }
 
 impl RunRow {
     /// The row of `run`, with the bearing clearance of its study, mm.
     pub fn new(run: &RunTally, clearance: f64) -> RunRow {
-        let (least, greatest) = run.extremes().unzip();
-        let at = |pose: Option<&ComparedPose>| pose.map(pose_label);
-        let evidence = run.evidence.as_ref();
         RunRow {
-            assembly: run.assembly.clone(),
-            material: run.material.name(),
-            phase: run.phase,
-            poses: run.poses,
-            unproven: run.unproven,
+            run: run.clone(),
             summary: run.summary(),
-            contact: evidence.map(|evidence| contact_count(&evidence.contact)),
-            at: [at(least), at(greatest)],
             clearance,
         }
     }
 
     /// Its centre distance, mm.
     pub fn center_distance(&self) -> f64 {
-        self.assembly.center_distance()
+        self.run.assembly.center_distance()
     }
 
     fn arcmin(&self, j_wt: Option<f64>, member: Member) -> Option<f64> {
-        Some(arcmin(self.assembly.angle(member, j_wt?)))
+        Some(arcmin(self.run.assembly.angle(member, j_wt?)))
     }
 
-    /// The number of poses that are not proven at either end of the bearing clearance.
-    fn unproven_ends(&self) -> Value {
-        let ends = self.summary.unproven_ends;
-        Value::optional((ends != [0, 0]).then(|| json!(ends)))
+    fn contact(&self) -> Option<serde_json::Value> {
+        let evidence = self.run.evidence.as_ref();
+        evidence.map(|evidence| contact_count(&evidence.contact))
     }
 
     /// The least and the greatest backlash with the bearing clearance, each with its own centre distance.
@@ -80,20 +69,20 @@ impl RunRow {
 
 row_type!(row: RunRow {
     "center_distance_mm" Distance [heading(shown("a mm"))] => row.center_distance();
-    "material" Plain [heading(shown("material"))] => row.material;
-    "phase.wheel_tooth" Plain => Value::optional(row.phase.map(|phase| phase.0));
-    "phase.pinion_tooth" Plain => Value::optional(row.phase.map(|phase| phase.1));
-    "operating_pressure_angle_deg" Plain => row.assembly.operating_pressure_angle().map(f64::to_degrees);
-    "" Plain [people(shown("poses").spare(5))] => row.poses;
-    "" Backlash [people(shown("least"))] => Value::um(row.summary.min);
-    "" Plain [people(shown("at").broken())] => row.at[0].clone();
-    "" Backlash [people(shown("mean").spare(2))] => Value::um(row.summary.mean);
-    "" Backlash [people(shown("greatest"))] => Value::um(row.summary.max);
-    "" Plain [people(shown("at").broken())] => row.at[1].clone();
-    "" Plain [people(shown("a ± clearance").spare(1))] => row.band();
-    "" BacklashAgain [people(shown("off model 2").spare(4))] => Value::um(row.summary.off_involute);
-    "" BacklashAgain [people(shown("off model 3").spare(3))] => Value::um(row.summary.off_line_of_action);
-    "" Plain [people(shown("unproven"))] => Value::optional((row.unproven > 0).then_some(row.unproven));
+    "material" Plain [heading(shown("material"))] => row.run.material.name();
+    "phase.wheel_tooth" Plain => Value::optional(row.run.phase.map(|phase| phase.0));
+    "phase.pinion_tooth" Plain => Value::optional(row.run.phase.map(|phase| phase.1));
+    "operating_pressure_angle_deg" Plain => row.run.assembly.operating_pressure_angle().map(f64::to_degrees);
+    "" Plain [heading(shown("poses").spare(5))] => row.run.poses;
+    "" Backlash [heading(shown("least"))] => Value::um(row.summary.min);
+    "" Plain [heading(shown("at").broken())] => extremes_at(&row.run)[0].take();
+    "" Backlash [heading(shown("mean").spare(2))] => Value::um(row.summary.mean);
+    "" Backlash [heading(shown("greatest"))] => Value::um(row.summary.max);
+    "" Plain [heading(shown("at").broken())] => extremes_at(&row.run)[1].take();
+    "" Plain [heading(shown("a ± clearance").spare(1))] => row.band();
+    "" BacklashAgain [heading(shown("off model 2").spare(4))] => Value::um(row.summary.off_involute);
+    "" BacklashAgain [heading(shown("off model 3").spare(3))] => Value::um(row.summary.off_line_of_action);
+    "" Plain [heading(shown("unproven"))] => Value::optional((row.run.unproven > 0).then_some(row.run.unproven));
     "summary.min_j_wt_um" Plain => Value::um(row.summary.min);
     "summary.max_j_wt_um" Plain => Value::um(row.summary.max);
     "summary.mean_j_wt_um" Plain => Value::um(row.summary.mean);
@@ -101,10 +90,10 @@ row_type!(row: RunRow {
     "summary.polygon_checked" Plain => row.summary.polygon_checked;
     "summary.with_bearing_clearance.min_j_wt_um" Plain => Value::um(row.summary.with_clearance[0]);
     "summary.with_bearing_clearance.max_j_wt_um" Plain => Value::um(row.summary.with_clearance[1]);
-    "summary.with_bearing_clearance.unproven" Plain => row.unproven_ends();
+    "summary.with_bearing_clearance.unproven" Plain => Value::optional(Some(row.summary.unproven_ends).filter(|ends| *ends != [0, 0]).map(|ends| json!(ends)));
     "summary.max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
     "summary.max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
-    "summary.contact" Plain => row.contact.clone();
+    "summary.contact" Plain => row.contact();
     "summary.min_lost_motion_arcmin.wheel" Plain => row.arcmin(row.summary.min, Member::Wheel);
     "summary.min_lost_motion_arcmin.pinion" Plain => row.arcmin(row.summary.min, Member::Pinion);
     "summary.max_lost_motion_arcmin.wheel" Plain => row.arcmin(row.summary.max, Member::Wheel);
@@ -132,7 +121,7 @@ fn worst(worst: &Worst) -> serde_json::Value {
     json!({
         "center_distance_mm": worst.assembly.center_distance(),
         "material": worst.material.name(),
-        "mating": PoseRow::mating_json(worst.pose.mating()),
+        "mating": worst.pose.mating().json(),
         "class": worst.class.name(),
         "j_wt_um": worst.backlash * 1e3,
         "formula_um": (worst.backlash + worst.loss) * 1e3,
@@ -144,13 +133,8 @@ fn worst(worst: &Worst) -> serde_json::Value {
 /// The least or the greatest backlash of a cycle.
 #[derive(Debug)]
 pub struct ExtremeRow {
-    /// The bracket of `j_wt`, mm; an unknown end is infinite.
-    bracket: [f64; 2],
-    found: f64,
-    proven: bool,
+    extreme: RunExtreme,
     uncertainty: Option<f64>,
-    doubt: Option<String>,
-    assembly: AssembledPair,
     /// The worst high tooth of each gear with an undirected runout.
     high_teeth: Option<[Option<f64>; 2]>,
     pose: PoseRow,
@@ -164,28 +148,22 @@ impl ExtremeRow {
             let is_open = run.assembly.any_direction(member);
             is_open.then(|| assembly.high_tooth(member))
         };
-        let high_teeth = run.any_direction().then(|| Member::BOTH.map(high_tooth));
         ExtremeRow {
-            bracket: [extreme.low, extreme.high],
-            found: extreme.found(),
-            proven: extreme.is_proven(),
             uncertainty: verdict.expanded(extreme),
-            doubt: extreme_doubt(extreme),
-            high_teeth,
+            high_teeth: run.any_direction().then(|| Member::BOTH.map(high_tooth)),
             pose: PoseRow::new(assembly, &extreme.pose),
-            assembly: assembly.clone(),
+            extreme: extreme.clone(),
         }
     }
 
     /// The lost motion at one end of the bracket; null where the end is unknown.
-    fn lost_motion(&self, end: usize) -> Value {
-        let free = self.assembly.free();
-        let angle = |j_wt| self.assembly.angle(free, j_wt);
-        known(self.bracket[end]).map(angle).into()
+    fn lost_motion(&self, end: f64) -> Option<f64> {
+        let assembly = &self.extreme.assembly;
+        known(end).map(|j_wt| assembly.angle(assembly.free(), j_wt))
     }
 
     fn arcmin(&self, member: Member) -> f64 {
-        arcmin(self.assembly.angle(member, self.found))
+        arcmin(self.extreme.assembly.angle(member, self.extreme.found()))
     }
 
     fn high_tooth(&self, gear: usize) -> Value {
@@ -202,16 +180,16 @@ row_type!(ExtremeRow = extreme_columns());
 
 fn extreme_columns() -> Vec<Column<ExtremeRow>> {
     let mut columns = columns!(row: ExtremeRow {
-        "j_wt_um.0" Plain => Value::um(known(row.bracket[0]));
-        "j_wt_um.1" Plain => Value::um(known(row.bracket[1]));
-        "found_j_wt_um" Backlash => Value::um(row.found);
-        "lost_motion_rad.0" Plain => row.lost_motion(0);
-        "lost_motion_rad.1" Plain => row.lost_motion(1);
+        "j_wt_um.0" Plain => Value::um(known(row.extreme.low));
+        "j_wt_um.1" Plain => Value::um(known(row.extreme.high));
+        "found_j_wt_um" Backlash => Value::um(row.extreme.found());
+        "lost_motion_rad.0" Plain => row.lost_motion(row.extreme.low);
+        "lost_motion_rad.1" Plain => row.lost_motion(row.extreme.high);
         "lost_motion_arcmin.wheel" Plain => row.arcmin(Member::Wheel);
         "lost_motion_arcmin.pinion" Plain => row.arcmin(Member::Pinion);
-        "proven" Plain => row.proven;
+        "proven" Plain => row.extreme.is_proven();
         "uncertainty_um" Plain => Value::um(row.uncertainty);
-        "doubt" Plain => Value::optional(row.doubt.clone());
+        "doubt" Plain => Value::optional(extreme_doubt(&row.extreme));
         "high_tooth.wheel" Plain => row.high_tooth(0);
         "high_tooth.pinion" Plain => row.high_tooth(1);
     });
@@ -235,20 +213,15 @@ fn extremes_of_run(verdict: &Verdict, run: &RunExtremes) -> serde_json::Value {
         "phase": run.phase.map(|(wheel, pinion)| [wheel, pinion]),
         "status": run.status.name(),
     });
-    let mut distance = |key: &str, bracket: Option<[f64; 2]>, why: Option<Doubt>| {
-        value[key] = json!(bracket);
-        if let Some(why) = why {
-            value[key.replace("_mm", "_doubt")] = doubt_words(why).into();
+    let mut distance = |name: &str, found: Option<Threshold>| {
+        value[format!("{name}_mm")] = json!(found.map(|found| [found.low, found.high]));
+        if let Some(why) = found.and_then(|found| found.doubt) {
+            value[format!("{name}_doubt")] = doubt_words(why).into();
         }
     };
-    let from = run.assembles_from;
-    distance(
-        "assembles_from_mm",
-        from.map(|from| [from.low, from.high]),
-        from.and_then(|from| from.doubt),
-    );
-    if let Some(to) = run.meshes_to {
-        distance("meshes_to_mm", Some([to.low, to.high]), to.doubt);
+    distance("assembles_from", run.assembles_from);
+    if run.meshes_to.is_some() {
+        distance("meshes_to", run.meshes_to);
     }
     if let Some(loss) = &run.face_loss {
         let um = |kind| loss.by(kind).map(|mm| mm * 1e3);

@@ -3,7 +3,7 @@
 use crate::column::{PeopleColumn, Row, Value, backlash_cell, quantity_words, row_type, shown};
 use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::{PoseRow, pose_doubts};
-use crate::run::RunRow;
+use crate::run::{RunRow, extremes_at};
 use crate::verdict::{heading, lines};
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash::analysis::phases::{PhaseGroup, phase_groups};
@@ -36,13 +36,31 @@ pub fn simulation(
     }
     let poses: usize = runs.iter().map(|run| run.poses).sum();
     if measured.is_empty() && poses <= MOST_LISTED {
-        text += &pose_table(runs, unit, screen);
+        let rows = runs.iter().flat_map(|run| {
+            let poses = run.listed.iter();
+            poses.map(move |pose| PoseRow::of_run(run, pose))
+        });
+        let rows: Vec<PoseRow> = rows.collect();
+        text += &PoseRow::columns().table(&rows, PoseRow::center_distance, unit, screen);
         text.push('\n');
     }
     let groups = phase_groups(runs);
     if groups.is_empty() {
-        text += &listed_note(study);
-        text += &run_table(study, runs, unit, screen);
+        let of = if study.sweeps() {
+            "Of the poses swept"
+        } else {
+            "Of the listed poses"
+        };
+        let axes = match study.bearing_ends {
+            None => "",
+            Some(_) => ", without bearing clearance",
+        };
+        // These rows could be mistaken for the whole cycle.
+        text += &format!("{of}{axes} (the verdict above is of the whole mesh cycle):\n");
+        let rows = runs.iter();
+        let rows = rows.map(|run| RunRow::new(run, study.clearance_of_poses()));
+        let rows: Vec<RunRow> = rows.collect();
+        text += &RunRow::columns().table(&rows, RunRow::center_distance, unit, screen);
         let has_formulas = runs.iter().any(|run| run.evidence.is_some());
         let models = if has_formulas { MODELS } else { "" };
         let of = quantity_words(unit);
@@ -61,16 +79,13 @@ pub fn simulation(
 
 /// A note on helical gears: the section of each value, and the face of the result.
 fn helical_note(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
-    let helical = |run: &RunTally| Some(run.assembly.as_built(Member::Wheel)?.gear().clone());
-    let wheel = runs.iter().find(|run| run.assembly.is_helical());
-    let Some(wheel) = wheel.and_then(helical) else {
+    let helical = runs.iter().find(|run| run.assembly.is_helical());
+    let wheel = helical.and_then(|run| run.assembly.as_built(Member::Wheel));
+    let Some(wheel) = wheel else {
         return String::new();
     };
-    let data = wheel.basic_data();
-    let hand = match data.hand() {
-        Some(Hand::Left) => "left",
-        _ => "right",
-    };
+    let data = wheel.gear().basic_data();
+    let hand = data.hand().map_or("right", Hand::name);
     let [from, to] = study.face.map(|end| trimmed(end, 0, 3));
     screen.paragraphs(&format!(
         "Helical, β {}°, wheel {hand}-hand, over the common face {from} … {to} mm from the measuring plane. Module, pressure angle, profile shift, \
@@ -79,39 +94,9 @@ fn helical_note(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
     ))
 }
 
-/// A note on the poses of the rows below, where they could be mistaken for the whole cycle.
-fn listed_note(study: &Study) -> String {
-    let of = if study.sweeps() {
-        "Of the poses swept"
-    } else {
-        "Of the listed poses"
-    };
-    let axes = match study.bearing_ends {
-        None => "",
-        Some(_) => ", without bearing clearance",
-    };
-    format!("{of}{axes} (the verdict above is of the whole mesh cycle):\n")
-}
-
 const AT: &str = ", simulated; \"at\": mating, fraction of a pitch beyond it, flank.";
 const MODELS: &str =
     " Off model 2, 3: largest difference to the involute and to the line-of-action formula.";
-
-fn pose_table(runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String {
-    let rows = runs.iter().flat_map(|run| {
-        let poses = run.listed.iter();
-        poses.map(move |pose| PoseRow::of_run(run, pose))
-    });
-    let rows: Vec<PoseRow> = rows.collect();
-    PoseRow::columns().table(&rows, PoseRow::center_distance, unit, screen)
-}
-
-fn run_table(study: &Study, runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String {
-    let rows = runs.iter();
-    let rows = rows.map(|run| RunRow::new(run, study.clearance_of_poses()));
-    let rows: Vec<RunRow> = rows.collect();
-    RunRow::columns().table(&rows, RunRow::center_distance, unit, screen)
-}
 
 fn off_line_note(runs: &[RunTally]) -> String {
     let total: usize = runs.iter().map(|run| run.poses).sum();
@@ -173,26 +158,15 @@ struct PhaseRow {
     with_unproven: bool,
 }
 
-impl PhaseRow {
-    /// The name of a pose, of the least (0) or the greatest (1) backlash.
-    fn at(&self, end: usize) -> Value {
-        let ends = self
-            .run
-            .extremes()
-            .map(|(least, greatest)| [least, greatest]);
-        ends.map(|ends| pose_label(ends[end])).into()
-    }
-}
-
 row_type!(row: PhaseRow {
-    "" Plain [people(shown("phase"))] => phase_name(&row.run);
-    "" Backlash [people(shown("least"))] => Value::um(row.run.summary().min);
-    "" Plain [people(shown("at").broken())] => row.at(0);
-    "" Backlash [people(shown("mean").spare(1))] => Value::um(row.run.summary().mean);
-    "" Backlash [people(shown("greatest"))] => Value::um(row.run.summary().max);
-    "" Plain [people(shown("at").broken())] => row.at(1);
-    "" Backlash [people(shown("variation"))] => Value::um(row.run.variation());
-    "" Plain [people(shown("unproven"))] => Value::optional(row.with_unproven.then_some(row.run.unproven));
+    "" Plain [heading(shown("phase"))] => phase_name(&row.run);
+    "" Backlash [heading(shown("least"))] => Value::um(row.run.summary().min);
+    "" Plain [heading(shown("at").broken())] => extremes_at(&row.run)[0].take();
+    "" Backlash [heading(shown("mean").spare(1))] => Value::um(row.run.summary().mean);
+    "" Backlash [heading(shown("greatest"))] => Value::um(row.run.summary().max);
+    "" Plain [heading(shown("at").broken())] => extremes_at(&row.run)[1].take();
+    "" Backlash [heading(shown("variation"))] => Value::um(row.run.variation());
+    "" Plain [heading(shown("unproven"))] => Value::optional(row.with_unproven.then_some(row.run.unproven));
 });
 
 fn phase_name(run: &RunTally) -> String {
@@ -256,7 +230,7 @@ impl MeasuredRow {
     fn band(&self, band: Option<Band>) -> Value {
         let a = self.center_distance();
         let ends = band.map(|band| [band.min_um, band.max_um].map(|um| (Some(um), a)));
-        ends.map_or(Value::Null, Value::Band)
+        ends.map_or(Value::NULL, Value::Band)
     }
 
     /// A measured value, with a mark above or below its band.
@@ -277,14 +251,14 @@ impl MeasuredRow {
 }
 
 row_type!(row: MeasuredRow {
-    "" Plain [people(shown("mating"))] => format!("{},{}", row.mating.row.wheel_tooth, row.mating.row.pinion_tooth);
-    "" Distance [people(shown("a mm"))] => row.center_distance();
-    "" BacklashAgain [people(shown("predicted (printed)"))] => Value::optional(row.mating.printed.map(|band| row.band(Some(band))));
-    "" BacklashAgain [people(shown("analytic").spare(1))] => row.band(row.mating.analytic);
-    "" BacklashAgain [people(shown("simulated"))] => row.band(row.mating.simulated);
-    "" BacklashAgain [people(shown("with bearing clearance"))] => Value::optional(row.with_clearance.then(|| row.band(row.mating.with_clearance)));
-    "" BacklashAgain [people(shown("measured right"))] => row.marked(row.mating.row.right_um);
-    "" BacklashAgain [people(shown("left"))] => row.marked(row.mating.row.left_um);
+    "" Plain [heading(shown("mating"))] => format!("{},{}", row.mating.row.wheel_tooth, row.mating.row.pinion_tooth);
+    "" Distance [heading(shown("a mm"))] => row.center_distance();
+    "" BacklashAgain [heading(shown("predicted (printed)"))] => Value::optional(row.mating.printed.map(|band| row.band(Some(band))));
+    "" BacklashAgain [heading(shown("analytic").spare(1))] => row.band(row.mating.analytic);
+    "" BacklashAgain [heading(shown("simulated"))] => row.band(row.mating.simulated);
+    "" BacklashAgain [heading(shown("with bearing clearance"))] => Value::optional(row.with_clearance.then(|| row.band(row.mating.with_clearance)));
+    "" BacklashAgain [heading(shown("measured right"))] => row.marked(row.mating.row.right_um);
+    "" BacklashAgain [heading(shown("left"))] => row.marked(row.mating.row.left_um);
 });
 
 /// The `measured` matings, each compared with the band `beside` it.

@@ -13,7 +13,7 @@ use gearlash::analysis::extremes::{
 };
 use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{RequirementOutcome, Unmet, Verdict};
-use gearlash::contact::{Doubt, Status};
+use gearlash::contact::{Contact, Doubt, Status};
 use gearlash::gear::Side;
 use gearlash::pair::{Member, arcmin};
 use gearlash_text::characters::plain;
@@ -73,45 +73,47 @@ pub struct ExtremeLine {
 
 impl ExtremeLine {
     /// The place: teeth, direction, centre distance and material; shorter with more `brevity`, 0 … 3.
-    fn place(&self, brevity: usize) -> Vec<String> {
+    fn place(&self, brevity: usize) -> [String; 2] {
         let teeth = match (&self.teeth, brevity) {
             (None, _) if self.name == CONSTANT => "every pose".to_owned(),
             (None, _) => "any teeth".to_owned(),
             (Some(teeth), 0..3) => format!("teeth {teeth}"),
             (Some(teeth), _) => teeth.clone(),
         };
-        let mut rest = Vec::new();
-        rest.extend(self.curves.clone().filter(|_| brevity == 0));
-        rest.extend(
-            self.direction
-                .filter(|_| brevity < 2)
-                .map(|points| match brevity {
-                    0 => format!("{points} points in mesh"),
-                    _ => format!("{points} points"),
-                }),
-        );
-        rest.extend(self.distance.as_ref().map(|a| format!("a {a} mm")));
-        rest.extend(self.material.map(|material| material.words().to_owned()));
         let phase = self.phase.filter(|_| brevity < 3);
-        rest.extend(phase.map(|(wheel, pinion)| format!("phase {wheel}·{pinion}")));
-        vec![teeth, rest.join(", ")]
+        let rest = [
+            self.curves.clone().filter(|_| brevity == 0),
+            self.direction.and_then(|points| match brevity {
+                0 => Some(format!("{points} points in mesh")),
+                1 => Some(format!("{points} points")),
+                _ => None,
+            }),
+            self.distance.as_ref().map(|a| format!("a {a} mm")),
+            self.material.map(|material| material.words().to_owned()),
+            phase.map(|(wheel, pinion)| format!("phase {wheel}·{pinion}")),
+        ];
+        let rest: Vec<String> = rest.into_iter().flatten().collect();
+        [teeth, rest.join(", ")]
     }
 
     /// The place in words, including the teeth.
     pub fn place_words(&self) -> String {
-        let mut parts = self.place(0);
-        parts.retain(|part| !part.is_empty());
-        parts.join(", ")
+        let place = self.place(0).join(", ");
+        place.trim_end_matches(", ").to_owned()
     }
 
-    fn cells(&self, brevity: usize) -> Vec<String> {
+    fn cells(&self, brevity: usize) -> [String; 4] {
         let lost_motion = self.arcmin.as_ref().map(|(arcmin, member)| match brevity {
             0 => format!("{arcmin} arcmin at the {}", member.name()),
             _ => format!("{arcmin}′ {}", member.name()),
         });
-        let mut cells = vec![self.value.clone(), lost_motion.unwrap_or_default()];
-        cells.extend(self.place(brevity));
-        cells
+        let [teeth, rest] = self.place(brevity);
+        [
+            self.value.clone(),
+            lost_motion.unwrap_or_default(),
+            teeth,
+            rest,
+        ]
     }
 }
 
@@ -119,39 +121,11 @@ impl ExtremeLine {
 const CONSTANT: &str = "constant";
 
 impl VerdictLines {
-    /// Keeps the longest text of `status`, then of `proof`, that fits a line of `most` columns; all `extremes`; and the
-    /// `sentences` for which there is room.
-    pub(crate) fn new(
-        state: CheckVerdict,
-        status: &[String],
-        proof: &[String],
-        extremes: Vec<ExtremeLine>,
-        sentences: Vec<String>,
-        most: usize,
-    ) -> VerdictLines {
-        let combined = status.iter().flat_map(|status| {
-            let each = proof.iter();
-            each.map(move |proof| (status, proof))
-        });
-        let fits = |(status, proof): &(&String, &String)| columns(status) + columns(proof) < most;
-        let shortest = status.last().zip(proof.last());
-        let chosen = combined.into_iter().find(fits).or(shortest);
-        let (status, proof) = chosen.map_or_else(Default::default, |(status, proof)| {
-            (status.clone(), proof.clone())
-        });
-        let (qualifiers, left_out) = match most {
-            UNCUT => (sentences, Vec::new()),
-            _ => fit_sentences(sentences, MAX_LINES - 1 - extremes.len()),
-        };
-        VerdictLines {
-            state,
-            status,
-            proof,
-            extremes,
-            qualifiers,
-            left_out,
-            most,
-        }
+    /// The extremes on one line, without their places.
+    pub(crate) fn extremes_in_short(&self) -> String {
+        let each = self.extremes.iter();
+        let each = each.map(|row| format!("{} {}", row.name, row.value));
+        each.collect::<Vec<String>>().join(", ")
     }
 
     /// The first line.
@@ -201,34 +175,27 @@ fn cut(text: &str, most: usize) -> String {
 }
 
 /// The first of `candidates` that fits a line, else the last, cut.
-fn first_fitting(candidates: impl IntoIterator<Item = String>, most: usize) -> String {
-    let mut last = String::new();
-    for candidate in candidates {
-        if columns(&candidate) <= most {
-            return candidate;
-        }
-        last = candidate;
-    }
-    cut(&last, most)
+fn first_fitting(candidates: &[String], most: usize) -> String {
+    let mut each = candidates.iter();
+    let fits = each.find(|candidate| columns(candidate) <= most);
+    fits.or(candidates.last())
+        .map_or_else(String::new, |text| cut(text, most))
 }
 
 /// The `extremes` in columns, in the longest wording that fits.
 fn aligned_lines(extremes: &[ExtremeLine], most: usize) -> Vec<String> {
     let worded = |brevity: usize| -> Vec<String> {
-        let cells: Vec<Vec<String>> = extremes.iter().map(|line| line.cells(brevity)).collect();
-        let widths = |column: usize| {
-            let each = cells.iter().filter_map(|row| row.get(column));
-            each.map(|cell| columns(cell)).max().unwrap_or(0)
-        };
-        let gap = " ".repeat(if brevity < 3 { 3 } else { 2 });
-        let line = |(extreme, cells): (&ExtremeLine, &Vec<String>)| {
-            let width = widths(0);
+        let cells: Vec<[String; 4]> = extremes.iter().map(|line| line.cells(brevity)).collect();
+        let widths = [0, 1, 2, 3].map(|column| {
+            let each = cells.iter().map(|row: &[String; 4]| columns(&row[column]));
+            each.max().unwrap_or(0)
+        });
+        let gap = if brevity < 3 { "   " } else { "  " };
+        let line = |(extreme, cells): (&ExtremeLine, &[String; 4])| {
+            let width = widths[0];
             let mut line = format!("  {:<8}{gap}{:>width$}", extreme.name, cells[0]);
-            for (column, cell) in cells.iter().enumerate().skip(1) {
-                let width = widths(column);
-                if width == 0 {
-                    continue;
-                }
+            let others = cells.iter().zip(widths).skip(1);
+            for (cell, width) in others.filter(|(_, width)| *width > 0) {
                 line += &format!("{gap}{cell:<width$}");
             }
             line.trim_end().to_owned()
@@ -359,11 +326,9 @@ fn places(all: &[Place], here: &[Place], in_full: bool) -> String {
         (some, all) if some == all => format!("at all {all} distances"),
         (some, all) => {
             let named: Vec<String> = distances.iter().map(|a| stated_distance(*a)).collect();
-            if in_full {
-                format!("at {some} of {all} distances (a = {} mm)", named.join(", "))
-            } else {
-                format!("at {some} of {all} distances")
-            }
+            let named = format!(" (a = {} mm)", named.join(", "));
+            let named = if in_full { &named } else { "" };
+            format!("at {some} of {all} distances{named}")
         }
     };
     if let Some(material) = only_material(all, here) {
@@ -390,11 +355,9 @@ fn only_material(all: &[Place], here: &[Place]) -> Option<Material> {
 /// ` in 2 of 6 phases`; empty where `here` has all phases of its distances.
 fn some_phases(all: &[Place], here: &[Place]) -> String {
     let phases = distinct(here.iter().filter_map(|place| place.phase)).len();
-    let possible = distinct(at_distances_of(all, here).filter_map(|place| place.phase)).len();
-    if phases < possible {
-        format!(" in {phases} of {possible} phases")
-    } else {
-        String::new()
+    match distinct(at_distances_of(all, here).filter_map(|place| place.phase)).len() {
+        possible if phases < possible => format!(" in {phases} of {possible} phases"),
+        _ => String::new(),
     }
 }
 
@@ -419,25 +382,44 @@ pub fn uncut(verdict: &Verdict) -> VerdictLines {
 }
 
 fn lines_of(verdict: &Verdict, most: usize) -> VerdictLines {
+    let mut lines = VerdictLines {
+        state: CheckVerdict::Unproven,
+        status: "Nothing was run.".to_owned(),
+        proof: String::new(),
+        extremes: Vec::new(),
+        qualifiers: Vec::new(),
+        left_out: Vec::new(),
+        most,
+    };
     if verdict.runs.is_empty() {
-        let (status, proof) = ("Nothing was run.".to_owned(), String::new());
-        let state = CheckVerdict::Unproven;
-        return VerdictLines::new(state, &[status], &[proof], Vec::new(), Vec::new(), most);
+        return lines;
     }
-    let places: Vec<Place> = verdict.runs.iter().map(place).collect();
-    let state = if verdict.failed_checks.is_empty() {
+    lines.state = if verdict.failed_checks.is_empty() {
         verdict.state()
     } else {
         CheckVerdict::Fail
     };
-    VerdictLines::new(
-        state,
-        &status(&places),
-        &proof(verdict),
-        rows(verdict),
-        sentences(verdict, most),
-        most,
-    )
+    let places: Vec<Place> = verdict.runs.iter().map(place).collect();
+    // The longest status with the longest proof that fits a line, else the shortest of both.
+    let proofs = proof(verdict);
+    let first_lines = status(&places).into_iter().flat_map(|status| {
+        let proofs = proofs.iter();
+        proofs.map(move |proof| (status.clone(), proof.clone()))
+    });
+    for (status, proof) in first_lines {
+        let fits = columns(&status) + columns(&proof) < most;
+        (lines.status, lines.proof) = (status, proof);
+        if fits {
+            break;
+        }
+    }
+    lines.extremes = rows(verdict);
+    let sentences = sentences(verdict, most);
+    (lines.qualifiers, lines.left_out) = match most {
+        UNCUT => (sentences, Vec::new()),
+        _ => fit_sentences(sentences, MAX_LINES - 1 - lines.extremes.len()),
+    };
+    lines
 }
 
 fn place(run: &RunExtremes) -> Place {
@@ -460,21 +442,18 @@ fn place(run: &RunExtremes) -> Place {
 /// The certainty of the extremes, in full and shorter; empty where a distance derived from them is not proven.
 fn proof(verdict: &Verdict) -> Vec<String> {
     let open = |of: fn(&RunExtremes) -> &Option<RunExtreme>| {
-        let each = verdict.runs.iter().filter_map(|run| of(run).as_ref());
-        each.into_iter()
-            .any(|extreme| extreme_doubt(extreme).is_some())
+        let mut each = verdict.runs.iter().filter_map(|run| of(run).as_ref());
+        each.any(|extreme| extreme_doubt(extreme).is_some())
     };
-    let of = match [open(|run| &run.least), open(|run| &run.greatest)] {
-        [false, false] => "",
-        [true, false] => "Least not proven.",
-        [false, true] => "Greatest not proven.",
-        [true, true] => "Least and greatest not proven.",
+    let alone = match [open(|run| &run.least), open(|run| &run.greatest)] {
+        [true, false] => Some("Least not proven."),
+        [false, true] => Some("Greatest not proven."),
+        [true, true] => Some("Least and greatest not proven."),
+        [false, false] if distances(verdict).iter().any(|(_, is_proven)| !is_proven) => Some(""),
+        [false, false] => None,
     };
-    if !of.is_empty() {
-        return vec![of.to_owned()];
-    }
-    if distances(verdict).iter().any(|(_, is_proven)| !is_proven) {
-        return vec![String::new()];
+    if let Some(alone) = alone {
+        return vec![alone.to_owned()];
     }
     let matings = verdict.matings();
     let covered = distinct(verdict.runs.iter().filter_map(|run| run.own_phase));
@@ -501,10 +480,12 @@ fn proof(verdict: &Verdict) -> Vec<String> {
     } else {
         format!("Proven for {over}.")
     };
-    let long = [rotation, "every rotation"].map(|of| format!("Proven for {over}, {of}."));
-    long.into_iter()
-        .chain([shorter, "Proven.".to_owned()])
-        .collect()
+    vec![
+        format!("Proven for {over}, {rotation}."),
+        format!("Proven for {over}, every rotation."),
+        shorter,
+        "Proven.".to_owned(),
+    ]
 }
 
 /// The uncertainty of an extreme due to the drawings, mm; `None` for gears by their data, and where it is only rounding.
@@ -518,26 +499,25 @@ fn drawing_bound(extreme: &RunExtreme) -> Option<f64> {
 fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
     let is_apart = |run: &RunExtremes| run.status == Status::NoContact;
     let is_tight = |run: &RunExtremes| run.assembles() == Some(false) && !is_apart(run);
+    let found = |words: &str, distance: f64, doubt: Option<Doubt>| {
+        let unless_proven = if doubt.is_some() { " (not proven)" } else { "" };
+        let text = format!("{words} a = {} mm{unless_proven}", fixed(distance, 4));
+        (text, doubt.is_none())
+    };
     let mut distances = Vec::new();
     if verdict.runs.iter().any(is_tight) {
         distances.push(match verdict.assembles_from() {
-            Some(from) => distance_words("Assembles from", rounded_up(from.high), from.doubt),
+            Some(from) => found("Assembles from", rounded_up(from.high), from.doubt),
             None => ("Assembles at no centre distance in mesh".to_owned(), true),
         });
     }
     if verdict.runs.iter().any(is_apart) {
         distances.push(match verdict.meshes_to() {
-            Some(to) => distance_words("In mesh up to", rounded_down(to.low), to.doubt),
+            Some(to) => found("In mesh up to", rounded_down(to.low), to.doubt),
             None => ("In mesh at no centre distance".to_owned(), true),
         });
     }
     distances
-}
-
-fn distance_words(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, bool) {
-    let unless_proven = if doubt.is_some() { " (not proven)" } else { "" };
-    let text = format!("{words} a = {} mm{unless_proven}", fixed(distance, 4));
-    (text, doubt.is_none())
 }
 
 /// A distance, mm, rounded up to a ten thousandth: at a lower printed one the pair would interfere.
@@ -633,19 +613,14 @@ fn touched(extreme: &RunExtreme) -> Option<String> {
         ContactRow::new(&extreme.assembly, side, &result.pose, &contact).unchecked_places()
     };
     let (right, left) = (places(Side::Right)?, places(Side::Left)?);
-    Some(if right == left {
-        right
-    } else {
-        format!("{right} / {left}")
-    })
+    Some(distinct([right, left].into_iter()).join(" / "))
 }
 
 /// A backlash in µm, with its uncertainty or error bound to two digits.
 fn value(j_wt: f64, off: Option<f64>) -> String {
-    match off.filter(|off| *off > 0.0) {
-        Some(off) => format!("{} µm", um_within(j_wt, off)),
-        None => format!("{} µm", um(j_wt, DECIMALS)),
-    }
+    let off = off.filter(|off| *off > 0.0);
+    let number = off.map_or_else(|| um(j_wt, DECIMALS), |off| um_within(j_wt, off));
+    format!("{number} µm")
 }
 
 /// A lost motion, rad, in minutes of arc.
@@ -656,23 +631,21 @@ fn lost_motion(angle: f64) -> String {
 /// `10·4 / 11·4`: the teeth in contact at right and at left flanks.
 fn teeth(pose: &ComparedPose) -> Option<String> {
     let found = pose.simulated.proven()?;
+    let teeth = |contact: &Contact| format!("{}·{}", contact.wheel.tooth, contact.pinion.tooth);
     let (right, left) = (found.right.as_ref()?, found.left.as_ref()?);
-    Some(format!(
-        "{}·{} / {}·{}",
-        right.wheel.tooth, right.pinion.tooth, left.wheel.tooth, left.pinion.tooth
-    ))
+    Some(format!("{} / {}", teeth(right), teeth(left)))
 }
 
 /// The lines of `verdict` as the message of a failure. The limits that a pair misses which assembles come before them.
 pub(crate) fn message(verdict: &Verdict) -> String {
     let mut others = verdict.clone();
-    let mut violated = Vec::new();
+    let mut text = String::new();
     if verdict.assembles() == Some(true) {
-        violated = std::mem::take(&mut others.unmet);
+        for unmet in std::mem::take(&mut others.unmet) {
+            text += &(limit(&unmet, UNCUT) + "\n");
+        }
     }
-    let violated = violated.iter().map(|unmet| limit(unmet, UNCUT));
-    let lines = lines(&others).lines();
-    violated.chain(lines).collect::<Vec<String>>().join("\n")
+    text + &lines(&others).to_string()
 }
 
 /// The sentences that qualify the extremes, the most important first.
@@ -725,26 +698,18 @@ fn limit(unmet: &Unmet, most: usize) -> String {
         Some([low, high]) if unmet.is_missed => shown(if unmet.is_max { low } else { high }),
         Some(bracket) => bracket_words(bracket.map(shown)),
     };
-    let whether = if unmet.is_missed {
-        "not met"
-    } else {
-        "not proven"
-    };
-    let text = format!("Requirement {whether}: {name} {sign} {limit} {unit}, found {found}");
+    let whether = if unmet.is_missed { "met" } else { "proven" };
+    let text = format!("Requirement not {whether}: {name} {sign} {limit} {unit}, found {found}");
     if unmet.with_clearance {
-        first_fitting([format!("{text} with bearing clearance"), text], most - 2)
+        first_fitting(&[format!("{text} with bearing clearance"), text], most - 2)
     } else {
         text
     }
 }
 
 /// `low … high`, or one value where both print equal texts.
-fn bracket_words([low, high]: [String; 2]) -> String {
-    if low == high {
-        low
-    } else {
-        format!("{low} … {high}")
-    }
+fn bracket_words(ends: [String; 2]) -> String {
+    distinct(ends.into_iter()).join(" … ")
 }
 
 /// Ids of the checks that fail whenever the pair does not assemble.
@@ -772,8 +737,8 @@ fn checks(verdict: &Verdict, most: usize) -> Option<String> {
         };
         format!("{count}: {}{more}", titles[..named].join(", "))
     };
-    let candidates = (1..=titles.len()).rev().map(with);
-    Some(first_fitting(candidates, most - 2))
+    let candidates: Vec<String> = (1..=titles.len()).rev().map(with).collect();
+    Some(first_fitting(&candidates, most - 2))
 }
 
 /// A check's title up to its first comma, semicolon or bracket.
@@ -795,7 +760,6 @@ fn doubt_sentences(verdict: &Verdict, most: usize) -> Vec<String> {
         if reasons.is_empty() {
             continue;
         }
-        let words = bracket(is_least, &extremes);
         // The verdict names a run that is jammed or out of mesh.
         let elsewhere = if extremes.len() < verdict.runs.len() {
             " elsewhere"
@@ -803,9 +767,10 @@ fn doubt_sentences(verdict: &Verdict, most: usize) -> Vec<String> {
             ""
         };
         let name = format!("{name}{elsewhere}");
-        let in_full = words.as_ref().map(|words| format!("{name} ({words})"));
-        let short = words.map(|words| format!("{name} {words}"));
-        let names = [in_full, short].map(|words| words.unwrap_or(name.to_owned()));
+        let names = match bracket(is_least, &extremes) {
+            Some(words) => [format!("{name} ({words})"), format!("{name} {words}")],
+            None => [name.clone(), name],
+        };
         match about.iter_mut().find(|(_, known)| *known == reasons) {
             Some((known, _)) => known.push(names),
             None => about.push((vec![names], reasons)),
@@ -892,30 +857,23 @@ fn bearings(verdict: &Verdict) -> Vec<String> {
     };
     let ends = with_bearings().flat_map(|play| [&play.pressed.extreme, &play.pulled_apart.extreme]);
     let reasons = distinct(ends.filter_map(|end| extreme_doubt(end.as_ref()?))).join(", ");
-    let proof = if reasons.is_empty() {
-        ""
-    } else {
-        ", not proven"
-    };
-    let mut sentences = vec![format!(
-        "a ± {clearance} mm (bearing clearance): {least} … {greatest}{proof}"
-    )];
-    if !reasons.is_empty() {
-        sentences.push(format!("With bearing clearance: {reasons}"));
+    let range = format!("a ± {clearance} mm (bearing clearance): {least} … {greatest}");
+    if reasons.is_empty() {
+        return vec![range];
     }
-    sentences
+    vec![
+        format!("{range}, not proven"),
+        format!("With bearing clearance: {reasons}"),
+    ]
 }
 
 /// Least and greatest of the cycle in one line, for a picture of fewer poses; empty without them.
 pub fn extremes_in_short(verdict: &Verdict) -> String {
-    let rows = rows(verdict);
-    if rows.is_empty() {
-        return String::new();
+    match &lines(verdict).extremes_in_short()[..] {
+        "" => String::new(),
+        extremes => format!(
+            "whole mesh cycle ({} matings): {extremes}",
+            verdict.matings()
+        ),
     }
-    let each = rows.iter().map(|row| format!("{} {}", row.name, row.value));
-    format!(
-        "whole mesh cycle ({} matings): {}",
-        verdict.matings(),
-        each.collect::<Vec<String>>().join(", ")
-    )
 }

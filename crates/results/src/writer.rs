@@ -75,17 +75,17 @@ impl<'w> ResultWriter<'w> {
             (Piece::Begin(run), Some(json)) => {
                 json.begin(None)?;
                 json.open('{')?;
-                let head = RunRow::columns().object(&RunRow::new(run, 0.0));
-                for (key, value) in head.entries().filter(|(key, _)| *key != SUMMARY) {
-                    json.entry(key, &value)?;
+                let run = RunRow::new(run, 0.0).json();
+                let entries = run.as_object().into_iter().flatten();
+                for (key, value) in entries.filter(|(key, _)| *key != SUMMARY) {
+                    json.entry(key, value)?;
                 }
                 json.begin(Some("poses"))?;
                 json.open('[')
             }
             (Piece::End(run), Some(json)) => {
                 json.close(']')?;
-                let run = RunRow::columns().object(&RunRow::new(run, 0.0));
-                json.entry(SUMMARY, &run.get(SUMMARY))?;
+                json.entry(SUMMARY, &RunRow::new(run, 0.0).json()[SUMMARY])?;
                 json.close('}')
             }
             (Piece::Begin(_) | Piece::End(_), None) => Ok(()),
@@ -104,7 +104,7 @@ impl<'w> ResultWriter<'w> {
         let written: Result<Vec<(Option<String>, Vec<Value>)>> = each
             .map(|pose| {
                 let row = PoseRow::of_run(run, pose);
-                let json = depth.map(|depth| json_at(depth, &columns.object(&row)));
+                let json = depth.map(|depth| json_at(depth, &row.json()));
                 let csv = if with_csv {
                     columns.csv_values(&row, self.along_face)
                 } else {

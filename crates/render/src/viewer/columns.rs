@@ -127,14 +127,17 @@ fn poses(
             (Format::Angle, Some(name)) => format!("{name}_deg"),
             _ => name.to_owned(),
         };
-        let values = values.into_iter().map(|value| match (value, format) {
-            (Value::Number(angle), Format::Angle) => degrees(angle).into(),
-            (Value::Number(place), Format::Place) => rounded(place, precision.decimals).into(),
-            (Value::Number(um), Format::Bound) => two_digits_up(um).into(),
-            (Value::Number(value), Format::Plain) => rounded(value, DECIMALS).into(),
-            (Value::Word(word), _) => words.index(&name, word.to_owned()),
-            (Value::Text(text), _) => words.index(&name, text),
-            (value, _) => value,
+        let values = values.into_iter().map(|value| {
+            if let Some(word) = value.text() {
+                return words.index(&name, word.to_owned());
+            }
+            match (value.measure(), format) {
+                (Some(angle), Format::Angle) => degrees(angle).into(),
+                (Some(place), Format::Place) => rounded(place, precision.decimals).into(),
+                (Some(um), Format::Bound) => two_digits_up(um).into(),
+                (Some(number), Format::Plain) => rounded(number, DECIMALS).into(),
+                _ => value,
+            }
         });
         let values = values.collect();
         columns.insert(name, values);

@@ -62,11 +62,7 @@ fn gear(gauged: &GaugedGear) -> Value {
             "formula_mm": formula.root.map(|root| 2.0 * root),
             "error_bound_um": 2.0 * root.error * 1e3,
         })),
-        "profile": reading_or_reason(&read.profile, |found| json!({
-            "error_bound_um": found.error * 1e3,
-            "right": profiles(found, Flank::Right),
-            "left": profiles(found, Flank::Left),
-        })),
+        "profile": reading_or_reason(&read.profile, profile),
         "grades": reading_or_reason(&read.grades, |graded| json!({
             "source": GRADE_SOURCE,
             "values": list(graded),
@@ -166,35 +162,41 @@ row_type!(row: RollPose {
     "class" Plain => row.class.name();
 });
 
+/// Readings of both flanks and their error bound, mm.
+fn both(error: f64, flank: impl Fn(Flank) -> Value) -> Value {
+    json!({
+        "error_bound_um": error * 1e3,
+        "right": flank(Flank::Right),
+        "left": flank(Flank::Left),
+    })
+}
+
 fn pitch(found: &PitchReadings) -> Value {
     let um = |lengths: &[f64]| lengths.iter().map(|mm| mm * 1e3).collect::<Vec<f64>>();
-    let flank = |side| {
+    both(found.error, |side| {
         json!({
             "single_greatest_um": found.greatest_single(side) * 1e3,
             "total_um": found.total(side) * 1e3,
             "single_um": um(&found.single(side)),
             "cumulative_um": um(found.cumulative.flank(side)),
         })
-    };
-    json!({
-        "error_bound_um": found.error * 1e3,
-        "right": flank(Flank::Right),
-        "left": flank(Flank::Left),
     })
 }
 
-fn profiles(found: &ProfileReadings, own: Flank) -> Value {
-    let flank = found.flank(own);
-    let head = json!({
-        "evaluated_roll_length_mm": flank.evaluated,
-        "evaluated_mm": found.evaluated_diameters[own.index()],
-    });
-    traces(flank, "roll_length_mm", head)
+fn profile(found: &ProfileReadings) -> Value {
+    both(found.error, |own| {
+        let flank = found.flank(own);
+        let head = json!({
+            "evaluated_roll_length_mm": flank.evaluated,
+            "evaluated_mm": found.evaluated_diameters[own.index()],
+        });
+        traces(flank, "roll_length_mm", head)
+    })
 }
 
-/// Leads of both flanks about one axis.
+/// Leads about one axis.
 fn leads(found: &LeadReadings) -> Value {
-    let flank = |own: Flank| {
+    both(found.error, |own| {
         let flank = found.flank(own);
         let head = json!({
             "evaluated_from_reference_face_mm": flank.evaluated,
@@ -202,11 +204,6 @@ fn leads(found: &LeadReadings) -> Value {
             "crowning_um": um(flank, |lead| found.crowning(lead)),
         });
         traces(flank, "from_reference_face_mm", head)
-    };
-    json!({
-        "error_bound_um": found.error * 1e3,
-        "right": flank(Flank::Right),
-        "left": flank(Flank::Left),
     })
 }
 

@@ -51,16 +51,16 @@ impl Length {
 }
 
 row_type!(row: Length {
-    "" Plain [people(shown(""))] => row.name.clone();
-    "" Plain [people(shown("least"))] => ascii(row.ends[0], 6);
-    "" Plain [people(shown("at").spare(4))] => row.tooth(0);
-    "" Plain [people(shown("mean"))] => ascii(row.mean, 6);
-    "" Plain [people(shown("greatest"))] => ascii(row.ends[1], 6);
-    "" Plain [people(shown("at").spare(4))] => row.tooth(1);
-    "" Plain [people(shown("range"))] => um_ascii(row.ends[1] - row.ends[0], 3);
-    "" Plain [people(shown("formula").spare(1))] => row.by_formula(|formula| ascii(formula, 6));
-    "" Plain [people(shown("off").spare(2))] => row.by_formula(|formula| um_ascii(formula.map(|formula| row.mean - formula), 3));
-    "" Plain [people(shown("bound").spare(3))] => order_um(row.error);
+    "" Plain [heading(shown(""))] => row.name.clone();
+    "" Plain [heading(shown("least"))] => ascii(row.ends[0], 6);
+    "" Plain [heading(shown("at").spare(4))] => row.tooth(0);
+    "" Plain [heading(shown("mean"))] => ascii(row.mean, 6);
+    "" Plain [heading(shown("greatest"))] => ascii(row.ends[1], 6);
+    "" Plain [heading(shown("at").spare(4))] => row.tooth(1);
+    "" Plain [heading(shown("range"))] => um_ascii(row.ends[1] - row.ends[0], 3);
+    "" Plain [heading(shown("formula").spare(1))] => row.by_formula(|formula| ascii(formula, 6));
+    "" Plain [heading(shown("off").spare(2))] => row.by_formula(|formula| um_ascii(formula.map(|formula| row.mean - formula), 3));
+    "" Plain [heading(shown("bound").spare(3))] => order_um(row.error);
 });
 
 /// The lengths of `gauged` as a table for a terminal; empty without any.

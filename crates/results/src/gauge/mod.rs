@@ -51,7 +51,7 @@ impl GaugedGear<'_> {
             return Ok(None);
         };
         let text = gauged_file(self.title, &self.words(), spec, &self.gauged)?;
-        Ok(Some((gear_file_name(&self.stem()), text)))
+        Ok(Some((format!("{}.toml", self.stem()), text)))
     }
 
     /// Its basic data; `None` for a drawn gear.
@@ -81,9 +81,10 @@ impl GaugedGear<'_> {
     pub fn helix(&self) -> String {
         let hand = self.basic_data().and_then(BasicGearData::hand);
         let degrees = self.data.and_then(|(_, spec)| spec.helix_angle_deg);
-        hand.zip(degrees).map_or(String::new(), |(hand, degrees)| {
-            format!(", β {degrees}° {}", hand.name())
-        })
+        match (hand, degrees) {
+            (Some(hand), Some(degrees)) => format!(", β {degrees}° {}", hand.name()),
+            _ => String::new(),
+        }
     }
 
     /// A warning where the face of a helical gear is too short for its spans, and the file itself did not warn.
@@ -125,22 +126,12 @@ impl GaugedGear<'_> {
     }
 }
 
-/// The file name of the table of all readings, for the gear of `stem`.
-pub fn table_name(stem: &str) -> String {
-    format!("{stem}.csv")
-}
-
 /// The start of the file names of the gear called `name`: `gauge_wheel`, with the material where there are two.
 pub fn stem(name: &str, material: Material) -> String {
     match material {
         Material::AsMeasured => format!("gauge_{name}"),
         material => format!("gauge_{name}_{}", material.name()),
     }
-}
-
-/// The file name of the gear file, for the gear of `stem`.
-pub fn gear_file_name(stem: &str) -> String {
-    format!("{stem}.toml")
 }
 
 /// The file name of the page of all charts, for the gear of `stem`.
@@ -151,7 +142,6 @@ pub fn page_name(stem: &str) -> String {
 /// Every file name that a run can write for the gear of `stem`.
 pub fn possible_files(stem: &str) -> Vec<String> {
     let charts = Chart::ALL.into_iter().map(|chart| chart.svg(stem));
-    charts
-        .chain([gear_file_name(stem), page_name(stem), table_name(stem)])
-        .collect()
+    let others = ["toml", "html", "csv"].map(|ending| format!("{stem}.{ending}"));
+    charts.chain(others).collect()
 }

@@ -92,13 +92,9 @@ fn tooth_columns() -> Vec<Column<ToothRow>> {
         "tooth" Plain [heading(shown("tooth"))] => row.tooth;
     });
     for (index, (name, heading, _)) in READINGS.into_iter().enumerate() {
-        let format = if name.ends_with("_mm") {
-            Format::Millionths
-        } else {
-            Format::Thousandths
-        };
+        let decimals = if name.ends_with("_mm") { 6 } else { 3 };
         let value = move |row: &ToothRow| Value::optional(row.values[index]);
-        let column = Column::new(name, format, value).heading(shown(heading));
+        let column = Column::new(name, Format::Fixed(decimals), value).heading(shown(heading));
         columns.push(if name == LYING {
             column.optional_in_csv().rank(1)
         } else {

@@ -8,6 +8,7 @@ use gearlash::analysis::verdict::Verdict;
 use gearlash_results::verdict::lines;
 use gearlash_text::Sources;
 use gearlash_text::characters::plain;
+use std::fs::File;
 use std::io::{BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,14 +22,10 @@ static QUIET: AtomicBool = AtomicBool::new(false);
 /// Whether notes are printed.
 static VERBOSE: AtomicBool = AtomicBool::new(false);
 
-/// Prints notes, too, from now on.
-pub(super) fn set_verbose() {
-    VERBOSE.store(true, Ordering::Relaxed);
-}
-
-/// Prints only results, warnings and errors from now on.
-pub(super) fn set_quiet() {
-    QUIET.store(true, Ordering::Relaxed);
+/// Prints only results, warnings and errors from now on, or notes, too.
+pub(super) fn set(quiet: bool, verbose: bool) {
+    QUIET.store(quiet, Ordering::Relaxed);
+    VERBOSE.store(verbose, Ordering::Relaxed);
 }
 
 /// Whether only results, warnings and errors are printed.
@@ -44,11 +41,8 @@ pub(super) fn print_note(text: &str) -> Result<(), Error> {
 /// Prints to standard output, down to the last byte.
 pub(super) fn print(text: &str) -> Result<(), Error> {
     let mut output = std::io::stdout().lock();
-    printed(
-        output
-            .write_all(text.as_bytes())
-            .and_then(|()| output.flush()),
-    )
+    let written = output.write_all(text.as_bytes());
+    printed(written.and_then(|()| output.flush()))
 }
 
 /// Standard output for a result that grows piece by piece; [`std::io::Write::flush`] ends it.
@@ -114,11 +108,7 @@ pub(super) fn print_note_line(line: &str) {
 
 /// Writes a warning or error to standard error. Texts from files in it are made harmless.
 pub(super) fn print_error_line(line: &str) {
-    let text = plain(line);
-    let mut output = std::io::stderr().lock();
-    let _ = output
-        .write_all(text.as_bytes())
-        .and_then(|()| output.write_all(b"\n"));
+    print_error_text(&(plain(line) + "\n"));
 }
 
 /// Writes the verdict to standard error.
@@ -150,9 +140,11 @@ pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
 
 /// An error where standard output or standard error is one of `sources`, as after `>> pair.toml`.
 pub(super) fn check_streams_not_input(sources: &Sources) -> Result<(), Error> {
-    for (name, file) in streams() {
+    for (name, stream) in streams() {
         let name = Path::new(name);
-        if let Some(input) = file.and_then(|file| sources.file_read_as(name, &file)) {
+        let input = stream.ok().map(Into::into);
+        let input = input.and_then(|file: File| sources.file_read_as(name, &file));
+        if let Some(input) = input {
             return Err(Error::over_input(name, input));
         }
     }
@@ -160,23 +152,15 @@ pub(super) fn check_streams_not_input(sources: &Sources) -> Result<(), Error> {
 }
 
 #[cfg(unix)]
-fn streams() -> [(&'static str, Option<std::fs::File>); 2] {
+fn streams() -> [(&'static str, std::io::Result<std::os::fd::OwnedFd>); 2] {
     use std::os::fd::AsFd;
-    let open = |stream: std::io::Result<std::os::fd::OwnedFd>| stream.ok().map(Into::into);
-    [
-        (
-            "standard output",
-            open(std::io::stdout().as_fd().try_clone_to_owned()),
-        ),
-        (
-            "standard error",
-            open(std::io::stderr().as_fd().try_clone_to_owned()),
-        ),
-    ]
+    let output = std::io::stdout().as_fd().try_clone_to_owned();
+    let errors = std::io::stderr().as_fd().try_clone_to_owned();
+    [("standard output", output), ("standard error", errors)]
 }
 
 #[cfg(not(unix))]
-fn streams() -> [(&'static str, Option<std::fs::File>); 0] {
+fn streams() -> [(&'static str, std::io::Result<std::fs::File>); 0] {
     []
 }
 

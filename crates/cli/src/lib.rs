@@ -93,17 +93,13 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     let words: Vec<OsString> = words.into_iter().collect();
     let ended = match parse(&words) {
         Ok(cli) => {
-            if cli.quiet {
-                console::set_quiet();
-            }
-            if cli.verbose {
-                console::set_verbose();
-            }
+            console::set(cli.quiet, cli.verbose);
             cap_threads();
             command(cli.command)
         }
         Err(usage) => removed::error(&words).map_or_else(|| help(&usage), Err),
     };
+    drop(output::remove_unfinished());
     let code = ended.unwrap_or_else(|error| {
         print_error_text(&explain::explain(&error));
         error.exit_code()

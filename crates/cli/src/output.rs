@@ -7,13 +7,14 @@
 use crate::console::{print, print_note};
 use crate::error::Error;
 use gearlash_input::{TABLE_EXTENSIONS, is_rexs};
-use gearlash_text::characters::plain;
+use gearlash_text::characters::{first_of, plain};
 use gearlash_text::{Sources, has_extension};
 use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
+use tempfile::NamedTempFile;
 
 static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished {
     temporary: Vec::new(),
@@ -34,7 +35,8 @@ fn unfinished() -> MutexGuard<'static, Unfinished> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes everything unfinished, for the thread that ends the process. While it holds the lock, nothing new begins.
+/// Removes everything unfinished, at the end of a command or for the thread that ends the process. While that holds the lock,
+/// nothing new begins.
 pub(super) fn remove_unfinished() -> MutexGuard<'static, Unfinished> {
     let mut held = unfinished();
     for path in std::mem::take(&mut held.temporary) {
@@ -47,10 +49,14 @@ pub(super) fn remove_unfinished() -> MutexGuard<'static, Unfinished> {
     held
 }
 
+/// The error of the file or folder at `path`, unless the error names its own.
 fn failed(path: &Path) -> impl Fn(std::io::Error) -> Error {
-    move |source| Error::Output {
-        path: path.to_path_buf(),
-        source,
+    move |error| {
+        let of_path = |source| Error::Output {
+            path: path.to_path_buf(),
+            source,
+        };
+        error.downcast().unwrap_or_else(of_path)
     }
 }
 
@@ -62,46 +68,16 @@ pub(super) fn check_not_input(sources: &Sources, path: &Path) -> Result<(), Erro
     }
 }
 
-/// Folders created for results, removed when dropped.
-#[derive(Default)]
-struct CreatedFolders {
-    /// Innermost last.
-    folders: Vec<PathBuf>,
-}
-
-impl CreatedFolders {
-    /// Creates the folder at `path` and the missing ones above it.
-    pub fn folder(path: &Path) -> Result<CreatedFolders, Error> {
-        let missing = path
-            .ancestors()
-            .take_while(|p| !p.as_os_str().is_empty() && !p.exists());
-        let mut folders: Vec<PathBuf> = missing.map(Path::to_path_buf).collect();
-        folders.reverse();
-        let mut list = unfinished();
-        list.made.extend(folders.iter().cloned());
-        let made = CreatedFolders { folders };
-        let result = std::fs::create_dir_all(path).map_err(failed(path));
-        drop(list);
-        result.map(|()| made)
-    }
-
-    /// Keeps them.
-    pub fn keep(&mut self) {
-        let mut list = unfinished();
-        list.made.retain(|other| !self.folders.contains(other));
-        self.folders.clear();
-    }
-}
-
-impl Drop for CreatedFolders {
-    fn drop(&mut self) {
-        let mut list = unfinished();
-        for folder in self.folders.iter().rev() {
-            // Fails for a folder with files, which must stay.
-            let _ = std::fs::remove_dir(folder);
-        }
-        list.made.retain(|other| !self.folders.contains(other));
-    }
+/// Creates the folder at `path` and the missing ones above it. Those that stay empty are removed at the end of the command.
+fn create_folder(path: &Path) -> Result<(), Error> {
+    let missing = path
+        .ancestors()
+        .take_while(|p| !p.as_os_str().is_empty() && !p.exists());
+    let mut folders: Vec<PathBuf> = missing.map(Path::to_path_buf).collect();
+    folders.reverse();
+    let mut list = unfinished();
+    list.made.append(&mut folders);
+    std::fs::create_dir_all(path).map_err(failed(path))
 }
 
 const PREFIX: &str = ".gearlash-";
@@ -111,66 +87,31 @@ const PIECE: usize = 2 << 20;
 /// A younger temporary file may still lack its lock.
 const ORPHAN_AFTER: Duration = Duration::from_secs(60);
 
-/// A temporary file in the folder of its target, removed when dropped.
-#[derive(Debug)]
-struct Temporary {
-    path: PathBuf,
-    /// Locked while the run is alive.
-    file: File,
+/// A temporary file in `folder`, locked while the run is alive and removed when dropped.
+fn temporary_in(folder: &Path) -> std::io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(PREFIX).suffix(SUFFIX);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // The umask of the process applies.
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let mut list = unfinished();
+    let temporary = builder.tempfile_in(folder)?;
+    list.temporary.push(temporary.path().to_path_buf());
+    // On file systems without locks, files of killed runs stay.
+    let _ = temporary.as_file().try_lock();
+    Ok(temporary)
 }
 
-impl Temporary {
-    /// Creates one in `folder`.
-    pub fn new_in(folder: &Path) -> std::io::Result<Temporary> {
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(PREFIX).suffix(SUFFIX);
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt;
-            // The umask of the process applies.
-            builder.permissions(std::fs::Permissions::from_mode(0o666));
-        }
-        let mut list = unfinished();
-        let (file, path) = builder.tempfile_in(folder)?.keep()?;
-        list.temporary.push(path.clone());
-        // On file systems without locks, files of killed runs stay.
-        let _ = file.try_lock();
-        Ok(Temporary { path, file })
-    }
-
-    /// A writer to it.
-    pub fn writer(&self) -> std::io::Result<NewFile> {
-        Ok(NewFile {
-            file: self.file.try_clone()?,
-            piece: Vec::new(),
-        })
-    }
-
-    /// Writes `content` in one piece.
-    fn write(&self, content: &str) -> std::io::Result<()> {
-        let mut file = self.writer()?;
-        file.write_all(content.as_bytes())?;
-        file.flush()
-    }
-
-    /// Renames it to its target.
-    pub fn rename(&self, target: &Path) -> std::io::Result<()> {
-        let mut list = unfinished();
-        std::fs::rename(&self.path, target)?;
-        list.temporary.retain(|other| *other != self.path);
-        list.written = true;
-        Ok(())
-    }
-}
-
-impl Drop for Temporary {
-    fn drop(&mut self) {
-        let mut list = unfinished();
-        if list.temporary.contains(&self.path) {
-            let _ = std::fs::remove_file(&self.path);
-            list.temporary.retain(|other| *other != self.path);
-        }
-    }
+/// Renames a temporary file to its target.
+fn rename(temporary: NamedTempFile, target: &Path) -> std::io::Result<()> {
+    let mut list = unfinished();
+    std::fs::rename(temporary.path(), target)?;
+    list.written = true;
+    temporary.keep()?;
+    Ok(())
 }
 
 /// Removes the temporary files that killed runs left in `folder`.
@@ -197,6 +138,24 @@ pub struct NewFile {
     file: File,
     /// Content that is not written yet.
     piece: Vec<u8>,
+    target: PathBuf,
+}
+
+impl NewFile {
+    /// Writes to the `temporary` file of `target`, which its errors name.
+    fn new(temporary: &NamedTempFile, target: &Path) -> std::io::Result<NewFile> {
+        Ok(NewFile {
+            file: temporary.as_file().try_clone()?,
+            piece: Vec::new(),
+            target: target.to_path_buf(),
+        })
+    }
+
+    /// Writes `content` and ends the file.
+    fn complete(mut self, content: &str) -> std::io::Result<()> {
+        self.write_all(content.as_bytes())?;
+        self.flush()
+    }
 }
 
 impl Write for NewFile {
@@ -211,8 +170,10 @@ impl Write for NewFile {
 
     fn flush(&mut self) -> std::io::Result<()> {
         if !self.piece.is_empty() {
-            self.file.write_all(&self.piece)?;
-            self.file.sync_data()?;
+            let written = self.file.write_all(&self.piece);
+            let written = written.and_then(|()| self.file.sync_data());
+            let named = |error| std::io::Error::other(failed(&self.target)(error));
+            written.map_err(named)?;
             self.piece.clear();
         }
         Ok(())
@@ -230,8 +191,8 @@ enum Place {
     StandardOutput,
     /// A pipe or a device, which is written to.
     Special,
-    /// The temporary file and the target of an ordinary file, and the folders created for it.
-    File(Temporary, PathBuf, CreatedFolders),
+    /// The temporary file and the target of an ordinary file.
+    File(NamedTempFile, PathBuf),
 }
 
 impl Place {
@@ -243,14 +204,11 @@ impl Place {
             return Err(wrong("this names no file"));
         }
         check_not_input(sources, named)?;
-        let (target, made) = match std::fs::metadata(named) {
+        let target = match std::fs::metadata(named) {
             Ok(found) if found.is_dir() => {
                 return Err(wrong("this is a folder, name a file in it"));
             }
-            Ok(found) if found.is_file() => {
-                let target = named.canonicalize().map_err(&failed)?;
-                (target, CreatedFolders::default())
-            }
+            Ok(found) if found.is_file() => named.canonicalize().map_err(&failed)?,
             Ok(_) => return Ok(Place::Special),
             Err(_) if named.is_symlink() => {
                 return Err(wrong(
@@ -258,14 +216,14 @@ impl Place {
                 ));
             }
             Err(error) if error.kind() == ErrorKind::NotFound => {
-                let made = CreatedFolders::folder(folder_of(named))?;
-                (named.to_path_buf(), made)
+                create_folder(folder_of(named))?;
+                named.to_path_buf()
             }
             Err(error) => return Err(failed(error)),
         };
         remove_orphans(folder_of(&target));
-        let temporary = Temporary::new_in(folder_of(&target)).map_err(&failed)?;
-        Ok(Place::File(temporary, target, made))
+        let temporary = temporary_in(folder_of(&target)).map_err(&failed)?;
+        Ok(Place::File(temporary, target))
     }
 }
 
@@ -346,17 +304,17 @@ impl Target {
     }
 
     /// Writes `content` without printing its path, for a command whose standard output is its result.
-    pub(super) fn write_silently(mut self, content: &str) -> Result<(), Error> {
-        let written = match &mut self.place {
+    pub(super) fn write_silently(self, content: &str) -> Result<(), Error> {
+        let written = match self.place {
             Place::StandardOutput => return print(content),
             Place::Special => {
                 let file = open_special(&self.path);
                 file.and_then(|mut file| file.write_all(content.as_bytes()))
             }
-            Place::File(temporary, target, made) => {
-                let written = temporary.write(content);
-                let written = written.and_then(|()| temporary.rename(target));
-                written.map(|()| made.keep())
+            Place::File(temporary, target) => {
+                let written = NewFile::new(&temporary, &self.path);
+                let written = written.and_then(|file| file.complete(content));
+                written.and_then(|()| rename(temporary, &target))
             }
         };
         written.map_err(failed(&self.path))
@@ -392,18 +350,15 @@ pub(super) fn own_folder(stem: impl AsRef<Path>) -> PathBuf {
     Path::new("out").join(stem)
 }
 
-/// The file that is renamed last.
-const LAST: &str = "result.json";
 /// Most files that are listed by name (tuned: a line of a terminal).
 const MAX_NAMED: usize = 3;
 
 /// A folder that can be written to.
 pub struct OutputFolder {
     /// The files begun so far, by name.
-    new: Vec<(String, Temporary)>,
+    new: Vec<(String, NamedTempFile)>,
     /// The path as the user named it.
     path: PathBuf,
-    made: CreatedFolders,
     own: Box<dyn Fn(&str) -> bool>,
     sources: Sources,
 }
@@ -418,9 +373,9 @@ impl OutputFolder {
         sources: &Sources,
         own: impl Fn(&str) -> bool + 'static,
     ) -> Result<OutputFolder, Error> {
+        create_folder(path)?;
         let folder = OutputFolder {
             new: Vec::new(),
-            made: CreatedFolders::folder(path)?,
             path: path.to_path_buf(),
             own: Box::new(own),
             sources: sources.clone(),
@@ -429,7 +384,7 @@ impl OutputFolder {
         for name in folder.present().map_err(failed(path))? {
             check_not_input(sources, &path.join(&name))?;
         }
-        Temporary::new_in(path).map_err(failed(path))?;
+        temporary_in(path).map_err(failed(path))?;
         Ok(folder)
     }
 
@@ -441,35 +396,26 @@ impl OutputFolder {
         if target.symlink_metadata().is_ok_and(|found| found.is_dir()) {
             return Err(failed(ErrorKind::IsADirectory.into()));
         }
-        let temporary = Temporary::new_in(&self.path).map_err(&failed)?;
-        let file = temporary.writer().map_err(&failed)?;
+        let temporary = temporary_in(&self.path).map_err(&failed)?;
+        let file = NewFile::new(&temporary, &target).map_err(&failed)?;
         self.new.push((name.to_owned(), temporary));
         Ok(file)
     }
 
     /// Adds a file with this `content`.
     pub fn add(&mut self, name: &str, content: &str) -> Result<(), Error> {
-        let mut file = self.create(name)?;
-        let written = file.write_all(content.as_bytes());
-        written
-            .and_then(|()| file.flush())
-            .map_err(self.failed(name))
+        let written = self.create(name)?.complete(content);
+        written.map_err(failed(&self.path))
     }
 
     /// Opens a file from its beginning; [`OutputFolder::create`] began it.
     pub fn open(&self, name: &str) -> Result<File, Error> {
         let mut new = self.new.iter();
         let opened = match new.find(|(other, _)| other == name) {
-            Some((_, temporary)) => File::open(&temporary.path),
+            Some((_, temporary)) => File::open(temporary.path()),
             None => Err(ErrorKind::NotFound.into()),
         };
-        opened.map_err(self.failed(name))
-    }
-
-    /// The error of the file called `name`.
-    pub fn failed(&self, name: &str) -> impl Fn(std::io::Error) -> Error + use<> {
-        let path = self.path.join(name);
-        move |source| failed(&path)(source)
+        opened.map_err(failed(&self.path.join(name)))
     }
 
     /// Adds `files` (name and content) and renames all begun files, `result.json` last. Removes the own files of an earlier run
@@ -489,13 +435,15 @@ impl OutputFolder {
                 std::fs::remove_file(&path).map_err(failed(&path))?;
             }
         }
-        let (last, first): (Vec<_>, Vec<_>) = self.new.iter().partition(|(name, _)| name == LAST);
-        for (name, temporary) in first.into_iter().chain(last) {
-            let renamed = temporary.rename(&self.path.join(name));
-            renamed.map_err(self.failed(name))?;
+        let described = self.described();
+        // Sorting keeps the order of the others.
+        self.new.sort_by_key(|(name, _)| name == "result.json");
+        for (name, temporary) in self.new {
+            let target = self.path.join(name);
+            rename(temporary, &target).map_err(failed(&target))?;
         }
-        self.made.keep();
-        Ok(self.described())
+        unfinished().made.clear();
+        Ok(described)
     }
 
     /// The own files in the folder, by name.
@@ -511,13 +459,9 @@ impl OutputFolder {
 
     /// The written files, on one line.
     fn described(&self) -> String {
-        let shown = self.new.iter().take(MAX_NAMED).map(|(name, _)| &name[..]);
-        let mut list = shown.collect::<Vec<_>>().join(", ");
+        let mut list = first_of(self.new.iter().map(|(name, _)| name.clone()), MAX_NAMED);
         if self.new.is_empty() {
             list += "nothing";
-        }
-        if self.new.len() > MAX_NAMED {
-            list += &format!(" and {} more", self.new.len() - MAX_NAMED);
         }
         plain(&format!("Written to {}: {list}", self.path.display()))
     }

@@ -6,7 +6,7 @@ use crate::distances::{self, Distances};
 use crate::error::{Error, exit_code};
 use crate::input;
 use crate::options::{Format, MethodArgs, ResultsArgs, ScreenArgs, UnitArgs, agreement};
-use crate::output::{NewFile, OutputFolder};
+use crate::output::OutputFolder;
 use crate::progress::Progress;
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::measured::MeasuredTally;
@@ -141,32 +141,12 @@ fn outputs(
         };
         return Ok([Format::Json, Format::Csv].map(printed));
     };
-    let mut file = |name| -> Result<Option<Box<dyn Write>>, Error> {
-        let output = InFolder {
-            file: folder.create(name)?,
-            failed: Box::new(folder.failed(name)),
-        };
-        Ok(Some(Box::new(output)))
+    let mut file = |name| {
+        folder
+            .create(name)
+            .map(|file| Box::new(file) as Box<dyn Write>)
     };
-    Ok([file(JSON)?, file(CSV)?])
-}
-
-/// A file of the folder; its errors name it.
-struct InFolder {
-    file: NewFile,
-    failed: Box<dyn Fn(std::io::Error) -> Error>,
-}
-
-impl Write for InFolder {
-    fn write(&mut self, content: &[u8]) -> std::io::Result<usize> {
-        let written = self.file.write(content);
-        written.map_err(|error| std::io::Error::other((self.failed)(error)))
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        let flushed = self.file.flush();
-        flushed.map_err(|error| std::io::Error::other((self.failed)(error)))
-    }
+    Ok([Some(file(JSON)?), Some(file(CSV)?)])
 }
 
 /// The error of a file in the folder, or of standard output.

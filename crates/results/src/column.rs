@@ -16,7 +16,7 @@ use crate::layout::{self, Screen, Table, Tone};
 use gearlash::pair::BacklashUnit;
 use gearlash_text::characters::{self, cell, csv_text, plain};
 use gearlash_text::numbers::{NONE, backlash, backlash_ascii, fixed, power, stated_distance};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use serde_json::{Value as Json, json};
 
 /// A row type.
@@ -24,17 +24,17 @@ pub trait Row: Sized + 'static {
     /// Its columns.
     fn columns() -> &'static Columns<Self>;
 
+    /// The row as a JSON object, for a serializer.
+    fn object(&self) -> Object {
+        let columns = Self::columns().columns.iter();
+        let cells =
+            columns.filter_map(|column| Some((column.key.as_deref()?, (column.value)(self))));
+        Object(cells.filter(|(_, value)| *value != Value::Absent).collect())
+    }
+
     /// The row as a JSON object.
     fn json(&self) -> Json {
-        let mut object = json!({});
-        for column in &Self::columns().columns {
-            if let Some(key) = &column.key
-                && let Value::Json(value) = (column.value)(self)
-            {
-                *place(&mut object, key) = value;
-            }
-        }
-        object
+        json!(self.object())
     }
 }
 
@@ -551,15 +551,53 @@ pub(crate) fn quantity_words(unit: BacklashUnit) -> String {
     }
 }
 
-/// The value at the path `key` in `object`. Missing objects and lists on the path are added; every list has two elements.
-fn place<'j>(object: &'j mut Json, key: &str) -> &'j mut Json {
-    key.split('.').fold(object, |outer, name| match name {
-        "0" | "1" => {
-            if outer.is_null() {
-                *outer = json!([null, null]);
+/// The keys and values of a row as a JSON object.
+pub struct Object(Vec<(&'static str, Value)>);
+
+impl Serialize for Object {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let (cells, start) = (&self.0[..], 0);
+        Part { cells, start }.serialize(to)
+    }
+}
+
+/// Neighbouring cells whose keys are alike before the byte `start`.
+struct Part<'a> {
+    cells: &'a [(&'static str, Value)],
+    start: usize,
+}
+
+impl<'a> Part<'a> {
+    /// The names of the next level, each with its part.
+    fn inner(&self) -> impl Iterator<Item = (&'static str, Part<'a>)> {
+        let start = self.start;
+        let name = move |(key, _): &(&'static str, Value)| {
+            let rest = &key[start..];
+            rest.split_once('.').map_or(rest, |(name, _)| name)
+        };
+        let parts = self
+            .cells
+            .chunk_by(move |one, other| name(one) == name(other));
+        parts.map(move |cells| {
+            let name = name(&cells[0]);
+            let start = start + name.len() + 1;
+            (name, Part { cells, start })
+        })
+    }
+}
+
+impl Serialize for Part<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self.cells {
+            [(key, value)] if key.len() < self.start => value.serialize(to),
+            // A list has two elements.
+            [(key, _), ..] if key[self.start..].starts_with(['0', '1']) => {
+                let element = |of: &str| self.inner().find(|(name, _)| *name == of);
+                ["0", "1"]
+                    .map(|of| element(of).map(|(_, part)| part))
+                    .serialize(to)
             }
-            &mut outer[usize::from(name == "1")]
+            _ => to.collect_map(self.inner()),
         }
-        name => &mut outer[name],
-    })
+    }
 }

@@ -104,7 +104,7 @@ impl<'w> ResultWriter<'w> {
         let written: Result<Vec<(Option<String>, Vec<Value>)>> = each
             .map(|pose| {
                 let row = PoseRow::of_run(run, pose);
-                let json = depth.map(|depth| json_at(depth, &row.json()));
+                let json = depth.map(|depth| json_at(depth, &row.object()));
                 let csv = if with_csv {
                     columns.csv_values(&row, self.along_face)
                 } else {

@@ -2,13 +2,12 @@
 
 use super::contact_count::ContactCount;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
-use crate::analysis::cycles::hunting_pitches;
 use crate::analysis::study::Material;
 use crate::contact::{
     Contact, ContactClass, ContactKind, ExactKernel, FacePlace, ToothPlace, Unproven,
 };
 use crate::gear::Side;
-use crate::pair::{GearPair, Mating, Member, Pose};
+use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use crate::parallel;
 use std::collections::HashSet;
 
@@ -128,8 +127,10 @@ impl PoseEvidence {
     pub(super) fn with_places_from(mut self, first: &Mating) -> PoseEvidence {
         let pair = &self.assembly;
         let kernel = ExactKernel::new(pair);
+        let [wheel, pinion] = Member::BOTH.map(|member| pair.teeth(member));
+        let pitches = SweepPlan::hunting_pitches(wheel, pinion);
         // Whole pitches and the golden section: every part of the cycle, and every phase of a pitch.
-        let step = (hunting_pitches(pair) / u64::from(CYCLE_POSES)) as f64 + 0.618;
+        let step = (pitches / u64::from(CYCLE_POSES)) as f64 + 0.618;
         let of_pose = |number: u32| {
             let pose = Pose::new(pair, first.onward(pair, step * f64::from(number)));
             let found = kernel.lost_motion(&pose).ok();

@@ -142,11 +142,7 @@ pub struct Column<R> {
 
 impl<R: 'static> Column<R> {
     /// A column of JSON and CSV; of neither without a key.
-    pub fn new(
-        key: &str,
-        format: Format,
-        value: impl Fn(&R) -> Value + Send + Sync + 'static,
-    ) -> Column<R> {
+    pub fn new(key: &str, format: Format, value: Get<R>) -> Column<R> {
         Column {
             key: Some(key.to_owned()).filter(|key| !key.is_empty()),
             csv: Some(key.replace('.', "_")).filter(|name| !name.is_empty()),
@@ -156,7 +152,7 @@ impl<R: 'static> Column<R> {
             heading: None,
             array: None,
             page: None,
-            value: Box::new(value),
+            value,
         }
     }
 
@@ -215,7 +211,7 @@ macro_rules! columns {
         vec![$($crate::column::Column::<$type>::new(
             $key,
             $crate::column::Format::$format $(($decimals))?,
-            |$row| $crate::column::Value::from($value),
+            Box::new(|$row: &$type| $crate::column::Value::from($value)),
         )$($(.$with($($($to),*)?))*)?),*]
     };
 }

@@ -94,7 +94,8 @@ fn tooth_columns() -> Vec<Column<ToothRow>> {
     for (index, (name, heading, _)) in READINGS.into_iter().enumerate() {
         let decimals = if name.ends_with("_mm") { 6 } else { 3 };
         let value = move |row: &ToothRow| Value::optional(row.values[index]);
-        let column = Column::new(name, Format::Fixed(decimals), value).heading(shown(heading));
+        let column =
+            Column::new(name, Format::Fixed(decimals), Box::new(value)).heading(shown(heading));
         columns.push(if name == LYING {
             column.optional_in_csv().rank(1)
         } else {

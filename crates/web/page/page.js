@@ -15,8 +15,30 @@
   let module = null;
   let calls = 0;
 
-  async function unpacked(base64) {
-    const packed = Uint8Array.from(atob(base64), (char) => char.charCodeAt(0));
+  // The bytes of a text by crates/web/build: 86 digits of base 126, the lowest first, are 75 bytes, of which the first three are their number.
+  function bytesOf(text) {
+    const bytes = new Uint8Array((text.length / 86) * 75);
+    const parts = new Uint32Array(25);
+    for (let block = 0; block * 86 < text.length; block++) {
+      parts.fill(0);
+      for (let at = 85; at >= 0; at--) {
+        const code = text.charCodeAt(block * 86 + at);
+        let carry = code - (code > 13 ? 2 : 1);
+        const used = Math.min(25, Math.ceil(((86 - at) * 7) / 24));
+        for (let part = 0; part < used; part++) {
+          carry += parts[part] * 126;
+          parts[part] = carry & 0xffffff;
+          carry >>>= 24;
+        }
+      }
+      for (let byte = 0; byte < 75; byte++) bytes[block * 75 + byte] = parts[(byte / 3) | 0] >> (8 * (byte % 3));
+    }
+    const length = bytes[0] + 256 * bytes[1] + 65536 * bytes[2];
+    return bytes.subarray(3, 3 + length);
+  }
+
+  async function unpacked(text) {
+    const packed = bytesOf(text);
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
     return WebAssembly.compile(await new Response(stream).arrayBuffer());
   }

@@ -11,7 +11,7 @@ use super::study::{Run, RunPlan, Study};
 use crate::analytic::InvolutePair;
 use crate::contact::{
     Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, PROVEN_WIDTH,
-    PROVEN_WIDTH_DRAWN, Status, cycle_extremes_within, first_least,
+    PROVEN_WIDTH_DRAWN, Status, cycle_extremes, cycle_extremes_within, first_least,
 };
 use crate::error::{Error, Tick, go_on};
 use crate::gear::{Side, has_different_teeth, thickness};
@@ -183,8 +183,8 @@ impl CyclePair for GearPair {
         if has_open_runout(self) {
             Ok(any_direction(self, over, &End::BOTH, width, effort)?.found)
         } else {
-            let kernel = &ExactKernel::new(self);
-            cycle_extremes_within(kernel, self, over, width, effort, &End::BOTH)
+            // A population has thousands of cycles, too many for searches of outlines.
+            cycle_extremes(&ExactKernel::new(self), self, over.0, over.1, width)
         }
     }
 

@@ -15,6 +15,9 @@ use crate::pair::{GearPair, Mating};
 /// distances (tuned: half a second, and 0.1 s).
 const PARTS_OF_EFFORT: [u64; 2] = [20, 150];
 
+/// Least budget of a search, nodes, that goes on to outlines (tuned: all phases of gears of 70 teeth, and no live answer of the page).
+const LEAST_EFFORT: u64 = 80_000;
+
 /// As [`exact::cycle_extremes_within`], by the outlines where the bounds of involutes do not hold.
 ///
 /// # Errors
@@ -46,7 +49,7 @@ pub(crate) fn cycle_extremes_within(
         of_outlines(assembly, over, width, effort, of)
             .filter(|found| is_confirmed(found.least) && is_confirmed(found.greatest))
     };
-    let is_plane = !assembly.varies_along_face();
+    let is_plane = !assembly.varies_along_face() && effort.left() >= LEAST_EFFORT;
     if is_plane
         && assembly.is_modified()
         && let Some(found) = outlines()

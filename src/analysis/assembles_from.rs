@@ -302,7 +302,7 @@ pub(super) struct AtDistance<'a> {
     pub onward: &'a dyn Fn(&Mating, f64) -> Mating,
     /// Pitches of the cycle.
     pub pitches: u64,
-    /// Called with each pose.
+    /// Called before each pose. A break ends the search.
     pub tick: &'a Tick<'a>,
 }
 

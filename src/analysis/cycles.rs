@@ -37,8 +37,8 @@ pub(super) trait CyclePair {
     /// The search of `cycle`, over all leans of the axes that are open.
     fn search(&self, cycle: &CyclePlan) -> Result<CycleResult, Error>;
 
-    /// The extremes over `cycle` for this pair, in place of the pair of the cycle, and over all open leans of its axes. The one that is not
-    /// asked for may be missing.
+    /// The extremes over `cycle` for this pair, in place of the pair of the cycle, and over all open leans of its axes. Without an open runout
+    /// the other end may be missing.
     fn extremes_at(&self, cycle: &CyclePlan, end: End, effort: &Effort) -> Result<Extremes, Error>;
 
     /// The extremes over these matings, in brackets of about `width` mm. If the direction of a runout is unknown, they cover all directions.
@@ -179,8 +179,8 @@ impl CyclePair for GearPair {
     }
 
     fn extremes(&self, over: (Mating, u64), width: f64) -> Result<Extremes, Error> {
-        let effort = &Effort::of_extremes(self, &go_on);
         if has_open_runout(self) {
+            let effort = &Effort::of_extremes(self, &go_on);
             Ok(any_direction(self, over, &End::BOTH, width, effort)?.found)
         } else {
             // A population has thousands of cycles, too many for searches of outlines.

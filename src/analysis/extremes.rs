@@ -19,6 +19,7 @@ use crate::error::{Error, Tick, go_on};
 use crate::outline::AssembledPair;
 use crate::pair::Member;
 use crate::parallel;
+use std::cell::OnceCell;
 
 pub(crate) use super::cycles::phases_differ;
 pub use super::cycles::{WIDTH, extremes_of_phase, proven_width};
@@ -316,8 +317,9 @@ fn of_plans(
         bearing_ends: None,
         ..study.clone()
     };
-    let [own, at_ends] = [study, &without_play]
-        .map(|study| Simulation::new(study, method.of_extremes(), study.tolerance_um, &go_on));
+    let simulation =
+        |study| Simulation::new(study, method.of_extremes(), study.tolerance_um, &go_on);
+    let (own, at_ends) = (simulation(study), OnceCell::new());
     let mut all = CycleExtremes::default();
     for (planned, found) in plans.iter().zip(found) {
         let (searched, ends) = found?;
@@ -327,6 +329,7 @@ fn of_plans(
         let runs = own.runs(shared.map(|poses| pose_plan(planned, poses)))?;
         let bearing_end = |end: SearchedEnd| {
             let posed = end.pose.iter().map(|pose| pose_plan(planned, &[pose]));
+            let at_ends = at_ends.get_or_init(|| simulation(&without_play));
             let runs = at_ends.runs(posed)?;
             let found = end.extreme.zip(poses(&runs).next());
             Ok::<_, Error>(BearingEnd {

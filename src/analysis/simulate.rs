@@ -1,7 +1,7 @@
 //! Simulation of every run of a study.
 
 use super::compare::{ComparedPose, ComparedRun, compared};
-use super::study::{Material, Run, RunPlan, Study};
+use super::study::{Material, RunPlan, Study};
 use crate::contact::{CutPair, Method, PoseResult, sweep_blocks};
 use crate::error::{Error, Tick};
 use crate::parallel;
@@ -94,12 +94,8 @@ impl<'a> Simulation<'a> {
         plan: &RunPlan,
         take: &mut dyn FnMut(Vec<ComparedPose>) -> Result<(), E>,
     ) -> Result<(), E> {
-        let (
-            Run {
-                material, assembly, ..
-            },
-            matings,
-        ) = (&plan.run, &plan.matings);
+        let (run, matings) = (&plan.run, &plan.matings);
+        let (material, assembly) = (&run.material, &run.assembly);
         if matings.is_empty() {
             return Ok(());
         }

@@ -279,9 +279,9 @@ pub fn simulate_by_blocks<E: From<Error>>(
     take: &mut Take<E>,
 ) -> Result<Vec<RunTally>, E> {
     let simulation = Simulation::new(study, method, tolerance_um, tick);
-    let mut done = Vec::new();
+    let (poses, mut done) = (study.pose_count(), Vec::new());
     for plan in study.runs()? {
-        let mut tally = RunTally::new(&plan.run, study.pose_count(), unproven, &done);
+        let mut tally = RunTally::new(&plan.run, poses, unproven, &done);
         take(Piece::Begin(&tally))?;
         simulation.each_block(&plan, &mut |block| tally.add_block(&block, take))?;
         take(Piece::End(&tally))?;

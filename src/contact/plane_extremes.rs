@@ -11,12 +11,12 @@ use crate::error::Error;
 use crate::outline::OutlinePair;
 use crate::pair::{GearPair, Mating};
 
-/// Parts of the effort of an outline search that a search for both ends may use, and one for a single end, at each of some ten other centre
-/// distances (tuned: half a second, and 0.1 s).
+/// Parts of the effort of an outline search that a search for both ends may use, and one for a single end (tuned: half a second, and 0.1 s).
+/// Single ends are sought at some ten other centre distances.
 const PARTS_OF_EFFORT: [u64; 2] = [20, 150];
 
-/// Least budget of a search, nodes, that goes on to outlines (tuned: all phases of gears of 70 teeth, and no live answer of the page).
-const LEAST_EFFORT: u64 = 80_000;
+/// Least budget of a search, nodes, that goes on to outlines (tuned: all phases of gears of 80 teeth, live answers of pairs with one phase).
+const LEAST_BUDGET: u64 = 70_000;
 
 /// As [`exact::cycle_extremes_within`], by the outlines where the bounds of involutes do not hold.
 ///
@@ -30,41 +30,37 @@ pub(crate) fn cycle_extremes_within(
     effort: &Effort,
     of: &[End],
 ) -> Result<Extremes, Error> {
-    // The exact method confirms the poses. Where the lost motion jumps, both may stand on either side of the jump.
-    let is_confirmed = |extreme: Option<Extreme>| {
-        extreme.is_none_or(|extreme| {
-            let found = kernel.lost_motion_at(assembly, extreme.mating);
-            let angle = found
-                .ok()
-                .flatten()
-                .and_then(|found| found.angle().zip(found.error()));
-            angle.is_some_and(|(angle, error)| {
-                let radius = assembly.operating_pitch_radius(assembly.free());
-                let [low, high] = [angle - error, angle + error].map(|angle| angle * radius);
-                low <= extreme.high && extreme.low <= high
-            })
-        })
-    };
-    let outlines = || {
+    let by_involutes = || exact::cycle_extremes_within(kernel, assembly, over, width, effort, of);
+    if assembly.varies_along_face() || effort.left() < LEAST_BUDGET {
+        return by_involutes();
+    }
+    let by_outlines = || {
         of_outlines(assembly, over, width, effort, of)
-            .filter(|found| is_confirmed(found.least) && is_confirmed(found.greatest))
+            .filter(|found| found.each().all(|one| is_confirmed(kernel, assembly, &one)))
     };
-    let is_plane = !assembly.varies_along_face() && effort.left() >= LEAST_EFFORT;
-    if is_plane
-        && assembly.is_modified()
-        && let Some(found) = outlines()
-    {
+    if assembly.is_modified() {
+        return by_outlines().map_or_else(by_involutes, Ok);
+    }
+    let found = by_involutes()?;
+    let has_values = matches!(found.status, Status::Clear | Status::Interference);
+    let is_proven = |one: Extreme| is_proven(one.low, one.high, width);
+    if !has_values || found.each().all(is_proven) {
         return Ok(found);
     }
-    let found = exact::cycle_extremes_within(kernel, assembly, over, width, effort, of)?;
-    let has_values = matches!(found.status, Status::Clear | Status::Interference);
-    let is_wide = |extreme: Option<Extreme>| {
-        extreme.is_some_and(|extreme| !is_proven(extreme.low, extreme.high, width))
+    Ok(by_outlines().map_or(found, |other| narrower(found, other)))
+}
+
+/// Whether the exact method confirms the bracket at its pose. Where the lost motion jumps, rounding can move the pose across the jump.
+fn is_confirmed(kernel: &ExactKernel, assembly: &GearPair, extreme: &Extreme) -> bool {
+    let Ok(Some(found)) = kernel.lost_motion_at(assembly, extreme.mating) else {
+        return false;
     };
-    if is_plane && has_values && (is_wide(found.least) || is_wide(found.greatest)) {
-        return Ok(outlines().map_or(found, |by_outlines| narrower(found, by_outlines)));
-    }
-    Ok(found)
+    let Some((angle, error)) = found.angle().zip(found.error()) else {
+        return false;
+    };
+    let radius = assembly.operating_pitch_radius(assembly.free());
+    let [low, high] = [angle - error, angle + error].map(|angle| angle * radius);
+    low <= extreme.high && extreme.low <= high
 }
 
 /// The narrower bracket of either result for each extreme.

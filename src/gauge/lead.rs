@@ -72,7 +72,7 @@ pub struct FaceRunout {
     pub amount: f64,
     /// Diameter on which it is read, mm: the reference circle.
     pub diameter: f64,
-    /// Tooth at which the face stands out most, fractional, of the section at its end of the teeth.
+    /// Tooth, fractional, at which the face stands out most, in the section at the face's end of the teeth.
     pub high_tooth: f64,
     /// Bound on the error of `amount`, mm.
     pub error: f64,
@@ -158,8 +158,7 @@ pub(super) fn along_face(
     range: Option<[f64; 2]>,
     (k, ball): (u32, f64),
 ) -> Option<FaceReadings> {
-    let deviates = gear.has_leads() || gear.wobble() != 0.0;
-    if !deviates || ends[0] >= ends[1] {
+    if !gear.deviates_along_face() || ends[0] >= ends[1] {
         return None;
     }
     let face = OwnFace::new(gear, ends, range);
@@ -193,19 +192,18 @@ fn face_runout(
     far: &SectionReadings,
 ) -> FaceRunout {
     let basic_data = gear.gear().basic_data();
+    // Teeth wind along the axis; the frame of the measuring plane does not.
+    let wound = |height: f64| basic_data.twist() * face.place(height);
     let centre = |read: &SectionReadings| {
-        // Teeth wind along the axis; the frame of the measuring plane does not.
-        let wound = basic_data.twist() * face.place(read.height);
         let found = &read.eccentricity;
-        let direction = gear.tooth_angle(found.high_tooth) + wound;
+        let direction = gear.tooth_angle(found.high_tooth) + wound(read.height);
         found.amount * Vector2::new(direction.cos(), direction.sin())
     };
     let diameter = 2.0 * basic_data.reference_radius();
     let per_height = diameter / (far.height - near.height);
     let off = (centre(far) - centre(near)) * per_height;
     let error = (near.eccentricity.error + far.eccentricity.error) * per_height;
-    let wound = basic_data.twist() * face.place(0.0);
-    let angle = gear.face().ascending() * (off.y.atan2(off.x) - wound);
+    let angle = gear.face().ascending() * (off.y.atan2(off.x) - wound(0.0));
     let (amount, high_tooth) = if off.norm() > error {
         (off.norm(), basic_data.tooth_towards(angle))
     } else {

@@ -59,8 +59,8 @@ impl OverPins {
     }
 }
 
-/// The dimensions over pins of `diameter` that rest at `seats`. They must reach beyond the circle of radius `tip` of the tips. `rounding` is
-/// that of the sums, mm.
+/// The dimensions over pins of `diameter` that rest at `seats`. The pins must reach beyond the tip circle of radius `tip`, mm.
+/// `rounding` is that of the sums, mm.
 pub(super) fn pins(
     seats: Vec<Seat>,
     diameter: f64,

@@ -576,9 +576,14 @@ impl AsBuilt {
         self.leads.is_some()
     }
 
+    /// Whether it has lead deviations or wobble.
+    pub fn deviates_along_face(&self) -> bool {
+        self.has_leads() || self.wobble != 0.0
+    }
+
     /// Whether its transverse sections differ: helical teeth, lead deviations, or wobble.
     pub fn varies_along_face(&self) -> bool {
-        self.gear.basic_data().hand().is_some() || self.has_leads() || self.wobble != 0.0
+        self.gear.basic_data().hand().is_some() || self.deviates_along_face()
     }
 
     /// Heights over the measuring plane of both ends of a stretch, mm from this section away from the viewer, the lesser first.

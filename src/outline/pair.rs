@@ -219,9 +219,7 @@ mod tests {
     #[test]
     fn teeth_stand_where_those_of_the_data_do() {
         let assembly = GearPair::plain([20, 13], [0.05; 2], 33.2, Member::Wheel);
-        let outlines = Member::BOTH.map(|member| OutlineGear::from(assembly.gear(member)));
-        let [one, other] = outlines;
-        let pair = OutlinePair::new(one, other, 33.2, Member::Wheel).unwrap();
+        let pair = OutlinePair::of_data(&assembly).unwrap();
         let place = Point2::new(20.0, 1.0);
         for (step, member) in (0..20).flat_map(|step| Member::BOTH.map(|member| (step, member))) {
             let mating = Mating {

@@ -169,10 +169,9 @@ fn case(
     });
     let each = parallel::map(in_phases, |assembly: Assembly| assembly.outcome());
     let each = each.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let values = each.iter().map(|found| match end {
-        End::Least => found.least,
-        End::Greatest => found.greatest,
-    });
+    let values = each
+        .iter()
+        .map(|found| [found.least, found.greatest][end as usize]);
     let beyond = match end {
         End::Least => f64::min,
         End::Greatest => f64::max,
@@ -190,10 +189,7 @@ fn assembly(
 ) -> Result<Assembly, Error> {
     let scatters = population.scatters();
     // More material means less backlash, more distance means more.
-    let [less, more] = match end {
-        End::Least => [1, 0],
-        End::Greatest => [0, 1],
-    };
+    let [less, more] = [1 - end as usize, end as usize];
     let of = |scatter: &Option<Scatter>, alone: Factor, side: usize| match scatter {
         Some(scatter) if at_limit(alone) => Some(scatter.limits()[side]),
         scatter => scatter.as_ref().map(Scatter::mean),

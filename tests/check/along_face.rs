@@ -63,8 +63,7 @@ fn leads_bind_where_their_closed_form_is_greatest_and_cost_that_much() {
     }
 }
 
-/// Shafts that lean by `θ` over a face `b` cost `sin α_wt θ b` in the plane of the axes and `cos α_wt θ b` out of it, along the base tangent and to
-/// first order.
+/// Shafts that lean by `θ` over a face `b` cost `sin α_wt θ b` in the plane of the axes and `cos α_wt θ b` out of it, on the base tangent, to first order.
 #[test]
 fn leaning_shafts_cost_their_closed_form() {
     let theta = 1e-4;

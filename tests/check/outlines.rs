@@ -35,8 +35,7 @@ fn a_hunting_pair_has_the_extremes_that_are_proven() {
     near("assembles from", from, known, 3e-5);
 }
 
-/// Polygons of 8 chords a flank: their backlash peaks between sampled poses, at 221.57 µm. Source: a polar gap written independently, on both
-/// outlines.
+/// Polygons of 8 chords a flank: their backlash peaks between sampled poses, at 221.57 µm. Source: an independent polar gap of both outlines.
 #[test]
 fn the_peak_between_sampled_poses_is_found() {
     let study = study("tests/corpus/pairs/chords_32_12.toml");
@@ -65,8 +64,7 @@ fn what_jams_says_from_where_it_assembles() {
     assert!(apart.greatest.is_none() && apart.assembles_from.is_none());
 }
 
-/// Perfect gears above the sum of their pitch radii, 40 mm, have the closed form at every pose of the map, and as the extremes; with play in the bearings
-/// those at a ∓ c.
+/// Perfect gears above the sum of their pitch radii, 40 mm, have the closed form at every pose of the map, and as extremes; with bearing play at a ∓ c.
 #[test]
 fn a_pair_that_turns_has_a_map_and_the_play_of_its_bearings() {
     let known = |a: f64| kit::j_wt(a, 40.0, 0.0);

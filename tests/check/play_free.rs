@@ -95,8 +95,7 @@ fn no_pose_has_less_play_than_none() {
     }
 }
 
-/// Tips that jam in roots before flanks lose their play: of a stretch of rotations the first was taken for the worst, and `a_0` 3 µm too small at a
-/// module of 0.115 mm.
+/// Tips that jam in roots before flanks lose their play: the first rotation of a stretch counted as the worst, and `a_0` was 3 µm small at m 0.115.
 #[test]
 fn the_worst_of_a_stretch_that_jams_is_found() {
     has_no_play(1, 2, false);

@@ -1,5 +1,4 @@
-//! Extremes of pairs beside poses that know nothing of how they were found: where a pair assembles, with play in its bearings, and with runout in
-//! any direction.
+//! Extremes of pairs beside poses found independently: where a pair assembles, with play in its bearings, and with runout in any direction.
 
 use super::*;
 use gearlash::analysis::assembles_from::Threshold;

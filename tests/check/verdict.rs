@@ -132,8 +132,7 @@ fn the_foremost_run_is_the_first_of_equals() {
     assert!(std::ptr::eq(worst.0, &runs[1]) && worst.2.simulated.backlash.is_none());
 }
 
-/// The greatest distance that a run begins to assemble from, of those that do not; the least that one is in mesh up to, of those that are not. None where
-/// one has none.
+/// Of runs that do not assemble, the greatest distance from which one does; of those out of mesh, the least up to which one is. None where one has none.
 #[test]
 fn distances_are_of_all_runs_that_fail() {
     let run = run();

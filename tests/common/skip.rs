@@ -5,8 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 static SKIPPED: AtomicUsize = AtomicUsize::new(0);
 
-/// Says that the running test is skipped and why, and how many of this binary are by now. Past the harness, which keeps what a
-/// passing test prints.
+/// Prints past the harness that the running test is skipped, the reason, and how many of this binary are by now.
 pub fn skip(why: &str) {
     let count = 1 + SKIPPED.fetch_add(1, Ordering::Relaxed);
     let thread = std::thread::current();

@@ -53,8 +53,7 @@ impl Want {
     }
 }
 
-/// Every pose is proven by every method, with one status and values within both bounds, and certified by polygons whichever
-/// method found it.
+/// Every method proves every pose, with one status and values within both bounds, and polygons certify it.
 #[test]
 fn hard_pairs_are_right_by_every_method() {
     let wants: Vec<Want> = rows(include_str!("data/hard_pairs.csv"));

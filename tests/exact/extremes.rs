@@ -18,8 +18,7 @@ pub const WIDTH: f64 = 1e-6;
 /// Values of one pose are known to 1e-10 mm at the very worst (rounding).
 pub const ROUNDING: f64 = 1e-10;
 
-/// The extremes of `matings` from `first` on. No pose is outside a bracket, proven or not; no jam and no gap in the mesh is missed if the bracket has
-/// two ends.
+/// The extremes of `matings` from `first` on. No pose is outside a bracket, proven or not; where it has two ends, no jam or gap in the mesh is missed.
 pub fn held_from(
     pair: &GearPair,
     first: Mating,

@@ -233,8 +233,7 @@ fn random_pairs_against_dense_sections() {
     assert!(compared[0] > 30 && compared[1] > 3, "{compared:?}");
 }
 
-/// Source: fixtures/reference/lead.json, the least and greatest of many poses of a period, none of which leaves the bracket. Brackets are at
-/// most 0.01 µm wide.
+/// Source: fixtures/reference/lead.json, least and greatest of many poses of a period. None leaves its bracket of at most 0.01 µm.
 #[test]
 fn reference_extremes() {
     let cases = cases("extremes");

@@ -1,5 +1,4 @@
-//! Random drawn pairs. Their proven extremes hold dense poses; polygons of odd teeth overlap just outside the play; excluded pairs of pieces do not
-//! touch.
+//! Random drawn pairs: proven extremes hold dense poses, polygons of odd teeth overlap just outside the play, excluded pairs of pieces do not touch.
 
 use super::*;
 use crate::drawn::cross;

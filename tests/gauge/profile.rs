@@ -187,8 +187,7 @@ fn profiles_of_single_teeth_are_no_eccentricity() {
     assert!(off.abs() > 1e-4, "{off}");
 }
 
-/// Source: the statement itself. Every span of the gear, and every dimension over pins in an even and an odd number of spaces, is the one that was
-/// stated.
+/// Source: the statement itself. Every span of the gear, and every dimension over pins in an even and an odd number of spaces, is as stated.
 #[test]
 fn a_stated_size_is_read_back() {
     let read = |teeth, thickness, profiles: &[Modification; 2], face, settings| {

@@ -1,5 +1,4 @@
-//! Gears from measurements in memory: what no gear has is refused, and drawings are read as printed. `crates/input/tests/all_round` finds the deviations
-//! of models again.
+//! Gears from measurements in memory: impossible ones are refused, drawings read as printed. `crates/input/tests/all_round` finds models' deviations.
 
 mod drawing;
 #[path = "../common/kit.rs"]

@@ -254,7 +254,7 @@ impl<'a> HeldSide<'a> {
         })
     }
 
-    /// The contact lines of a pair that deviates along the face, from its sections. That of the contact is in its section, too.
+    /// The contact lines of a pair that deviates along the face, from its sections. The line of the contact includes its section.
     fn lines_of(&self, sections: &[SectionAlone]) -> Vec<ContactLine> {
         let mut lines: Vec<ContactLine> = Vec::new();
         for alone in sections {

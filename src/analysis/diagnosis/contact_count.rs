@@ -133,13 +133,17 @@ impl ContactCount {
                 self.worst_off_line = Some(worst.clone());
             }
             if is_worst {
-                let known = self.loss.as_ref();
-                self.loss = Some(Loss {
-                    least: known.map_or(loss, |known| known.least),
-                    mean: known.map_or(0.0, |known| known.mean),
-                    poses: known.map_or(0, |known| known.poses),
-                    worst,
-                });
+                match &mut self.loss {
+                    Some(known) => known.worst = worst,
+                    None => {
+                        self.loss = Some(Loss {
+                            least: loss,
+                            mean: 0.0,
+                            poses: 0,
+                            worst,
+                        });
+                    }
+                }
             }
         }
         if let Some(known) = &mut self.loss {

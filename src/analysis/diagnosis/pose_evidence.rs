@@ -4,9 +4,11 @@ use super::contact_count::ContactCount;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::study::Material;
 use crate::contact::{
-    Contact, ContactClass, ContactKind, ExactKernel, FacePlace, ToothPlace, Unproven,
+    Contact, ContactClass, ContactKind, ExactKernel, FacePlace, LostMotion, ToothPlace, Unproven,
 };
+use crate::error::{Error, Tick};
 use crate::gear::Side;
+use crate::numeric::GOLDEN;
 use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use crate::parallel;
 use std::collections::HashSet;
@@ -96,7 +98,7 @@ impl PoseEvidence {
         let Some(found) = result.proven() else {
             return;
         };
-        self.count(places(&self.assembly, pose));
+        self.count(places(&self.assembly, &result.pose, Some(found)));
         for (touched, member) in self.touched.iter_mut().zip(Member::BOTH) {
             let mut is_below = false;
             for side in Side::BOTH {
@@ -115,7 +117,9 @@ impl PoseEvidence {
             for pose in &run.poses {
                 self.least = least(self.least, pose.simulated.backlash);
                 let assembly = run.run.assembly.data();
-                let places = assembly.map(|pair| places(pair, pose)).unwrap_or_default();
+                let found = &pose.simulated;
+                let places = assembly.map(|pair| places(pair, &found.pose, found.proven()));
+                let places = places.unwrap_or_default();
                 let is_at_end = |at| matches!(at, FacePlace::NearEnd | FacePlace::FarEnd);
                 self.extreme_at_end |= places.into_iter().flatten().any(is_at_end);
             }
@@ -123,23 +127,34 @@ impl PoseEvidence {
         self
     }
 
-    /// Counts the places along the face at [`CYCLE_POSES`] poses over the whole cycle from `first` on, in place of those of its poses.
-    pub(super) fn with_places_from(mut self, first: &Mating) -> PoseEvidence {
+    /// Counts the places along the face at [`CYCLE_POSES`] poses over the whole cycle from `first` on, in place of those of its poses. Poses without
+    /// a contact, or with an unproven one, do not count.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`] after a break of `tick`.
+    pub(super) fn with_places_from(
+        mut self,
+        first: &Mating,
+        tick: &Tick,
+    ) -> Result<PoseEvidence, Error> {
         let pair = &self.assembly;
         let kernel = ExactKernel::new(pair);
         let [wheel, pinion] = Member::BOTH.map(|member| pair.teeth(member));
         let pitches = SweepPlan::hunting_pitches(wheel, pinion);
-        // Whole pitches and the golden section: every part of the cycle, and every phase of a pitch.
-        let step = (pitches / u64::from(CYCLE_POSES)) as f64 + 0.618;
+        // Whole pitches at equal steps, and fractions by the golden section: every part of the cycle, and every phase of a pitch.
         let of_pose = |number: u32| {
-            let pose = Pose::new(pair, first.onward(pair, step * f64::from(number)));
-            let found = kernel.lost_motion(&pose).ok();
-            Side::BOTH.map(|side| FacePlace::of(pair, &pose, &found.as_ref()?.on(side)?))
+            Error::if_stopped(tick(1))?;
+            let whole = u64::from(number) * pitches / u64::from(CYCLE_POSES);
+            let at = whole as f64 + (GOLDEN * f64::from(number)).fract();
+            let pose = Pose::new(pair, first.onward(pair, at));
+            Ok::<_, Error>(places(pair, &pose, kernel.lost_motion(&pose).ok().as_ref()))
         };
         let of_poses = parallel::map(0..CYCLE_POSES, of_pose);
         self.places = Default::default();
-        of_poses.into_iter().for_each(|places| self.count(places));
-        self
+        for places in of_poses {
+            self.count(places?);
+        }
+        Ok(self)
     }
 
     fn count(&mut self, places: [Option<FacePlace>; 2]) {
@@ -189,9 +204,8 @@ impl PoseEvidence {
 }
 
 /// Places of the right and the left contact along the face; `None` without a contact, and for a pair that does not deviate along it.
-fn places(pair: &GearPair, pose: &ComparedPose) -> [Option<FacePlace>; 2] {
-    let result = &pose.simulated;
-    Side::BOTH.map(|side| FacePlace::of(pair, &result.pose, &result.proven()?.on(side)?))
+fn places(pair: &GearPair, pose: &Pose, found: Option<&LostMotion>) -> [Option<FacePlace>; 2] {
+    Side::BOTH.map(|side| FacePlace::of(pair, pose, &found?.on(side)?))
 }
 
 impl Touched {

@@ -110,11 +110,6 @@ impl FlankProblem {
         problem
     }
 
-    /// Lowest and greatest roll of the locked and of the free involute.
-    pub fn ends(&self) -> [[f64; 2]; 2] {
-        [&self.locked, &self.free].map(|teeth| [teeth.shape.lowest_roll(), teeth.shape.tip_roll])
-    }
-
     /// Greatest change of a room by the gap, mm, off the line of action.
     pub fn most_turning(&self) -> f64 {
         let low = self.free.shape.lowest_roll();

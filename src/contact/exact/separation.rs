@@ -21,7 +21,7 @@
 //! `μ_β`, and their least, the rotation of the touch, are concave up to that small constant ([`Separation::bend`]). A tangent bounds it
 //! from above between poses, a chord from below.
 
-use super::flank_problem::PosedFlanks;
+use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::line::Line;
 use super::path::InvolutePair;
 use super::shape::{C, HalfToothShape, turn};
@@ -43,13 +43,20 @@ const ROUNDED: f64 = 1e-15;
 
 /// An arc of an involute, or the whole involute.
 #[derive(Debug, Clone, Copy)]
-struct InvoluteArc {
+pub(super) struct InvoluteArc {
     base: f64,
-    form: f64,
-    tip: f64,
+    /// Its lowest roll.
+    pub form: f64,
+    /// Its greatest roll.
+    pub tip: f64,
 }
 
 impl InvoluteArc {
+    /// The arcs of the locked and of the free half teeth.
+    pub fn both(problem: &FlankProblem) -> [InvoluteArc; 2] {
+        [&problem.locked, &problem.free].map(|teeth| InvoluteArc::new(&teeth.shape))
+    }
+
     fn new(shape: &HalfToothShape) -> InvoluteArc {
         InvoluteArc {
             base: shape.base,
@@ -64,6 +71,35 @@ impl InvoluteArc {
             form: f64::NEG_INFINITY,
             tip: f64::INFINITY,
         }
+    }
+
+    /// Whether all rolls within `play` of `roll` are on it.
+    pub fn holds(&self, roll: f64, play: f64) -> bool {
+        roll - play >= self.form && roll + play <= self.tip
+    }
+
+    /// Room that it has more than an endless involute with this `roll` on the line of action, mm.
+    pub fn room(&self, roll: f64) -> f64 {
+        let slight = |angle: f64| {
+            let turned = slightly_turned(angle);
+            (turned.im, turned.re)
+        };
+        self.base * (roll - self.support_by(roll, slight)[0])
+    }
+
+    /// Lower bound of its room over all rolls within `play` of `roll`, mm.
+    ///
+    /// With `δ = ξ − ξ_e` beyond an end the room is `r_b (ξ_e (1 − cos δ) + δ − sin δ)`. The partial sums `δ²/2 − δ⁴/24` and `δ³/6 − |δ|⁵/120`
+    /// are no greater than its terms. The room rises past the tip. Below the form roll both it and the sum rise, then fall.
+    pub fn room_at_least(&self, roll: f64, play: f64) -> f64 {
+        let room = |roll: f64| {
+            let end = roll.clamp(self.form, self.tip);
+            let beyond = (roll - end).min(1.0);
+            let square = beyond * beyond;
+            let cosine = end * (0.5 - square / 24.0);
+            square * (cosine + beyond / 6.0 - square * beyond.abs() / 120.0)
+        };
+        self.base * room(roll - play).min(room(roll + play))
     }
 
     /// `q` and its derivatives.
@@ -94,21 +130,6 @@ impl InvoluteArc {
         };
         [l[1].min(h[1]), most, l[2].max(h[2]).max(0.0)]
     }
-}
-
-/// Lower bound of [`Separation::room_of`] of an involute of the base radius `base` whose roll is within `play` of `roll`, mm.
-///
-/// With `δ = ξ − ξ_e` beyond an end the room is `r_b (ξ_e (1 − cos δ) + δ − sin δ)`. The partial sums `δ²/2 − δ⁴/24` and `δ³/6 − |δ|⁵/120`
-/// are no greater than its terms. The room rises past the tip. Below the form roll both it and the sum rise, then fall.
-pub(super) fn room_at_least(base: f64, roll: f64, play: f64, [form, tip]: [f64; 2]) -> f64 {
-    let room = |roll: f64| {
-        let end = roll.clamp(form, tip);
-        let beyond = (roll - end).min(1.0);
-        let square = beyond * beyond;
-        let cosine = end * (0.5 - square / 24.0);
-        square * (cosine + beyond / 6.0 - square * beyond.abs() / 120.0)
-    };
-    base * room(roll - play).min(room(roll + play))
 }
 
 /// The roll up to which directions belong to the corner at the roll `tip`: the normals of the tip land follow.
@@ -377,22 +398,6 @@ impl Separation {
             .then_some(turned)
     }
 
-    /// Room that involutes with ends have more than endless ones where these have `rolls` on the line of action, mm.
-    pub fn room(&self, rolls: [f64; 2], ends: [[f64; 2]; 2]) -> f64 {
-        self.room_of(0, rolls[0], ends[0]) + self.room_of(1, rolls[1], ends[1])
-    }
-
-    /// The share of the locked (0) or the free involute (1) in [`Separation::room`].
-    pub fn room_of(&self, k: usize, roll: f64, [form, tip]: [f64; 2]) -> f64 {
-        let base = self.arcs[k].base;
-        let arc = InvoluteArc { base, form, tip };
-        let slight = |angle: f64| {
-            let turned = slightly_turned(angle);
-            (turned.im, turned.re)
-        };
-        base * (roll - arc.support_by(roll, slight)[0])
-    }
-
     /// Whether a roll is within `play` of the form circle, or below it.
     pub fn is_below_form(&self, play: f64) -> bool {
         [0, 1]
@@ -402,11 +407,7 @@ impl Separation {
 
     /// Whether it touches with both rolls on their involutes and at least `plays` from the ends.
     pub fn is_on_line(&self, plays: [f64; 2]) -> bool {
-        self.touches
-            && [0, 1].iter().all(|&k| {
-                let (roll, arc) = (self.rolls[k], &self.arcs[k]);
-                roll - plays[k] >= arc.form && roll + plays[k] <= arc.tip
-            })
+        self.touches && (0..2).all(|k| self.arcs[k].holds(self.rolls[k], plays[k]))
     }
 
     /// Greatest deficit of room of involutes with ends against endless ones, between this pose and `other`, rad of the free gear. For

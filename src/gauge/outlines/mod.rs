@@ -8,8 +8,8 @@
 //! stationary `W` nearest to the direction perpendicular to the middle of the spanned teeth. On involutes that is
 //! anywhere on the plateau, on round flanks the greatest, on flat parallel ones the least.
 //!
-//! **Pins.** As on a gear by its data (`src/gauge/seat.rs`) the centre of a pin at rest is half its diameter from both flanks, and Newton's
-//! method on the two distances finds it. It comes from outside, above the middle of the space. No step is longer than the
+//! **Pins.** As on a gear by its data (`src/gauge/seat.rs`) the centre of a pin at rest is half its diameter from both flanks. Newton's
+//! method on the two distances finds it. The pin comes from outside, above the middle of the space. No step is longer than the
 //! distance to the nearest metal, so it passes through none. The half teeth reach to the middle of the root: a pin that
 //! touches no flank first, or the root alone, has no seat.
 

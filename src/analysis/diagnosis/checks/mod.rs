@@ -152,14 +152,16 @@ fn groups(
             continue;
         };
         let mut group = group.with_least_of(&cycle.runs);
-        if !may_skip && !study.sweeps() && group.assembly.deviates_along_face() {
-            let key = group.group_key();
-            let matings = starts.matings(|run| run.group_key() == key)?;
-            if let Some(first) = matings.first() {
-                group = group.with_places_from(first);
-            }
+        let (distance, material) = group.group_key();
+        let matings = || starts.matings(|run| run.group_key() == (distance, material));
+        if !may_skip
+            && !study.sweeps()
+            && group.assembly.deviates_along_face()
+            && let Some(first) = matings()?.first()
+        {
+            group = group.with_places_from(first, tick)?;
         }
-        let (assembly, (distance, material)) = (&group.assembly, group.group_key());
+        let assembly = &group.assembly;
         let is_proven = starts.doubt(material).is_none();
         let zero = match assembles(&group, cycle).filter(|_| may_skip && is_proven) {
             Some(true) => LimitState::Kept,
@@ -178,10 +180,7 @@ fn groups(
             })?)
         };
         step("radial clearance")?;
-        let pitches = || {
-            let matings = starts.matings(|run| run.group_key() == (distance, material))?;
-            Ok(pitches(assembly, &matings))
-        };
+        let pitches = || Ok(pitches(assembly, &matings()?));
         let context = CheckContext {
             assembly,
             evidence: &group,

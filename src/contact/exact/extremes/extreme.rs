@@ -22,6 +22,11 @@ pub struct Extremes {
 }
 
 impl Extremes {
+    /// The least and the greatest, where known.
+    pub(crate) fn each(&self) -> impl Iterator<Item = Extreme> {
+        self.least.into_iter().chain(self.greatest)
+    }
+
     /// The least or the greatest.
     pub(crate) fn at(&self, end: End) -> Option<Extreme> {
         match end {

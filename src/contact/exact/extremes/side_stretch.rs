@@ -1,7 +1,7 @@
 //! Bounds of the room of one side over a stretch of a mating, pair by pair of half teeth.
 
 use super::super::path::InvolutePair;
-use super::super::separation::Separation;
+use super::super::separation::{InvoluteArc, Separation};
 use super::clearance::{HALVINGS, LinesAtDistances, tip_clearance};
 use super::corner_path;
 use super::fillet::{self, BorderTouch, OnFillet};
@@ -187,7 +187,7 @@ impl<'a> SideStretch<'a> {
         // Endless involutes have no more room, except by the part below the form rolls. The table knows how much less they have.
         let problem = self.side.problem;
         let endless = self.endless_separations(step);
-        let forms = problem.ends().map(|[form, _]| form);
+        let forms = InvoluteArc::both(problem).map(|arc| arc.form);
         let greatest_deficit = endless[0].greatest_deficit(&endless[1], self.plays(), forms);
         let prolonged = self
             .endless(&endless, beside.max(-greatest_deficit))

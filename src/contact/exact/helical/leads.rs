@@ -21,7 +21,7 @@ use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::leaning::{LeaningFrame, LeaningTouch};
 use crate::contact::exact::path::InvolutePair;
-use crate::contact::exact::separation::{NearStart, Separation};
+use crate::contact::exact::separation::{InvoluteArc, NearStart, Separation};
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::ProfilePart;
 use crate::numeric::rank;
@@ -78,8 +78,8 @@ pub(super) struct AlongFace<'a> {
     /// The pair of step 0 on it, with endless involutes.
     first: Separation,
     first_pair: InvolutePair,
-    /// Lowest and greatest roll of the locked and the free involute.
-    ends: [[f64; 2]; 2],
+    /// The locked and the free involute.
+    arcs: [InvoluteArc; 2],
     /// Where axes lean: how the frame changes along the face.
     leaning: Option<LeaningFrame>,
     /// Changes of the gap on the line of action at both ends of the face by the moves of the centres, rad.
@@ -221,7 +221,7 @@ impl<'a> AlongFace<'a> {
             centred,
             first,
             first_pair: InvolutePair::new(posed, 0),
-            ends: posed.problem.ends(),
+            arcs: InvoluteArc::both(posed.problem),
             leaning,
             most_leaning: assembly.shift_bound() + assembly.lean_bound() * wound * reach,
             bounds,
@@ -252,7 +252,7 @@ impl<'a> AlongFace<'a> {
     /// The gap of a pair whose involutes end, about.
     fn about(&self, pair: &EndlessPair) -> f64 {
         let rolls = self.rolls_at(pair.rolls, pair.window[0]);
-        pair.gap - self.first.room(rolls, self.ends) / self.bases()[1]
+        pair.gap - self.room(rolls) / self.bases()[1]
     }
 
     /// The places, mm, at which a pair is tightest and its gap exceeds `floor`, the tightest first. Ties within `tie` are included. `deepest`
@@ -401,13 +401,18 @@ impl<'a> AlongFace<'a> {
         pair.window.into_iter().all(at)
     }
 
+    /// Room that involutes with ends have more than endless ones with these rolls, mm.
+    fn room(&self, rolls: [f64; 2]) -> f64 {
+        self.arcs[0].room(rolls[0]) + self.arcs[1].room(rolls[1])
+    }
+
     /// Least room of involutes with ends beyond that of endless ones, mm, where leads and leans turn teeth that have these rolls. It is that at
     /// an end of what they turn.
     fn least_room(&self, rolls: [f64; 2]) -> f64 {
         let turned = self.most_turned();
         let room = [0, 1].map(|k| {
-            let of = |roll: f64| self.first.room_of(k, roll, self.ends[k]);
-            of(rolls[k] - turned).min(of(rolls[k] + turned))
+            let arc = &self.arcs[k];
+            arc.room(rolls[k] - turned).min(arc.room(rolls[k] + turned))
         });
         room[0] + room[1]
     }
@@ -447,9 +452,7 @@ impl<'a> AlongFace<'a> {
 
     /// Whether rolls are on both involutes.
     fn are_on_arcs(&self, rolls: [f64; 2], play: f64) -> bool {
-        [0, 1]
-            .iter()
-            .all(|&k| rolls[k] - play >= self.ends[k][0] && rolls[k] + play <= self.ends[k][1])
+        (0..2).all(|k| self.arcs[k].holds(rolls[k], play))
     }
 
     /// A gap that one of `pairs` reaches: that of the tightest on the line of action somewhere on the face, without what its leads may take.
@@ -472,7 +475,7 @@ impl<'a> AlongFace<'a> {
         let rolls = [pair.rolls[0], pair.rolls[1] + (pair.gap - level)];
         let rolls = self.rolls_at(rolls, pair.window[0]);
         // Turns of the teeth move either of them by no more than this along the line.
-        let room = self.first.room(rolls, self.ends) + (level - pair.gap) * self.first.turning;
+        let room = self.room(rolls) + (level - pair.gap) * self.first.turning;
         room <= 2.0 * self.bounds.most_moved
     }
 

@@ -11,7 +11,7 @@ use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
 use crate::contact::exact::path::InvolutePair;
 use crate::contact::exact::section::Section;
 use crate::contact::exact::section_side::{SectionPlace, SectionSide};
-use crate::contact::exact::separation::room_at_least;
+use crate::contact::exact::separation::InvoluteArc;
 use crate::contact::exact::shape::HalfToothShape;
 use crate::contact::exact::tightest::FirstContact;
 use crate::contact::lost_motion::{Contact, LostMotion};
@@ -97,7 +97,7 @@ impl SearchFreeSections {
         let own = InvolutePair::new(at, found.step);
         let ratio = problem.locked.shape.base * problem.per_free_base;
         let [turned, change] = self.turns[problem.side.index()];
-        let ends = problem.ends();
+        let arcs = InvoluteArc::both(problem);
         // A Newton step falls short by the slope of G.
         let shrink = 1.0 - self.solver.free_off * problem.per_free_base;
         at.steps().filter(|step| *step != found.step).all(|step| {
@@ -110,12 +110,11 @@ impl SearchFreeSections {
             ];
             let plays = variation.plays_at(problem, tighter.abs() + change);
             let plays = [plays.0 + turned, plays.1 + ratio * turned];
-            let is_above_form = (0..2).all(|k| rolls[k] - plays[k] >= ends[k][0]);
+            let is_above_form = (0..2).all(|k| rolls[k] - plays[k] >= arcs[k].form);
             if is_above_form && tighter <= problem.tie {
                 return true;
             }
-            let bases = [problem.locked.shape.base, problem.free.shape.base];
-            let of = |k: usize| room_at_least(bases[k], rolls[k], plays[k], ends[k]);
+            let of = |k: usize| arcs[k].room_at_least(rolls[k], plays[k]);
             let room = of(0) + of(1);
             room >= 0.0 && tighter - room / problem.most_turning() <= problem.tie
         })

@@ -134,8 +134,10 @@ fn fit_cubics(piece: &[Vector3<f64>], halvings: u32, curve: &mut Curve) -> Optio
     let cubic = hermite(piece);
     let bound = distance(piece, &cubic);
     if bound <= FIT_MM {
-        curve.segments.push(PathSegment::Cubic(cubic));
-        curve.bound = curve.bound.max(bound);
+        curve.add(Curve {
+            bound,
+            ..Curve::exact(PathSegment::Cubic(cubic))
+        });
         return Some(());
     }
     let halvings = halvings

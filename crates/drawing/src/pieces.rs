@@ -33,7 +33,7 @@ pub struct Pieces {
     pub unit_mm: f64,
     layers: IndexMap<String, Vec<DrawnPath>>,
     segments: usize,
-    /// What was ignored: the place of the first element, and their number.
+    /// Ignored elements by kind: the place of the first, and how many there are.
     left_out: IndexMap<String, (String, usize)>,
 }
 
@@ -61,7 +61,7 @@ impl Pieces {
         Ok(())
     }
 
-    /// Remembers that an element at `place` is ignored. `what` is one of a few kinds.
+    /// Counts an ignored element at `place`; `what` is one of a few kinds.
     pub fn leave_out(&mut self, what: &str, place: &str) {
         let known = self.left_out.entry(what.to_owned());
         known.or_insert_with(|| (place.to_owned(), 0)).1 += 1;
@@ -183,7 +183,7 @@ fn check(segment: &PathSegment, place: &str) -> Result<(), DrawingError> {
     if good {
         return Ok(());
     }
-    let most = format!("{FARTHEST_MM:e} mm");
-    let reason = format!("a coordinate or radius is not a number, or greater than {most}");
+    let reason =
+        format!("a coordinate or radius is not a number, or greater than {FARTHEST_MM:e} mm");
     Err(DrawingError::number(place, reason))
 }

@@ -57,34 +57,31 @@ impl Repeat {
         {
             return Err(DrawingError::too_large("segments", MAX_SEGMENTS));
         }
-        let (mut segments, mut bound): (Vec<PathSegment>, f64) = (Vec::new(), 0.0);
+        let mut curve = Curve::default();
         for index in 0..self.teeth {
             let turn = Rotation2::new(angle.signum() * pitch * f64::from(index));
             let shift = self.centre - turn * self.centre;
             let map = Affine::new(*turn.matrix(), shift);
             for segment in &tooth.path.segments {
-                let Curve {
-                    segments: made,
-                    bound: off,
-                } = map.segment(segment);
-                if let (Some(last), Some(first)) = (segments.last(), made.first()) {
+                let image = map.segment(segment);
+                if let (Some(last), Some(first)) = (curve.segments.last(), image.segments.first()) {
                     let ends = [last.end(), first.start()];
                     if (ends[1] - ends[0]).norm() > SAME_MM {
-                        segments.push(PathSegment::Line(ends));
+                        curve.segments.push(PathSegment::Line(ends));
                     }
                 }
-                bound = bound.max(off);
-                segments.extend(made);
+                curve.add(image);
             }
         }
+        let segments = &mut curve.segments;
         let ends = [segments[segments.len() - 1].end(), segments[0].start()];
         if (ends[1] - ends[0]).norm() > SAME_MM {
             segments.push(PathSegment::Line(ends));
         }
         Ok(DrawnPath {
-            segments,
+            segments: curve.segments,
             name: tooth.path.name.clone(),
-            bound_mm: tooth.path.bound_mm.max(bound),
+            bound_mm: tooth.path.bound_mm.max(curve.bound),
             place: tooth.path.place.clone(),
         })
     }

@@ -30,7 +30,7 @@ pub fn common_face(
             "correct one of them: gears of parallel axes have one helix angle at the reference circle",
         );
     }
-    if one.angle_deg == 0.0 {
+    if !one.is_helical() {
         let mut gears = [wheel, pinion].into_iter();
         let why = if leans {
             "the axes lean, or may lean"

@@ -27,7 +27,7 @@ pub struct PairFile {
     pub spec: PairSpec,
     /// The content of the drawings of wheel and pinion; `None` for a gear given by data.
     pub drawings: [Option<DrawingRead>; 2],
-    /// What results leave out for lack of data, as a sentence.
+    /// A sentence on what results leave out for lack of data.
     pub left_out: Option<&'static str>,
     /// Warnings, for standard error.
     pub warnings: Vec<String>,

@@ -21,7 +21,7 @@ use std::convert::Infallible;
 /// The parts of one gear that have no problem.
 #[derive(Debug, Default)]
 pub struct GearPart {
-    /// Its basic data; of a drawn gear the number of teeth.
+    /// Its basic data; a drawn gear has its number of teeth alone.
     pub known: KnownGear,
     /// The gear by its data, in one or both materials.
     pub as_built: Option<Toleranced<AsBuilt>>,
@@ -99,15 +99,12 @@ impl GearPart {
             Some(Some(spec)) => spec.complete(table, known),
             absent => absent.map(|_| None),
         };
-        let checked = profile::check(table);
-        let profile = table.read::<ProfileSpec>("profile");
-        let profile = profile
-            .filter(|_| checked.is_some())
-            .and_then(|spec| spec.unwrap_or_default().complete(table, known));
+        let profile = profile::check(table).and_then(|()| table.read::<ProfileSpec>("profile"));
+        let profile = profile.and_then(|spec| spec.unwrap_or_default().complete(table, known));
         let lead = lead::check(table).and_then(|()| table.read::<LeadSpec>("lead"));
         let lead = match lead {
             Some(Some(spec)) => spec.complete(table, known).map(Some),
-            absent => absent.filter(|_| known.face.is_some()).map(|_| None),
+            absent => absent.map(|_| None),
         };
 
         let checked_pitch = match (&pitch, &known.basic_data, &runout) {
@@ -144,7 +141,7 @@ impl GearPart {
             profile: profile?,
             lead: lead?,
         };
-        let measurements = statements.measurements(known);
+        let measurements = statements.measurements(known)?;
         if checked_pitch.is_none() || statements.thickness.per_tooth_um.is_none() {
             // Other faults are reported, too.
             let errors = measurements.check_thickness_and_runout();

@@ -66,7 +66,7 @@ impl Helix {
         self.angle_deg != 0.0
     }
 
-    /// The hand of helical teeth; `None` of a spur gear.
+    /// The hand of helical teeth; `None` for a spur gear.
     pub fn teeth_hand(&self) -> Option<Hand> {
         self.hand.filter(|_| self.is_helical())
     }
@@ -83,10 +83,10 @@ impl Helix {
 
     /// Puts it into the echo of a gear; a spur gear keeps its statements.
     pub fn echo(&self, spec: &mut GearSpec) {
-        spec.helix_angle_deg = (self.angle_deg > 0.0).then_some(self.angle_deg);
+        spec.helix_angle_deg = self.is_helical().then_some(self.angle_deg);
         spec.hand = self.hand;
         spec.face_mm = self.face_mm;
-        if self.angle_deg > 0.0 {
+        if self.is_helical() {
             let statements = spec.thickness.statements_mut();
             for pins in statements.filter_map(|statement| statement.over_pins.as_mut()) {
                 pins.kind.get_or_insert_default();

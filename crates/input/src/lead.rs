@@ -79,8 +79,7 @@ pub fn with_added_leads(gear: &GearSpec, further: &[Lead; 2]) -> Option<LeadSpec
 
 impl LeadSpec {
     /// The leads of the gear's table `gear` with defaults filled in, their traces as lists from the reference face in the transverse section.
-    pub(crate) fn complete(self, gear: &Table, known: &KnownGear) -> Option<LeadSpec> {
-        let mut spec = self;
+    pub(crate) fn complete(mut self, gear: &Table, known: &KnownGear) -> Option<LeadSpec> {
         let table = gear.below(NAME);
         let helix = known.helix?;
         let Some(face) = known.heights()? else {
@@ -92,14 +91,15 @@ impl LeadSpec {
         };
         let basic_data = known.basic_data?;
         let width = face[1] - face[0];
-        let warnings = &mut known.warnings.borrow_mut();
-        complete_hands(&table, &mut spec.flanks, helix.teeth_hand(), warnings)?;
+        let mut warnings = Vec::new();
+        complete_hands(&table, &mut self.flanks, helix.teeth_hand(), &mut warnings)?;
         let plane = 0.0 - face[0];
-        open_conventions(&table, &spec, plane, helix.is_helical(), warnings);
+        open_conventions(&table, &self, plane, helix.is_helical(), &mut warnings);
+        known.warnings.borrow_mut().extend(warnings);
 
-        let zero_mm = spec.zero_mm.unwrap_or(plane);
+        let zero_mm = self.zero_mm.unwrap_or(plane);
         if !(0.0..=width).contains(&zero_mm) {
-            let missing = if spec.zero_mm.is_none() {
+            let missing = if self.zero_mm.is_none() {
                 "missing: the measuring plane is at "
             } else {
                 ""
@@ -111,7 +111,7 @@ impl LeadSpec {
             );
         }
         let range_mm = default_range(width, known.module_mm?);
-        let range_mm = spec.range_mm.unwrap_or(range_mm);
+        let range_mm = self.range_mm.unwrap_or(range_mm);
         if !(0.0 <= range_mm[0] && range_mm[0] < range_mm[1] && range_mm[1] <= width) {
             return table.refuse(
                 "range_mm",
@@ -125,8 +125,8 @@ impl LeadSpec {
             width,
             helix_cos: basic_data.base_helix_angle().cos(),
         };
-        let mut flanks = traces::read_flanks(&table, spec.flanks, known, along)?;
-        if spec.from == TeethEnd::Far {
+        let mut flanks = traces::read_flanks(&table, self.flanks, known, along)?;
+        if self.from == TeethEnd::Far {
             for flank in &mut flanks {
                 flank.trace = flank.trace.take().map(|traces| match traces {
                     Either::One(one) => Either::One(turned(one, width)),
@@ -141,7 +141,7 @@ impl LeadSpec {
             zero_mm: Some(zero_mm),
             range_mm: Some(range_mm),
             from: TeethEnd::Reference,
-            ..spec
+            ..self
         })
     }
 

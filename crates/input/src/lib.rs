@@ -85,7 +85,7 @@ fn names(file: &Table) -> (String, Option<String>) {
 /// # Errors
 /// [`InputError`] with all problems of the file, each with key, value, what is allowed and what to do.
 pub fn read(path: &Path) -> Result<PairFile, InputError> {
-    with_tree(path, pair)
+    with_file(path, pair)
 }
 
 /// Reads the pair file at `path`, whose gears must be given by their data.
@@ -93,7 +93,7 @@ pub fn read(path: &Path) -> Result<PairFile, InputError> {
 /// # Errors
 /// As [`read`]; a gear given by an outline.
 pub fn read_by_data(path: &Path) -> Result<PairFile, InputError> {
-    with_tree(path, pair_by_data)
+    with_file(path, pair_by_data)
 }
 
 /// Reads the pair file `text`, TOML or JSON, called `name` in messages; the files that it names are looked for in the working folder.
@@ -160,7 +160,7 @@ pub fn compare_drawings(
 /// # Errors
 /// As [`read`].
 pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
-    with_tree(path, gears)
+    with_file(path, gears)
 }
 
 /// Reads the gears of the file at `path`, which must be given by their data.
@@ -168,7 +168,7 @@ pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
 /// # Errors
 /// As [`read_by_data`].
 pub fn read_gears_by_data(path: &Path) -> Result<GearsFile, InputError> {
-    with_tree(path, gears_by_data)
+    with_file(path, gears_by_data)
 }
 
 /// Reads the gears of the gear file or pair file `text`, which must be given by their data.
@@ -220,7 +220,7 @@ fn gears_by_data(file: &Table) -> Option<GearsFile> {
 }
 
 /// The result of `understand` for the file at `path`.
-fn with_tree<T>(
+fn with_file<T>(
     path: &Path,
     understand: impl FnOnce(&Table) -> Option<T>,
 ) -> Result<T, InputError> {

@@ -197,24 +197,24 @@ impl<'a> PairTables<'a> {
 
     /// The gears of a pair with an outline.
     fn drawn(&self, warnings: &mut Vec<String>, remarks: &mut Vec<String>) -> Option<PlacedGears> {
-        let (table, gears) = (self.file, [&self.wheel, &self.pinion]);
-        outlines::refuse_limits(table);
-        outlines::refuse_uncertainties(table, gears);
+        let gears = [&self.wheel, &self.pinion];
+        outlines::refuse_limits(self.file);
+        outlines::refuse_uncertainties(self.file, gears);
         let assembly = self.assembly.as_ref()?;
-        outlines::refuse_axes(table, assembly);
-        table.reading().is_good().then_some(())?;
+        outlines::refuse_axes(self.file, assembly);
+        self.file.reading().is_good().then_some(())?;
         let (wheel, pinion) = (self.wheel.outline()?, self.pinion.outline()?);
-        let stated = self.poses.distances(table, assembly, None, warnings)?;
+        let stated = self.poses.distances(self.file, assembly, None, warnings)?;
         let center_distances = stated.distances_mm();
         let band = stated.band_mm();
         let is_band = wheel.is_band() || pinion.is_band();
         self.poses
-            .check_count(table, Some(&center_distances), is_band)?;
+            .check_count(self.file, Some(&center_distances), is_band)?;
         let thickest = [wheel.most(), pinion.most()];
-        outlines::check_distances(table, thickest, &center_distances, assembly)?;
+        outlines::check_distances(self.file, thickest, &center_distances, assembly)?;
         warnings.extend(outlines::slips(thickest, &center_distances, assembly));
-        Temperature::read(table, assembly, gears)?;
-        remarks.extend(table.reading().take_remarks());
+        Temperature::read(self.file, assembly, gears)?;
+        remarks.extend(self.file.reading().take_remarks());
         remarks.extend(meaning(&stated));
         Some(PlacedGears {
             materials: Vec::new(),
@@ -232,17 +232,18 @@ impl<'a> PairTables<'a> {
         warnings: &mut Vec<String>,
         remarks: &mut Vec<String>,
     ) -> Option<PlacedGears> {
-        let table = self.file;
         let base_radii = self.base_radii();
         let assembly = self.assembly.as_ref();
-        let stated = assembly
-            .and_then(|assembly| self.poses.distances(table, assembly, base_radii, warnings));
+        let stated = assembly.and_then(|assembly| {
+            self.poses
+                .distances(self.file, assembly, base_radii, warnings)
+        });
         let center_distances = stated.as_ref().map(CenterDistanceSpec::distances_mm);
         let gears = [&self.wheel, &self.pinion];
         let built = gears.map(|gear| gear.as_built.as_ref());
         let is_band = built.into_iter().flatten().any(Toleranced::is_band);
         self.poses
-            .check_count(table, center_distances.as_deref(), is_band)?;
+            .check_count(self.file, center_distances.as_deref(), is_band)?;
         let (stated, mut center_distances) = (stated?, center_distances?);
         let mut band = stated.band_mm();
         let assembly = assembly?;
@@ -250,7 +251,7 @@ impl<'a> PairTables<'a> {
         let bearing_ends = assembly.bearing_clearance_mm.ends();
         if open_lean != [0.0; 2] {
             if assembly.distance_place_mm() != 0.0 && open_lean[0] != 0.0 {
-                return table.refuse(
+                return self.file.refuse(
                     "assembly.misalignment.at_mm",
                     "given beside an in-plane deviation of unknown sense, allowed is 0",
                     "remove it, and state the centre distance in the wheel's measuring plane",
@@ -260,7 +261,7 @@ impl<'a> PairTables<'a> {
         }
         if assembly.distance_place_mm() != 0.0 && lean != [0.0; 2] {
             self.poses
-                .check_rows(table, "assembly.misalignment.at_mm")?;
+                .check_rows(self.file, "assembly.misalignment.at_mm")?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
                 *mm = assembly.in_measuring_plane(*mm);
             }
@@ -274,13 +275,13 @@ impl<'a> PairTables<'a> {
             ));
         }
         let mut materials = in_materials(built[0]?, built[1]?);
-        let temperature = Temperature::read(table, assembly, gears)?;
+        let temperature = Temperature::read(self.file, assembly, gears)?;
         if temperature.is_some() {
-            self.poses.check_rows(table, "assembly.temperature_c")?;
+            self.poses.check_rows(self.file, "assembly.temperature_c")?;
         }
-        remarks.extend(table.reading().take_remarks());
+        remarks.extend(self.file.reading().take_remarks());
         if let Some(temperature) = temperature {
-            materials = temperature.gears(table, materials)?;
+            materials = temperature.gears(self.file, materials)?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
                 *mm = temperature.distance(*mm);
             }
@@ -305,20 +306,20 @@ impl<'a> PairTables<'a> {
                     "check it, and where the centre distance holds",
                 )
             };
-            return table.refuse(&format!("assembly.{key}"), reason, help);
+            return self.file.refuse(&format!("assembly.{key}"), reason, help);
         }
-        warnings.extend(shafts::check(table, assembly, materials.first())?);
+        warnings.extend(shafts::check(self.file, assembly, materials.first())?);
         remarks.extend(meaning(&stated));
         let face_offset_mm = assembly.face_offset_mm;
         let warm = temperature.map_or([1.0; 2], |temperature| temperature.gear_factors());
         let factors = [self.wheel.scale * warm[0], self.pinion.scale * warm[1]];
-        temperature::check_unequal(table, factors)?;
+        temperature::check_unequal(self.file, factors)?;
         // The distance of the measuring planes expands as the wheel does.
         let offset = face_offset_mm.unwrap_or(0.0) * warm[0];
         let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty")?;
         let is_uncertain = uncertainty.is_some_and(|stated| stated.misalignment_um.is_some());
         if is_uncertain && assembly.over_mm().is_none() {
-            return table.refuse(
+            return self.file.refuse(
                 "uncertainty.misalignment_um",
                 "given without assembly.misalignment, to whose length it refers",
                 "add misalignment = { over_mm = … } to [assembly], or remove it",
@@ -338,13 +339,13 @@ impl<'a> PairTables<'a> {
             gears.into_iter().find(|(_, gear)| gear.is_modified())
         });
         if let Some((name, _)) = profiled.filter(|_| leans) {
-            return table.refuse(
+            return self.file.refuse(
                 &format!("{name}.profile"),
                 "given beside axes that lean: sections of such teeth are not worked out",
                 "leave it out, or the misalignment, the wobble and the bearing clearances at two ends",
             );
         }
-        let face = common_face::common_face(table, gears, (offset, leans), factors)?;
+        let face = common_face::common_face(self.file, gears, (offset, leans), factors)?;
         // Teeth are counted in the wheel's measuring plane.
         if face[0] < face[1] && face_offset_mm.is_some() {
             for (_, _, pinion) in &mut materials {

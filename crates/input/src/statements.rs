@@ -4,7 +4,7 @@ use super::known_gear::KnownGear;
 use super::runout::RunoutSheet;
 use super::spec::{CrossCheckSpec, LeadSpec, PitchSpec, ProfileSpec, StatementSpec, ThicknessSpec};
 use super::thickness;
-use gearlash::gear::{GearDesign, PitchAxis};
+use gearlash::gear::{GearDesign, Lead, PitchAxis};
 use gearlash::metrology::{Measurements, StatementRole};
 use gearlash_text::Table;
 
@@ -22,13 +22,14 @@ pub struct Statements<'a> {
 }
 
 impl Statements<'_> {
-    pub fn measurements(&self, known: &KnownGear) -> Measurements {
+    /// The statements for metrology; `None` where a part of them is not known.
+    pub fn measurements(&self, known: &KnownGear) -> Option<Measurements> {
         let lead = self.lead.as_ref();
         let profile = self.profile.as_ref();
         let cross_check = self.thickness.cross_check.as_ref();
-        Measurements {
+        Some(Measurements {
             design: self.design,
-            face: known.face.unwrap_or_default(),
+            face: known.face?,
             thickness: self.thickness.statement.for_metrology(),
             per_tooth_um: self.thickness.per_tooth_um.clone().unwrap_or_default(),
             cross_check: cross_check.map(CrossCheckSpec::for_metrology),
@@ -39,10 +40,11 @@ impl Statements<'_> {
                 .map(|spec| spec.for_metrology(&self.design.basic_data))
                 .unwrap_or_default(),
             leads_about_datum: lead.is_some_and(|spec| spec.axis == PitchAxis::Datum),
-            leads: lead
-                .and_then(|spec| spec.for_metrology(known))
-                .unwrap_or_default(),
-        }
+            leads: match lead {
+                Some(spec) => spec.for_metrology(known)?,
+                None => <[Lead; 2]>::default(),
+            },
+        })
     }
 
     /// A statement of the thickness, and the table of it below the gear's.

@@ -213,7 +213,7 @@ impl Reading {
         }
     }
 
-    /// Whether any of the marked keys is `such`.
+    /// Whether `such` holds for a marked key.
     pub(crate) fn has_bad(&self, such: impl Fn(&str) -> bool) -> bool {
         self.bad_keys.borrow().iter().any(|key| such(key))
     }

@@ -84,7 +84,7 @@ fn identity(path: &Path, metadata: &Metadata) -> Option<Identity> {
 }
 
 /// Files by name and bytes, in place of a folder. A name is relative to that folder, such as `wheel.csv` or `data/wheel.csv`.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub struct Files {
     each: BTreeMap<String, Vec<u8>>,
     asked: RefCell<Vec<String>>,
@@ -117,7 +117,7 @@ impl Files {
         self.each.keys().map(String::as_str)
     }
 
-    /// The files that [`Files::bytes`] was asked for, without their folders.
+    /// The names that [`Files::bytes`] was asked for, without their folders: the pair file first, a file read twice twice.
     pub fn asked(&self) -> Vec<String> {
         self.asked.borrow().clone()
     }

@@ -180,10 +180,11 @@ impl<'a> Entity<'a> {
         for &(stated, of) in counts {
             let (words, count) = (self.value(stated).unwrap_or_default(), self.count(of));
             if words.parse() != Ok(count) {
-                let counted = format!("but there are {count} values of group {of}");
                 return wrong(
                     self.place(),
-                    format!("group {stated} is {words}, {counted}"),
+                    format!(
+                        "group {stated} is {words}, but there are {count} values of group {of}"
+                    ),
                 );
             }
         }

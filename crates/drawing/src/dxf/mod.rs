@@ -150,8 +150,8 @@ impl<'a> Sheet<'a> {
         let whole = value.parse::<i32>().ok();
         let known = UNITS.iter().find(|unit| Some(unit.0) == whole);
         let Some((_, unit)) = known else {
-            let known = "1 (inch), 4 (mm), 5 (cm), 6 (m) or 13 (µm)";
-            let reason = format!("$INSUNITS = {value}, expected {known}");
+            let reason =
+                format!("$INSUNITS = {value}, expected 1 (inch), 4 (mm), 5 (cm), 6 (m) or 13 (µm)");
             return Err(DrawingError::at(place, reason, "export the drawing in mm"));
         };
         let words = format!("$INSUNITS = {value} (\"{unit}\")");

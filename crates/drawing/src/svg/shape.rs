@@ -1,6 +1,8 @@
 //! The shapes of an SVG by their attributes, and its user space: view boxes, the length of its unit.
 
 use crate::affine::Affine;
+use crate::error::LONGEST_NAME;
+use gearlash_text::characters::cut;
 use nalgebra::{Matrix2, Vector2};
 use roxmltree::Node;
 use svgtypes::{Align, AspectRatio, Length, LengthUnit, ViewBox};
@@ -30,7 +32,7 @@ pub fn number(node: Node, name: &str) -> Result<Option<f64>, String> {
     let Some(text) = node.attribute(name) else {
         return Ok(None);
     };
-    let shown = || gearlash_text::characters::cut(text, 60);
+    let shown = || cut(text, LONGEST_NAME);
     let length: Length = text
         .trim()
         .parse()
@@ -65,7 +67,7 @@ fn points(node: Node, end: &str) -> Result<Data, String> {
     if let Some(strange) = points.chars().find(|c| strange(*c)) {
         return Err(format!("points: \"{strange}\", expected numbers alone"));
     }
-    // By the rules of SVG no point draws nothing.
+    // SVG draws nothing for an empty list.
     Ok(Data::Path(match points.trim() {
         "" => String::new(),
         _ => format!("M {points}{end}"),

@@ -16,7 +16,7 @@ const READING_PLACE: OpenKey = (
 );
 const SPANNED: OpenKey = ("how many teeth are spanned", "teeth = …");
 const PIN: OpenKey = ("the diameter of the pins, mm", "pin_mm = …");
-/// Conventions of leads that no file says, at their defaults, and that of a trace.
+/// Conventions of leads at their defaults: no file states them.
 const LEAD: &str = "\
 # The file does not say these; change what differs.
 from = \"reference\"  # or \"far\": the end where heights begin

@@ -233,9 +233,10 @@ impl CenterDistanceSpec {
         match self {
             CenterDistanceSpec::Distances(list) => list.clone(),
             CenterDistanceSpec::Ends(ends) => vec![ends.ends_mm[0][1]],
-            _ => self
-                .band()
-                .map_or(Vec::new(), DistanceBandSpec::distances_mm),
+            CenterDistanceSpec::Band(band)
+            | CenterDistanceSpec::Designated(DesignatedDistanceSpec { band, .. }) => {
+                band.distances_mm()
+            }
         }
     }
 
@@ -247,19 +248,20 @@ impl CenterDistanceSpec {
                 _ => None,
             },
             CenterDistanceSpec::Ends(ends) => Some(ends.ends_mm[0][1]),
-            _ => Some(self.band()?.nominal_mm),
+            CenterDistanceSpec::Band(band)
+            | CenterDistanceSpec::Designated(DesignatedDistanceSpec { band, .. }) => {
+                Some(band.nominal_mm)
+            }
         }
     }
 
     /// The least and the greatest distance of a band, mm.
     pub fn band_mm(&self) -> Option<[f64; 2]> {
-        self.band().map(DistanceBandSpec::ends_mm)
-    }
-
-    fn band(&self) -> Option<&DistanceBandSpec> {
         match self {
-            CenterDistanceSpec::Band(band) => Some(band),
-            CenterDistanceSpec::Designated(stated) => Some(&stated.band),
+            CenterDistanceSpec::Band(band)
+            | CenterDistanceSpec::Designated(DesignatedDistanceSpec { band, .. }) => {
+                Some(band.ends_mm())
+            }
             CenterDistanceSpec::Distances(_) | CenterDistanceSpec::Ends(_) => None,
         }
     }

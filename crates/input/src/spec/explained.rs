@@ -28,16 +28,16 @@ pub fn explained(examples: &str) -> String {
             Some(stated) => (stated, "#"),
             None => (line, ""),
         };
-        let (path, value) = if let Some(name) = stated.strip_prefix('[') {
+        let (path, value, gap) = if let Some(name) = stated.strip_prefix('[') {
             table = name.trim_end_matches(']');
-            text.push('\n');
-            (table.to_owned(), Value::Null)
+            (table.to_owned(), Value::Null, "\n")
         } else {
             let (key, _) = stated.split_once(" = ").unwrap_or_default();
-            (below(table, key), value(stated, key))
+            (below(table, key), value(stated, key), "")
         };
         if let Some((name, node)) = words.at(&path) {
             let words = words.of(name, node, &value);
+            text.push_str(gap);
             add_line(&mut text, (line, mark), &words);
         }
     }

@@ -8,7 +8,7 @@ use crate::temperature::REFERENCE_C;
 use crate::tolerance::gears::{
     MeasuredGear, gears, repeated_thickness, thickness_band, unused_band_warnings,
 };
-use crate::{common_face, lead, pair, with_tree};
+use crate::{common_face, lead, pair, with_file};
 use gearlash::analysis::phases::phase;
 use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, GradedQuantity, Lead, PitchAxis, Side};
@@ -44,7 +44,7 @@ pub struct ToleranceFile {
 /// # Errors
 /// As [`crate::read`].
 pub fn read_tolerance(path: &Path) -> Result<ToleranceFile, InputError> {
-    with_tree(path, |file| tolerance_file(pair(file)?, file))
+    with_file(path, |file| tolerance_file(pair(file)?, file))
 }
 
 fn tolerance_file(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {

@@ -136,8 +136,7 @@ fn good_flanks_are_hardly_ever_suspected() {
     }
 }
 
-/// The reviewers' case (e = 20 µm, 1 µm of noise, the left column reversed), with and without common waves of the own pitch. About the own axis only
-/// common waves tell.
+/// The reviewers' case (e = 20 µm, 1 µm of noise, left column reversed), with and without common waves of pitch. About the own axis these alone tell.
 #[test]
 fn a_reversed_left_flank_is_found() {
     let mut dice = Dice::default();

@@ -22,7 +22,7 @@ static QUIET: AtomicBool = AtomicBool::new(false);
 /// Whether notes are printed.
 static VERBOSE: AtomicBool = AtomicBool::new(false);
 
-/// Prints only results, warnings and errors from now on, or notes, too.
+/// Sets for this command whether only results, warnings and errors are printed (`quiet`), and whether notes are (`verbose`).
 pub(super) fn set(quiet: bool, verbose: bool) {
     QUIET.store(quiet, Ordering::Relaxed);
     VERBOSE.store(verbose, Ordering::Relaxed);

@@ -30,7 +30,7 @@ pub enum Error {
         path: PathBuf,
         source: std::io::Error,
     },
-    /// A result that would overwrite a file that was read.
+    /// A result (the first path) that would overwrite a file that was read (the second).
     #[error(
         "{}: this is the file {}, which was read and would be lost; name another place for the result",
         .0.display(), .1.display()

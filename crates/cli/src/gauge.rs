@@ -14,7 +14,7 @@ use gearlash::outline::OutlineGear;
 use gearlash_input::spec::GearSpec;
 use gearlash_input::{GearEntry, GearsFile};
 use gearlash_render::gauge::{charts, page, text};
-use gearlash_results::gauge::{GaugedGear, json, possible_files, stem, teeth_csv};
+use gearlash_results::gauge::{GaugedGear, json, possible_files, stem, table_name, teeth_csv};
 use std::path::PathBuf;
 
 /// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, profile, roll test
@@ -211,7 +211,7 @@ fn finish(
     for gauged in gears {
         let table = teeth_csv(std::slice::from_ref(gauged));
         let table = table.map_err(Error::unwritable("the table"))?;
-        files.push((format!("{}.csv", gauged.stem()), table));
+        files.push((table_name(&gauged.stem()), table));
         if args.page {
             files.extend(page(gauged)?);
         } else {

@@ -34,6 +34,7 @@ use gearlash_text::characters::plain;
 use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;
+use std::sync::{Mutex, PoisonError};
 
 /// Backlash of a measured gear pair, found by turning one gear's true outline against the other's.
 ///
@@ -88,7 +89,11 @@ enum Command {
 /// Runs the program with its command line `words`, its name first. It prints to this process's standard output and error.
 ///
 /// It permanently takes over the signals that end a process, so call it at the beginning of a program. A signal ends the process.
+/// Calls in several threads run one after another.
 pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
+    // Unfinished files and verbosity are those of the process.
+    static ALONE: Mutex<()> = Mutex::new(());
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     signals::handle();
     let words: Vec<OsString> = words.into_iter().collect();
     let ended = match parse(&words) {

@@ -35,8 +35,8 @@ fn unfinished() -> MutexGuard<'static, Unfinished> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes everything unfinished, at the end of a command or for the thread that ends the process. While that holds the lock,
-/// nothing new begins.
+/// Removes everything unfinished, at the end of a command or for the thread that ends the process. While the lock is held, nothing
+/// new begins.
 pub(super) fn remove_unfinished() -> MutexGuard<'static, Unfinished> {
     let mut held = unfinished();
     for path in std::mem::take(&mut held.temporary) {
@@ -68,7 +68,7 @@ pub(super) fn check_not_input(sources: &Sources, path: &Path) -> Result<(), Erro
     }
 }
 
-/// Creates the folder at `path` and the missing ones above it. Those that stay empty are removed at the end of the command.
+/// Creates the folder at `path` and the missing ones above it. The end of the command removes those that stay empty.
 fn create_folder(path: &Path) -> Result<(), Error> {
     let missing = path
         .ancestors()
@@ -105,12 +105,15 @@ fn temporary_in(folder: &Path) -> std::io::Result<NamedTempFile> {
     Ok(temporary)
 }
 
-/// Renames a temporary file to its target.
+/// Renames a temporary file to its target. Where that fails, nothing of the file stays.
 fn rename(temporary: NamedTempFile, target: &Path) -> std::io::Result<()> {
     let mut list = unfinished();
-    std::fs::rename(temporary.path(), target)?;
+    // On Windows this needs the file under its old name. The open file stays locked until it has its new one.
+    let (_file, path) = temporary.keep()?;
+    std::fs::rename(&path, target).inspect_err(|_| {
+        let _ = std::fs::remove_file(&path);
+    })?;
     list.written = true;
-    temporary.keep()?;
     Ok(())
 }
 

@@ -56,6 +56,8 @@ pub enum Value {
     Absent,
     /// A least and a greatest backlash, µm, each with the centre distance, mm, at which it is a lost motion.
     Band([(Option<f64>, f64); 2]),
+    /// A word of the interface. A pose has many, and copies none.
+    Word(&'static str),
     /// A value of JSON; null for no value.
     Json(Json),
 }
@@ -67,6 +69,11 @@ impl Value {
     /// `value`; without one the key is left out.
     pub fn optional(value: Option<impl Into<Value>>) -> Value {
         value.map_or(Value::Absent, Into::into)
+    }
+
+    /// A word of the interface; without one null.
+    pub fn word(word: impl Into<Option<&'static str>>) -> Value {
+        word.into().map_or(Value::NULL, Value::Word)
     }
 
     /// A length in µm; `mm` is in mm.
@@ -85,6 +92,7 @@ impl Value {
     /// Its text; `None` for anything else.
     pub fn text(&self) -> Option<&str> {
         match self {
+            Value::Word(word) => Some(word),
             Value::Json(Json::String(text)) => Some(text),
             _ => None,
         }
@@ -247,7 +255,7 @@ pub struct Columns<R> {
 }
 
 impl<R: Row> Columns<R> {
-    /// The row type's `columns`.
+    /// The `columns` of a row type.
     pub fn new(columns: Vec<Column<R>>) -> Columns<R> {
         let mut csv: Vec<usize> = (0..columns.len())
             .filter(|number| columns[*number].csv.is_some())
@@ -515,6 +523,7 @@ fn display_text(value: &Value, format: Format, unit: BacklashUnit, a: f64) -> St
             format!("{least} … {greatest}")
         }
         Value::Json(Json::Null) => NONE.to_owned(),
+        Value::Word(word) => plain(word),
         Value::Json(Json::String(text)) => plain(text),
         Value::Json(value) => value.to_string(),
     }
@@ -557,7 +566,7 @@ impl Serialize for Object {
     }
 }
 
-/// Neighbouring cells whose keys are alike before the byte `start`.
+/// Neighbouring cells whose keys agree before the byte `start`.
 struct Part<'a> {
     cells: &'a [(&'static str, Value)],
     start: usize,

@@ -4,7 +4,7 @@
 //! that a CI system recognises them in every run.
 
 use crate::layout::{Screen, Tone};
-use crate::verdict::VerdictLines;
+use crate::verdict::{VerdictLines, in_short};
 use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash_text::characters::{self, plain};
 use gearlash_text::lines_of_keys;
@@ -191,7 +191,7 @@ impl Outcome {
                 }
                 JudgedFile::Judged(judged) if judged.passes => {
                     let ok = screen.toned(Tone::Good, "ok");
-                    let extremes = judged.verdict.extremes_in_short();
+                    let extremes = in_short(&judged.verdict.extremes);
                     let line = format!("{ok}     {name:<width$}  {extremes}");
                     let _ = writeln!(text, "{}", line.trim_end());
                 }

@@ -139,14 +139,14 @@ row_type!(PoseRow = columns());
 row_type!(row: Mating {
     "wheel_tooth" Plain => row.wheel_tooth;
     "pinion_tooth" Plain => row.pinion_tooth;
-    "flank" Plain => row.flank.name();
+    "flank" Plain => Value::word(row.flank.name());
     "fraction" Plain => row.fraction;
 });
 
 fn columns() -> Vec<Column<PoseRow>> {
     let mut columns = columns!(row: PoseRow {
         "center_distance_mm" Distance [no_json, rank(0), heading(shown("a mm"))] => row.center_distance;
-        "material" Plain [no_json, rank(0), heading(shown("material"))] => row.material;
+        "material" Plain [no_json, rank(0), heading(shown("material"))] => Value::word(row.material);
         "phase_wheel_tooth" Plain [no_json, rank(0)] => row.phase.map(|phase| phase.0);
         "phase_pinion_tooth" Plain [no_json, rank(0)] => row.phase.map(|phase| phase.1);
         "wheel_rotation_rad" Plain => row.rotation(Member::Wheel);
@@ -154,7 +154,7 @@ fn columns() -> Vec<Column<PoseRow>> {
         "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0), array("wheel_tooth", Values::COUNTS)] => row.mating().wheel_tooth;
         "mating.pinion_tooth" Plain [csv("pinion_tooth"), rank(0), array("pinion_tooth", Values::COUNTS)] => row.mating().pinion_tooth;
         "" Plain [heading(shown("mating"))] => row.mating_words();
-        "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank")), array("flank", Values::words(Side::BOTH.map(Side::name))), page("flank")] => row.mating().flank.name();
+        "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank")), array("flank", Values::words(Side::BOTH.map(Side::name))), page("flank")] => Value::word(row.mating().flank.name());
         "mating.fraction" Plain [csv("fraction"), rank(0), array("fraction", Values::NUMBERS)] => row.mating().fraction;
         "" Angle [page("locked_rad")] => row.result().pose.locked_rotation();
         "" Angle [page("free_rad")] => row.free_rotation();
@@ -170,7 +170,7 @@ fn columns() -> Vec<Column<PoseRow>> {
         "j_wt_range_um.0" Plain [csv("j_wt_range_min_um")] => Value::um(row.result().range()[0]);
         "j_wt_range_um.1" Plain [csv("j_wt_range_max_um")] => Value::um(row.result().range()[1]);
         "error_bound_um" Bound [heading(shown("± bound").spare(6)), array("error_bound_um", Values::NUMBERS)] => Value::um(row.angle.and(row.result().error_bound));
-        "status" Severity [heading(shown("status")), array("status", Values::words(Status::ALL.map(Status::name)))] => row.result().status().name();
+        "status" Severity [heading(shown("status")), array("status", Values::words(Status::ALL.map(Status::name)))] => Value::word(row.result().status().name());
     });
     let unproven = Unproven::columns();
     columns.extend(unproven.within("unproven", |row: &PoseRow| row.unproven()));
@@ -180,7 +180,7 @@ fn columns() -> Vec<Column<PoseRow>> {
     columns.extend(columns!(row: PoseRow {
         "unproven_range_min_reason" Plain [no_json, rank(2)] => row.unproven_end(0).map(|end| end.reason.clone());
         "unproven_range_max_reason" Plain [no_json, rank(2)] => row.unproven_end(1).map(|end| end.reason.clone());
-        "class" Plain => row.class.map(PoseClass::name);
+        "class" Plain => Value::word(row.class.map(PoseClass::name));
         "right" Plain [no_csv] => row.right.as_ref().map_or(Value::NULL, |_| Value::Absent);
         "" Plain [heading(shown("right contact").spare(3))] => row.right.as_ref().map(ContactRow::words);
     }));
@@ -284,21 +284,21 @@ impl ContactRow {
 row_type!(row: ContactRow {
     "wheel_tooth" Plain [page("wheel_tooth")] => row.contact.wheel.tooth;
     "pinion_tooth" Plain [page("pinion_tooth")] => row.contact.pinion.tooth;
-    "wheel_curve" Plain => row.contact.wheel.curve.name();
-    "pinion_curve" Plain => row.contact.pinion.curve.name();
+    "wheel_curve" Plain => Value::word(row.contact.wheel.curve.name());
+    "pinion_curve" Plain => Value::word(row.contact.pinion.curve.name());
     "wheel_radius_mm" Plain [no_csv] => row.contact.wheel.radius;
     "pinion_radius_mm" Plain [no_csv] => row.contact.pinion.radius;
     "point_mm.0" Place [no_csv, page("x_mm")] => row.contact.point.x;
     "point_mm.1" Place [no_csv, page("y_mm")] => row.contact.point.y;
     "section_mm" Plain [optional_in_csv] => row.contact.section;
     "" Plain [page("section_mm")] => Value::optional(row.varies_along_face.then_some(row.contact.section));
-    "at" Plain [optional_in_csv] => Value::optional(row.at.map(FacePlace::name));
+    "at" Plain [optional_in_csv] => Value::optional(row.at.map(FacePlace::name).map(Value::Word));
     "normal.0" Plain [no_csv] => row.contact.normal.x;
     "normal.1" Plain [no_csv] => row.contact.normal.y;
     "" Angle [page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);
-    "class" Plain [no_csv] => row.class.map(|class| class.kind.name());
-    "tip_gear" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.tip).map(Member::name));
-    "tip_moment" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.moment).map(|moment| moment.name()));
+    "class" Plain [no_csv] => Value::word(row.class.map(|class| class.kind.name()));
+    "tip_gear" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.tip).map(|member| Value::Word(member.name())));
+    "tip_moment" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.moment).map(|moment| Value::Word(moment.name())));
 });
 
 row_type!(row: Unproven {

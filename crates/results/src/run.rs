@@ -9,6 +9,7 @@ use gearlash::analysis::assembles_from::Threshold;
 use gearlash::analysis::compare::{ComparedPose, Summary};
 use gearlash::analysis::diagnosis::{ContactCount, Worst};
 use gearlash::analysis::extremes::{CoveredPhases, RunExtreme, RunExtremes};
+use gearlash::analysis::study::Material;
 use gearlash::analysis::tally::RunTally;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::outline::AssembledPair;
@@ -19,7 +20,14 @@ use serde_json::json;
 /// A run and its summary.
 #[derive(Debug)]
 pub struct RunRow {
-    run: RunTally,
+    assembly: AssembledPair,
+    material: Material,
+    phase: Option<(u32, u32)>,
+    poses: usize,
+    unproven: usize,
+    contact: Option<serde_json::Value>,
+    /// The names of the poses with the least and the greatest backlash.
+    at: [Option<String>; 2],
     summary: Summary,
     /// Radial clearance of both bearings, mm.
     clearance: f64,
@@ -35,7 +43,13 @@ impl RunRow {
     /// The row of `run`, with the bearing clearance of its study, mm.
     pub fn new(run: &RunTally, clearance: f64) -> RunRow {
         RunRow {
-            run: run.clone(),
+            assembly: run.assembly.clone(),
+            material: run.material,
+            phase: run.phase,
+            poses: run.poses,
+            unproven: run.unproven,
+            contact: (run.evidence.as_ref()).map(|evidence| contact_count(&evidence.contact)),
+            at: extremes_at(run),
             summary: run.summary(),
             clearance,
         }
@@ -43,16 +57,11 @@ impl RunRow {
 
     /// Its centre distance, mm.
     pub fn center_distance(&self) -> f64 {
-        self.run.assembly.center_distance()
+        self.assembly.center_distance()
     }
 
     fn arcmin(&self, j_wt: Option<f64>, member: Member) -> Option<f64> {
-        Some(arcmin(self.run.assembly.angle(member, j_wt?)))
-    }
-
-    fn contact(&self) -> Option<serde_json::Value> {
-        let evidence = self.run.evidence.as_ref();
-        evidence.map(|evidence| contact_count(&evidence.contact))
+        Some(arcmin(self.assembly.angle(member, j_wt?)))
     }
 
     /// The least and the greatest backlash with the bearing clearance, each with its own centre distance.
@@ -69,20 +78,20 @@ impl RunRow {
 
 row_type!(row: RunRow {
     "center_distance_mm" Distance [heading(shown("a mm"))] => row.center_distance();
-    "material" Plain [heading(shown("material"))] => row.run.material.name();
-    "phase.wheel_tooth" Plain => Value::optional(row.run.phase.map(|phase| phase.0));
-    "phase.pinion_tooth" Plain => Value::optional(row.run.phase.map(|phase| phase.1));
-    "operating_pressure_angle_deg" Plain => row.run.assembly.operating_pressure_angle().map(f64::to_degrees);
-    "" Plain [heading(shown("poses").spare(5))] => row.run.poses;
+    "material" Plain [heading(shown("material"))] => row.material.name();
+    "phase.wheel_tooth" Plain => Value::optional(row.phase.map(|phase| phase.0));
+    "phase.pinion_tooth" Plain => Value::optional(row.phase.map(|phase| phase.1));
+    "operating_pressure_angle_deg" Plain => row.assembly.operating_pressure_angle().map(f64::to_degrees);
+    "" Plain [heading(shown("poses").spare(5))] => row.poses;
     "" Backlash [heading(shown("least"))] => Value::um(row.summary.min);
-    "" Plain [heading(shown("at").broken())] => extremes_at(&row.run)[0].take();
+    "" Plain [heading(shown("at").broken())] => row.at[0].clone();
     "" Backlash [heading(shown("mean").spare(2))] => Value::um(row.summary.mean);
     "" Backlash [heading(shown("greatest"))] => Value::um(row.summary.max);
-    "" Plain [heading(shown("at").broken())] => extremes_at(&row.run)[1].take();
+    "" Plain [heading(shown("at").broken())] => row.at[1].clone();
     "" Plain [heading(shown("a ± clearance").spare(1))] => row.band();
     "" BacklashAgain [heading(shown("off model 2").spare(4))] => Value::um(row.summary.off_involute);
     "" BacklashAgain [heading(shown("off model 3").spare(3))] => Value::um(row.summary.off_line_of_action);
-    "" Plain [heading(shown("unproven"))] => Value::optional((row.run.unproven > 0).then_some(row.run.unproven));
+    "" Plain [heading(shown("unproven"))] => Value::optional((row.unproven > 0).then_some(row.unproven));
     "summary.min_j_wt_um" Plain => Value::um(row.summary.min);
     "summary.max_j_wt_um" Plain => Value::um(row.summary.max);
     "summary.mean_j_wt_um" Plain => Value::um(row.summary.mean);
@@ -90,10 +99,10 @@ row_type!(row: RunRow {
     "summary.polygon_checked" Plain => row.summary.polygon_checked;
     "summary.with_bearing_clearance.min_j_wt_um" Plain => Value::um(row.summary.with_clearance[0]);
     "summary.with_bearing_clearance.max_j_wt_um" Plain => Value::um(row.summary.with_clearance[1]);
-    "summary.with_bearing_clearance.unproven" Plain => Value::optional(Some(row.summary.unproven_ends).filter(|ends| *ends != [0, 0]).map(|ends| json!(ends)));
+    "summary.with_bearing_clearance.unproven" Plain => Value::optional((row.summary.unproven_ends != [0, 0]).then(|| json!(row.summary.unproven_ends)));
     "summary.max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
     "summary.max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
-    "summary.contact" Plain => row.contact();
+    "summary.contact" Plain => row.contact.clone();
     "summary.min_lost_motion_arcmin.wheel" Plain => row.arcmin(row.summary.min, Member::Wheel);
     "summary.min_lost_motion_arcmin.pinion" Plain => row.arcmin(row.summary.min, Member::Pinion);
     "summary.max_lost_motion_arcmin.wheel" Plain => row.arcmin(row.summary.max, Member::Wheel);

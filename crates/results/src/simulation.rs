@@ -284,10 +284,14 @@ pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<PeopleC
     MeasuredRow::columns().for_people(&rows, MeasuredRow::center_distance, unit)
 }
 
-/// The measured matings for a terminal, compared with the printed bands, or else the simulated ones.
+/// The band of a mating on a terminal: the printed one, else the simulated one.
+fn printed_or_simulated(mating: &MeasuredMating) -> Option<Band> {
+    mating.printed.or(mating.simulated)
+}
+
+/// The measured matings for a terminal.
 fn measured_table(measured: &[MeasuredMating], unit: BacklashUnit, screen: &Screen) -> String {
-    let beside = |mating: &MeasuredMating| mating.printed.or(mating.simulated);
-    let rows = measured_rows(measured, beside, unit, false);
+    let rows = measured_rows(measured, printed_or_simulated, unit, false);
     MeasuredRow::columns().table(&rows, MeasuredRow::center_distance, unit, screen)
 }
 
@@ -307,7 +311,7 @@ fn measured_count(
     } else {
         ("simulated", "")
     };
-    let [below, inside, above] = sides(measured, |mating| mating.printed.or(mating.simulated));
+    let [below, inside, above] = sides(measured, printed_or_simulated);
     let total = below + inside + above;
     let mut text = format!(
         "\n{inside} of {total} measured values lie inside the {band} band: {below} below it (↓), {above} above it (↑).\n",

@@ -120,14 +120,14 @@ impl ExtremeLine {
 /// The name of the row where least and greatest are equal.
 const CONSTANT: &str = "constant";
 
-impl VerdictLines {
-    /// The extremes on one line, without their places.
-    pub(crate) fn extremes_in_short(&self) -> String {
-        let each = self.extremes.iter();
-        let each = each.map(|row| format!("{} {}", row.name, row.value));
-        each.collect::<Vec<String>>().join(", ")
-    }
+/// `extremes` on one line, without their places.
+pub(crate) fn in_short(extremes: &[ExtremeLine]) -> String {
+    let each = extremes.iter();
+    let each = each.map(|row| format!("{} {}", row.name, row.value));
+    each.collect::<Vec<String>>().join(", ")
+}
 
+impl VerdictLines {
     /// The first line.
     pub fn first(&self) -> String {
         let line = format!("{} {}", self.status, self.proof);
@@ -869,7 +869,7 @@ fn bearings(verdict: &Verdict) -> Vec<String> {
 
 /// Least and greatest of the cycle in one line, for a picture of fewer poses; empty without them.
 pub fn extremes_in_short(verdict: &Verdict) -> String {
-    match &lines(verdict).extremes_in_short()[..] {
+    match &in_short(&rows(verdict))[..] {
         "" => String::new(),
         extremes => format!(
             "whole mesh cycle ({} matings): {extremes}",

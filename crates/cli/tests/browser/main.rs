@@ -1,7 +1,6 @@
 //! The report's page and the page of `crates/web/build` in a real browser: headless Chromium, started once, a tab a test.
 //!
-//! Without a browser these tests are shown as ignored, with a line that states the reason. `CHROME` names one that is not on the
-//! path.
+//! Without a browser these tests are shown as ignored, with the reason. `CHROME` names one that is not on the path.
 
 mod browsers;
 mod mesh;

@@ -328,8 +328,7 @@ pub fn page_marks_the_ends_of_the_distance(browser: &Chromium, _: &Site) {
     assert!(!text(&mut tab, "cycle").contains("jammed"));
 }
 
-/// A report can be cancelled; the page goes on at once. The pair file that it saves has the same verdict in the program. A saved page opens with
-/// its own pair.
+/// A report can be cancelled; the page goes on at once. Its saved pair file has the same verdict in the program. A saved page opens its own pair.
 pub fn page_cancels_and_saves(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, 1280);
     give(&mut tab, &HELICAL);
@@ -369,8 +368,7 @@ pub fn page_cancels_and_saves(browser: &Chromium, _: &Site) {
 const KEEP_SAVED: &str = "(() => { const make = URL.createObjectURL; URL.createObjectURL = (blob) => { window.kind = blob.type; window.saved = blob.text(); return make(blob); }; \
      HTMLAnchorElement.prototype.click = () => {}; })()";
 
-/// By Tab alone every control is reached, in the order of the page, and is seen to have the focus. A pair file is edited, calculated and
-/// saved.
+/// Tab reaches every control, in the order of the page, with a visible focus. Keys alone edit, calculate and save a pair file.
 pub fn page_works_by_keyboard(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, 1280);
     tab.until("document.getElementById('viewer-picture') !== null");

@@ -1,5 +1,4 @@
-//! Small workbooks that would take gigabytes or minutes: each is refused within 5 s and 500 MB, by the built binary. `tests/sessions/bombs.txt` has
-//! text files.
+//! Small workbooks that would take gigabytes or minutes: the built binary refuses each within 5 s and 500 MB. `tests/sessions/bombs.txt` has texts.
 //!
 //! Both bounds are the system's: the shell that starts the process limits its address space and its time on the processor, so that a
 //! busy machine changes nothing.

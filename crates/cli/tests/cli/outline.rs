@@ -221,9 +221,8 @@ fn a_space_that_is_closed_at_its_root_ends_where_its_fillets_cross() {
     assert_eq!(valleys.count(), 3);
 }
 
-/// A section of a right-hand gear at `b` is that of the measuring plane, turned by `b tan β/r` clockwise seen from the front. It
-/// turns about the centre of its outline, whose offset from the axis is constant. Seen from the back the sense is
-/// counter-clockwise.
+/// A section of a right-hand gear at `b` is that of the measuring plane, turned by `b tan β/r`: clockwise seen from the front,
+/// counter-clockwise from the back. It turns about the centre of its outline, whose offset from the axis is constant.
 #[test]
 fn a_section_of_a_helical_gear_is_turned_with_its_helix() {
     let folder = empty_folder();

@@ -129,8 +129,7 @@ fn helical_gears_have_the_backlash_of_their_face() {
     }
 }
 
-/// 5100 poses are written in more than one piece, laid out as serde_json lays out the whole; the title's escape is ours. `tests/sessions/large.txt` holds
-/// their numbers.
+/// 5100 poses are written in several pieces, laid out as serde_json lays out the whole; the title's escape is ours. `tests/sessions/large.txt` has numbers.
 #[test]
 fn a_result_in_pieces_is_laid_out_as_a_whole() {
     let folder = empty_folder();

@@ -2,8 +2,7 @@
 
 use super::page;
 
-/// z₁ and z₂ at `a` and a sweep over `revolutions`, 16 poses a pitch, with runout and pitch deviations that make every
-/// pose another.
+/// z₁ and z₂ at `a` and a sweep over `revolutions`, 16 poses a pitch; runout and pitch deviations make every pose differ.
 fn pair([wheel, pinion]: [u32; 2], a: f64, revolutions: &str) -> String {
     let gear = |name: &str, teeth: u32| {
         let wave = |ahead: f64| {

@@ -78,9 +78,8 @@ pub fn inspection_and_leads(
         None => Ok(teeth),
         Some(read) if inspection.deviates() => Ok(teeth.above(leads(heading, read)?)),
         Some(read) => {
-            let subtitle = gear;
             let heading = Heading {
-                subtitle,
+                subtitle: gear,
                 ..heading.clone()
             };
             leads(&heading, read)

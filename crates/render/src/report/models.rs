@@ -73,28 +73,29 @@ pub(super) fn measured(page: &Page) -> Markup {
     let Some(sentence) = sentence(report) else {
         return html! {};
     };
+    let measured = &report.analysis.measured;
     let caption = html! {
         "Backlash, µm. Bands from most to least material, means of the mating’s right-flank and left-flank pose. "
-        "↓ ↑: below or above the simulated band. Predicted: as printed in the file of measurements. Analytic: model 2 (involute)."
+        "↓ ↑: below or above the simulated band. "
+        @if measured.iter().any(|mating| mating.printed.is_some()) { "Predicted: as printed in the file of measurements. " }
+        "Analytic: model 2 (involute)."
     };
-    let shown = measured_shown(&report.pair.study, &report.analysis.measured);
+    let shown = measured_shown(&report.pair.study, measured);
     let table = Table::of_shown("Measured and predicted backlash", caption, &shown);
     html! {
         section id="measured" {
             h2 { "Measured and predicted" }
             p { (sentence) }
             (folded("Measured matings", &table))
-            (sources(&report.analysis.measured))
+            (sources(measured))
         }
     }
 }
 
 fn sources(measured: &[MeasuredMating]) -> Markup {
-    let sources: IndexSet<&str> = measured.iter().map(|mating| &*mating.row.source).collect();
-    let sources: Vec<&str> = sources
-        .into_iter()
-        .filter(|source| !source.is_empty())
-        .collect();
+    let sources = measured.iter().map(|mating| &*mating.row.source);
+    let sources: IndexSet<&str> = sources.filter(|source| !source.is_empty()).collect();
+    let sources: Vec<&str> = sources.into_iter().collect();
     html! {
         @if !sources.is_empty() { p.note { "Source as that file names it: " (plain(&sources.join("; "))) "." } }
     }

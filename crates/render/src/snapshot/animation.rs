@@ -20,8 +20,8 @@ use gearlash_text::numbers::{ascii, fixed, um};
 use std::f64::consts::TAU;
 use svg::node::element::{Animate, AnimateTransform, ClipPath, Group, Path};
 
-/// The SVG text of `steps` through a pitch, in ascending order; `view` shows the first. For helical gears `sections` has the
-/// section of each step, all at one place; for spur gears it is empty.
+/// The SVG text of `steps` through a pitch, in ascending order; `view` shows the first. For gears that vary along the face
+/// `sections` has the section of each step, all at one place; for others it is empty.
 pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]) -> String {
     let steps_in_sections = steps.iter().enumerate();
     let scenes = steps_in_sections.map(|(number, step)| {
@@ -94,7 +94,7 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
                 contact.is_some_and(|contact| contact.turn == 0.0)
             };
             let touching = contacts.iter().all(touch);
-            // Sections of helical gears touch only at some steps.
+            // Sections of gears that vary along the face touch only at some steps.
             let fills = (!touching && contacts.iter().any(touch)).then(|| {
                 let fill = |contact| if touch(contact) { INK } else { "white" };
                 jumping("fill", contacts.iter().map(fill), times)

@@ -101,7 +101,7 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
     format!("{what} · {}", drawn_contact(scene))
 }
 
-/// The face for which the result of a section holds; empty for spur gears.
+/// The face for which the result of a section holds; empty where sections do not differ.
 fn over_face(view: &Snapshot) -> String {
     view.section.map_or(String::new(), |_| {
         let [from, to] = view.assembly.face().map(|end| trimmed(end, 0, 3));

@@ -3,6 +3,7 @@
 use super::contacts::{self, IN_INSET};
 use super::gears::{self, Look};
 use super::labels::{centred, overlap_label};
+use super::subject::Snapshot;
 use super::view::View;
 use crate::kit::{self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, clip, line, scale};
 use crate::pose_name::flank_heading;
@@ -84,7 +85,13 @@ pub fn empty(frame: Frame) -> Rectangle {
     empty.set("stroke-dasharray", "6 4")
 }
 
-pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame: &Frame) -> Group {
+pub fn heading(
+    view: &Snapshot,
+    scene: &Scene,
+    side: Side,
+    contact: Option<&DrawnContact>,
+    frame: &Frame,
+) -> Group {
     let Frame { left, top, .. } = *frame;
     let name = flank_heading(side);
     let (first, second) = match contact {
@@ -98,10 +105,12 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame:
         Some(contact) => {
             let gap = contact.gap;
             let length = um(gap, 2);
+            let pair = view.assembly;
             // In a transverse section the line of action is in that section, and another section can be tighter.
             let (symbol, here) = match scene.placed(Member::Wheel).base_radius() {
                 None => ("", " along the normal"),
-                Some(_) if scene.assembly().is_helical() => ("j_bt = ", " in this section"),
+                Some(_) if pair.is_helical() => ("j_bt = ", " in this section"),
+                Some(_) if pair.varies_along_face() => ("j_bn = ", " in this section"),
                 Some(_) => ("j_bn = ", ""),
             };
             let first = match scene.free_placement() {

@@ -1,4 +1,5 @@
-//! The contact snapshot: one pose, true to scale, on an A4 sheet; for helical gears in the section where the flank of the pose touches.
+//! The contact snapshot: one pose, true to scale, on an A4 sheet. Gears that vary along the face are drawn in the section where the
+//! flank of the pose touches.
 //!
 //! The mesh zone is on the left, both contacts enlarged on the right, the upper one above; caption above and legend below. Same
 //! input, same bytes.
@@ -46,7 +47,7 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
     let mut links = Vec::new();
     let mut insets = Group::new();
     for (contact, side, frame) in slots(&scene, &main, layout) {
-        insets = insets.add(inset::heading(&scene, side, contact, &frame));
+        insets = insets.add(inset::heading(view, &scene, side, contact, &frame));
         let Some(contact) = contact else {
             insets = insets.add(inset::empty(frame));
             continue;
@@ -126,7 +127,7 @@ pub fn pose_picture(
 }
 
 /// The picture for a page, drawn for a wide and for a narrow screen, and its description. Its ids begin with `id`. `words`
-/// describes it, given the place of the section of helical gears, mm.
+/// describes it, given the place of the section of gears that vary along the face, mm.
 pub(crate) fn pose_picture_in_page(
     title: &str,
     assembly: &AssembledPair,

@@ -20,7 +20,7 @@ pub struct Snapshot<'a> {
     pub material: Material,
     /// The result of the simulation at the pose. For an unproven pose no contact is drawn.
     pub found: Result<&'a LostMotion, &'a Unproven>,
-    /// The section that is drawn for helical gears; `None` for spur gears.
+    /// The section that is drawn for gears that vary along the face; `None` for others.
     pub section: Option<&'a MeshSection>,
 }
 
@@ -52,7 +52,7 @@ impl<'a> Snapshot<'a> {
         }
     }
 
-    /// The pose as drawn: for helical gears that of the section.
+    /// The pose as drawn: for gears that vary along the face that of the section.
     pub(crate) fn drawn_pose(&self) -> &'a Pose {
         self.section.map_or(self.pose, MeshSection::pose)
     }

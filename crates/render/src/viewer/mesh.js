@@ -3,7 +3,7 @@
 // report and the page that runs the program use it alike. Everything about gears (rotations, contacts, classes, backlash) comes
 // in columns of poses; this file only sets transforms and texts. Angles are degrees counter-clockwise, lengths mm, y up.
 //
-// `data` has the free gear, the words of the columns and the constants of helical gears. `step` goes to another pose, by arrow
+// `data` has the free gear, the words of the columns and the constants of gears that vary along the face. `step` goes to another pose, by arrow
 // keys.
 function gearlashMesh(data, step) {
   const byId = (name) => document.getElementById("viewer-" + name);

@@ -21,7 +21,7 @@ use gearlash::analysis::curves::Course;
 use gearlash::contact::Status;
 use mesh::Mesh;
 use std::fmt::Write;
-use viewed::{Viewed, select, start, worst_outside_runs};
+use viewed::{Viewed, count, select, start, worst_outside_runs};
 
 /// The style sheet, for the head of the page.
 pub const STYLE: &str = include_str!("viewer.css");
@@ -58,9 +58,8 @@ pub fn fragment(
         return Ok(String::new());
     };
     let pose = &runs[start[0]].run.poses[start[1]];
-    let count = |runs: &[Viewed]| -> usize { runs.iter().map(|run| run.numbers.len()).sum() };
     let all = count(&runs);
-    let every = select(&mut runs, [all, MOST_POSES], start);
+    let every = select(&mut runs, MOST_POSES, start);
     let held = count(&runs);
     let pairs: Vec<_> = runs.iter().map(|run| &run.run.run.assembly).collect();
     let Some(mesh) = Mesh::new(analysis.study, runs, start, pairs.into_iter()) else {

@@ -41,8 +41,8 @@ pub fn run(viewed: &Viewed) -> String {
     format!("a = {distance} mm{material}{phase}{worst}")
 }
 
-/// The texts beside the picture of the pose at `number` of the run of `viewed`, by the names of their elements.
-pub fn texts(viewed: &Viewed, number: usize) -> BTreeMap<&'static str, String> {
+/// The texts beside the picture of the pose at `number` of the run of `viewed`, each with the name of its element.
+pub fn texts(viewed: &Viewed, number: usize) -> Vec<(&'static str, String)> {
     let run = viewed.run;
     let pose = &run.poses[number].simulated;
     let contact = |side| {
@@ -66,7 +66,7 @@ pub fn texts(viewed: &Viewed, number: usize) -> BTreeMap<&'static str, String> {
     let bound = pose.error_bound.map(|bound| two_digits_up(bound * 1e3));
     let bound = bound.map(|um| format!("≤ {} µm", decades(um)));
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "none".to_owned());
-    let mut texts = BTreeMap::from([
+    let mut texts = vec![
         ("pose", of_run + &pose_name(pose.pose.mating())),
         ("status", pose.status().name().replace('_', " ")),
         ("backlash", or_none(backlash)),
@@ -74,15 +74,15 @@ pub fn texts(viewed: &Viewed, number: usize) -> BTreeMap<&'static str, String> {
         ("bound", or_none(bound)),
         ("right", contact(Side::Right)),
         ("left", contact(Side::Left)),
-    ]);
+    ];
     if run.run.assembly.varies_along_face() {
-        texts.insert("section-contacts", sections(pose));
+        texts.push(("section-contacts", sections(pose)));
     }
     texts
 }
 
 pub fn draw(viewed: &Viewed, number: usize) -> String {
-    let mut texts = texts(viewed, number);
+    let mut texts: BTreeMap<_, _> = texts(viewed, number).into_iter().collect();
     texts.insert("run", run(viewed));
     let j_wt = viewed.run.poses[number].simulated.backlash;
     let full = j_wt.map_or(String::new(), |j| format!("{}", j * 1e3));

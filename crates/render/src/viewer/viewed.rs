@@ -32,11 +32,17 @@ impl<'a> Viewed<'a> {
     }
 }
 
-/// Selects every n-th pose of every run of `runs`, which have `all` poses; returns n, the least with at most `most` poses in all. Each run
-/// also keeps its least and its greatest backlash and its first jammed, unmeshed and unproven pose, and the pose at `start` (index
-/// of run and pose) is always selected.
-pub fn select(runs: &mut [Viewed], [all, most]: [usize; 2], start: [usize; 2]) -> usize {
-    let every = all.div_ceil(most.max(1)).max(1);
+/// The number of selected poses.
+pub fn count(runs: &[Viewed]) -> usize {
+    runs.iter().map(|run| run.numbers.len()).sum()
+}
+
+/// Selects every n-th pose of every run of `runs`; returns n, the least with at most `most` poses in all.
+///
+/// Each run also keeps its least and its greatest backlash and its first jammed, unmeshed and unproven pose. The pose at `start`
+/// (index of run and pose) is always selected.
+pub fn select(runs: &mut [Viewed], most: usize, start: [usize; 2]) -> usize {
+    let every = count(runs).div_ceil(most.max(1)).max(1);
     for (index, viewed) in runs.iter_mut().enumerate() {
         let evenly = viewed.numbers.iter().copied().step_by(every);
         let mut numbers: BTreeSet<usize> = evenly.chain(extremes(viewed.run)).collect();

@@ -96,8 +96,7 @@ impl Case {
         sweep(pair, &self.cut, method, &self.plan.matings, clearance, &on).unwrap()
     }
 
-    /// The poses by a method, each with the result of the exact method there on the pair itself, and on that of the polygons, without
-    /// certificates.
+    /// The poses by a method, each with the exact results there, without certificates: of the pair itself, and of that of the polygons.
     fn beside_exact(&self, method: Method) -> impl Iterator<Item = [PoseResult; 3]> {
         let [own, other] = [self.plan.run.assembly.data().unwrap(), &self.other]
             .map(|pair| self.swept_as(pair, BELIEVED));

@@ -51,7 +51,7 @@ impl GaugedGear<'_> {
             return Ok(None);
         };
         let text = gauged_file(self.title, &self.words(), spec, &self.gauged)?;
-        Ok(Some((format!("{}.toml", self.stem()), text)))
+        Ok(Some((gear_file_name(&self.stem()), text)))
     }
 
     /// Its basic data; `None` for a drawn gear.
@@ -134,6 +134,16 @@ pub fn stem(name: &str, material: Material) -> String {
     }
 }
 
+/// The name of the gear file, for the gear of `stem`.
+fn gear_file_name(stem: &str) -> String {
+    format!("{stem}.toml")
+}
+
+/// The file name of the table of all readings, for the gear of `stem`.
+pub fn table_name(stem: &str) -> String {
+    format!("{stem}.csv")
+}
+
 /// The file name of the page of all charts, for the gear of `stem`.
 pub fn page_name(stem: &str) -> String {
     format!("{stem}.html")
@@ -142,6 +152,6 @@ pub fn page_name(stem: &str) -> String {
 /// Every file name that a run can write for the gear of `stem`.
 pub fn possible_files(stem: &str) -> Vec<String> {
     let charts = Chart::ALL.into_iter().map(|chart| chart.svg(stem));
-    let others = ["toml", "html", "csv"].map(|ending| format!("{stem}.{ending}"));
+    let others = [gear_file_name, table_name, page_name].map(|name| name(stem));
     charts.chain(others).collect()
 }

@@ -195,6 +195,9 @@
     // A text that a pair file names is the file of a gear.
     const texts = names.filter(isText);
     run += 1;
+    // No calculation that runs, or is to begin, may end the worker or show its result.
+    clearTimeout(typing);
+    byId("working").hidden = true;
     byId("found").classList.add("old");
     await noteNames();
     const namedBy = {};
@@ -261,7 +264,6 @@
 
   // A table without a pair file: what is understood of it, and the lines that name it.
   async function understand(name) {
-    await send("live");
     const found = await answer("live", "understand", name);
     byId("understood").hidden = false;
     byId("understood-title").textContent = found.title;

@@ -32,6 +32,17 @@ fn certified(study: &Study) -> Plan<'_> {
     Plan::new(study, Method::Exact { certify: true })
 }
 
+/// The right flanks of teeth 1 at a centre distance.
+fn first(distance: f64) -> LivePlace {
+    LivePlace {
+        distance,
+        material: 0,
+        teeth: [1, 1],
+        left: false,
+        fraction: 0.0,
+    }
+}
+
 /// Two drawings of one pair, behind its file.
 const DRAWN: [&str; 3] = [
     "fixtures/outlines/drawn_20x20.toml",
@@ -68,27 +79,24 @@ fn problems_have_their_lines_and_a_missing_table_its_name() {
     assert!(missing, "{found}");
 }
 
-/// Source: the library's pose at the same distance.
+/// Source: the library's pose and, for the whole cycle, its extremes at the same distance.
 #[test]
 fn a_moved_pair_has_the_backlash_of_its_distance() {
     let name = "docs/files/jams.toml";
     let (page, _) = opened(&[name]);
     let study = study(name);
     let a = study.center_distances[0] + 0.3;
+    let (left, fraction) = (true, 0.25);
     let place = LivePlace {
-        distance: a,
-        material: 0,
-        teeth: [1, 1],
-        left: true,
-        fraction: 0.25,
+        left,
+        fraction,
+        ..first(a)
     };
     let live = page.live(&place);
     let (_, assembly) = study.pairs(a).unwrap().remove(0);
     let mating = Mating {
-        wheel_tooth: 1,
-        pinion_tooth: 1,
-        flank: Side::Left,
-        fraction: 0.25,
+        fraction,
+        ..Mating::at(1, 1, Side::Left)
     };
     let own = lost_motion_at(&assembly, mating).unwrap().backlash.unwrap() * 1e3;
     assert_eq!(live["j_wt_um"].as_f64(), Some(own));
@@ -101,6 +109,12 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
     ] {
         assert!(answer[key].as_str().unwrap().contains(part), "{key}");
     }
+    let band = page.live_band(a, false, &go_on);
+    let moved = study.at(vec![a]).unwrap();
+    let analysis = Analysis::silently(&certified(&moved).with_extremes()).unwrap();
+    let verdict = analysis.verdict();
+    let least = verdict.least().unwrap().1.low * 1e3;
+    assert_eq!(band["least_um"].as_f64(), Some(least));
     let wrong = page.live(&LivePlace {
         teeth: [0, 1],
         ..place
@@ -109,12 +123,19 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
     assert!(reason.contains("teeth 1"), "{wrong}");
 }
 
-/// A band takes the least from the thickest gears and the greatest from the thinnest. Source: the extremes of both materials. The pair that
-/// jams has no proof: all effort finds what a verdict does. A band says nothing of other distances: these are not searched.
+/// Source: the pair read from disk, as the program does. A band takes the least from the thickest gears and the greatest from the thinnest. It
+/// says nothing of other distances: these are not searched.
 #[test]
-fn a_band_has_the_extremes_of_all_materials() {
-    for names in &EXAMPLES[..5] {
+fn a_verdict_and_a_band_are_those_of_the_files_on_disk() {
+    for names in EXAMPLES {
         let (page, found) = opened(names);
+        let result = page.result(&silent);
+        assert!(result["curve"][1].as_str().unwrap().contains("-narrow"));
+        let file = read(&path(names[0])).unwrap();
+        let plan = certified(&file.study).with_remedies(file.spec.stated_gears());
+        let analysis = Analysis::silently(&plan.with_checks()).unwrap();
+        let text = lines(&analysis.verdict()).to_string();
+        assert_eq!(result["verdict"]["text"], text, "{names:?}");
         let a = found["distances_mm"][0].as_f64().unwrap();
         let [low, high] = [0, 1].map(|end| found["range_mm"][end].as_f64().unwrap());
         for end in [low, high] {
@@ -123,7 +144,7 @@ fn a_band_has_the_extremes_of_all_materials() {
             assert!(band["words"].is_string() && !is_said, "{band}");
         }
         for more in [0.0, 0.02] {
-            let Ok(study) = study(names[0]).at(vec![a + more]) else {
+            let Ok(study) = file.study.clone().at(vec![a + more]) else {
                 continue;
             };
             let analysis = Analysis::silently(&certified(&study).with_extremes()).unwrap();
@@ -177,6 +198,13 @@ fn a_table_is_found_by_its_name_alone() {
     page.files.add("bob's wheel.csv", table);
     let found = page.open("pair.toml");
     assert!(found["stem"].is_string(), "{found}");
+    let understood = page.understand("bob's wheel.csv");
+    let toml = understood["toml"].as_str().unwrap();
+    assert!(toml.contains("wheel.csv"), "{toml}");
+    let text = understood["text"].as_str().unwrap();
+    // Lines of the table are shown though no folder holds it.
+    assert!(text.contains("pitch") && text.contains("\"Max\""), "{text}");
+    assert!(page.understand("pinion.csv")["failed"].is_string());
     for found in [missed, found] {
         assert_eq!(found["files"], json!(["pair.toml", "Bob's wheel.csv"]));
     }
@@ -229,13 +257,7 @@ fn a_tick_ends_any_work() {
 fn a_frame_is_small() {
     for names in &EXAMPLES[2..] {
         let (page, found) = opened(names);
-        let at = LivePlace {
-            distance: found["distances_mm"][0].as_f64().unwrap(),
-            material: 0,
-            teeth: [1, 1],
-            left: false,
-            fraction: 0.0,
-        };
+        let at = first(found["distances_mm"][0].as_f64().unwrap());
         let mesh = page.mesh(&at)["html"].as_str().unwrap().to_owned();
         let live = page.live(&at).to_string();
         let band = page.live_band(at.distance, false, &go_on).to_string();

@@ -7,6 +7,7 @@ use crate::pair::{Pair, mating};
 use gearlash::analysis::curves::{self, Followed};
 use gearlash::analysis::extremes::extremes;
 use gearlash::analysis::outcome::by_distance;
+use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::{Method, lost_motion_at};
@@ -40,6 +41,19 @@ pub fn snapshot(
     Ok(drawn?)
 }
 
+/// The study of one material and centre distance, where they are stated.
+fn narrowed(mut study: Study, material: Option<Material>, at: Option<f64>) -> Outcome<Study> {
+    if let Some(material) = material {
+        study.keep(material);
+    }
+    match at {
+        None => Ok(study),
+        Some(at) => {
+            Ok((study.at(vec![at])).map_err(|reason| format!("center_distance_mm: {reason}"))?)
+        }
+    }
+}
+
 /// Backlash, or its difference from the formula, over the wheel's teeth at one centre distance.
 #[pyfunction]
 pub fn over_teeth(
@@ -50,12 +64,9 @@ pub fn over_teeth(
     material: Option<&str>,
 ) -> Outcome<String> {
     let (named, assembly) = pair.assembly(distance, material)?;
-    let mut study = curves::with_sweep(pair.study().clone());
-    if material.is_some() {
-        study.keep(named);
-    }
-    let study = study.at(vec![assembly.center_distance()]);
-    let study = study.map_err(|reason| format!("center_distance_mm: {reason}"))?;
+    let study = curves::with_sweep(pair.study().clone());
+    let at = Some(assembly.center_distance());
+    let study = narrowed(study, material.map(|_| named), at)?;
     let plan = Plan::new(&study, METHOD).with_revolution().with_extremes();
     let analysis = analysed(py, None, &plan)?;
     let course = curves::courses(&analysis.curves).into_iter().next();
@@ -113,17 +124,12 @@ pub fn field(
     material: Option<&str>,
 ) -> Outcome<String> {
     let (named, assembly) = pair.assembly(distance, material)?;
-    let mut study = pair.study().clone();
+    let study = pair.study().clone();
     if !study.varies_along_face() {
         return Err("kind = \"field\": along the face of this pair nothing changes".into());
     }
-    if material.is_some() {
-        study.keep(named);
-    }
-    if distance.is_some() {
-        let at = study.at(vec![assembly.center_distance()]);
-        study = at.map_err(|reason| format!("center_distance_mm: {reason}"))?;
-    }
+    let at = distance.map(|_| assembly.center_distance());
+    let study = narrowed(study, material.map(|_| named), at)?;
     let found = work(py, None, |tick| extremes(&study, METHOD, tick))?;
     let verdict = Verdict::of_study(&study, &found.each, Vec::new());
     let none = "kind = \"field\": no pose is in mesh";

@@ -36,3 +36,10 @@ class InputError(GearlashError):
 
     def __reduce__(self) -> tuple[type["InputError"], tuple[str, tuple[Problem, ...]]]:
         return (type(self), (str(self), self.problems))
+
+
+def one_of(name: str, value: str, *allowed: str) -> None:
+    """Refuses a value that is not allowed."""
+    if value not in allowed:
+        names = [f'"{each}"' for each in allowed]
+        raise GearlashError(f"{name} = {value!r}: {', '.join(names[:-1])} or {names[-1]}")

@@ -5,15 +5,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash._errors import GearlashError
+from gearlash._errors import GearlashError, one_of
 
 Floats = NDArray[np.float64]
-
-
-def _one_of(name: str, value: str, *allowed: str) -> None:
-    if value not in allowed:
-        names = [f'"{each}"' for each in allowed]
-        raise GearlashError(f"{name} = {value!r}: {', '.join(names[:-1])} or {names[-1]}")
 
 
 class Gauged:
@@ -80,9 +74,9 @@ class Gauged:
 
         ``axis``: about the gear's ``own`` centre or the ``datum`` axis; ``kind``: ``cumulative`` or ``single``.
         """
-        _one_of("flank", flank, "right", "left")
-        _one_of("axis", axis, "own", "datum")
-        _one_of("kind", kind, "cumulative", "single")
+        one_of("flank", flank, "right", "left")
+        one_of("axis", axis, "own", "datum")
+        one_of("kind", kind, "cumulative", "single")
         return np.array(self._read(f"pitch_{axis}")[flank][f"{kind}_um"], dtype=np.float64)
 
     def lead_um(self, flank: str, axis: str = "own", kind: str = "helix_slope") -> Floats:
@@ -90,9 +84,9 @@ class Gauged:
 
         ``axis``: as of :meth:`pitch_um`; ``kind``: ``helix_slope`` f_Hβ, ``crowning`` C_β, ``form`` f_fβ or ``total`` F_β.
         """
-        _one_of("flank", flank, "right", "left")
-        _one_of("axis", axis, "own", "datum")
-        _one_of("kind", kind, "helix_slope", "crowning", "form", "total")
+        one_of("flank", flank, "right", "left")
+        one_of("axis", axis, "own", "datum")
+        one_of("kind", kind, "helix_slope", "crowning", "form", "total")
         if not self.record.get("along_face"):
             raise GearlashError("leads: the gear does not deviate along the face")
         read = self._read(f"lead_{axis}", self.record["along_face"])

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import _core
-from gearlash._errors import GearlashError
+from gearlash._errors import GearlashError, one_of
 from gearlash._extremes import Checked, Extremes, RunExtremes
 from gearlash._gear import Gear
 from gearlash._picture import Picture
@@ -215,8 +215,7 @@ class Pair(Stated[_core.Pair]):
             return Picture(_core.over_distance(self._core, mating))
         if kind == "field":
             return Picture(_core.field(self._core, center_distance_mm, material))
-        if kind not in ("revolution", "difference"):
-            raise GearlashError(f'kind = {kind!r}: "revolution", "difference", "distance" or "field"')
+        one_of("kind", kind, "revolution", "difference", "distance", "field")
         return Picture(
             _core.over_teeth(self._core, kind == "difference", center_distance_mm, material)
         )

@@ -407,7 +407,7 @@ pub enum Error {
         /// Rotation of the locked gear.
         locked_rotation_rad: f64,
         /// The reason, in words.
-        reason: &'static str,
+        reason: String,
     },
     /// The polygons do not confirm a pose: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
     #[error(

@@ -17,7 +17,7 @@
 //!
 //! Without these conditions a pose can still be jammed; its contacts show that ([`super::LostMotion::status`]).
 
-use super::lost_motion::{LostMotion, Status};
+use super::lost_motion::{LostMotion, Status, contact_lost};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
@@ -102,14 +102,10 @@ pub(super) fn beside_root_circles(
     if room < -free.eccentricity() {
         return Ok(LostMotion::JAMMED);
     }
-    let mating = pose.mating();
-    Err(Error::ContactLost {
-        wheel_tooth: mating.tooth(Member::Wheel),
-        pinion_tooth: mating.tooth(Member::Pinion),
-        flank: mating.flank.name(),
-        locked_rotation_rad: pose.locked_rotation(),
-        reason: "root circles overlap at some rotations of the free gear",
-    })
+    let (mating, free) = (pose.mating(), assembly.free());
+    let teeth = [free.mate(), free].map(|member| mating.tooth(member));
+    let reason = "root circles overlap at some rotations of the free gear";
+    Err(contact_lost(free, teeth, mating.flank, pose, reason))
 }
 
 /// The locked gear at `pose`.

@@ -6,7 +6,7 @@
 use super::effort::Effort;
 use super::lost_motion::{Contact, LostMotion, Status};
 use super::over_face::{FoundOverFace, OverFace};
-use super::polygon::{Certifier, CutGear, PolygonKernel};
+use super::polygon::{Certifier, CutPair};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Pose, section_at};
@@ -17,7 +17,7 @@ const SECTION: u64 = 2;
 /// A helical pair, its gears cut into polygons.
 pub(super) struct CutSections<'a> {
     pub assembly: &'a GearPair,
-    pub cut: [&'a CutGear; 2],
+    pub cut: &'a CutPair,
     /// Places along the face, mm.
     pub places: Vec<f64>,
 }
@@ -60,8 +60,7 @@ impl CutSections<'_> {
         effort: &Effort,
     ) -> Result<(Pose, LostMotion), Error> {
         let (section, here) = section_at(self.assembly, pose, b);
-        let [wheel, pinion] = self.cut;
-        let kernel = PolygonKernel::refined(&section, wheel, pinion);
+        let kernel = self.cut.refined_kernel(&section);
         effort.spend(SECTION);
         let found = kernel.lost_motion_within(&here, effort)?;
         Ok((here, found))
@@ -86,8 +85,7 @@ impl CutSections<'_> {
             // The sign of the overlap may be uncertain.
             let is_open = own.angle().zip(own.error());
             if is_open.is_none_or(|(angle, bound)| angle.abs() > bound) {
-                let [wheel, pinion] = self.cut;
-                let certifier = Certifier::new(PolygonKernel::new(&section, wheel, pinion));
+                let certifier = Certifier::new(self.cut.kernel(&section));
                 let reason = format!("the section at {b} mm is not jammed");
                 return Err(certifier.failed(&here, Side::Right, reason));
             }
@@ -100,8 +98,7 @@ impl CutSections<'_> {
             let others = self.places.iter().copied().filter(|&b| Some(b) != at);
             for b in at.into_iter().chain(others) {
                 let (section, here) = section_at(self.assembly, pose, b);
-                let [wheel, pinion] = self.cut;
-                let certifier = Certifier::new(PolygonKernel::new(&section, wheel, pinion));
+                let certifier = Certifier::new(self.cut.kernel(&section));
                 effort.spend(SECTION);
                 // The distance from the nominal rotation there is the same as here.
                 let turned = here.free_rotation() - pose.free_rotation();
@@ -110,9 +107,9 @@ impl CutSections<'_> {
                     ..contact
                 });
                 match contact {
-                    Some(contact) if Some(b) != at => certifier
-                        .clears(&here, side, &contact, effort)
-                        .map_err(|reason| certifier.failed(&here, side, reason))?,
+                    Some(contact) if Some(b) != at => {
+                        certifier.touching(&here, side, &contact, effort)?;
+                    }
                     contact => certifier.check_side(&here, side, contact.as_ref(), effort)?,
                 }
             }
@@ -140,14 +137,14 @@ mod tests {
             gear(Hand::Right, Face::Front),
             gear(Hand::Left, Face::Front),
         );
-        let cut = [&wheel, &pinion].map(|gear| CutGear::new(gear, 1e-3));
+        let cut = &CutPair::new(&wheel, &pinion, 1e-3);
         let distance = 40.0 / 30f64.to_radians().cos() + 0.1;
         let pair = GearPair::new(wheel, pinion, distance).unwrap();
         let pair = pair.with_face([-100.0, 100.0]).unwrap();
         let kernel = ExactKernel::new(&pair);
         let sections = CutSections {
             assembly: &pair,
-            cut: [&cut[0], &cut[1]],
+            cut,
             places: kernel.sections(),
         };
         let pose = Pose::new(&pair, Mating::FIRST);

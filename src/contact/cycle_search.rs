@@ -147,11 +147,13 @@ impl<T: CycleCells> CycleSearch<'_, T> {
     pub fn extremes(&self, ends: &[End]) -> (Extremes, u64) {
         let cells = self.first_cells(ends);
         let mut used: u64 = cells.iter().map(|cell| cell.effort).sum();
-        let lost = [Status::Jammed, Status::NoContact].map(|status| {
-            let lost = cells.iter().find(|cell| cell.status == status);
+        let first = |cells: &[Cell], status: Status| {
+            let lost = cells.iter().filter(|cell| cell.status == status);
+            let lost = lost.min_by(|a, b| a.known.total_cmp(&b.known));
             lost.map(|cell| self.cells.mating(cell.known))
-        });
-        let [jammed, unmeshed] = lost;
+        };
+        let lost = [Status::Jammed, Status::NoContact];
+        let [jammed, unmeshed] = lost.map(|status| first(&cells, status));
         let mut all = cells.clone();
         // Gears that nowhere touch have no pose with a lost motion.
         let any = cells.iter().any(|cell| cell.angle.is_some());
@@ -169,12 +171,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
             found
         };
         let (least, greatest) = (found(End::Least, jammed), found(End::Greatest, unmeshed));
-        let first = |status: Status| {
-            let lost = all.iter().filter(|cell| cell.status == status);
-            let lost = lost.min_by(|a, b| a.known.total_cmp(&b.known));
-            lost.map(|cell| self.cells.mating(cell.known))
-        };
-        let (jammed, unmeshed) = (first(Status::Jammed), first(Status::NoContact));
+        let [jammed, unmeshed] = lost.map(|status| first(&all, status));
         let is_known = all.iter().any(|cell| cell.angle.is_some());
         let status = if jammed.is_some() {
             Status::Jammed

@@ -1,8 +1,9 @@
 //! The result of one pose: right- and left-flank contact, and the lost motion between them.
 
 use super::gap::C;
+use crate::error::Error;
 use crate::gear::{ProfilePart, Side};
-use crate::pair::Member;
+use crate::pair::{Member, Pose};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 
@@ -162,6 +163,27 @@ impl ContactInFrame {
             normal: Vector2::new(normal.re, normal.im),
             section: 0.0,
         }
+    }
+}
+
+/// The error of a contact of two teeth, the locked gear's first, that was lost at `pose`.
+pub(super) fn contact_lost(
+    free: Member,
+    [locked_tooth, free_tooth]: [u32; 2],
+    side: Side,
+    pose: &Pose,
+    reason: &str,
+) -> Error {
+    let (wheel_tooth, pinion_tooth) = match free {
+        Member::Pinion => (locked_tooth, free_tooth),
+        Member::Wheel => (free_tooth, locked_tooth),
+    };
+    Error::ContactLost {
+        wheel_tooth,
+        pinion_tooth,
+        flank: side.name(),
+        locked_rotation_rad: pose.locked_rotation(),
+        reason: reason.to_owned(),
     }
 }
 

@@ -23,6 +23,7 @@ mod parry;
 mod plane_extremes;
 mod polygon;
 mod pose_result;
+mod ranked;
 mod scene;
 mod sweep;
 
@@ -48,12 +49,11 @@ pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::{BRACKET_WIDTH, reach, root_of_play};
 pub(crate) use plane_extremes::cycle_extremes_within;
-pub use polygon::{Certifier, CutGear, PolygonKernel};
+pub use polygon::{Certifier, CutPair, PolygonKernel};
 pub use pose_result::{
     FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose,
 };
 pub use scene::{FreePlacement, LineOfAction, Scene};
 pub use sweep::{
-    BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, POLYGONS_EVERY, lost_motion_at, sweep,
-    sweep_blocks,
+    BLOCK, METHODS_AGREE_WITHIN, Method, POLYGONS_EVERY, lost_motion_at, sweep, sweep_blocks,
 };

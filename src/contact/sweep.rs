@@ -7,10 +7,9 @@ use super::kernel::{Proof, Prover};
 use super::lost_motion::LostMotion;
 use super::outline::{OutlineCertifier, OutlineKernel};
 use super::over_face::FoundOverFace;
-use super::polygon::{Certifier, CutGear, PolygonKernel};
+use super::polygon::{Certifier, CutPair, PolygonKernel};
 use super::pose_result::{PolygonDifference, PoseResult, Unproven};
 use crate::error::{Error, REPORT_PAIR, Tick};
-use crate::gear::AsBuilt;
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{GearPair, Mating, Member, Pose};
 use crate::parallel;
@@ -32,10 +31,6 @@ pub enum Method {
     Both,
 }
 
-/// Chordal error, in modules, of the polygons from which a certificate starts. Any value gives equal results; this one
-/// is tuned for speed (a tenth takes 8 % longer, ten times as much 2 %).
-const CERTIFICATE_CHORDAL_ERROR: f64 = 3e-4;
-
 /// Difference of both methods, mm, that is always allowed: 1e-6 µm of `j_wt`.
 pub const METHODS_AGREE_WITHIN: f64 = 1e-9;
 
@@ -55,41 +50,6 @@ impl Method {
     /// Whether exact results are proven.
     fn proves(self) -> bool {
         matches!(self, Method::Exact { certify: true } | Method::Checked)
-    }
-}
-
-/// Both gears, cut into chords once for all centre distances.
-pub struct CutPair {
-    wheel: CutGear,
-    pinion: CutGear,
-}
-
-impl CutPair {
-    /// Cuts both gears with chords within `chordal_error` mm of their curves.
-    pub fn new(wheel: &AsBuilt, pinion: &AsBuilt, chordal_error: f64) -> CutPair {
-        CutPair {
-            wheel: CutGear::new(wheel, chordal_error),
-            pinion: CutGear::new(pinion, chordal_error),
-        }
-    }
-
-    /// Cuts both gears as coarsely as is best for certificates.
-    pub fn for_certificates(wheel: &AsBuilt, pinion: &AsBuilt) -> CutPair {
-        CutPair::new(
-            wheel,
-            pinion,
-            CERTIFICATE_CHORDAL_ERROR * wheel.gear().basic_data().module(),
-        )
-    }
-
-    /// The polygon method on `assembly`, which must consist of these gears.
-    pub fn kernel<'a>(&'a self, assembly: &'a GearPair) -> PolygonKernel<'a> {
-        PolygonKernel::new(assembly, &self.wheel, &self.pinion)
-    }
-
-    /// The polygon method, cut finer around each contact: accurate to about a picometre.
-    pub fn refined_kernel<'a>(&'a self, assembly: &'a GearPair) -> PolygonKernel<'a> {
-        PolygonKernel::refined(assembly, &self.wheel, &self.pinion)
     }
 }
 
@@ -126,7 +86,7 @@ impl<'a> Solver<'a> {
                 .map(|kernel| Prover::new(assembly, kernel)),
             sections: places.map(|kernel| CutSections {
                 assembly,
-                cut: [&cut.wheel, &cut.pinion],
+                cut,
                 places: kernel.sections(),
             }),
             kernel,
@@ -160,7 +120,8 @@ impl<'a> Solver<'a> {
             (found, polygon)
         };
         // A lost contact is kept as its reason; any other error ends the sweep.
-        let (exact, polygon) = (settle(exact)?, settle(polygon)?);
+        let exact = exact.map(settle).transpose()?;
+        let polygon = polygon.map(settle).transpose()?;
         let jam = exact.as_ref().and_then(|found| found.as_ref().ok()?.jam);
         let exact = exact.map(|found| found.map(|found| found.lost_motion));
         let mut polygon_checked = polygon.is_some();
@@ -281,8 +242,7 @@ impl<'a> Solver<'a> {
             (None, Some(sections)) => sections.check(pose, found, effort),
             _ => return Ok(None),
         };
-        let checked = settle(Some(checked))?;
-        Ok(checked.and_then(Result::err))
+        Ok(settle(checked)?.err())
     }
 
     /// `j_wt = φ_j r_w` of the free gear, mm.
@@ -304,15 +264,11 @@ struct SolvedPose {
 }
 
 /// A result, or its reason if the failure concerns this pose alone; otherwise the error.
-fn settle<T>(tried: Option<Result<T, Error>>) -> Result<Option<Result<T, String>>, Error> {
-    match tried {
-        None => Ok(None),
-        Some(Ok(found)) => Ok(Some(Ok(found))),
-        Some(Err(error)) => match error.pose_failure() {
-            Some(reason) => Ok(Some(Err(reason))),
-            None => Err(error),
-        },
-    }
+fn settle<T>(tried: Result<T, Error>) -> Result<Result<T, String>, Error> {
+    tried.map(Ok).or_else(|error| match error.pose_failure() {
+        Some(reason) => Ok(Err(reason)),
+        None => Err(error),
+    })
 }
 
 /// The lost motion of `assembly` at each of `matings`, in their order, with any number of threads.

@@ -17,21 +17,22 @@ pub(super) fn search(
     nodes_left: &mut usize,
 ) -> Result<Option<CandidateContact>, SearchExhausted> {
     let frees = ProfilePart::ALL.into_iter().filter_map(|curve| {
-        let wanted = curves.0.iter().any(|row| row[curve as usize]);
+        let wanted = ProfilePart::ALL.iter().any(|own| curves.has(*own, curve));
         let range = wanted.then(|| free_range(free, curve)).flatten()?;
         Some((curve, range, free.around(curve)))
     });
     let frees: Vec<_> = frees.collect();
     let [_, room] = locked.rounding(free);
     let mut open = OpenPairs::default();
-    for (curve, row) in ProfilePart::ALL.into_iter().zip(curves.0) {
-        if row == [false; 4] || !locked.has(curve) {
+    for curve in ProfilePart::ALL {
+        let wanted = ProfilePart::ALL.iter().any(|mate| curves.has(curve, *mate));
+        if !(wanted && locked.has(curve)) {
             continue;
         }
         let around = locked.around(curve);
         let mates = frees.iter().filter(|(mate, _, other)| {
             // Without a common radius there is no gap.
-            row[*mate as usize] && around.meets(other, room)
+            curves.has(curve, *mate) && around.meets(other, room)
         });
         let mates = mates.flat_map(|&(mate, range, _)| arcs(free.curve(mate), mate, range));
         open.add_all(arcs(locked.curve(curve), curve, locked.range(curve)), mates);

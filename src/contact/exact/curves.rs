@@ -1,51 +1,51 @@
 //! Sets of pairs of curves, and their names in errors.
 
 use crate::gear::ProfilePart;
-use std::array::from_fn;
 
-/// A set of pairs of curves, the locked gear's first.
+/// A set of pairs of curves, the locked gear's first: a bit for each pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct CurvePairs(pub [[bool; 4]; 4]);
+pub(super) struct CurvePairs(u16);
 
 impl CurvePairs {
     /// Every pair.
-    pub const ALL: CurvePairs = CurvePairs([[true; 4]; 4]);
+    pub const ALL: CurvePairs = CurvePairs(u16::MAX);
+
+    fn one(locked: ProfilePart, free: ProfilePart) -> u16 {
+        1 << (4 * locked as u16 + free as u16)
+    }
 
     /// This set without one pair.
-    pub fn without(mut self, locked: ProfilePart, free: ProfilePart) -> CurvePairs {
-        self.0[locked as usize][free as usize] = false;
-        self
+    pub fn without(self, locked: ProfilePart, free: ProfilePart) -> CurvePairs {
+        CurvePairs(self.0 & !CurvePairs::one(locked, free))
     }
 
     /// Every pair that contains a curve of this kind, on either gear.
     pub fn of(part: ProfilePart) -> CurvePairs {
-        let part = part as usize;
-        let one = |locked, free| locked == part || free == part;
-        CurvePairs(from_fn(|locked| from_fn(|free| one(locked, free))))
+        CurvePairs((0xf << (4 * part as u16)) | (0x1111 << part as u16))
     }
 
     /// This set without `others`.
     pub fn except(self, others: CurvePairs) -> CurvePairs {
-        let one = |locked: usize, free: usize| self.0[locked][free] && !others.0[locked][free];
-        CurvePairs(from_fn(|locked| from_fn(|free| one(locked, free))))
+        CurvePairs(self.0 & !others.0)
     }
 
     /// The pairs in both sets.
     pub fn intersection(self, others: CurvePairs) -> CurvePairs {
-        let one = |locked: usize, free: usize| self.0[locked][free] && others.0[locked][free];
-        CurvePairs(from_fn(|locked| from_fn(|free| one(locked, free))))
+        CurvePairs(self.0 & others.0)
     }
 
     pub fn has(self, locked: ProfilePart, free: ProfilePart) -> bool {
-        self.0[locked as usize][free as usize]
+        self.0 & CurvePairs::one(locked, free) != 0
     }
 
     pub fn add(&mut self, locked: ProfilePart, free: ProfilePart) {
-        self.0[locked as usize][free as usize] = true;
+        self.0 |= CurvePairs::one(locked, free);
     }
 
     pub fn add_unless(&mut self, settled: bool, locked: ProfilePart, free: ProfilePart) {
-        self.0[locked as usize][free as usize] |= !settled;
+        if !settled {
+            self.add(locked, free);
+        }
     }
 
     pub fn is_empty(self) -> bool {
@@ -59,33 +59,11 @@ pub(super) struct SearchExhausted(pub ProfilePart, pub ProfilePart);
 
 impl SearchExhausted {
     /// The reason in words, for the error message.
-    pub fn reason(&self) -> &'static str {
-        const REASONS: [[&str; 4]; 4] = [
-            [
-                "locked tip land on free tip land: not settled",
-                "locked tip land on free involute: not settled",
-                "locked tip land on free fillet: not settled",
-                "locked tip land on free root land: not settled",
-            ],
-            [
-                "locked involute on free tip land: not settled",
-                "locked involute on free involute: not settled",
-                "locked involute on free fillet: not settled",
-                "locked involute on free root land: not settled",
-            ],
-            [
-                "locked fillet on free tip land: not settled",
-                "locked fillet on free involute: not settled",
-                "locked fillet on free fillet: not settled",
-                "locked fillet on free root land: not settled",
-            ],
-            [
-                "locked root land on free tip land: not settled",
-                "locked root land on free involute: not settled",
-                "locked root land on free fillet: not settled",
-                "locked root land on free root land: not settled",
-            ],
-        ];
-        REASONS[self.0 as usize][self.1 as usize]
+    pub fn reason(&self) -> String {
+        let [locked, free] = [self.0, self.1].map(|part| {
+            let land = if part.is_land() { " land" } else { "" };
+            format!("{}{land}", part.name())
+        });
+        format!("locked {locked} on free {free}: not settled")
     }
 }

@@ -5,18 +5,17 @@
 
 use super::candidate::CandidateContact;
 use super::corner::{least_flank_radius, meet, nearest_turn, on_land, tip_arm};
-use super::curves::SearchExhausted;
 use super::envelope::Envelope;
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{offer_lands, without_lands};
 use super::line::TangentVariation;
 use super::path::offer_pairs_on_line;
 use super::placed::{PlacedHalf, Role};
-use super::search::{self, SideRequest};
+use super::search::{self, SideFound, SideRequest};
 use super::search_free_proof::{ProofInput, SearchFreeProof};
 use super::shape::{C, turn};
 use super::tangent::offer_land_tangents;
-use super::tightest::{FirstContact, TightestContacts};
+use super::tightest::TightestContacts;
 use crate::contact::gap::MOST_NODES;
 use crate::gear::ProfilePart;
 use crate::pair::GearPair;
@@ -42,17 +41,10 @@ pub(super) struct Envelopes {
 }
 
 impl Envelopes {
-    /// The envelopes of both gears of `assembly`, whose flanks are those of `problem`.
-    pub fn new(problem: &FlankProblem, assembly: &GearPair) -> Envelopes {
-        Envelopes::with_room(problem, assembly, 0.0)
-    }
-
-    /// The envelopes, wider by `room` mm.
-    pub fn with_room(problem: &FlankProblem, assembly: &GearPair, room: f64) -> Envelopes {
-        let (locked, free) = (
-            assembly.gear(assembly.locked()),
-            assembly.gear(assembly.free()),
-        );
+    /// The envelopes of both gears of `assembly`, whose flanks are those of `problem`, wider by `room` mm.
+    pub fn new(problem: &FlankProblem, assembly: &GearPair, room: f64) -> Envelopes {
+        let [locked, free] =
+            [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
         // A tie below the greatest gap must not be ruled out: the points of both gears move by less than this.
         // Leaning axes shift the outlines of a section.
         let shift = assembly.shift_bound();
@@ -71,14 +63,11 @@ impl Envelopes {
 }
 
 /// The first contact; without a solver, by the search.
-///
-/// # Errors
-/// The step whose pair could not be settled.
 pub(super) fn first_contact(
     posed: &PosedFlanks,
     solver: Option<&DirectSolver>,
     request: SideRequest,
-) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
+) -> SideFound {
     let Some(solver) = solver else {
         return search::first_contact(posed, request);
     };
@@ -118,13 +107,15 @@ pub(super) fn first_contact(
 }
 
 impl DirectSolver {
-    /// The solver of a pair; `None` if the pair must be searched throughout, as any with flanks other than involutes.
+    /// The solver for `modified`, whose profiles may deviate from those of `problem` and `assembly`. `None` if the pair must be searched
+    /// throughout, as any with flanks other than involutes.
     pub fn new(
         problem: &FlankProblem,
         assembly: &GearPair,
         envelopes: Envelopes,
+        modified: &FlankProblem,
     ) -> Option<DirectSolver> {
-        DirectSolver::of(problem, assembly, envelopes, problem)
+        DirectSolver::with_offs(problem, assembly, envelopes, modified, [0.0; 2])
     }
 
     /// The solver for all sections of leaning axes, whose outlines stand further off their axes than those of `problem`.
@@ -139,17 +130,7 @@ impl DirectSolver {
         DirectSolver::with_offs(problem, assembly, envelopes, problem, [shift, wobble])
     }
 
-    /// The solver for `modified`, whose profiles deviate from those of `problem` and `assembly`.
-    pub fn of(
-        problem: &FlankProblem,
-        assembly: &GearPair,
-        envelopes: Envelopes,
-        modified: &FlankProblem,
-    ) -> Option<DirectSolver> {
-        DirectSolver::with_offs(problem, assembly, envelopes, modified, [0.0; 2])
-    }
-
-    /// As [`DirectSolver::of`], with outlines up to `more` mm further off their axes.
+    /// As [`DirectSolver::new`], with outlines up to `more` mm further off their axes.
     fn with_offs(
         problem: &FlankProblem,
         assembly: &GearPair,
@@ -218,9 +199,8 @@ pub(super) fn far_corner_may_reach(
 /// Squared radius of the far corner of the locked land at `place`, mm², and the free tip radius, mm.
 #[inline]
 fn far_corner_square(posed: &PosedFlanks, place: usize) -> (f64, f64) {
-    let locked_teeth = &posed.problem.locked;
-    let corner =
-        posed.centre - posed.turned * locked_teeth.direction(place) * locked_teeth.far(place);
+    let half = posed.problem.locked.half(place);
+    let corner = posed.centre - posed.turned * half.direction * half.far;
     (corner.norm_sqr(), posed.problem.free.shape.tip_radius)
 }
 
@@ -246,8 +226,9 @@ impl CornerSearch<'_, '_> {
         let middle = steps.contains(&0).then_some(0);
         for step in middle.into_iter().chain(steps.filter(|&step| step != 0)) {
             let (locked_place, free_place) = posed.places(step);
-            let toward = free_teeth.direction(free_place);
-            let seen = self.gears.direction * locked_teeth.direction(locked_place);
+            let toward = free_teeth.half(free_place).direction;
+            let locked_half = locked_teeth.half(locked_place);
+            let seen = self.gears.direction * locked_half.direction;
             let (centre, known) = (self.gears.centre, self.gears.known);
             for &corner in locked_teeth.shape.corners() {
                 let near = (centre + seen * corner.1) * toward.conj();
@@ -257,7 +238,7 @@ impl CornerSearch<'_, '_> {
                 }
             }
             if solver.proof.tangents {
-                let far = locked_teeth.far(locked_place);
+                let far = locked_half.far;
                 let near = (centre + seen * far) * toward.conj();
                 if !(known && solver.envelopes.free.clears(near)) {
                     self.locked_corner(step, (ProfilePart::Tip, -far.arg()), far, near);

@@ -10,7 +10,7 @@ use super::corner::{least_flank_radius, tip_arm};
 use super::curves::SearchExhausted;
 use super::flank_problem::PosedFlanks;
 use super::placed::PlacedHalf;
-use super::search::SideRequest;
+use super::search::{SideFound, SideRequest};
 use super::shape::C;
 use super::tightest::FirstContact;
 use crate::contact::body::FarFlanks;
@@ -33,16 +33,13 @@ const FREE_PARTS: [ProfilePart; 4] = [
 ];
 
 /// The first contact: `found`, or a contact on the far flank of a locked tooth that comes before it.
-///
-/// # Errors
-/// The step of the pair that stays undecided.
 #[inline]
 pub(super) fn with_far_flanks(
     posed: &PosedFlanks,
     far_flanks: FarFlanks,
     found: Option<FirstContact>,
     request: SideRequest,
-) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
+) -> SideFound {
     let Some(mut tightest) = found.filter(|_| far_flanks != FarFlanks::Clear) else {
         return Ok(found);
     };

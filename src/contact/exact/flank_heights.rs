@@ -96,3 +96,8 @@ pub(super) fn deviation(flank: &Part) -> Option<&DeviationCurve> {
         _ => None,
     }
 }
+
+/// Greatest amount of a value in an interval.
+pub(super) fn amount([least, most]: [f64; 2]) -> f64 {
+    least.abs().max(most.abs())
+}

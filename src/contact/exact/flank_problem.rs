@@ -33,8 +33,8 @@ pub(in crate::contact) struct FlankProblem {
     pub free_off: C,
     /// `a`.
     pub distance: f64,
-    /// Directions of the undisturbed centre line, about the line of centres, of half teeth that can reach the mate.
-    window: Option<(f64, f64)>,
+    /// Directions of the undisturbed centre line, about the line of centres, of locked half teeth that can reach the mate; `None` if none can.
+    pub window: Option<(f64, f64)>,
     /// `1/r_bF` and `1/r_bL`.
     pub per_free_base: f64,
     pub per_locked_base: f64,
@@ -118,10 +118,8 @@ impl FlankProblem {
 
     /// This problem with all teeth that can reach the mate in any section, where axes lean.
     pub fn over_leans(&self, assembly: &GearPair) -> FlankProblem {
-        let (locked, free) = (
-            assembly.gear(assembly.locked()),
-            assembly.gear(assembly.free()),
-        );
+        let [locked, free] =
+            [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
         // The nearest centres have the widest lens.
         let shift = assembly.shift_bound();
         let nearest = self.distance - 2.0 * shift;
@@ -138,10 +136,8 @@ impl FlankProblem {
     }
 
     fn of(assembly: &GearPair, side: Side, teeth: (Arc<Teeth>, Arc<Teeth>)) -> FlankProblem {
-        let (locked, free) = (
-            assembly.gear(assembly.locked()),
-            assembly.gear(assembly.free()),
-        );
+        let [locked, free] =
+            [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
         let mut problem = FlankProblem {
             side,
             locked: teeth.0,
@@ -192,7 +188,8 @@ impl FlankProblem {
         // The facing place in the mirrored frame: see `Pose::facing_tooth`.
         let beyond = i64::from(pose.mating().flank != self.side);
         let free_place = self.free.place(teeth.1, beyond - steps);
-        let origin = self.free.direction(free_place);
+        let free = self.free.half(free_place);
+        let origin = free.direction;
         PosedFlanks {
             problem: self,
             turned,
@@ -202,7 +199,7 @@ impl FlankProblem {
             locked_place,
             free_place,
             origin,
-            free_offset: self.free.offset(free_place),
+            free_offset: free.offset,
             free_centre: self.free_off * origin.conj(),
         }
     }
@@ -210,12 +207,6 @@ impl FlankProblem {
     /// `Σ`, the sum of the base radii.
     pub fn sum(&self) -> f64 {
         self.locked.shape.base + self.free.shape.base
-    }
-
-    /// Range of directions about the line of centres in which the undisturbed centre lines of locked half teeth can
-    /// reach the mate; `None` if none can.
-    pub fn window(&self) -> Option<(f64, f64)> {
-        self.window
     }
 
     /// Greatest difference that unequal base pitches make between the gaps of step 0 and of any step in reach, rad.
@@ -327,11 +318,10 @@ impl<'a> PosedFlanks<'a> {
 
     /// The locked and the free tooth of a step, which are those of `assembly`.
     pub fn facing_teeth<'b>(&self, assembly: &'b GearPair, step: i64) -> FacingTeeth<'b> {
-        let (locked, free) = self.places(step);
-        let gear = |member| assembly.gear(member);
+        let [locked, free] = self.numbers(step);
         let teeth = [
-            (gear(assembly.locked()), self.problem.locked.number(locked)),
-            (gear(assembly.free()), self.problem.free.number(free)),
+            (assembly.gear(assembly.locked()), locked),
+            (assembly.gear(assembly.free()), free),
         ];
         FacingTeeth::new(self.problem.side, teeth)
     }
@@ -349,11 +339,12 @@ impl<'a> PosedFlanks<'a> {
 
     /// These places for the teeth of `problem`, which differ only in their offsets and centres.
     pub fn of<'b>(&self, problem: &'b FlankProblem) -> PosedFlanks<'b> {
-        let origin = problem.free.direction(self.free_place);
+        let free = problem.free.half(self.free_place);
+        let origin = free.direction;
         PosedFlanks {
             problem,
             origin,
-            free_offset: problem.free.offset(self.free_place),
+            free_offset: free.offset,
             free_centre: problem.free_off * origin.conj(),
             turned: self.turned,
             centre: C::from(problem.distance) - self.turned * problem.locked_off,
@@ -373,30 +364,29 @@ impl<'a> PosedFlanks<'a> {
         )
     }
 
+    /// Numbers of the locked and the free tooth of a step.
+    pub fn numbers(&self, step: i64) -> [u32; 2] {
+        let (locked, free) = self.places(step);
+        [
+            self.problem.locked.number(locked),
+            self.problem.free.number(free),
+        ]
+    }
+
     /// The locked half tooth of a step.
     pub fn locked(&self, step: i64) -> PlacedHalf<'a> {
         let teeth = &self.problem.locked;
-        let place = teeth.beside(self.locked_place, step);
+        let half = teeth.placed(teeth.beside(self.locked_place, step), self.centre);
         PlacedHalf {
-            shape: teeth.shape_at(place),
-            centre: self.centre,
-            direction: -self.turned * teeth.direction(place),
-            far: teeth.far(place),
-            root_end: teeth.root_end(place),
+            direction: -self.turned * half.direction,
+            ..half
         }
     }
 
     /// The free half tooth of a step, at rotation 0.
     pub fn free(&self, step: i64) -> PlacedHalf<'a> {
         let teeth = &self.problem.free;
-        let place = teeth.beside(self.free_place, -step);
-        PlacedHalf {
-            shape: teeth.shape_at(place),
-            centre: self.problem.free_off,
-            direction: teeth.direction(place),
-            far: teeth.far(place),
-            root_end: teeth.root_end(place),
-        }
+        teeth.placed(teeth.beside(self.free_place, -step), self.problem.free_off)
     }
 
     /// Directions of the locked and the free half tooth of a step, the free gear at rotation 0, rad; within ±π.
@@ -404,8 +394,8 @@ impl<'a> PosedFlanks<'a> {
     pub fn angles(&self, step: i64) -> [f64; 2] {
         let (locked_place, free_place) = self.places(step);
         let (locked, free) = (&self.problem.locked, &self.problem.free);
-        let ahead = self.ahead + step as f64 * locked.pitch + locked.offset(locked_place);
-        let free = free.angle(free_place) + free.offset(free_place);
+        let ahead = self.ahead + step as f64 * locked.pitch + locked.half(locked_place).offset;
+        let free = free.angle(free_place) + free.half(free_place).offset;
         [reduced(PI + ahead), reduced(free)]
     }
 
@@ -436,18 +426,7 @@ impl<'a> PosedFlanks<'a> {
         turn(rotation) * self.problem.free_off
     }
 
-    /// Angular offset of the locked flank of a step from its place, rad.
-    pub fn locked_offset_at(&self, step: i64) -> f64 {
-        let (locked_place, _) = self.places(step);
-        self.problem.locked.offset(locked_place)
-    }
-
-    /// Angular offset of the free flank of a step, with the angle of the free tooth of step 0 from tooth 1, rad.
-    pub fn free_offset_at(&self, step: i64) -> f64 {
-        let (_, free_place) = self.places(step);
-        self.problem.free.offset(free_place)
-    }
-
+    /// Angle of the free tooth of step 0 from tooth 1, rad.
     pub fn free_angle(&self) -> f64 {
         self.problem.free.angle(self.free_place)
     }
@@ -459,6 +438,6 @@ impl<'a> PosedFlanks<'a> {
 
     /// The free gear's rotation at a gap, in this (mirrored) frame.
     pub fn rotation(&self, gap: f64) -> f64 {
-        gap - (self.problem.free.angle(self.free_place) + self.free_offset)
+        gap - (self.free_angle() + self.free_offset)
     }
 }

@@ -402,9 +402,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         }
         Ok(())
     }
-}
 
-impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
     /// Examines the places at which leads make a pair tightest, on the side of `problem`.
     fn examine_leads(&mut self, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);

@@ -107,9 +107,7 @@ impl TangentVariation {
             half_second_derivative: 0.5 * (off / base) * (1.0 + turn) / shrink,
         })
     }
-}
 
-impl TangentVariation {
     /// Tolerances of both rolls on a line evaluated at a gap that is off by `error` for the pair of step 0.
     ///
     /// The gap of another pair differs by at most the offsets of all flanks plus the effect of unequal base pitches

@@ -21,13 +21,12 @@ pub(super) mod pieces;
 
 use super::branch::search as search_pair;
 use super::candidate::CandidateContact;
-use super::curves::SearchExhausted;
 use super::direct::{AtRotation, DirectSolver, Envelopes, far_corner_reaches};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::path::{InvolutePair, settle, start_line, steps_on};
 use super::placed::{PlacedHalf, Role};
-use super::search::{self, SideRequest};
+use super::search::{self, SideFound, SideRequest};
 use super::shape::{C, HalfToothShape};
 use super::tightest::{FirstContact, TightestContacts};
 use crate::contact::Effort;
@@ -88,7 +87,7 @@ impl OuterGears {
         let (pair, range) = enclosing(assembly)?;
         let [right, left] = Side::BOTH.map(|side| FlankProblem::new(&pair, side));
         // The points of both gears move by this.
-        let envelopes = Envelopes::with_room(&right, &pair, 4.0 * range);
+        let envelopes = Envelopes::new(&right, &pair, 4.0 * range);
         let solver = OuterGears::solver(&right, &pair, envelopes, problems)?;
         Some(OuterGears {
             pair,
@@ -142,27 +141,20 @@ impl OuterGears {
         modified: &[FlankProblem; 2],
     ) -> Option<DirectSolver> {
         let of = |side: &FlankProblem| {
-            let solver = DirectSolver::of(right, pair, envelopes.clone(), side)?;
+            let solver = DirectSolver::new(right, pair, envelopes.clone(), side)?;
             let proof = &solver.proof;
             let is_plain = proof.steep_arm.is_none() && !proof.tangents && !proof.turns_back;
             is_plain.then_some(solver)
         };
         // The proof of the outer gears decides which open curves of a step are not searched.
-        let outer = DirectSolver::new(right, pair, envelopes.clone())?;
+        let outer = DirectSolver::new(right, pair, envelopes.clone(), right)?;
         // The outer half teeth of the left side mirror those of the right; the deviations can differ.
         let both = of(&modified[1]).and(of(&modified[0]));
         both.filter(|_| outer.proof.is_direct())
     }
 
     /// The first contact, by the quick method or the search.
-    ///
-    /// # Errors
-    /// As [`search::first_contact`].
-    pub fn first_contact(
-        &self,
-        posed: &PosedFlanks,
-        request: SideRequest,
-    ) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
+    pub fn first_contact(&self, posed: &PosedFlanks, request: SideRequest) -> SideFound {
         let outer = posed.of(match posed.problem.side {
             Side::Right => &self.right,
             Side::Left => &self.left,
@@ -368,8 +360,8 @@ impl OuterGears {
         let envelopes = &self.solver.envelopes;
         let (locked_teeth, free_teeth) = (&outer.problem.locked, &outer.problem.free);
         let (locked_place, free_place) = outer.places(step);
-        let toward = free_teeth.direction(free_place);
-        let seen = gears.direction * locked_teeth.direction(locked_place);
+        let toward = free_teeth.half(free_place).direction;
+        let seen = gears.direction * locked_teeth.half(locked_place).direction;
         let point = end(&locked_teeth.shape);
         let near = (gears.centre + seen * point) * toward.conj();
         let beyond = || outer.locked(step).own_to_axis(point) > self.solver.outmost;

@@ -25,9 +25,9 @@ impl InvolutePair {
         let (locked_place, free_place) = posed.places(step);
         let steps = step as f64;
         InvolutePair {
-            locked_base: posed.ahead + steps * locked.pitch + locked.offset(locked_place)
+            locked_base: posed.ahead + steps * locked.pitch + locked.half(locked_place).offset
                 - locked.shape.half_base,
-            free_base: free.offset(free_place)
+            free_base: free.half(free_place).offset
                 - posed.free_offset
                 - steps * free.pitch
                 - free.shape.half_base,

@@ -11,6 +11,9 @@ use crate::contact::Effort;
 use crate::contact::gap::MOST_NODES;
 use crate::gear::ProfilePart;
 
+/// The first contact of a side, or the step of the pair that stays undecided.
+pub(super) type SideFound = Result<Option<FirstContact>, (i64, SearchExhausted)>;
+
 /// The request for one side.
 #[derive(Clone, Copy)]
 pub(super) struct SideRequest<'a> {
@@ -21,14 +24,8 @@ pub(super) struct SideRequest<'a> {
 }
 
 /// The first contact, from the greatest gap of every pair in reach. Lands use the closed form.
-///
-/// # Errors
-/// The step of the pair that stays undecided.
 #[cold]
-pub(super) fn first_contact(
-    posed: &PosedFlanks,
-    request: SideRequest,
-) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
+pub(super) fn first_contact(posed: &PosedFlanks, request: SideRequest) -> SideFound {
     let mut tightest_contacts = TightestContacts::new(posed.problem);
     offer_lands(posed, CurvePairs::ALL, &mut tightest_contacts);
     let mut curves = without_lands(CurvePairs::ALL);
@@ -54,14 +51,8 @@ pub(super) fn first_contact(
 }
 
 /// Branch and bound alone, with a larger budget.
-///
-/// # Errors
-/// As [`first_contact`].
 #[cold]
-pub(super) fn by_search(
-    posed: &PosedFlanks,
-    request: SideRequest,
-) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
+pub(super) fn by_search(posed: &PosedFlanks, request: SideRequest) -> SideFound {
     over(
         posed,
         TightestContacts::new(posed.problem),
@@ -72,16 +63,13 @@ pub(super) fn by_search(
 }
 
 /// The first contact, from the known candidates and a search over the `curves` of each step's locked half tooth.
-///
-/// # Errors
-/// As [`first_contact`].
 pub(super) fn over(
     posed: &PosedFlanks,
     mut tightest_contacts: TightestContacts,
     curves: impl Fn(&PlacedHalf) -> CurvePairs,
     request: SideRequest,
     most_nodes: usize,
-) -> Result<Option<FirstContact>, (i64, SearchExhausted)> {
+) -> SideFound {
     let most_nodes = request.effort.left().min(most_nodes as u64) as usize;
     let mut nodes_left = most_nodes;
     for step in posed.steps() {

@@ -1,12 +1,11 @@
 //! One transverse section of a pair on its exact curves.
 
-use super::curves::SearchExhausted;
 use super::direct::{self, DirectSolver, Envelopes};
 use super::far_flanks::with_far_flanks;
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::modified::OuterGears;
 use super::report;
-use super::search::{self, SideRequest};
+use super::search::{self, SideFound, SideRequest};
 use super::shape::turn;
 use super::teeth::reduced;
 use super::tightest::FirstContact;
@@ -14,7 +13,7 @@ use crate::contact::Effort;
 use crate::contact::body::{
     FarFlanks, beside_root_circles, is_solid, may_be_solid, reaches_over_an_axis,
 };
-use crate::contact::lost_motion::{Contact, LostMotion};
+use crate::contact::lost_motion::{Contact, LostMotion, contact_lost};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
@@ -70,7 +69,7 @@ impl Section {
     /// The section of a spur pair.
     pub fn new(assembly: &GearPair) -> Section {
         let problems = Side::BOTH.map(|side| FlankProblem::new(assembly, side));
-        let envelopes = Envelopes::new(&problems[0], assembly);
+        let envelopes = Envelopes::new(&problems[0], assembly, 0.0);
         let outer = OuterGears::new(assembly, &problems);
         Section::of(assembly, problems, envelopes, outer)
     }
@@ -153,7 +152,7 @@ impl Section {
     ) -> Section {
         let [right, left] = problems;
         // The left half teeth of both gears mirror the right ones.
-        let solver = DirectSolver::new(&right, assembly, envelopes.clone());
+        let solver = DirectSolver::new(&right, assembly, envelopes.clone(), &right);
         Section {
             far_flanks: FarFlanks::of(assembly),
             right,
@@ -199,10 +198,7 @@ impl Section {
         &self,
         pose: &Pose,
         request: SectionRequest,
-        method: impl Fn(
-            &PosedFlanks,
-            SideRequest,
-        ) -> Result<Option<FirstContact>, (i64, SearchExhausted)>,
+        method: impl Fn(&PosedFlanks, SideRequest) -> SideFound,
     ) -> Result<LostMotion, Error> {
         if self.never_assembles {
             return Ok(LostMotion::JAMMED);
@@ -213,9 +209,13 @@ impl Section {
         let turned = turn(rotation);
         let contact = |problem: &FlankProblem| -> Result<Option<Contact>, Error> {
             let posed = problem.posed(pose, teeth, rotation, turned);
+            let lost = |step, reason: &str| {
+                let teeth = posed.numbers(step);
+                Err(contact_lost(self.free, teeth, problem.side, pose, reason))
+            };
             charge_steps(&posed, request.effort);
             if request.effort.is_spent() {
-                return Err(self.contact_lost(&posed, 0, SPENT, pose));
+                return lost(0, SPENT);
             }
             let side = SideRequest {
                 effort: request.effort,
@@ -226,7 +226,7 @@ impl Section {
             match found {
                 Ok(first_contact) => Ok(first_contact
                     .map(|first_contact| report::contact(&posed, &first_contact, self.free))),
-                Err((step, lost)) => Err(self.contact_lost(&posed, step, lost.reason(), pose)),
+                Err((step, why)) => lost(step, &why.reason()),
             }
         };
         let result = LostMotion {
@@ -265,29 +265,6 @@ impl Section {
     pub(super) fn contact(&self, posed: &PosedFlanks, found: &FirstContact) -> Contact {
         report::contact(posed, found, self.free)
     }
-
-    fn contact_lost(
-        &self,
-        posed: &PosedFlanks,
-        step: i64,
-        reason: &'static str,
-        pose: &Pose,
-    ) -> Error {
-        let (locked_place, free_place) = posed.places(step);
-        let locked = posed.problem.locked.number(locked_place);
-        let free = posed.problem.free.number(free_place);
-        let (wheel_tooth, pinion_tooth) = match self.free {
-            Member::Pinion => (locked, free),
-            Member::Wheel => (free, locked),
-        };
-        Error::ContactLost {
-            wheel_tooth,
-            pinion_tooth,
-            flank: posed.problem.side.name(),
-            locked_rotation_rad: pose.locked_rotation(),
-            reason,
-        }
-    }
 }
 
 /// Charges the teeth of one side.
@@ -303,18 +280,12 @@ const SPENT: &str = "the effort that a pose allows is spent";
 /// A few tie widths less than the gap at which the free gear is `known` to stop; −∞ if that is unknown or far away.
 pub(super) fn floor(posed: &PosedFlanks, [right, left]: [f64; 2], pose: &Pose) -> f64 {
     let problem = posed.problem;
-    let beyond = match problem.side {
-        Side::Right => right,
-        Side::Left => -left,
-    };
+    let mirror = posed.mirror();
+    let beyond = mirror * [right, left][problem.side.index()];
     if !beyond.is_finite() {
         return f64::NEG_INFINITY;
     }
-    let nominal = match problem.side {
-        Side::Right => pose.free_rotation(),
-        Side::Left => -pose.free_rotation(),
-    };
-    let gap = reduced(reduced(nominal) + beyond - posed.rotation(0.0));
+    let gap = reduced(reduced(mirror * pose.free_rotation()) + beyond - posed.rotation(0.0));
     // Further away, the gap is ambiguous by a turn.
     if gap.abs() < FRAC_PI_2 {
         gap - TIES_BELOW * problem.tie

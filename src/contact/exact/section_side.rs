@@ -163,10 +163,8 @@ impl<'a> FlanksInSection<'a> {
 
     /// Turns of the locked and of the free tooth of a step: of this flank, and of the other one.
     fn turns(&self, step: i64) -> [[f64; 2]; 2] {
-        let problem = self.plane.problem;
-        let (assembly, b, side) = (self.place.assembly, self.place.b, problem.side);
-        let (locked, free) = self.plane.places(step);
-        let numbers = [problem.locked.number(locked), problem.free.number(free)];
+        let (assembly, b, side) = (self.place.assembly, self.place.b, self.plane.problem.side);
+        let numbers = self.plane.numbers(step);
         let (leaning, mirror) = (self.leaning(step), self.plane.mirror());
         [0, 1].map(|k| {
             let gear = assembly.gear(self.members[k]);

@@ -3,6 +3,7 @@
 //! The left side is stored mirrored, so all later code knows only right-hand halves. *Places* count counter-clockwise
 //! from tooth 1, also in the mirrored frame. A place takes 48 bytes.
 
+use super::placed::PlacedHalf;
 use super::shape::{C, HalfToothShape, turn};
 use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
 use std::f64::consts::TAU;
@@ -39,15 +40,15 @@ pub(in crate::contact) struct Teeth {
 
 /// One half tooth.
 #[derive(Debug, Clone, Copy)]
-struct Half {
+pub(in crate::contact) struct Half {
     /// Rotation from its undisturbed place, rad.
-    offset: f64,
+    pub offset: f64,
     /// Direction of its tooth's centre line, offset included.
-    direction: C,
+    pub direction: C,
     /// Far corner of its tip land, where the tooth's other flank begins, in the frame of this half tooth.
-    far: C,
-    /// End of its root land: the middle of the space as built.
-    root_end: f64,
+    pub far: C,
+    /// Parameter of the end of its root land: the middle of the space as built.
+    pub root_end: f64,
 }
 
 impl Teeth {
@@ -154,8 +155,9 @@ impl Teeth {
         teeth
     }
 
+    /// The half tooth at a place, as it stands.
     #[inline]
-    fn half(&self, place: usize) -> &Half {
+    pub fn half(&self, place: usize) -> &Half {
         let nth = if place >= self.first {
             place - self.first
         } else {
@@ -164,7 +166,24 @@ impl Teeth {
         &self.halves[nth]
     }
 
-    /// The half tooth at a place.
+    /// The half tooth at a place, with the gear's centre at `centre` and tooth 1 on +x.
+    pub fn placed(&self, place: usize, centre: C) -> PlacedHalf<'_> {
+        let &Half {
+            direction,
+            far,
+            root_end,
+            ..
+        } = self.half(place);
+        PlacedHalf {
+            shape: self.shape_at(place),
+            centre,
+            direction,
+            far,
+            root_end,
+        }
+    }
+
+    /// The shape of the half tooth at a place.
     #[inline]
     pub fn shape_at(&self, place: usize) -> &HalfToothShape {
         match &self.modified {
@@ -247,26 +266,6 @@ impl Teeth {
     /// Angle of a place from tooth 1, in (−π, π].
     pub fn angle(&self, place: usize) -> f64 {
         centred(place as i64, self.count as u32) * self.pitch
-    }
-
-    #[inline]
-    pub fn offset(&self, place: usize) -> f64 {
-        self.half(place).offset
-    }
-
-    #[inline]
-    pub fn direction(&self, place: usize) -> C {
-        self.half(place).direction
-    }
-
-    /// The far corner of the tip land, in the frame of the half tooth.
-    pub fn far(&self, place: usize) -> C {
-        self.half(place).far
-    }
-
-    /// Where the root land ends, its parameter.
-    pub fn root_end(&self, place: usize) -> f64 {
-        self.half(place).root_end
     }
 }
 

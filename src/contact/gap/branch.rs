@@ -18,7 +18,7 @@
 //! All bounds use the distance and turn of the curve from its middle ([`crate::gear::PartCurve::spread`]). They assume
 //! nothing else about the curves' shape.
 
-use super::{C, Origin, PlacedCurve, slope};
+use super::{C, Origin, PlacedCurve, length, slope};
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -53,12 +53,6 @@ pub(in crate::contact) struct CurveArc<'a> {
     slope: Option<(f64, f64, bool)>,
     /// Bounds of the curvature `κ` along rising `ρ`, 1/mm, where the arc is monotone and they are known.
     curvature: Option<(f64, f64)>,
-}
-
-/// Length of a vector. Lengths that overflow are beyond any gear.
-#[inline]
-fn length(vector: C) -> f64 {
-    vector.norm_sqr().sqrt()
 }
 
 impl<'a> CurveArc<'a> {

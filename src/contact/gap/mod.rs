@@ -22,6 +22,12 @@ pub(super) fn turn(angle: f64) -> C {
     C::new(cos, sin)
 }
 
+/// Length of a vector. Lengths that overflow are beyond any gear.
+#[inline]
+pub(super) fn length(vector: C) -> f64 {
+    vector.norm_sqr().sqrt()
+}
+
 /// `a·b`.
 #[inline]
 pub(super) fn dot(a: C, b: C) -> f64 {

@@ -91,8 +91,9 @@ pub(in crate::contact) struct PathSearch<'a> {
 }
 
 impl<'a> PathSearch<'a> {
-    /// A search for gaps from `origin` above `floor`, starting near `guess` without a floor; `size` is the greatest length, mm.
-    pub fn new(origin: Origin, size: f64, floor: f64, guess: f64) -> PathSearch<'a> {
+    /// A search with at most `most` nodes for gaps from `origin` above `floor`, starting near `guess` without a floor; `size` is the greatest
+    /// length, mm.
+    pub fn new(origin: Origin, size: f64, floor: f64, guess: f64, most: u64) -> PathSearch<'a> {
         PathSearch {
             origin,
             prunes: true,
@@ -100,19 +101,11 @@ impl<'a> PathSearch<'a> {
             squared_rounding: ROUNDING * size * size,
             turned: origin.direction.conj() * turn(if floor.is_finite() { floor } else { guess }),
             level: floor,
-            nodes_left: MOST_NODES,
+            nodes_left: most.min(MOST_NODES as u64) as usize,
             pairs: 0,
             placed: [Vec::with_capacity(64), Vec::with_capacity(64)],
             open: Vec::with_capacity(64),
             pieces: OpenPairs::default(),
-        }
-    }
-
-    /// This search with at most `most` nodes.
-    pub fn with_nodes(self, most: u64) -> PathSearch<'a> {
-        PathSearch {
-            nodes_left: most.min(MOST_NODES as u64) as usize,
-            ..self
         }
     }
 

@@ -7,9 +7,13 @@
 
 use super::proof::{Piece, Proof, Reason, Separation, SideProof};
 use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
+use crate::numeric::bisect;
 use crate::pair::{GearPair, Member, Pose, section_at};
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::f64::consts::FRAC_PI_2;
+
+/// Part of a range to which a place is bisected.
+const FINEST: f64 = 1e-18;
 
 /// A half tooth in the picture.
 struct Half<'a> {
@@ -65,9 +69,7 @@ impl Proof {
         }
         Ok(())
     }
-}
 
-impl Proof {
     /// Verifies that the range of each side extends past the start of the other side's range.
     fn verify_play(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
         // From the nominal rotation in each section.
@@ -428,15 +430,8 @@ fn off_tangents(
 /// The value at which `s_0 cos x + f_0 sin x` and `s_1 cos (w − x) + f_1 sin (w − x)` cross between 0 and `w`.
 fn crossing(s: [f64; 2], f: [f64; 2], width: f64) -> f64 {
     let bound = |k: usize, x: f64| s[k] * x.cos() + f[k] * x.sin();
-    let (mut low, mut high) = (0.0, width);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if bound(0, middle) > bound(1, width - middle) {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
+    let is_before = |x: f64| bound(0, x) > bound(1, width - x);
+    let [low, _] = bisect(0.0, width, FINEST * width, is_before);
     bound(0, low).max(bound(1, width - low))
 }
 
@@ -549,12 +544,7 @@ impl<'a> Half<'a> {
     }
 
     /// Reach of one curve, which turns one way by less than half a turn: at an end, or where it turns from rising to falling.
-    fn reach_of(
-        &self,
-        part: ProfilePart,
-        (mut low, mut high): (f64, f64),
-        n: Vector2<f64>,
-    ) -> Reach {
+    fn reach_of(&self, part: ProfilePart, (low, high): (f64, f64), n: Vector2<f64>) -> Reach {
         let reach = |t: f64| {
             let (point, _) = self.at(part, t);
             (point.coords.dot(&n), point)
@@ -566,20 +556,11 @@ impl<'a> Half<'a> {
         if !rises(low) || rises(high) {
             return ends;
         }
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if rises(middle) {
-                low = middle
-            } else {
-                high = middle
-            }
-        }
+        let [low, high] = bisect(low, high, FINEST * (high - low), rises);
         further(ends, further(reach(low), reach(high)))
     }
-}
 
-/// Geometry of the metal, in the frame of the tooth as a right-hand half.
-impl Half<'_> {
+    /// A point in the frame of the tooth as a right-hand half.
     fn to_own_frame(&self, point: Point2<f64>) -> Vector2<f64> {
         let own = self.turned.inverse() * (point - self.centre);
         Vector2::new(own.x, -self.side.sense() * own.y)
@@ -603,15 +584,9 @@ impl Half<'_> {
         } else {
             ProfilePart::Fillet
         };
-        let (mut low, mut high) = self.range(part);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if self.profile.radius(part, middle) < radius {
-                low = middle
-            } else {
-                high = middle
-            }
-        }
+        let (low, high) = self.range(part);
+        let is_below = |t: f64| self.profile.radius(part, t) < radius;
+        let [low, high] = bisect(low, high, FINEST * (high - low), is_below);
         let angle = |t: f64| {
             let point = self.profile.point(part, t, Side::Right);
             point.y.atan2(point.x)

@@ -17,8 +17,13 @@
 //! turns.
 
 use super::convex::{Convex, Support, along, wrapped};
+use super::proof::Reason;
 use crate::contact::gap::{C, dot, turn};
+use std::cell::Cell;
 use std::f64::consts::PI;
+
+/// Limit of directions on one side; ordinary sides need 15 to 60.
+const MOST_DIRECTIONS_OF_SIDE: u32 = 4000;
 
 /// Limit of directions for one pair of pieces.
 const MOST_DIRECTIONS: u32 = 48;
@@ -31,7 +36,7 @@ const GREATEST_STEP: f64 = 0.3;
 
 /// Two half teeth at their positions in a pose, the locked one first.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct FacingHalves {
+pub(super) struct FacingHalves<'a> {
     /// Centres of the outlines, mm.
     pub centres: [C; 2],
     /// `θ` of each, rad, that of the free one including its rotation; within ±π.
@@ -42,6 +47,10 @@ pub(super) struct FacingHalves {
     pub play: f64,
     /// Greatest radius of the free gear about its axis, mm.
     pub radius: f64,
+    /// Room, mm, that pieces must exceed to be apart.
+    pub margin: f64,
+    /// Counts the directions examined on the side of the pose.
+    pub tried: &'a Cell<u32>,
 }
 
 /// The room between two pieces in one direction.
@@ -59,25 +68,49 @@ pub(super) struct Room {
     pub arm_slope: f64,
 }
 
-/// A direction that proves two pieces apart.
+/// The proof that two pieces are apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum SeparatingDirection {
-    /// A direction out of the locked metal, valid at this and every greater rotation.
-    Direction(C),
-    /// A direction that keeps the locked piece off the disc in which the free one turns.
-    OutOfReach(C),
+pub(super) struct Apart {
+    pub by: Reason,
+    /// The direction out of the locked metal, or the normal of the middle tangent.
+    pub normal: C,
 }
 
-impl FacingHalves {
+impl Apart {
+    /// By a direction out of the locked metal, which holds at this and every greater rotation.
+    pub fn along(normal: C) -> Apart {
+        let by = Reason::Direction;
+        Apart { by, normal }
+    }
+}
+
+impl FacingHalves<'_> {
+    /// Counts a direction.
+    #[inline]
+    pub fn count(&self) {
+        self.tried.set(self.tried.get() + 1);
+    }
+
+    /// Whether the limit of directions is exceeded.
+    pub fn is_spent(&self) -> bool {
+        self.tried.get() > MOST_DIRECTIONS_OF_SIDE
+    }
+
+    /// These halves with a margin that is `more` mm wider.
+    pub fn wider(&self, more: f64) -> Self {
+        let margin = self.margin + more;
+        FacingHalves { margin, ..*self }
+    }
+
     /// Whether a room, mm, with this arm keeps two pieces apart as the free gear turns further.
     #[inline]
-    pub fn stays_apart(&self, room: f64, arm: f64, margin: f64) -> bool {
+    pub fn stays_apart(&self, room: f64, arm: f64) -> bool {
         let lost = if arm > 0.0 {
             0.0
         } else {
             self.play * (self.radius * self.play - arm)
         };
-        room > margin + lost
+        room > self.margin + lost
     }
 
     /// The supports of `locked` along the direction `n = e^{iν}` and of `free` against it, `ν` within ±π.
@@ -152,49 +185,33 @@ impl FacingHalves {
         arm.min(at_end)
     }
 
-    /// A direction that keeps both pieces apart by more than `margin` mm. Newton's method on `s_ν` in a bracket finds it, first from `start`,
-    /// then from the free tooth's own side. `directions_tried` counts the directions tried.
-    pub fn find_separation(
-        &self,
-        locked: &Convex,
-        free: &Convex,
-        start: f64,
-        margin: f64,
-        directions_tried: &mut u32,
-    ) -> Option<SeparatingDirection> {
+    /// The proof that both pieces are apart. Newton's method on `s_ν` in a bracket finds a direction, first from `start`, then from the free
+    /// tooth's own side.
+    pub fn find_separation(&self, locked: &Convex, free: &Convex, start: f64) -> Option<Apart> {
         let own_side = wrapped(self.angles[1] + 0.5 * PI);
-        self.find_separation_from(locked, free, start, margin, directions_tried)
-            .or_else(|| self.find_out_of_reach(locked, free, margin, directions_tried))
+        self.find_separation_from(locked, free, start)
+            .or_else(|| self.find_out_of_reach(locked, free))
             .or_else(|| {
                 let far = wrapped(own_side - start).abs() > 0.5;
-                far.then(|| {
-                    self.find_separation_from(locked, free, own_side, margin, directions_tried)
-                })?
+                far.then(|| self.find_separation_from(locked, free, own_side))?
             })
     }
 
-    fn find_separation_from(
-        &self,
-        locked: &Convex,
-        free: &Convex,
-        start: f64,
-        margin: f64,
-        directions_tried: &mut u32,
-    ) -> Option<SeparatingDirection> {
+    fn find_separation_from(&self, locked: &Convex, free: &Convex, start: f64) -> Option<Apart> {
         // Directions, relative to the start, that enclose the greatest room, and the room there.
         let (mut low, mut high) = (-HALF_RANGE, HALF_RANGE);
         let mut ends: [Option<Room>; 2] = [None; 2];
         let mut off = 0.0;
         for tried in 0..MOST_DIRECTIONS {
-            *directions_tried += 1;
+            self.count();
             let nu = wrapped(start + off);
             let n = turn(nu);
             let here = self.room(locked, free, nu, n);
-            if self.stays_apart(here.room, here.arm, margin) {
-                return Some(SeparatingDirection::Direction(n));
+            if self.stays_apart(here.room, here.arm) {
+                return Some(Apart::along(n));
             }
-            if here.room > margin && !(here.arm > 0.0) {
-                return self.find_with_arm(locked, free, (nu, here), margin, directions_tried);
+            if here.room > self.margin && !(here.arm > 0.0) {
+                return self.find_with_arm(locked, free, (nu, here));
             }
             if here.slope > 0.0 {
                 low = off;
@@ -204,7 +221,7 @@ impl FacingHalves {
                 ends[1] = Some(here);
             }
             if let [Some(one), Some(other)] = ends
-                && greatest_between(one, other, high - low) < margin
+                && greatest_between(one, other, high - low) < self.margin
             {
                 return None;
             }
@@ -242,54 +259,42 @@ impl FacingHalves {
         locked: &Convex,
         free: &Convex,
         (mut nu, mut here): (f64, Room),
-        margin: f64,
-        directions_tried: &mut u32,
-    ) -> Option<SeparatingDirection> {
+    ) -> Option<Apart> {
         for _ in 0..6 {
             let step = (1e-6 * self.radius - 1.1 * here.arm) / here.arm_slope;
             nu = wrapped(nu + step);
-            *directions_tried += 1;
+            self.count();
             let n = turn(nu);
             here = self.room(locked, free, nu, n);
-            if self.stays_apart(here.room, here.arm, margin) {
-                return Some(SeparatingDirection::Direction(n));
+            if self.stays_apart(here.room, here.arm) {
+                return Some(Apart::along(n));
             }
-            if !(here.room > margin) || here.arm > 0.0 {
+            if !(here.room > self.margin) || here.arm > 0.0 {
                 return None;
             }
         }
         None
     }
 
-    /// A direction that keeps the locked piece off the disc about the free axis in which the free piece turns.
-    pub fn find_out_of_reach(
-        &self,
-        locked: &Convex,
-        free: &Convex,
-        margin: f64,
-        directions_tried: &mut u32,
-    ) -> Option<SeparatingDirection> {
+    /// The proof that the locked piece is off the disc about the free axis in which the free piece turns.
+    fn find_out_of_reach(&self, locked: &Convex, free: &Convex) -> Option<Apart> {
         let radius = free.farthest(self.centres[1] * self.directions[1].conj());
-        let n = self.beyond(locked, radius, margin, directions_tried)?;
-        Some(SeparatingDirection::OutOfReach(n))
+        self.beyond(locked, radius)
     }
 
-    /// A direction that keeps the locked piece off the disc of this radius, mm, about the free axis.
-    pub fn beyond(
-        &self,
-        locked: &Convex,
-        radius: f64,
-        margin: f64,
-        directions_tried: &mut u32,
-    ) -> Option<C> {
+    /// The proof that the locked piece is off the disc of this radius, mm, about the free axis.
+    pub fn beyond(&self, locked: &Convex, radius: f64) -> Option<Apart> {
         let mut nu = (-self.centres[0]).arg();
         for _ in 0..24 {
-            *directions_tried += 1;
+            self.count();
             let n = turn(nu);
             let l = locked.support(wrapped(nu - self.angles[0]), n * self.directions[0].conj());
             let room = -dot(self.centres[0], n) - l.reach - radius;
-            if room > margin {
-                return Some(n);
+            if room > self.margin {
+                return Some(Apart {
+                    by: Reason::OutOfReach,
+                    normal: n,
+                });
             }
             let slope = -along(self.centres[0], n) - l.along;
             let bend = l.radius + room + radius;
@@ -327,7 +332,7 @@ mod tests {
     }
 
     /// The right-hand halves of 20 and 30 teeth at 50.4 mm, eccentric, the free one turned by `rotation`.
-    fn at(rotation: f64) -> FacingHalves {
+    fn at(rotation: f64) -> FacingHalves<'static> {
         let angles = [PI + 0.03, wrapped(0.02 + rotation)];
         FacingHalves {
             centres: [C::new(50.4, 0.01), turn(rotation) * C::new(0.02, -0.03)],
@@ -335,16 +340,23 @@ mod tests {
             directions: angles.map(turn),
             play: f64::INFINITY,
             radius: 33.0,
+            margin: 1e-12,
+            tried: Box::leak(Box::new(Cell::new(0))),
         }
+    }
+
+    /// The tops of both.
+    fn tops(shapes: &[HalfToothShape; 2]) -> [Convex<'_>; 2] {
+        shapes
+            .each_ref()
+            .map(|shape| Convex::top(shape, shape.tip_corner().conj()))
     }
 
     /// Source: differences of the room by the direction and by the rotation.
     #[test]
     fn slopes_are_those_of_the_room() {
         let shapes = [shape(20), shape(30)];
-        let [locked, free] = shapes
-            .each_ref()
-            .map(|s| Convex::top(s, s.tip_corner().conj()));
+        let [locked, free] = tops(&shapes);
         let room = |rotation: f64, nu: f64| at(rotation).room(&locked, &free, nu, turn(nu));
         const STEP: f64 = 1e-6;
         for k in 0..60 {
@@ -370,9 +382,7 @@ mod tests {
     fn a_room_with_an_arm_does_not_fall() {
         const PLAY: f64 = 0.4;
         let shapes = [shape(20), shape(30)];
-        let [locked, free] = shapes
-            .each_ref()
-            .map(|s| Convex::top(s, s.tip_corner().conj()));
+        let [locked, free] = tops(&shapes);
         let mut held = 0;
         for centre in (0..126).map(|k| C::from_polar(3.0, 0.05 * f64::from(k))) {
             let turned = |by: f64| FacingHalves {
@@ -401,9 +411,7 @@ mod tests {
     #[test]
     fn a_room_falls_no_faster_than_its_arm() {
         let shapes = [shape(20), shape(30)];
-        let [locked, free] = shapes
-            .each_ref()
-            .map(|s| Convex::top(s, s.tip_corner().conj()));
+        let [locked, free] = tops(&shapes);
         let land = Convex::arc(26.0, 0.02, 0.09);
         let chord = Convex::Chord([C::new(27.0, 0.4), C::new(27.4, -0.3)]);
         for free in [&free, &land, &chord] {
@@ -418,9 +426,9 @@ mod tests {
                 }
             }
         }
-        let endless = at(0.0);
-        assert!(endless.stays_apart(2.0, 1e-9, 1.0) && !endless.stays_apart(1.0, 1e-9, 1.0));
-        assert!(!endless.stays_apart(2.0, 0.0, 1.0));
+        let endless = at(0.0).wider(1.0);
+        assert!(endless.stays_apart(2.0, 1e-9) && !endless.stays_apart(1.0, 1e-9));
+        assert!(!endless.stays_apart(2.0, 0.0));
     }
 
     /// Newton's method needs few directions, for pieces that hardly leave room and for pieces that hardly overlap. Source: ordinary pairs
@@ -428,19 +436,11 @@ mod tests {
     #[test]
     fn few_directions_decide() {
         let shapes = [shape(20), shape(30)];
-        let [locked, free] = shapes
-            .each_ref()
-            .map(|s| Convex::top(s, s.tip_corner().conj()));
+        let [locked, free] = tops(&shapes);
         let apart = |rotation: f64, start: f64| {
-            let mut directions_tried = 0;
-            let apart = at(rotation).find_separation_from(
-                &locked,
-                &free,
-                start,
-                1e-12,
-                &mut directions_tried,
-            );
-            (apart.is_some(), directions_tried)
+            let at = at(rotation);
+            let apart = at.find_separation_from(&locked, &free, start);
+            (apart.is_some(), at.tried.get())
         };
         let (mut low, mut high) = (-0.1, 0.3);
         for _ in 0..60 {
@@ -465,19 +465,11 @@ mod tests {
                 );
             }
         }
-        let mut directions_tried = 0;
-        let disc = free.farthest(at(0.0).centres[1] * at(0.0).directions[1].conj());
-        assert!(
-            at(0.0)
-                .beyond(&locked, 0.3 * disc, 1e-12, &mut directions_tried)
-                .is_some()
-        );
-        assert!(
-            at(0.0)
-                .beyond(&locked, disc, 1e-12, &mut directions_tried)
-                .is_none()
-        );
-        assert!((2..=8).contains(&directions_tried), "{directions_tried}");
+        let at = at(0.0);
+        let disc = free.farthest(at.centres[1] * at.directions[1].conj());
+        assert!(at.beyond(&locked, 0.3 * disc).is_some());
+        assert!(at.beyond(&locked, disc).is_none());
+        assert!((2..=8).contains(&at.tried.get()), "{:?}", at.tried);
     }
 
     /// Pieces that one direction with a positive arm separates stay apart as the free gear turns further, up to a right angle. Source: new
@@ -485,26 +477,22 @@ mod tests {
     #[test]
     fn separated_pieces_stay_apart() {
         let shapes = [shape(20), shape(30)];
-        let [locked, free] = shapes
-            .each_ref()
-            .map(|s| Convex::top(s, s.tip_corner().conj()));
-        let mut directions_tried = 0;
+        let [locked, free] = tops(&shapes);
         let mut kept = 0;
         for start in 0..40 {
             let rotation = -0.1 + 0.01 * f64::from(start);
-            let apart =
-                at(rotation).find_separation(&locked, &free, 1.9, 1e-12, &mut directions_tried);
-            let Some(SeparatingDirection::Direction(n)) = apart else {
+            let apart = at(rotation).find_separation(&locked, &free, 1.9);
+            let Some(apart) = apart.filter(|apart| apart.by == Reason::Direction) else {
                 continue;
             };
+            let n = apart.normal;
             kept += 1;
             let first = at(rotation).room(&locked, &free, n.arg(), n).room;
             for on in 1..30 {
                 let there = at(rotation + 0.04 * f64::from(on));
                 let here = there.room(&locked, &free, n.arg(), n);
                 assert!(here.arm <= 0.0 || here.room > first, "{start} {on}");
-                let apart =
-                    there.find_separation(&locked, &free, 1.9, 1e-12, &mut directions_tried);
+                let apart = there.find_separation(&locked, &free, 1.9);
                 assert!(apart.is_some(), "{start} {on}");
             }
         }

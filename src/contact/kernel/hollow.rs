@@ -12,7 +12,8 @@
 //! the difference has the non-negative kernel `sin(x − y)`. One evaluation proves the whole neighbourhood of a touch.
 
 use super::convex::{Convex, Support, along, wrapped};
-use super::facing_halves::{FacingHalves, SeparatingDirection};
+use super::facing_halves::{Apart, FacingHalves};
+use super::proof::Reason;
 use crate::contact::gap::{C, dot, turn};
 use crate::gear::{Fillet, Part, PartCurve};
 use std::f64::consts::PI;
@@ -72,15 +73,6 @@ struct TangentDistance {
     omega: f64,
     /// Arm about the free gear's axis.
     arm: f64,
-}
-
-/// The kind of proof that a stretch of a hollow curve and a mate are apart.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum StretchProof {
-    /// One direction for all points.
-    SeparatingDirection(SeparatingDirection),
-    /// The tangent of each point; this is the normal of the middle one, out of the locked metal.
-    Tangents(C),
 }
 
 impl Hollow {
@@ -313,10 +305,9 @@ pub(super) fn is_off_chord(
     owner: usize,
     stretch: &Stretch,
     mate: &Convex,
-    margin: f64,
 ) -> bool {
     let off = off_chord(at, owner, stretch, mate);
-    stays_off_chord(at, stretch, off, margin)
+    stays_off_chord(at, stretch, off)
 }
 
 /// Distance of `mate` from the chord of a stretch.
@@ -327,50 +318,34 @@ fn off_chord(at: &FacingHalves, owner: usize, stretch: &Stretch, mate: &Convex) 
 }
 
 #[inline]
-fn stays_off_chord(
-    at: &FacingHalves,
-    stretch: &Stretch,
-    off: TangentDistance,
-    margin: f64,
-) -> bool {
+fn stays_off_chord(at: &FacingHalves, stretch: &Stretch, off: TangentDistance) -> bool {
     let sag = if stretch.reaches_no_further(stretch.normal) {
         0.0
     } else {
         stretch.sag
     };
-    at.stays_apart(off.room - sag, off.arm - sag, margin)
+    at.stays_apart(off.room - sag, off.arm - sag)
 }
 
-/// Whether `mate` is off the whole hollow curve of gear `owner` by more than `margin` mm. `record` receives each proven stretch.
-/// `directions_tried` counts the examined directions, up to `most`. The first direction for a stretch is its normal or `facing`,
-/// whichever leaves more room.
+/// Whether `mate` is off the whole hollow curve of gear `owner`. `record` receives each proven stretch. The first direction for a stretch is its
+/// normal or `facing`, whichever leaves more room.
 pub(super) fn is_off_hollow(
     at: &FacingHalves,
     (owner, hollow): (usize, &Hollow),
     (mate, facing): (&Convex, C),
-    margin: f64,
-    (directions_tried, most): (&mut u32, u32),
-    record: &mut impl FnMut([f64; 2], StretchProof),
+    record: &mut impl FnMut([f64; 2], Apart),
 ) -> bool {
     let mut open: Vec<(Stretch, u32)> = Vec::new();
     // False where a stretch can be neither proven nor cut.
     let mut examine = |stretch: &Stretch, depth, open: &mut Vec<(Stretch, u32)>| {
-        let proof = off_stretch(
-            at,
-            (owner, hollow),
-            stretch,
-            (mate, facing),
-            margin,
-            directions_tried,
-        );
-        if let Some(proof) = proof {
+        if let Some(proof) = off_stretch(at, (owner, hollow), stretch, (mate, facing)) {
             record(stretch.ends, proof);
             return true;
         }
-        if depth >= DEEPEST || *directions_tried > most {
+        if depth >= DEEPEST || at.is_spent() {
             return false;
         }
-        let nearest = nearest_tangent(at, (owner, hollow), stretch, mate, margin);
+        let nearest = nearest_tangent(at, (owner, hollow), stretch, mate);
         let parts = hollow.cut(stretch, nearest.map(|(at, _)| at));
         open.extend(parts.map(|part| (part, depth + 1)));
         true
@@ -394,7 +369,6 @@ fn nearest_tangent(
     (owner, hollow): (usize, &Hollow),
     stretch: &Stretch,
     mate: &Convex,
-    margin: f64,
 ) -> Option<(f64, bool)> {
     let [low, high] = stretch.ends;
     let radii = stretch.radii?;
@@ -411,7 +385,7 @@ fn nearest_tangent(
         }
         let step = off.slope / bend * (high - low) / turned;
         if step.abs() <= 1e-9 * (high - low) {
-            return Some((t, at.stays_apart(off.room, off.arm, margin)));
+            return Some((t, at.stays_apart(off.room, off.arm)));
         }
         t -= step;
         if !(t >= low && t <= high) {
@@ -419,7 +393,7 @@ fn nearest_tangent(
         }
     }
     let off = off_tangent(at, owner, hollow.curve.at(t), mate);
-    Some((t, at.stays_apart(off.room, off.arm, margin)))
+    Some((t, at.stays_apart(off.room, off.arm)))
 }
 
 /// The proof that `mate` is off a stretch.
@@ -428,16 +402,12 @@ fn off_stretch(
     (owner, hollow): (usize, &Hollow),
     stretch: &Stretch,
     (mate, facing): (&Convex, C),
-    margin: f64,
-    directions_tried: &mut u32,
-) -> Option<StretchProof> {
-    *directions_tried += 1;
+) -> Option<Apart> {
+    at.count();
     let normal = out_of_locked(at, owner, stretch.normal);
     let off = off_chord(at, owner, stretch, mate);
-    if stays_off_chord(at, stretch, off, margin) {
-        return Some(StretchProof::SeparatingDirection(
-            SeparatingDirection::Direction(normal),
-        ));
+    if stays_off_chord(at, stretch, off) {
+        return Some(Apart::along(normal));
     }
     let chord = Convex::Chord(stretch.points);
     let (locked, free) = match owner {
@@ -446,18 +416,19 @@ fn off_stretch(
     };
     let nu = facing.arg();
     let across = at.room(locked, free, nu, facing);
-    let sag = sag_along(at, owner, stretch, SeparatingDirection::Direction(facing));
-    if at.stays_apart(across.room - sag, across.arm, margin) {
-        return Some(StretchProof::SeparatingDirection(
-            SeparatingDirection::Direction(facing),
-        ));
+    let sag = sag_along(at, owner, stretch, Apart::along(facing));
+    if at.stays_apart(across.room - sag, across.arm) {
+        return Some(Apart::along(facing));
     }
-    if is_off_tangents(at, (owner, hollow), stretch, mate, margin) {
+    if is_off_tangents(at, (owner, hollow), stretch, mate) {
         let (_, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
-        return Some(StretchProof::Tangents(out_of_locked(at, owner, normal)));
+        return Some(Apart {
+            by: [Reason::LockedTangents, Reason::FreeTangents][owner],
+            normal: out_of_locked(at, owner, normal),
+        });
     }
     // A shorter stretch about the nearest tangent is proven by its tangents.
-    let nearest = nearest_tangent(at, (owner, hollow), stretch, mate, margin);
+    let nearest = nearest_tangent(at, (owner, hollow), stretch, mate);
     if nearest.is_some_and(|(_, stays)| stays) {
         return None;
     }
@@ -466,31 +437,23 @@ fn off_stretch(
     } else {
         nu
     };
-    let apart = at.find_separation(locked, free, start, margin, directions_tried)?;
+    let apart = at.find_separation(locked, free, start)?;
     let sag = sag_along(at, owner, stretch, apart);
-    let apart = if sag == 0.0 {
-        apart
+    if sag == 0.0 {
+        Some(apart)
     } else {
-        at.find_separation(locked, free, start, margin + sag, directions_tried)?
-    };
-    Some(StretchProof::SeparatingDirection(apart))
+        at.wider(sag).find_separation(locked, free, start)
+    }
 }
 
 /// The distance, mm, by which a stretch of gear `owner` can reach further than its chord where this keeps the chord off a mate.
-fn sag_along(
-    at: &FacingHalves,
-    owner: usize,
-    stretch: &Stretch,
-    apart: SeparatingDirection,
-) -> f64 {
-    let back = at.directions[owner].conj();
-    let is_of_chord = match apart {
-        SeparatingDirection::Direction(n) if owner == 1 => stretch.reaches_no_further(-n * back),
+fn sag_along(at: &FacingHalves, owner: usize, stretch: &Stretch, apart: Apart) -> f64 {
+    let n = apart.normal * at.directions[owner].conj();
+    let is_of_chord = match (apart.by, owner) {
+        (_, 0) => stretch.reaches_no_further(n),
         // The disc in which a free chord turns is not that of its curve.
-        SeparatingDirection::OutOfReach(_) if owner == 1 => false,
-        SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n) => {
-            stretch.reaches_no_further(n * back)
-        }
+        (Reason::OutOfReach, _) => false,
+        _ => stretch.reaches_no_further(-n),
     };
     if is_of_chord { 0.0 } else { stretch.sag }
 }
@@ -501,7 +464,6 @@ fn is_off_tangents(
     (owner, hollow): (usize, &Hollow),
     stretch: &Stretch,
     mate: &Convex,
-    margin: f64,
 ) -> bool {
     // For a chord each end has its own bound: across the chord's normal its support jumps.
     if let Convex::Chord([a, b]) = mate
@@ -510,7 +472,7 @@ fn is_off_tangents(
         let ends = [*a, *b].map(|end| Convex::Chord([end; 2]));
         return ends
             .iter()
-            .all(|end| is_off_tangents(at, (owner, hollow), stretch, end, margin));
+            .all(|end| is_off_tangents(at, (owner, hollow), stretch, end));
     }
     let (point, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
     let off = off_tangent(at, owner, (point, normal), mate);
@@ -534,7 +496,7 @@ fn is_off_tangents(
     };
     let is_short = stretch.normals.iter().all(|end| dot(*end, normal) > 0.0);
     let arm = off.arm - play * (point + radius);
-    is_short && play < 0.5 && at.stays_apart(least, arm, margin)
+    is_short && play < 0.5 && at.stays_apart(least, arm)
 }
 
 /// Whether two hollow curves stay off each other. For any two stretches one must be off the other's chord, by more than its sag where
@@ -542,9 +504,7 @@ fn is_off_tangents(
 pub(super) fn is_off_both(
     at: &FacingHalves,
     ([locked, free], nu): ([&Hollow; 2], f64),
-    margin: f64,
-    (directions_tried, most): (&mut u32, u32),
-    record: &mut impl FnMut([[f64; 2]; 2], usize, StretchProof),
+    record: &mut impl FnMut([[f64; 2]; 2], Apart),
 ) -> bool {
     let mut open: Vec<[Stretch; 2]> = Vec::new();
     for l in &locked.stretches {
@@ -552,37 +512,29 @@ pub(super) fn is_off_both(
     }
     let n = turn(nu);
     while let Some([l, f]) = open.pop() {
-        if are_off_along(at, [&l, &f], n, margin) {
-            record(
-                [l.ends, f.ends],
-                0,
-                StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)),
-            );
+        if are_off_along(at, [&l, &f], n) {
+            record([l.ends, f.ends], Apart::along(n));
             continue;
         }
-        *directions_tried += 1;
+        at.count();
         let chords = [&l, &f].map(|stretch| Convex::Chord(stretch.points));
-        let mut proof = |owner: usize| {
+        let proof = |owner: usize| {
             let ((hollow, stretch), mate) = match owner {
                 0 => ((locked, &l), &f),
                 _ => ((free, &f), &l),
             };
             let chord = &chords[1 - owner];
-            let mut off_by = |margin: f64| {
-                let owner = (owner, hollow);
-                off_stretch(at, owner, stretch, (chord, n), margin, directions_tried)
-            };
-            let off = off_by(margin)?;
+            let off = off_stretch(at, (owner, hollow), stretch, (chord, n))?;
             if holds_for_curve(at, 1 - owner, mate, stretch, off) {
-                return Some((owner, off));
+                return Some(off);
             }
-            Some((owner, off_by(margin + mate.sag)?))
+            off_stretch(&at.wider(mate.sag), (owner, hollow), stretch, (chord, n))
         };
-        if let Some((owner, proof)) = proof(0).or_else(|| proof(1)) {
-            record([l.ends, f.ends], owner, proof);
+        if let Some(proof) = proof(0).or_else(|| proof(1)) {
+            record([l.ends, f.ends], proof);
             continue;
         }
-        if *directions_tried > most || open.len() > 400 {
+        if at.is_spent() || open.len() > 400 {
             return false;
         }
         if l.sag > f.sag {
@@ -595,12 +547,12 @@ pub(super) fn is_off_both(
 }
 
 /// Whether one direction keeps a stretch of the locked gear off one of the free gear.
-fn are_off_along(at: &FacingHalves, [locked, free]: [&Stretch; 2], n: C, margin: f64) -> bool {
+fn are_off_along(at: &FacingHalves, [locked, free]: [&Stretch; 2], n: C) -> bool {
     let own = [0, 1].map(|k| n * at.directions[k].conj());
     let (reach, _) = locked.bound(own[0]);
     let (back, least) = free.bound(-own[1]);
     let room = dot(at.centres[1] - at.centres[0], n) - reach - back;
-    at.stays_apart(room, least - along(at.centres[1], n), margin)
+    at.stays_apart(room, least - along(at.centres[1], n))
 }
 
 /// Whether the direction that keeps a chord of gear `owner` off `mate` also keeps the curve off, at any distance from the chord.
@@ -609,21 +561,19 @@ fn holds_for_curve(
     owner: usize,
     stretch: &Stretch,
     mate: &Stretch,
-    proof: StretchProof,
+    proof: Apart,
 ) -> bool {
     let back = at.directions[owner].conj();
-    match proof {
+    match proof.by {
         // It holds between the directions of both ends if it holds for both.
-        StretchProof::Tangents(_) => mate.normals.iter().all(|n| {
+        Reason::LockedTangents | Reason::FreeTangents => mate.normals.iter().all(|n| {
             let own = -(at.directions[1 - owner] * n) * back;
             stretch.reaches_no_further(own)
         }),
-        StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)) => {
-            let out = if owner == 0 { n } else { -n };
-            stretch.reaches_no_further(out * back)
-        }
+        Reason::Direction if owner == 0 => stretch.reaches_no_further(proof.normal * back),
+        Reason::Direction => stretch.reaches_no_further(-proof.normal * back),
         // The disc of a chord is not that of the curve.
-        StretchProof::SeparatingDirection(SeparatingDirection::OutOfReach(_)) => false,
+        Reason::OutOfReach => false,
     }
 }
 
@@ -632,16 +582,14 @@ pub(super) fn is_beyond(
     at: &FacingHalves,
     hollow: &Hollow,
     radius: f64,
-    margin: f64,
-    (directions_tried, most): (&mut u32, u32),
-    record: &mut impl FnMut([f64; 2], C),
+    record: &mut impl FnMut([f64; 2], Apart),
 ) -> bool {
     let mut open = hollow.stretches.clone();
     while let Some(stretch) = open.pop() {
         let chord = Convex::Chord(stretch.points);
-        match at.beyond(&chord, radius, margin + stretch.sag, directions_tried) {
-            Some(n) => record(stretch.ends, n),
-            None if *directions_tried > most => return false,
+        match at.wider(stretch.sag).beyond(&chord, radius) {
+            Some(apart) => record(stretch.ends, apart),
+            None if at.is_spent() => return false,
             None => open.extend(hollow.halves(&stretch)),
         }
     }
@@ -652,10 +600,11 @@ pub(super) fn is_beyond(
 mod tests {
     use super::*;
     use crate::gear::{Gear, GearDesign, ProfilePart};
+    use std::cell::Cell;
 
     /// A fillet of 30 teeth whose gear is locked, at the angle 0, with a mate whose own centre is at `centre`. The free axis is where the
     /// mate has a long lever about it.
-    fn facing(normal: C, centre: C) -> FacingHalves {
+    fn facing(normal: C, centre: C) -> FacingHalves<'static> {
         let shift = -normal * C::i() * 50.0;
         FacingHalves {
             centres: [shift, shift + centre],
@@ -663,25 +612,22 @@ mod tests {
             directions: [C::ONE; 2],
             play: f64::INFINITY,
             radius: 100.0,
+            margin: 1e-14,
+            tried: Box::leak(Box::new(Cell::new(0))),
         }
     }
 
-    /// Whether the mate is off; `directions_tried` counts the directions.
-    fn is_off(
-        at: &FacingHalves,
-        hollow: &Hollow,
-        mate: &Convex,
-        directions_tried: &mut u32,
-    ) -> bool {
-        let before = *directions_tried;
-        is_off_hollow(
-            at,
-            (0, hollow),
-            (mate, C::ONE),
-            1e-14,
-            (directions_tried, before + 4000),
-            &mut |_, _| (),
-        )
+    fn is_off(at: &FacingHalves, hollow: &Hollow, mate: &Convex) -> bool {
+        is_off_hollow(at, (0, hollow), (mate, C::ONE), &mut |_, _| ())
+    }
+
+    /// A disc of this radius, or a corner.
+    fn round(radius: f64) -> Convex<'static> {
+        if radius > 0.0 {
+            Convex::arc(radius, -PI, PI)
+        } else {
+            Convex::Chord([C::ZERO; 2])
+        }
     }
 
     /// Fillets of ordinary and of shifted teeth, whose tools' tip radii have their centres inside and outside the pitch line.
@@ -768,11 +714,7 @@ mod tests {
                 for k in 0..60 {
                     let shift = turn(0.003 + PI * f64::from(k) / 30.0) * f64::from(1 + k % 7);
                     for (disc, gap) in [(0.0, 1e-6), (0.0, 0.01), (0.1, 1e-6), (0.1, 0.01)] {
-                        let mate = if disc > 0.0 {
-                            Convex::arc(disc, -PI, PI)
-                        } else {
-                            Convex::Chord([C::ZERO; 2])
-                        };
+                        let mate = round(disc);
                         let centre = point + normal * (disc + gap);
                         for owner in 0..2 {
                             let mut centres = [shift; 2];
@@ -781,7 +723,7 @@ mod tests {
                                 centres,
                                 ..facing(normal, centre)
                             };
-                            if !is_off_tangents(&at, (owner, &hollow), stretch, &mate, 1e-14) {
+                            if !is_off_tangents(&at, (owner, &hollow), stretch, &mate) {
                                 continue;
                             }
                             held += 1;
@@ -789,7 +731,7 @@ mod tests {
                             for k in 0..=100 {
                                 let t = low + (high - low) * f64::from(k) / 100.0;
                                 let off = off_tangent(&at, owner, hollow.curve.at(t), &mate);
-                                assert!(at.stays_apart(off.room, off.arm, 1e-14), "{k}: {off:?}");
+                                assert!(at.stays_apart(off.room, off.arm), "{k}: {off:?}");
                             }
                         }
                     }
@@ -809,7 +751,7 @@ mod tests {
         let (low, high) = part.range();
         // The free axis is where the mate has a lever in all directions of the fillet.
         let (_, middle) = hollow.curve.at(0.5 * (low + high));
-        let (mut tried, mut looks_of_all) = (0, 0);
+        let mut tried = 0;
         for k in 1..40 {
             let t = low + (high - low) * f64::from(k) / 40.0;
             let (point, normal) = hollow.curve.at(t);
@@ -830,17 +772,9 @@ mod tests {
                 }
                 tried += 1;
                 for (gap, expected) in [(1e-12, true), (-1e-12, false)] {
-                    let centre = point + normal * (disc + gap);
-                    let there = facing(middle, centre);
-                    let mate = if share > 0.0 {
-                        Convex::arc(disc, -PI, PI)
-                    } else {
-                        Convex::Chord([C::ZERO; 2])
-                    };
-                    let mut directions_tried = 0;
-                    let found = is_off(&there, &hollow, &mate, &mut directions_tried);
+                    let there = facing(middle, point + normal * (disc + gap));
+                    let found = is_off(&there, &hollow, &round(disc));
                     assert_eq!(found, expected, "{k} {share} {gap}");
-                    looks_of_all += if expected { directions_tried } else { 0 };
                 }
             }
             // A disc behind the fillet that reaches through it is not off it, whatever its direction.
@@ -848,21 +782,16 @@ mod tests {
                 play: 1e-12,
                 ..facing(middle, point - normal * 0.299)
             };
-            assert!(
-                !is_off(&behind, &hollow, &Convex::arc(0.3, -PI, PI), &mut 0),
-                "{k}"
-            );
+            assert!(!is_off(&behind, &hollow, &round(0.3)), "{k}");
             // A disc rounder than the fillet overlaps it on both sides of its touch.
-            let centre = point + normal * (1.2 * radius);
-            let mate = Convex::arc(1.2 * radius, -PI, PI);
+            let there = facing(middle, point + normal * (1.2 * radius));
             let inside = k > 4 && k < 36;
             assert!(
-                !inside || !is_off(&facing(middle, centre), &hollow, &mate, &mut 0),
+                !inside || !is_off(&there, &hollow, &round(1.2 * radius)),
                 "{k}"
             );
         }
         assert!(tried > 60, "{tried}");
-        println!("{} directions", looks_of_all / tried);
     }
 
     /// Points of the curve in a stretch, and their normals, at the position of gear `k`.
@@ -878,29 +807,37 @@ mod tests {
     }
 
     /// Whether `proof` of a stretch of gear `owner` holds for points of both pieces, the owner's with normals.
-    fn holds_for(owner: usize, own: &[(C, C)], mate: &[C], proof: StretchProof) -> bool {
+    fn holds_for(owner: usize, own: &[(C, C)], mate: &[C], proof: Apart) -> bool {
         let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
         let own_points: Vec<C> = own.iter().map(|(point, _)| *point).collect();
         let (locked, free) = match owner {
             0 => (&own_points[..], mate),
             _ => (mate, &own_points[..]),
         };
-        let room = match proof {
-            StretchProof::SeparatingDirection(SeparatingDirection::Direction(n)) => {
+        let n = proof.normal;
+        let room = match proof.by {
+            Reason::Direction => {
                 least(&mut free.iter().map(|p| dot(*p, n)))
                     + least(&mut locked.iter().map(|p| -dot(*p, n)))
             }
-            StretchProof::SeparatingDirection(SeparatingDirection::OutOfReach(n)) => {
+            Reason::OutOfReach => {
                 least(&mut locked.iter().map(|p| -dot(*p, n)))
                     + least(&mut free.iter().map(|p| -p.norm()))
             }
-            StretchProof::Tangents(_) => least(
+            Reason::LockedTangents | Reason::FreeTangents => least(
                 &mut own
                     .iter()
                     .flat_map(|(p, n)| mate.iter().map(move |q| dot(*q - *p, *n))),
             ),
         };
         room > -1e-12
+    }
+
+    /// The gear whose tangents prove it.
+    fn tangents_of(proof: Apart) -> Option<usize> {
+        [Reason::LockedTangents, Reason::FreeTangents]
+            .into_iter()
+            .position(|by| by == proof.by)
     }
 
     /// Proofs of stretches hold for the curves themselves, with both gears turned. The mate is a chord or another fillet. Source: 41 points and
@@ -933,44 +870,30 @@ mod tests {
                     angles: directions.map(C::arg),
                     directions,
                     play: 1e-3,
-                    radius: 100.0,
+                    ..facing(n, q)
                 };
                 let facing = out_of_locked(&at, owner, n);
                 let chord = [q, q + m * turn(1.3 * part(83) - 2.0) * 0.3];
                 let ends = chord.map(|end| centres[1 - owner] + second * end);
-                let mut check = |both: bool, own: &[(C, C)], mate: &[C], by: usize, proof| {
-                    assert!(
-                        holds_for(by, own, mate, proof),
-                        "{k} {owner} {both}: {proof:?}"
-                    );
-                    let is_tangents = matches!(proof, StretchProof::Tangents(_));
+                let mut check = |both: bool, own: &[(C, C)], mate: &[C], by, proof: Apart| {
+                    let case = format!("{k} {owner} {both}: {proof:?}");
+                    assert!(holds_for(by, own, mate, proof), "{case}");
+                    let is_tangents = tangents_of(proof).is_some();
                     compared[usize::from(both)][usize::from(is_tangents)] += 1;
                 };
-                is_off_hollow(
-                    &at,
-                    (owner, a),
-                    (&Convex::Chord(chord), facing),
-                    1e-14,
-                    (&mut 0, 4000),
-                    &mut |ends_of, proof| {
-                        check(false, &sampled(&at, owner, a, ends_of), &ends, owner, proof);
-                    },
-                );
+                let mate = (&Convex::Chord(chord), facing);
+                is_off_hollow(&at, (owner, a), mate, &mut |ends_of, proof| {
+                    check(false, &sampled(&at, owner, a, ends_of), &ends, owner, proof);
+                });
                 let hollows = if owner == 0 { [a, b] } else { [b, a] };
-                is_off_both(
-                    &at,
-                    (hollows, facing.arg()),
-                    1e-14,
-                    (&mut 0, 400),
-                    &mut |ends_of, by, proof| {
-                        let points = [0, 1].map(|k| sampled(&at, k, hollows[k], ends_of[k]));
-                        let mate: Vec<C> = points[1 - by].iter().map(|(point, _)| *point).collect();
-                        check(true, &points[by], &mate, by, proof);
-                    },
-                );
+                is_off_both(&at, (hollows, facing.arg()), &mut |ends_of, proof| {
+                    let points = [0, 1].map(|k| sampled(&at, k, hollows[k], ends_of[k]));
+                    let by = tangents_of(proof).unwrap_or(0);
+                    let mate: Vec<C> = points[1 - by].iter().map(|(point, _)| *point).collect();
+                    check(true, &points[by], &mate, by, proof);
+                });
             }
         }
-
         assert!(
             compared.iter().flatten().all(|count| *count > 100),
             "{compared:?}"

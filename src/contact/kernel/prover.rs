@@ -16,10 +16,8 @@
 //! reach of each other.
 
 use super::convex::{Convex, Support, along};
-use super::facing_halves::{FacingHalves, SeparatingDirection};
-use super::hollow::{
-    Hollow, StretchProof, is_beyond, is_off_both, is_off_chord, is_off_hollow, out_of_locked,
-};
+use super::facing_halves::{Apart, FacingHalves};
+use super::hollow::{Hollow, is_beyond, is_off_both, is_off_chord, is_off_hollow, out_of_locked};
 use super::proof::{Piece, Proof, Reason, Separation, SideProof, TouchProof};
 use crate::contact::Effort;
 use crate::contact::exact::{
@@ -28,15 +26,14 @@ use crate::contact::exact::{
 use crate::contact::gap::{C, PlacedCurve, dot, turn};
 use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
 use crate::gear::{AsBuilt, ProfilePart, Side};
+use crate::numeric::bisect;
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
+use std::cell::Cell;
 use std::iter;
 
 /// Widest error bound of a contact, as a part of a pitch, that is proven. A wider one could be that of another pair of teeth.
 const NARROW: f64 = 1e-2;
-
-/// Limit of directions on one side; ordinary sides need 15 to 60.
-const MOST_DIRECTIONS_OF_SIDE: u32 = 4000;
 
 /// Number of directions per unit of effort.
 const DIRECTIONS_A_UNIT: u32 = 8;
@@ -152,10 +149,10 @@ impl Prover {
         }
         self.over(pose, found, |section, here, b| {
             for (side, contact) in contacts(found) {
-                let posed = section.posed(section.side(side), here);
-                let mut proving = SideProver::new(self, &posed, section.free(), found);
+                let (posed, tried) = (section.posed(section.side(side), here), Cell::new(0));
+                let mut proving = SideProver::new(self, &posed, section.free(), found, &tried);
                 let proven = proving.side(pose, here, contact, b);
-                effort.spend(u64::from(proving.directions_tried / DIRECTIONS_A_UNIT) + 1);
+                effort.spend(u64::from(tried.get() / DIRECTIONS_A_UNIT) + 1);
                 proven?;
             }
             Ok(())
@@ -170,8 +167,8 @@ impl Prover {
         let mut sides = Vec::new();
         self.over(pose, found, |section, here, b| {
             for (side, contact) in contacts(found) {
-                let posed = section.posed(section.side(side), here);
-                let mut proving = SideProver::new(self, &posed, section.free(), found);
+                let (posed, tried) = (section.posed(section.side(side), here), Cell::new(0));
+                let mut proving = SideProver::new(self, &posed, section.free(), found, &tried);
                 proving.apart = Some(Vec::new());
                 let proven = proving.side(pose, here, contact, b)?;
                 let held = proven.map(|(held, _)| held);
@@ -184,12 +181,13 @@ impl Prover {
                         .map(|held| proving.turned(held.rotation + held.play)),
                     touch: proven.and_then(|(held, touch)| {
                         let (step, point) = touch?;
-                        let [locked_tooth, free_tooth] = proving.teeth(step);
+                        let [locked_tooth, free_tooth] = posed.numbers(step);
+                        let point = proving.in_other_frame(point);
                         Some(TouchProof {
                             closed: proving.turned(held.rotation - held.closing),
                             locked_tooth,
                             free_tooth,
-                            point: proving.picture_point(point),
+                            point: Point2::new(point.re, point.im),
                         })
                     }),
                     apart: proving.apart.unwrap_or_default(),
@@ -228,7 +226,7 @@ struct SideProver<'a> {
     /// As [`ContactToProve::play`].
     play: f64,
     /// Directions examined so far.
-    directions_tried: u32,
+    tried: &'a Cell<u32>,
     /// The separations found, if the proof is to be returned.
     apart: Option<Vec<Separation>>,
 }
@@ -236,14 +234,14 @@ struct SideProver<'a> {
 /// The half teeth of one step, and their tops.
 struct FacingPair<'a> {
     step: i64,
-    at: FacingHalves,
+    at: FacingHalves<'a>,
     placed: [PlacedHalf<'a>; 2],
     tops: [Convex<'a>; 2],
 }
 
 /// The separation of the tops of a pair.
 struct TopSeparation {
-    apart: SeparatingDirection,
+    apart: Apart,
     /// Its direction, rad, and the supports of both tops in it.
     nu: f64,
     supports: [Support; 2],
@@ -268,17 +266,12 @@ struct FreeStart {
 
 impl EndsAlong {
     /// The ends along the direction of `apart`, in which the tops have these supports.
-    fn new(
-        pair: &FacingPair,
-        apart: SeparatingDirection,
-        [locked, free]: [Support; 2],
-    ) -> EndsAlong {
-        let (SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n)) = apart;
-        let at = &pair.at;
-        let is_disc = matches!(apart, SeparatingDirection::OutOfReach(_));
+    fn new(pair: &FacingPair, apart: Apart, [locked, free]: [Support; 2]) -> EndsAlong {
+        let (at, n) = (&pair.at, apart.normal);
+        let is_disc = apart.by == Reason::OutOfReach;
         let top = if is_disc {
             FreeStart {
-                at: -pair.tops[1].farthest(at.centres[1] * at.directions[1].conj()),
+                at: -pair.farthest_of_free(),
                 arm: f64::INFINITY,
             }
         } else {
@@ -308,8 +301,8 @@ impl EndsAlong {
         lowest(at, self.n, hollow.bound(-self.n * at.directions[1].conj()))
     }
 
-    fn keeps_off(&self, at: &FacingHalves, reach: f64, free: FreeStart, margin: f64) -> bool {
-        at.stays_apart(free.at - reach, free.arm, margin)
+    fn keeps_off(&self, at: &FacingHalves, reach: f64, free: FreeStart) -> bool {
+        at.stays_apart(free.at - reach, free.arm)
     }
 }
 
@@ -324,9 +317,14 @@ fn lowest(at: &FacingHalves, n: C, back: Support) -> FreeStart {
 /// The tops of a pair as pieces.
 const TOPS: [Piece; 2] = [Piece::Tooth, Piece::Top];
 
-impl FacingPair<'_> {
+impl<'a> FacingPair<'a> {
+    /// Greatest radius of the free tooth about its axis, mm: the whole tooth turns within its top's disc.
+    fn farthest_of_free(&self) -> f64 {
+        self.tops[1].farthest(self.at.centres[1] * self.at.directions[1].conj())
+    }
+
     /// The pair with the far half of the locked tooth instead of the near one.
-    fn far_at(&self) -> FacingHalves {
+    fn far_at(&self) -> FacingHalves<'a> {
         let direction = self.placed[0].far_direction();
         FacingHalves {
             angles: [direction.im.atan2(direction.re), self.at.angles[1]],
@@ -342,6 +340,7 @@ impl<'a> SideProver<'a> {
         posed: &'a PosedFlanks<'a>,
         free: Member,
         found: &LostMotion,
+        tried: &'a Cell<u32>,
     ) -> SideProver<'a> {
         let angle = found.angle().filter(|angle| *angle > 0.0);
         SideProver {
@@ -350,7 +349,7 @@ impl<'a> SideProver<'a> {
             free,
             // Slightly past the middle, so that both sides together cover the whole play.
             play: angle.map_or(f64::INFINITY, |angle| 0.5 * angle * (1.0 + 1e-9)),
-            directions_tried: 0,
+            tried,
             apart: None,
         }
     }
@@ -391,12 +390,7 @@ impl<'a> SideProver<'a> {
         contact: &Contact,
         onward: f64,
     ) -> Result<ContactToProve, NotProven> {
-        let problem = self.problem();
-        let point = C::new(contact.point.x, contact.point.y);
-        let point = self.mirrored(match self.free {
-            Member::Pinion => C::from(problem.distance) - point,
-            Member::Wheel => point,
-        });
+        let point = self.in_other_frame(C::new(contact.point.x, contact.point.y));
         let normal = -self.mirrored(C::new(contact.normal.x, contact.normal.y));
         let arm = -along(point, normal);
         let opening = contact.error + 3.0 * self.prover.margin / arm;
@@ -436,13 +430,13 @@ impl<'a> SideProver<'a> {
         -self.problem().side.sense() * rotation
     }
 
-    fn picture_point(&self, point: C) -> Point2<f64> {
+    /// A point of this frame in the picture, or one of the picture in this frame.
+    fn in_other_frame(&self, point: C) -> C {
         let point = self.mirrored(point);
-        let point = match self.free {
+        match self.free {
             Member::Pinion => C::from(self.problem().distance) - point,
             Member::Wheel => point,
-        };
-        Point2::new(point.re, point.im)
+        }
     }
 
     fn picture_normal(&self, n: C) -> Vector2<f64> {
@@ -454,44 +448,20 @@ impl<'a> SideProver<'a> {
         Vector2::new(n.re, n.im)
     }
 
-    /// Numbers of the locked and the free tooth of a step.
-    fn teeth(&self, step: i64) -> [u32; 2] {
-        let (locked, free) = self.posed.places(step);
-        let problem = self.problem();
-        [problem.locked.number(locked), problem.free.number(free)]
-    }
-
-    fn record(&mut self, step: i64, [locked, free]: [Piece; 2], by: Reason, n: C) {
+    fn record(&mut self, step: i64, [locked, free]: [Piece; 2], apart: Apart) {
         if self.apart.is_none() {
             return;
         }
-        let [locked_tooth, free_tooth] = self.teeth(step);
+        let [locked_tooth, free_tooth] = self.posed.numbers(step);
         let separation = Separation {
             locked_tooth,
             free_tooth,
             locked,
             free,
-            by,
-            normal: self.picture_normal(n),
+            by: apart.by,
+            normal: self.picture_normal(apart.normal),
         };
         self.apart.get_or_insert_default().push(separation);
-    }
-
-    fn record_direction(&mut self, step: i64, pieces: [Piece; 2], apart: SeparatingDirection) {
-        match apart {
-            SeparatingDirection::Direction(n) => self.record(step, pieces, Reason::Direction, n),
-            SeparatingDirection::OutOfReach(n) => self.record(step, pieces, Reason::OutOfReach, n),
-        }
-    }
-
-    fn record_stretch(&mut self, step: i64, owner: usize, pieces: [Piece; 2], proof: StretchProof) {
-        match (proof, owner) {
-            (StretchProof::SeparatingDirection(apart), _) => {
-                self.record_direction(step, pieces, apart)
-            }
-            (StretchProof::Tangents(n), 0) => self.record(step, pieces, Reason::LockedTangents, n),
-            (StretchProof::Tangents(n), _) => self.record(step, pieces, Reason::FreeTangents, n),
-        }
     }
 
     /// The pair of a step at a rotation of the free gear; `turned` is `e^{i rotation}`.
@@ -508,6 +478,8 @@ impl<'a> SideProver<'a> {
                 directions: [locked.direction, turned * free.direction],
                 play: self.play,
                 radius: self.prover.radius,
+                margin: self.prover.margin,
+                tried: self.tried,
             },
             tops: [
                 Convex::tooth(locked.shape, locked.far),
@@ -529,7 +501,7 @@ impl<'a> SideProver<'a> {
             for owner in 0..2 {
                 self.prove_root_apart(&pair, owner, tops.nu)?;
             }
-            if self.directions_tried > MOST_DIRECTIONS_OF_SIDE {
+            if pair.at.is_spent() {
                 return Err("too many directions were tried");
             }
         }
@@ -542,33 +514,23 @@ impl<'a> SideProver<'a> {
         pair: &FacingPair,
         (nu, n): (f64, C),
     ) -> Result<TopSeparation, NotProven> {
-        let margin = self.prover.margin;
-        let [locked, free] = &pair.tops;
-        self.directions_tried += 1;
-        let supports = pair.at.supports(locked, free, nu, n);
-        let here = pair.at.room_of(&supports, n);
-        let tops = if pair.at.stays_apart(here.room, here.arm, margin) {
-            TopSeparation {
-                apart: SeparatingDirection::Direction(n),
-                nu,
-                supports,
-            }
-        } else {
-            let apart =
-                pair.at
-                    .find_separation(locked, free, nu, margin, &mut self.directions_tried);
-            let apart = apart.ok_or("two teeth are not shown to be apart")?;
-            let (SeparatingDirection::Direction(n) | SeparatingDirection::OutOfReach(n)) = apart;
-            let nu = n.im.atan2(n.re);
-            let supports = pair.at.supports(locked, free, nu, n);
-            TopSeparation {
-                apart,
-                nu,
-                supports,
-            }
-        };
-        self.record_direction(pair.step, TOPS, tops.apart);
-        Ok(tops)
+        let (at, [locked, free]) = (&pair.at, &pair.tops);
+        at.count();
+        let mut supports = at.supports(locked, free, nu, n);
+        let here = at.room_of(&supports, n);
+        let (mut apart, mut nu) = (Apart::along(n), nu);
+        if !at.stays_apart(here.room, here.arm) {
+            let found = at.find_separation(locked, free, nu);
+            apart = found.ok_or("two teeth are not shown to be apart")?;
+            nu = apart.normal.im.atan2(apart.normal.re);
+            supports = at.supports(locked, free, nu, apart.normal);
+        }
+        self.record(pair.step, TOPS, apart);
+        Ok(TopSeparation {
+            apart,
+            nu,
+            supports,
+        })
     }
 
     /// Proves that the fillets of a pair are apart from the mate: by the separation of the tops if it suffices, otherwise each by itself.
@@ -588,7 +550,7 @@ impl<'a> SideProver<'a> {
             return Ok(());
         }
         let (at, [tooth, top]) = (&pair.at, &pair.tops);
-        self.directions_tried += 1;
+        at.count();
         let along = EndsAlong::new(pair, apart, supports);
         let free_bound = free.as_ref().map(|free| (free, along.of_free(at, free)));
         let near = near.as_ref().map(|near| (near, false));
@@ -602,23 +564,18 @@ impl<'a> SideProver<'a> {
             let piece = named(hollow.whole.ends);
             let reach = along.of_locked(pair, hollow, is_far);
             let here = || if is_far { pair.far_at() } else { pair.at };
-            if along.keeps_off(at, reach, along.top, prover.margin) {
-                self.record_direction(pair.step, [piece, Piece::Top], apart);
+            if along.keeps_off(at, reach, along.top) {
+                self.record(pair.step, [piece, Piece::Top], apart);
             } else {
-                self.prove_fillet_apart(
-                    pair.step,
-                    &here(),
-                    (0, hollow),
-                    (Piece::Top, top, along.n),
-                    named,
-                )?;
+                let mate = (Piece::Top, top, along.n);
+                self.prove_fillet_apart(pair.step, &here(), (0, hollow), mate, named)?;
             }
             let Some((free, bound)) = free_bound.filter(|_| prover.fillets_meet) else {
                 continue;
             };
-            if along.keeps_off(at, reach, bound, prover.margin) {
+            if along.keeps_off(at, reach, bound) {
                 let pieces = [piece, Piece::Fillet(free.whole.ends)];
-                self.record_direction(pair.step, pieces, apart);
+                self.record(pair.step, pieces, apart);
             } else {
                 self.prove_both_apart(pair.step, &here(), ([hollow, free], nu), named)?;
             }
@@ -626,9 +583,9 @@ impl<'a> SideProver<'a> {
         let Some((free, bound)) = free_bound else {
             return Ok(());
         };
-        if along.keeps_off(at, along.tooth, bound, prover.margin) {
+        if along.keeps_off(at, along.tooth, bound) {
             let pieces = [Piece::Tooth, Piece::Fillet(free.whole.ends)];
-            self.record_direction(pair.step, pieces, apart);
+            self.record(pair.step, pieces, apart);
             return Ok(());
         }
         let mate = (Piece::Tooth, tooth, along.n);
@@ -644,29 +601,17 @@ impl<'a> SideProver<'a> {
         (piece, mate, facing): (Piece, &Convex, C),
         named: fn([f64; 2]) -> Piece,
     ) -> Result<(), NotProven> {
-        let margin = self.prover.margin;
-        self.directions_tried += 1;
-        if is_off_chord(at, owner, &hollow.whole, mate, margin) {
+        at.count();
+        if is_off_chord(at, owner, &hollow.whole, mate) {
             let pieces = ordered(owner, named(hollow.whole.ends), piece);
             let n = out_of_locked(at, owner, hollow.whole.normal);
-            self.record(step, pieces, Reason::Direction, n);
+            self.record(step, pieces, Apart::along(n));
             return Ok(());
         }
-        let mut directions_tried = self.directions_tried;
-        let budget = (&mut directions_tried, MOST_DIRECTIONS_OF_SIDE);
         let mut record = |ends, proof| {
-            self.record_stretch(step, owner, ordered(owner, named(ends), piece), proof);
+            self.record(step, ordered(owner, named(ends), piece), proof);
         };
-        let is_off = is_off_hollow(
-            at,
-            (owner, hollow),
-            (mate, facing),
-            margin,
-            budget,
-            &mut record,
-        );
-        self.directions_tried = directions_tried;
-        if is_off {
+        if is_off_hollow(at, (owner, hollow), (mate, facing), &mut record) {
             Ok(())
         } else {
             Err("a fillet is not shown to be apart from the mate")
@@ -689,22 +634,15 @@ impl<'a> SideProver<'a> {
             0 => (&land, mate),
             _ => (mate, &land),
         };
-        let margin = self.prover.margin;
         // A tip may face the middle of the land, a right angle and more from the direction that keeps the tops apart.
         let (low, high) = pair.placed[owner].range(ProfilePart::Root);
         let across = out_of_locked(&pair.at, owner, turn(-0.5 * (low + high)));
         let apart = [nu, across.im.atan2(across.re)]
             .into_iter()
-            .find_map(|start| {
-                pair.at
-                    .find_separation(locked, free, start, margin, &mut self.directions_tried)
-            });
+            .find_map(|start| pair.at.find_separation(locked, free, start));
         let apart = apart.ok_or("a root land is not shown to be apart from the mate's tip")?;
-        self.record_direction(
-            pair.step,
-            ordered(owner, Piece::Root, TOPS[1 - owner]),
-            apart,
-        );
+        let pieces = ordered(owner, Piece::Root, TOPS[1 - owner]);
+        self.record(pair.step, pieces, apart);
         if self.prover.deep_roots[owner] {
             self.prove_fillets_off_root(pair, 1 - owner, (&land, nu))
         } else {
@@ -719,23 +657,18 @@ impl<'a> SideProver<'a> {
         owner: usize,
         (land, nu): (&Convex, f64),
     ) -> Result<(), NotProven> {
-        let prover = self.prover;
-        if let Some(hollow) = &prover.hollows[owner] {
-            let mate = (Piece::Root, land, turn(nu));
-            self.prove_fillet_apart(pair.step, &pair.at, (owner, hollow), mate, Piece::Fillet)?;
-        }
-        let far = prover.far_hollow.as_ref().filter(|_| owner == 0);
-        let Some(hollow) = far else {
-            return Ok(());
-        };
+        let (prover, step) = (self.prover, pair.step);
         let mate = (Piece::Root, land, turn(nu));
-        self.prove_fillet_apart(
-            pair.step,
-            &pair.far_at(),
-            (0, hollow),
-            mate,
-            Piece::FarFillet,
-        )
+        if let Some(hollow) = &prover.hollows[owner] {
+            self.prove_fillet_apart(step, &pair.at, (owner, hollow), mate, Piece::Fillet)?;
+        }
+        match &prover.far_hollow {
+            Some(hollow) if owner == 0 => {
+                let at = pair.far_at();
+                self.prove_fillet_apart(step, &at, (0, hollow), mate, Piece::FarFillet)
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Proves that a fillet of the locked tooth and one of the free tooth are apart.
@@ -746,15 +679,10 @@ impl<'a> SideProver<'a> {
         hollows: ([&Hollow; 2], f64),
         named: fn([f64; 2]) -> Piece,
     ) -> Result<(), NotProven> {
-        let (margin, mut directions_tried) = (self.prover.margin, self.directions_tried);
-        let budget = (&mut directions_tried, MOST_DIRECTIONS_OF_SIDE);
-        let mut record = |[locked, free]: [[f64; 2]; 2], owner, proof| {
-            let pieces = [named(locked), Piece::Fillet(free)];
-            self.record_stretch(step, owner, pieces, proof);
+        let mut record = |[locked, free]: [[f64; 2]; 2], proof| {
+            self.record(step, [named(locked), Piece::Fillet(free)], proof);
         };
-        let is_off = is_off_both(at, hollows, margin, budget, &mut record);
-        self.directions_tried = directions_tried;
-        if is_off {
+        if is_off_both(at, hollows, &mut record) {
             Ok(())
         } else {
             Err("two fillets are not shown to be apart")
@@ -765,22 +693,15 @@ impl<'a> SideProver<'a> {
     fn prove_no_contact(&mut self) -> Result<(), NotProven> {
         for step in self.posed.steps() {
             let pair = self.pair(step, 0.0, C::ONE);
-            let at = &pair.at;
-            // The whole free tooth turns within its top's disc.
-            let radius = pair.tops[1].farthest(at.centres[1] * at.directions[1].conj());
+            let radius = pair.farthest_of_free();
             let [locked, _] = &pair.placed;
             let top = Convex::top(locked.shape, locked.far);
             self.beyond(&pair, Piece::Top, &top, radius)?;
             if let Some(hollow) = &self.prover.hollows[0] {
-                let (margin, mut directions_tried) = (self.prover.margin, self.directions_tried);
-                let budget = (&mut directions_tried, MOST_DIRECTIONS_OF_SIDE);
-                let mut record = |ends, n| {
-                    let pieces = [Piece::Fillet(ends), Piece::Top];
-                    self.record(step, pieces, Reason::OutOfReach, n);
+                let mut record = |ends, proof| {
+                    self.record(step, [Piece::Fillet(ends), Piece::Top], proof);
                 };
-                let is_beyond = is_beyond(at, hollow, radius, margin, budget, &mut record);
-                self.directions_tried = directions_tried;
-                if !is_beyond {
+                if !is_beyond(&pair.at, hollow, radius, &mut record) {
                     return Err("a fillet is not shown to be out of reach");
                 }
             }
@@ -801,14 +722,9 @@ impl<'a> SideProver<'a> {
         convex: &Convex,
         radius: f64,
     ) -> Result<(), NotProven> {
-        let n = pair.at.beyond(
-            convex,
-            radius,
-            self.prover.margin,
-            &mut self.directions_tried,
-        );
-        let n = n.ok_or("a tooth is not shown to be out of reach")?;
-        self.record(pair.step, [piece, Piece::Top], Reason::OutOfReach, n);
+        let apart = pair.at.beyond(convex, radius);
+        let apart = apart.ok_or("a tooth is not shown to be out of reach")?;
+        self.record(pair.step, [piece, Piece::Top], apart);
         Ok(())
     }
 
@@ -828,8 +744,8 @@ impl<'a> SideProver<'a> {
                 depth(&locked, *point, down) > margin || far_depth(&locked, *point) > margin;
             in_locked && depth(&free, point * turned.conj(), down) > margin
         };
-        let named =
-            (self.posed.steps_of_whole_teeth()).find(|step| held.teeth == self.teeth(*step))?;
+        let named = (self.posed.steps_of_whole_teeth())
+            .find(|step| held.teeth == self.posed.numbers(*step))?;
         // At the end of a root land the mate's flank may be along the radius: there it is deeper towards the centre.
         let (locked, free) = (self.posed.locked(named), self.posed.free(named));
         let centres = [locked.centre, turned * free.centre];
@@ -940,17 +856,9 @@ fn fillet_angle(shape: &HalfToothShape, radius: f64) -> f64 {
             high = end;
         }
     }
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if !(low < middle && middle < high) {
-            break;
-        }
-        if shape.radius(ProfilePart::Fillet, middle) < radius {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
+    let is_below = |t: f64| shape.radius(ProfilePart::Fillet, t) < radius;
+    let finest = f64::EPSILON * f64::EPSILON * (high - low);
+    let [low, high] = bisect(low, high, finest, is_below);
     // Both ends of the last bracket are on the fillet; the greater angle is on the safe side.
     let angle = |t: f64| shape.at(ProfilePart::Fillet, t).point.arg();
     angle(low).max(angle(high))
@@ -973,7 +881,8 @@ mod tests {
         let mut compared = 0;
         let checked = prover.over(&pose, &found, |section, here, _| {
             let posed = section.posed(section.side(Side::Right), here);
-            let proving = SideProver::new(&prover, &posed, section.free(), &found);
+            let tried = Cell::new(0);
+            let proving = SideProver::new(&prover, &posed, section.free(), &found, &tried);
             for step in posed.steps_of_whole_teeth() {
                 let pair = proving.pair(step, 0.0, C::ONE);
                 let [_, free] = &pair.placed;
@@ -988,7 +897,11 @@ mod tests {
                 let points: Vec<C> = points.collect();
                 for n in [1.0, 2.5, 4.0].map(turn) {
                     let supports = pair.at.supports(&pair.tops[0], &pair.tops[1], n.arg(), n);
-                    let along = EndsAlong::new(&pair, SeparatingDirection::OutOfReach(n), supports);
+                    let apart = Apart {
+                        by: Reason::OutOfReach,
+                        normal: n,
+                    };
+                    let along = EndsAlong::new(&pair, apart, supports);
                     let turns = (0..720).map(|k| turn(PI / 360.0 * f64::from(k)));
                     let starts =
                         turns.flat_map(|turned| points.iter().map(move |p| dot(turned * p, n)));

@@ -7,7 +7,6 @@
 //! off by the second order of a cell's width there too.
 
 use super::cell::{Bound, ContactInCell, SideCell};
-use super::teeth::Frame;
 use super::{OutlineKernel, SideContact, SideKernel};
 use crate::contact::cycle_search::{Cell, CycleCells, CycleSearch, GRID};
 use crate::contact::effort::Effort;
@@ -313,17 +312,13 @@ impl<'a> SideOverCell<'a> {
     ) -> SideOverCell<'a> {
         let (side, pair) = (&cells.kernel.sides[side], cells.pair);
         let (_, locked) = side.locked_frame(pair, mating);
-        let free = Frame {
-            centre: side.free.displacement,
-            direction: C::ONE,
-        };
         let gears = [side.locked.gear, side.free.gear];
         let apart = cells.cycle.classes.iter().map(|of| of.difference_bound);
         let ratio = -gears[1].pitch() / gears[0].pitch();
         let cell = SideCell {
             teeth: [&side.locked, &side.free],
             free_halves: &side.free_halves,
-            frames: [locked, free],
+            frames: [locked, side.free.still()],
             reach: gears.map(OutlineGear::reach),
             nominal: turn(-side.side.sense() * pair.rotation(pair.free(), mating)),
             distance: pair.center_distance(),

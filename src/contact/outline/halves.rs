@@ -47,7 +47,8 @@ pub(super) struct FreeHalf<'a> {
 }
 
 impl<'a> FreeHalf<'a> {
-    pub fn new(teeth: &SideTeeth<'a>, tooth: u32, still: Frame) -> FreeHalf<'a> {
+    pub fn new(teeth: &SideTeeth<'a>, tooth: u32) -> FreeHalf<'a> {
+        let still = teeth.still();
         let pieces = teeth.half(tooth).pieces.iter().enumerate();
         let boxes = teeth.boxes(tooth).clone();
         let runs = boxes.shapes().enumerate().map(|(run, rectangle)| {
@@ -61,9 +62,7 @@ impl<'a> FreeHalf<'a> {
             boxes,
         }
     }
-}
 
-impl FreeHalf<'_> {
     /// Round a run.
     pub fn rectangle(&self, run: usize) -> &Rectangle {
         self.runs[run].rectangle()

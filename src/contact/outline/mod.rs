@@ -54,11 +54,7 @@ impl<'a> OutlineKernel<'a> {
         let sides = Side::BOTH.map(|side| {
             let teeth = |member| SideTeeth::new(pair.gear(member), side);
             let free = teeth(pair.free());
-            let still = Frame {
-                centre: free.displacement,
-                direction: C::ONE,
-            };
-            let halves = (1..=free.gear.teeth()).map(|tooth| FreeHalf::new(&free, tooth, still));
+            let halves = (1..=free.gear.teeth()).map(|tooth| FreeHalf::new(&free, tooth));
             SideKernel {
                 side,
                 locked: teeth(pair.locked()),
@@ -149,7 +145,8 @@ struct SideContact {
     found: CurveContact,
     /// Locked and free tooth.
     teeth: [u32; 2],
-    frames: [Frame; 2],
+    /// Frame of the locked gear.
+    frame: Frame,
     /// The free gear's nominal rotation, rad.
     nominal: f64,
 }
@@ -302,13 +299,8 @@ impl SideKernel<'_> {
             direction: turn(-free_rotation),
             about: 0.0,
         };
-        let still = Frame {
-            centre: self.free.displacement,
-            direction: C::ONE,
-        };
         let size = pair.center_distance() + self.locked.gear.reach() + self.free.gear.reach();
-        let search =
-            PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0).with_nodes(effort.left());
+        let search = PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0, effort.left());
         let mut search = if prunes {
             search
         } else {
@@ -327,7 +319,7 @@ impl SideKernel<'_> {
         Ok(best.map(|(found, teeth)| SideContact {
             found,
             teeth,
-            frames: [locked_frame, still],
+            frame: locked_frame,
             nominal: free_rotation,
         }))
     }
@@ -393,7 +385,8 @@ impl SideKernel<'_> {
         let halves = [self.locked.half(locked), self.free.half(free)];
         let at = [found.locked, found.free];
         let pieces = [0, 1].map(|k: usize| &halves[k].pieces[at[k].0]);
-        let [p, q] = [0, 1].map(|k: usize| meeting.frames[k].placed(pieces[k]).at(at[k].1));
+        let frames = [meeting.frame, self.free.still()];
+        let [p, q] = [0, 1].map(|k: usize| frames[k].placed(pieces[k]).at(at[k].1));
         let corners = [0, 1].map(|k: usize| pieces[k].is_corner(at[k].1));
         let turned = turn(found.gap + nominal);
         let (normal, slope) = common_normal(&p, &q, corners, || -q.normal * turned);

@@ -62,6 +62,14 @@ impl<'a> SideTeeth<'a> {
         self.gear.half(self.side, tooth)
     }
 
+    /// The frame of the gear at rotation 0.
+    pub fn still(&self) -> Frame {
+        Frame {
+            centre: self.displacement,
+            direction: C::ONE,
+        }
+    }
+
     /// Rectangles around the pieces of a half tooth.
     pub fn boxes(&self, tooth: u32) -> &Tree<Rectangle> {
         &self.boxes[tooth as usize - 1]

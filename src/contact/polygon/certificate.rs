@@ -55,34 +55,17 @@ impl<'a> Certifier<'a> {
         if found.solid {
             return Ok(());
         }
-        let checked = self.check_rotations(pose, found, effort);
+        let sides = [(Side::Right, &found.right), (Side::Left, &found.left)];
+        let checked = sides
+            .into_iter()
+            .try_for_each(|(side, contact)| self.check_side(pose, side, contact.as_ref(), effort));
         if checked.is_err() && found.status() == Status::Jammed {
-            let own = self.refined().lost_motion_within(pose, effort)?;
+            let own = self.kernel.refined().lost_motion_within(pose, effort)?;
             if own.status() == Status::Jammed {
                 return Ok(());
             }
         }
         checked
-    }
-
-    /// The polygon method on the same polygons.
-    fn refined(&self) -> PolygonKernel<'a> {
-        PolygonKernel {
-            finest: finest_chord(self.kernel.teeth.assembly),
-            ..self.kernel
-        }
-    }
-
-    fn check_rotations(
-        &self,
-        pose: &Pose,
-        found: &LostMotion,
-        effort: &Effort,
-    ) -> Result<(), Error> {
-        for (side, contact) in [(Side::Right, &found.right), (Side::Left, &found.left)] {
-            self.check_side(pose, side, contact.as_ref(), effort)?;
-        }
-        Ok(())
     }
 
     /// Confirms the contact of one side.
@@ -93,57 +76,32 @@ impl<'a> Certifier<'a> {
         contact: Option<&Contact>,
         effort: &Effort,
     ) -> Result<(), Error> {
-        let free = self.kernel.teeth.assembly.free();
-        let pitch = self.kernel.teeth.assembly.gear(free);
-        let pitch = pitch.gear().basic_data().angular_pitch();
-        let checked = match contact {
-            Some(contact) if contact.error > WIDEST_CHECKED * pitch => {
-                self.check_touch_within(pose, side, contact, effort)?
-            }
-            Some(contact) => self.check_touch(pose, side, contact, effort),
-            None => self.check_no_touch(pose, side, effort)?,
+        let assembly = self.kernel.teeth.assembly;
+        let free = assembly.gear(assembly.free()).gear();
+        let widest = WIDEST_CHECKED * free.basic_data().angular_pitch();
+        let Some(contact) = contact else {
+            return self.check_no_touch(pose, side, effort);
         };
-        checked.map_err(|reason| self.failed(pose, side, reason))
-    }
-
-    /// Whether all pairs on `side` are clear at an opening slightly greater than that of `contact`, or why not. This is
-    /// the check of a section of a helical pair whose first contact is in another section.
-    pub(crate) fn clears(
-        &self,
-        pose: &Pose,
-        side: Side,
-        contact: &Contact,
-        effort: &Effort,
-    ) -> Result<(), String> {
-        self.touching(pose, side, contact, effort).map(|_| ())
-    }
-
-    /// Confirms that all pairs are clear at the greater opening and that one touches at the smaller.
-    fn check_touch(
-        &self,
-        pose: &Pose,
-        side: Side,
-        contact: &Contact,
-        effort: &Effort,
-    ) -> Result<(), String> {
-        if self.touching(pose, side, contact, effort)? {
+        if contact.error > widest {
+            self.check_touch_within(pose, side, contact, effort)
+        } else if self.touching(pose, side, contact, effort)? {
             Ok(())
         } else {
-            Err(format!(
-                "nothing touches at the rotation {} rad",
-                contact.rotation
-            ))
+            let rotation = contact.rotation;
+            let reason = format!("nothing touches at the rotation {rotation} rad");
+            Err(self.failed(pose, side, reason))
         }
     }
 
-    /// Whether any pair touches at the smaller opening. Fails unless all are clear at the greater.
-    fn touching(
+    /// Whether any pair touches at an opening slightly smaller than that of `contact`. Fails unless all are clear at a slightly greater one: that
+    /// is the check of a section of a helical pair whose first contact is in another section.
+    pub(crate) fn touching(
         &self,
         pose: &Pose,
         side: Side,
         contact: &Contact,
         effort: &Effort,
-    ) -> Result<bool, String> {
+    ) -> Result<bool, Error> {
         let assembly = self.kernel.teeth.assembly;
         let finest = finest_chord(assembly);
         let lever = contact.lever(assembly.axis(assembly.free()));
@@ -160,22 +118,22 @@ impl<'a> Certifier<'a> {
             let before = left;
             let finding = examine(&problem, openings, finest, touching, &mut left);
             effort.spend(u64::from((before - left) / PAIRS_PER_UNIT) + 1);
-            match finding {
-                Finding::Clear => {}
-                Finding::Touch => touching = true,
-                Finding::Overlap => {
-                    return Err(format!(
-                        "tooth {} of the locked gear and tooth {} of the free one touch before the rotation {} rad",
-                        problem.locked_tooth, problem.free_tooth, contact.rotation
-                    ));
+            let (locked, free) = (problem.locked_tooth, problem.free_tooth);
+            let reason = match finding {
+                Finding::Clear => continue,
+                Finding::Touch => {
+                    touching = true;
+                    continue;
                 }
-                Finding::EffortSpent => {
-                    return Err(format!(
-                        "the effort of a pose ended at tooth {} of the locked gear and tooth {} of the free one",
-                        problem.locked_tooth, problem.free_tooth
-                    ));
-                }
-            }
+                Finding::Overlap => format!(
+                    "tooth {locked} of the locked gear and tooth {free} of the free one touch before the rotation {} rad",
+                    contact.rotation
+                ),
+                Finding::EffortSpent => format!(
+                    "the effort of a pose ended at tooth {locked} of the locked gear and tooth {free} of the free one"
+                ),
+            };
+            return Err(self.failed(pose, side, reason));
         }
         Ok(touching)
     }
@@ -188,40 +146,40 @@ impl<'a> Certifier<'a> {
         side: Side,
         contact: &Contact,
         effort: &Effort,
-    ) -> Result<Result<(), String>, Error> {
-        let Some(own) = self.refined().side(pose, side, effort)? else {
-            return Ok(Err("nothing touches".to_owned()));
+    ) -> Result<(), Error> {
+        let Some(own) = self.kernel.refined().side(pose, side, effort)? else {
+            return Err(self.failed(pose, side, "nothing touches".to_owned()));
         };
         let turns = (own.rotation - contact.rotation) / TAU;
         let off = (turns - turns.round()).abs() * TAU;
-        Ok(if off <= own.error + contact.error {
-            Ok(())
-        } else {
-            Err(format!("the first to touch does so {off} rad off"))
-        })
+        if off <= own.error + contact.error {
+            return Ok(());
+        }
+        Err(self.failed(
+            pose,
+            side,
+            format!("the first to touch does so {off} rad off"),
+        ))
     }
 
     /// Confirms that no pair in reach ever touches, or only by a distance below the rounding of the axes.
-    fn check_no_touch(
-        &self,
-        pose: &Pose,
-        side: Side,
-        effort: &Effort,
-    ) -> Result<Result<(), String>, Error> {
-        if !first_touching(&self.kernel.teeth, pose, side, effort)? {
-            return Ok(Ok(()));
+    fn check_no_touch(&self, pose: &Pose, side: Side, effort: &Effort) -> Result<(), Error> {
+        let teeth = &self.kernel.teeth;
+        if !first_touching(teeth, pose, side, effort)? {
+            return Ok(());
         };
-        let assembly = self.kernel.teeth.assembly;
-        let doubt = 4.0 * finest_chord(assembly)
-            + FacingPair::new(&self.kernel.teeth, pose, side, 0).rounding();
+        let assembly = teeth.assembly;
+        let doubt = 4.0 * finest_chord(assembly) + FacingPair::new(teeth, pose, side, 0).rounding();
         let wider = assembly.at(assembly.center_distance() + doubt)?;
-        Ok(
-            if first_touching(&self.kernel.teeth.at(&wider), pose, side, effort)? {
-                Err("a pair does touch".to_owned())
-            } else {
-                Ok(())
-            },
-        )
+        let wider = CutTeeth {
+            assembly: &wider,
+            cut: teeth.cut,
+        };
+        if first_touching(&wider, pose, side, effort)? {
+            Err(self.failed(pose, side, "a pair does touch".to_owned()))
+        } else {
+            Ok(())
+        }
     }
 
     pub(crate) fn failed(&self, pose: &Pose, side: Side, reason: String) -> Error {
@@ -246,6 +204,7 @@ fn first_touching(
     effort: &Effort,
 ) -> Result<bool, Error> {
     let steps = steps_in_reach(teeth.assembly, pose);
-    let problems: Vec<FacingPair> = FacingPair::facing(teeth, pose, side, steps).collect();
+    let facing = |steps| FacingPair::new(teeth, pose, side, steps);
+    let problems: Vec<FacingPair> = steps.map(facing).collect();
     Ok(!search(&problems, finest_chord(teeth.assembly), effort)?.is_empty())
 }

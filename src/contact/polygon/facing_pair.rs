@@ -3,8 +3,9 @@
 //! All coordinates are in the frame of the locked half tooth. The *opening* `u`, rad, is the turn of the free gear from its nominal
 //! rotation in the sense away from contact. The pair that touches at the greater opening is the tighter one.
 
-use super::chord::{Chord, CutGear, Half};
+use super::chord::{Chord, CutPair, Half};
 use crate::contact::body::FarFlanks;
+use crate::contact::lost_motion::contact_lost;
 use crate::contact::parry::Closest;
 use crate::error::Error;
 use crate::gear::Side;
@@ -22,34 +23,11 @@ const SPLITS: u32 = 12;
 /// Uncertainty of a direction, rad, that does not shorten a safe turn noticeably.
 const NEGLIGIBLE_DOUBT: f64 = 1e-6;
 
-/// A pair of gears, each cut in advance.
+/// A pair of gears, and these cut in advance.
 #[derive(Clone, Copy)]
 pub(super) struct CutTeeth<'a> {
     pub assembly: &'a GearPair,
-    locked: &'a CutGear,
-    free: &'a CutGear,
-}
-
-impl<'a> CutTeeth<'a> {
-    pub fn new(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> CutTeeth<'a> {
-        let of = |member: Member| match member {
-            Member::Wheel => wheel,
-            Member::Pinion => pinion,
-        };
-        CutTeeth {
-            assembly,
-            locked: of(assembly.locked()),
-            free: of(assembly.free()),
-        }
-    }
-
-    /// These gears at the centre distance of `assembly`.
-    pub fn at<'b>(&self, assembly: &'b GearPair) -> CutTeeth<'b>
-    where
-        'a: 'b,
-    {
-        CutTeeth { assembly, ..*self }
-    }
+    pub cut: &'a CutPair,
 }
 
 /// A pair of half teeth that can touch on one side.
@@ -75,19 +53,10 @@ pub(super) struct FacingPair<'a> {
 }
 
 impl<'a> FacingPair<'a> {
-    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces it on `side`.
+    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces it on `side`. If none of these pairs
+    /// touches, nothing does.
     pub fn new(teeth: &CutTeeth<'a>, pose: &'a Pose, side: Side, steps: i64) -> FacingPair<'a> {
         FacingPair::on(teeth, pose, [side; 2], steps)
-    }
-
-    /// The facing pairs of half teeth of `steps`. If none of them touches, nothing does.
-    pub fn facing(
-        teeth: &CutTeeth<'a>,
-        pose: &'a Pose,
-        side: Side,
-        steps: Range<i64>,
-    ) -> impl Iterator<Item = FacingPair<'a>> {
-        steps.map(move |steps| FacingPair::new(teeth, pose, side, steps))
     }
 
     /// All pairs of half teeth of `steps` that can touch. They include far flanks of locked teeth where those can be met.
@@ -118,8 +87,9 @@ impl<'a> FacingPair<'a> {
         let mating = pose.mating().tooth(locked);
         let locked_tooth = assembly.gear(locked).counter_clockwise(mating, steps);
         let free_tooth = pose.facing_tooth(assembly, side, steps);
-        let half = |member, cut, side, tooth| {
-            Half::new(assembly.gear(member).profile(side, tooth), cut, side, tooth)
+        let half = |member, side, tooth| {
+            let profile = assembly.gear(member).profile(side, tooth);
+            Half::new(profile, teeth.cut.gear(member), side, tooth)
         };
         let rotation = pose.locked_rotation();
         let locked_frame = frame(assembly, locked, rotation, locked_side, locked_tooth);
@@ -135,8 +105,8 @@ impl<'a> FacingPair<'a> {
             side,
             locked_tooth,
             free_tooth,
-            locked: half(locked, teeth.locked, locked_side, locked_tooth),
-            free: half(free, teeth.free, side, free_tooth),
+            locked: half(locked, locked_side, locked_tooth),
+            free: half(free, side, free_tooth),
             axis: back * (axis - locked_frame.translation.vector),
             from_axis: back * (free_frame.translation.vector - axis.coords),
             turn: back * free_frame.rotation,
@@ -300,18 +270,9 @@ impl<'a> FacingPair<'a> {
     }
 
     /// An error that names the pair.
-    pub fn lost(&self, reason: &'static str) -> Error {
-        let (wheel_tooth, pinion_tooth) = match self.assembly.locked() {
-            Member::Wheel => (self.locked_tooth, self.free_tooth),
-            Member::Pinion => (self.free_tooth, self.locked_tooth),
-        };
-        Error::ContactLost {
-            wheel_tooth,
-            pinion_tooth,
-            flank: self.side.name(),
-            locked_rotation_rad: self.pose.locked_rotation(),
-            reason,
-        }
+    pub fn lost(&self, reason: &str) -> Error {
+        let teeth = [self.locked_tooth, self.free_tooth];
+        contact_lost(self.assembly.free(), teeth, self.side, self.pose, reason)
     }
 }
 
@@ -357,9 +318,11 @@ mod tests {
     #[test]
     fn a_safe_turn_uses_up_the_room_across() {
         let pair = GearPair::plain([30, 18], [0.0; 2], 48.2, Member::Wheel);
-        let cuts = Member::BOTH.map(|member| CutGear::new(pair.gear(member), 1e-2));
+        let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
+        let cut = &CutPair::new(wheel, pinion, 1e-2);
         let reach = pair.gear(Member::Pinion).gear().tip_radius();
-        let teeth = CutTeeth::new(&pair, &cuts[0], &cuts[1]);
+        let assembly = &pair;
+        let teeth = CutTeeth { assembly, cut };
         let pose = Pose::new(&pair, Mating::FIRST);
         let mut pulled = [0; 4];
         for side in Side::BOTH {

@@ -1,6 +1,6 @@
 //! The polygon method on one pair of gears.
 
-use super::chord::CutGear;
+use super::chord::CutPair;
 use super::facing_pair::{CutTeeth, FacingPair};
 use super::search::{FoundTouch, search};
 use crate::contact::Effort;
@@ -22,20 +22,30 @@ pub struct PolygonKernel<'a> {
     pub(super) finest: f64,
 }
 
-impl<'a> PolygonKernel<'a> {
-    /// The kernel for `assembly`, with its wheel and pinion cut in advance to one chordal error.
-    pub fn new(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
+impl CutPair {
+    /// The polygon method on `assembly`, which must consist of these gears.
+    pub fn kernel<'a>(&'a self, assembly: &'a GearPair) -> PolygonKernel<'a> {
         PolygonKernel {
-            teeth: CutTeeth::new(assembly, wheel, pinion),
-            finest: wheel.chordal_error().max(pinion.chordal_error()),
+            teeth: CutTeeth {
+                assembly,
+                cut: self,
+            },
+            finest: self.wheel.chordal_error.max(self.pinion.chordal_error),
         }
     }
 
-    /// A kernel that cuts the polygons finer around each contact, down to the resolution of f64.
-    pub fn refined(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
+    /// The polygon method, cut finer around each contact, down to the resolution of f64: accurate to about a picometre.
+    pub fn refined_kernel<'a>(&'a self, assembly: &'a GearPair) -> PolygonKernel<'a> {
+        self.kernel(assembly).refined()
+    }
+}
+
+impl PolygonKernel<'_> {
+    /// The method on the same polygons, cut finer around each contact.
+    pub(super) fn refined(&self) -> Self {
         PolygonKernel {
-            finest: finest_chord(assembly),
-            ..PolygonKernel::new(assembly, wheel, pinion)
+            finest: finest_chord(self.teeth.assembly),
+            ..*self
         }
     }
 
@@ -82,8 +92,8 @@ impl<'a> PolygonKernel<'a> {
         effort: &Effort,
     ) -> Result<Option<Contact>, Error> {
         let steps = steps_in_reach(self.teeth.assembly, pose);
-        let facing: Vec<FacingPair> =
-            FacingPair::facing(&self.teeth, pose, side, steps.clone()).collect();
+        let facing = |steps| FacingPair::new(&self.teeth, pose, side, steps);
+        let facing: Vec<FacingPair> = steps.clone().map(facing).collect();
         let mut found = search(&facing, self.finest, effort)?;
         if !found.is_empty() && FarFlanks::of(self.teeth.assembly) != FarFlanks::Clear {
             let all: Vec<FacingPair> = FacingPair::all(&self.teeth, pose, side, steps).collect();

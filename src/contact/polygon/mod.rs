@@ -13,5 +13,5 @@ mod place;
 mod search;
 
 pub use certificate::Certifier;
-pub use chord::CutGear;
+pub use chord::CutPair;
 pub use kernel::PolygonKernel;

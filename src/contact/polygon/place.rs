@@ -101,11 +101,11 @@ impl Place {
 
 /// The contact's side on `half`, at the point `at` of its chord in its own frame.
 fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> SideOfContact {
-    let profile = half.profile();
+    let profile = &half.profile;
     let gear = profile.gear();
     let (curve, parameter) = (chord.curve, chord.parameter_at(at));
     let radius = at.coords.norm();
-    let normal = profile.normal(curve, parameter, half.side());
+    let normal = profile.normal(curve, parameter, half.side);
     let named = match curve {
         _ if radius >= gear.tip_radius() - CORNER => ProfilePart::Tip,
         ProfilePart::Fillet if radius < gear.root_radius() + CORNER => ProfilePart::Root,
@@ -134,7 +134,7 @@ fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> SideOfConta
 
 /// Whether a half tooth has an edge or ends at this place: a corner of its tip, or the middle of the space.
 fn is_edge(half: &Half, curve: ProfilePart, parameter: f64, radius: f64) -> bool {
-    let profile = half.profile();
+    let profile = &half.profile;
     let gear = profile.gear();
     let inside = CORNER / radius;
     // Chords end at the edges of a curve.
@@ -178,7 +178,7 @@ mod tests {
             .flat_map(|side| [(side, 1), (side, 2)])
         {
             let half = Half::new(gear.profile(side, tooth), &cut, side, tooth);
-            let range = |part| half.profile().range(part);
+            let range = |part| half.profile.range(part);
             let has_root = half.root_end() > range(ProfilePart::Root).0;
             lands[usize::from(has_root)] += 1;
             let land_end = range(ProfilePart::Tip).1;

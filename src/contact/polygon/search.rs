@@ -30,8 +30,9 @@ use super::facing_pair::FacingPair;
 use super::place::Place;
 use crate::contact::Effort;
 use crate::contact::parry::closest;
+use crate::contact::ranked::Ranked;
 use crate::error::Error;
-use std::cmp::Ordering;
+use crate::numeric::rank;
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
 
@@ -77,23 +78,13 @@ struct QueuedPair {
     chords: [Chord; 2],
 }
 
-impl PartialEq for QueuedPair {
-    fn eq(&self, other: &QueuedPair) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
+/// The pairs still to be examined, the greatest opening first.
+type Queue = BinaryHeap<Ranked<u64, QueuedPair>>;
 
-impl Eq for QueuedPair {}
-
-impl PartialOrd for QueuedPair {
-    fn partial_cmp(&self, other: &QueuedPair) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for QueuedPair {
-    fn cmp(&self, other: &QueuedPair) -> Ordering {
-        self.opening.total_cmp(&other.opening)
+fn ranked(pair: QueuedPair) -> Ranked<u64, QueuedPair> {
+    Ranked {
+        key: rank(pair.opening),
+        item: pair,
     }
 }
 
@@ -117,7 +108,7 @@ pub(super) fn search(
     finest: f64,
     effort: &Effort,
 ) -> Result<Vec<FoundTouch>, Error> {
-    let mut waiting = BinaryHeap::new();
+    let mut waiting = Queue::new();
     for (index, problem) in problems.iter().enumerate() {
         start(index, problem, &mut waiting);
     }
@@ -127,7 +118,7 @@ pub(super) fn search(
     // A pair below this opening is no tighter than a contact already found.
     let mut closed = f64::NEG_INFINITY;
     let mut examined = 0;
-    while let Some(pair) = waiting.pop() {
+    while let Some(Ranked { item: pair, .. }) = waiting.pop() {
         if pair.opening < closed {
             break;
         }
@@ -147,7 +138,9 @@ pub(super) fn search(
         }
         match turn_in(problem, &pair, finest) {
             Turned::Clear => {}
-            Turned::Waiting(opening) if pair.finest => waiting.push(QueuedPair { opening, ..pair }),
+            Turned::Waiting(opening) if pair.finest => {
+                waiting.push(ranked(QueuedPair { opening, ..pair }));
+            }
             Turned::Near(opening) if pair.finest => {
                 let clear = clear[index].unwrap_or(opening);
                 let bracket = bracket(index, problem, &pair.chords, clear, opening, finest);
@@ -155,11 +148,11 @@ pub(super) fn search(
                 found.push(bracket);
             }
             Turned::Near(opening) if pair.chords.iter().all(|chord| chord.error <= finest) => {
-                waiting.push(QueuedPair {
+                waiting.push(ranked(QueuedPair {
                     opening,
                     finest: true,
                     ..pair
-                });
+                }));
             }
             Turned::Near(opening) | Turned::Waiting(opening) => {
                 cut(problem, &pair, opening, &mut waiting);
@@ -173,32 +166,27 @@ const SPENT: &str = "the effort allowed for one pose was spent: too many stretch
                      other to be told apart";
 
 /// Queues all pairs of uncut chords of a facing pair that can meet, from the opening where they share no direction.
-fn start(index: usize, problem: &FacingPair, waiting: &mut BinaryHeap<QueuedPair>) {
+fn start(index: usize, problem: &FacingPair, waiting: &mut Queue) {
     let (locked, free) = (&problem.locked, &problem.free);
     for free_chord in free.shared().iter().chain(free.own()) {
         let radii = problem.radii(free_chord);
         for locked_chord in locked.shared().iter().chain(locked.own()) {
             if !problem.passes(locked_chord, radii) {
                 let (opening, end) = problem.shared_directions(locked_chord, free_chord);
-                waiting.push(QueuedPair {
+                waiting.push(ranked(QueuedPair {
                     problem: index as u32,
                     finest: false,
                     opening,
                     end,
                     chords: [*locked_chord, *free_chord],
-                });
+                }));
             }
         }
     }
 }
 
 /// Cuts the chord with the larger error.
-fn cut(
-    problem: &FacingPair,
-    pair: &QueuedPair,
-    opening: f64,
-    waiting: &mut BinaryHeap<QueuedPair>,
-) {
+fn cut(problem: &FacingPair, pair: &QueuedPair, opening: f64, waiting: &mut Queue) {
     let [locked_chord, free_chord] = pair.chords;
     let mut made = None;
     let cut_locked = locked_chord.error >= free_chord.error;
@@ -214,11 +202,11 @@ fn cut(
             [locked_chord, half]
         };
         if !problem.passes(&chords[0], problem.radii(&chords[1])) {
-            waiting.push(QueuedPair {
+            waiting.push(ranked(QueuedPair {
                 opening,
                 chords,
                 ..*pair
-            });
+            }));
         }
     }
 }

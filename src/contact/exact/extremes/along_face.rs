@@ -327,13 +327,9 @@ impl<'a> FaceSideCell<'a> {
 
     /// A lower bound of the side's tightness, from the pair of `contact` in its section.
     fn below(&self, contact: &Contact) -> Option<Bound> {
-        let problem = self.plane.side.problem;
         let flanks = &self.plane.ends[0].flanks;
         let teeth = self.members().map(|member| contact.touch(member).tooth);
-        let step = self.steps().find(|step| {
-            let (locked, free) = flanks.places(*step);
-            [problem.locked.number(locked), problem.free.number(free)] == teeth
-        })?;
+        let step = self.steps().find(|step| flanks.numbers(*step) == teeth)?;
         let found = [
             self.touch(0, step, contact.section)?,
             self.touch(1, step, contact.section)?,

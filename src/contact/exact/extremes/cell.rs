@@ -16,8 +16,7 @@ pub(super) struct MatingCell {
     pub low: f64,
     pub high: f64,
     /// The places between `from` and `to` where the least and the greatest lost motion are expected.
-    pub lowest: f64,
-    pub highest: f64,
+    pub expected: [f64; 2],
     /// An examined pose in it or at its end, as a fraction of the pitch.
     pub seen: Option<f64>,
 }
@@ -33,8 +32,7 @@ impl MatingCell {
             to: (part as f64 + 1.0) / PARTS as f64,
             low: f64::NEG_INFINITY,
             high: f64::INFINITY,
-            lowest: from,
-            highest: from,
+            expected: [from; 2],
             seen: None,
         }
     }
@@ -118,8 +116,7 @@ impl MatingCell {
         MatingCell {
             low: low.max(self.low),
             high: high.min(self.high),
-            lowest: self.from + lowest * width,
-            highest: self.from + highest * width,
+            expected: [lowest, highest].map(|at| self.from + at * width),
             ..self
         }
     }

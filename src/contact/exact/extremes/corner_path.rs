@@ -19,6 +19,7 @@
 //! `r(μ + x) ≥ r − x (−v)⁺ − p x²/2`.
 
 use super::super::shape::{C, HalfToothShape};
+use crate::contact::gap::dot;
 use crate::gear::ProfilePart;
 
 /// Limit of steps of the search for a fillet's parameter (8 are usual).
@@ -92,27 +93,22 @@ impl CornerPath {
         half: f64,
         (need, opening): (f64, f64),
     ) -> bool {
-        let along = |z: C, n: C| z.re * n.re + z.im * n.im;
         let rest = self.jerk * half * half * half / 6.0;
         let radius = self.point.norm();
         let out = self.point / radius;
         let across = C::i() * out;
-        let radial = [
-            radius,
-            along(self.speed, out),
-            along(self.acceleration, out),
-        ];
+        let radial = [radius, dot(self.speed, out), dot(self.acceleration, out)];
         let nearest = least(radial, half) - rest;
         if !(nearest > 0.0) {
             return false;
         }
-        let beside = along(self.speed, across).abs() * half
-            + 0.5 * along(self.acceleration, across).abs() * half * half
+        let beside = dot(self.speed, across).abs() * half
+            + 0.5 * dot(self.acceleration, across).abs() * half * half
             + rest;
         let from_axis = self.by_gap.norm();
         // `out` changes by the chord of an angle whose sine is at most `beside/nearest`.
         let changed = self.swing * half + 1.5 * from_axis * beside / nearest;
-        let falling = changed - along(self.by_gap, out);
+        let falling = changed - dot(self.by_gap, out);
         let fall = opening * (falling.max(0.0) + 0.5 * from_axis * opening);
         if nearest - fall >= mate.form_radius() {
             return true;
@@ -137,16 +133,16 @@ impl CornerPath {
             }
             // The right-hand half tooth has its metal on the left of the way inwards.
             let normal = C::i() * chord / length;
-            let normal = if along(normal, outer.normal) < 0.0 {
+            let normal = if dot(normal, outer.normal) < 0.0 {
                 -normal
             } else {
                 normal
             };
             let is_before = |point: C, normal: C| {
                 let height = [
-                    along(self.point - point, normal),
-                    along(self.speed, normal),
-                    along(self.acceleration, normal),
+                    dot(self.point - point, normal),
+                    dot(self.speed, normal),
+                    dot(self.acceleration, normal),
                 ];
                 least(height, half) - rest > need
             };

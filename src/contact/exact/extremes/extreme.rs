@@ -105,10 +105,10 @@ pub(super) const UNKNOWN: CycleBound = (f64::NAN, Some(Doubt::OffInvolute));
 /// The best poses examined so far.
 #[derive(Debug, Default)]
 pub(super) struct ExaminedPoses {
-    pub least: Option<PoseValue>,
-    pub greatest: Option<PoseValue>,
-    pub jammed: Option<Mating>,
-    pub unmeshed: Option<Mating>,
+    /// The least and the greatest.
+    pub best: [Option<PoseValue>; 2],
+    /// The first pose without a least, which is jammed, and the first without a greatest, which is out of mesh.
+    without: [Option<Mating>; 2],
     lost: bool,
     /// Lower bound of the least and upper bound of the greatest from sampling the cycle, rad.
     pub sampled: Option<[f64; 2]>,
@@ -136,86 +136,84 @@ impl ExaminedPoses {
             return Ok(None);
         };
         match found.status() {
-            Status::Jammed => self.jammed = self.jammed.or(Some(mating)),
-            Status::NoContact => self.unmeshed = self.unmeshed.or(Some(mating)),
+            Status::Jammed => _ = self.without[0].get_or_insert(mating),
+            Status::NoContact => _ = self.without[1].get_or_insert(mating),
             _ => (),
         }
         if let Some((angle, error)) = found.angle().zip(found.error()) {
-            self.add(PoseValue {
+            let seen = PoseValue {
                 angle,
                 error,
                 mating,
-            });
+            };
+            for (best, end) in self.best.iter_mut().zip(End::BOTH) {
+                if best.is_none_or(|best| end.sign() * angle < end.sign() * best.angle) {
+                    *best = Some(seen);
+                }
+            }
         }
         Ok(Some(found))
     }
 
-    fn add(&mut self, seen: PoseValue) {
-        if self.least.is_none_or(|least| seen.angle < least.angle) {
-            self.least = Some(seen);
-        }
-        if self.greatest.is_none_or(|most| seen.angle > most.angle) {
-            self.greatest = Some(seen);
-        }
+    /// Whether a pose has no such extreme.
+    pub fn lacks(&self, end: Option<End>) -> bool {
+        end.is_some_and(|end| self.without[end as usize].is_some())
     }
 
     /// Upper bound of the lost motion over the cycle, rad, by a search for the greatest with the result `proof`; ∞ without one.
     pub fn most(&self, (bound, _): CycleBound) -> f64 {
-        match self.greatest {
-            Some(seen) if !self.lost && self.unmeshed.is_none() && bound.is_finite() => {
+        match self.best[1] {
+            Some(seen) if !self.lost && self.without[1].is_none() && bound.is_finite() => {
                 bound.max(seen.angle + seen.error)
             }
             _ => f64::INFINITY,
         }
     }
 
-    /// The result, with the proofs of the least and the greatest.
-    pub fn extremes(&self, cycle: &MeshCycle, [least, greatest]: [CycleBound; 2]) -> Extremes {
+    /// The result, with the `proofs` of the least and the greatest.
+    pub fn extremes(&self, cycle: &MeshCycle, proofs: [CycleBound; 2]) -> Extremes {
         let per_radian = cycle.per_radian();
         // The attained value bounds one end, the proof the other.
-        let extreme = |seen: PoseValue, is_least: bool, (bound, doubt): CycleBound| {
+        let extreme = |end: End| -> Option<Extreme> {
+            let seen = self.best[end as usize].filter(|_| !self.lacks(Some(end)))?;
+            let (bound, doubt) = proofs[end as usize];
             // The better bound of the search and of the poses.
-            let bound = match self.sampled {
-                Some([low, _]) if is_least => bound.max(low),
-                Some([_, high]) if !is_least => bound.min(high),
-                _ => bound,
+            let sampled = self.sampled.map_or(f64::NAN, |bounds| bounds[end as usize]);
+            let (bound, doubt) = match end {
+                _ if self.lost => (f64::NAN, Some(Doubt::ContactLost)),
+                End::Least => (bound.max(sampled), doubt),
+                End::Greatest => (bound.min(sampled), doubt),
             };
-            let (bound, doubt) = if self.lost {
-                (f64::NAN, Some(Doubt::ContactLost))
-            } else {
-                (bound, doubt)
-            };
-            let (low, high) = (seen.angle - seen.error, seen.angle + seen.error);
-            let (low, high) = match (bound.is_finite(), is_least) {
-                (true, true) => (low.min(bound), high),
-                (true, false) => (low, high.max(bound)),
-                (false, true) => (f64::NEG_INFINITY, high),
-                (false, false) => (low, f64::INFINITY),
-            };
-            Extreme {
+            let (mut low, mut high) = (seen.angle - seen.error, seen.angle + seen.error);
+            match (end, bound.is_finite()) {
+                (End::Least, true) => low = low.min(bound),
+                (End::Least, false) => low = f64::NEG_INFINITY,
+                (End::Greatest, true) => high = high.max(bound),
+                (End::Greatest, false) => high = f64::INFINITY,
+            }
+            Some(Extreme {
                 low: low * per_radian,
                 high: high * per_radian,
                 found: seen.angle * per_radian,
                 mating: seen.mating,
                 doubt,
-            }
+            })
         };
-        let low_end = self.least.map(|seen| extreme(seen, true, least));
-        let high_end = self.greatest.map(|seen| extreme(seen, false, greatest));
-        let interferes = self.least.is_some_and(|seen| seen.angle < -seen.error);
-        let status = match (self.jammed, self.unmeshed) {
-            (Some(_), _) => Status::Jammed,
-            (None, Some(_)) => Status::NoContact,
-            (None, None) if self.least.is_none() => Status::Unproven,
-            (None, None) if interferes => Status::Interference,
-            (None, None) => Status::Clear,
+        let [jammed, unmeshed] = self.without;
+        let status = match self.best[0] {
+            _ if jammed.is_some() => Status::Jammed,
+            _ if unmeshed.is_some() => Status::NoContact,
+            None => Status::Unproven,
+            Some(least) if least.angle < -least.error => Status::Interference,
+            Some(_) => Status::Clear,
         };
+        let [least, greatest] = End::BOTH.map(extreme);
         Extremes {
             matings: cycle.matings,
             status,
-            least: low_end.filter(|_| self.jammed.is_none()),
-            greatest: high_end.filter(|_| self.unmeshed.is_none()),
-            lost: self.jammed.or(self.unmeshed),
+            least,
+            greatest,
+            lost: jammed.or(unmeshed),
         }
     }
 }

@@ -16,6 +16,7 @@ use super::super::path::InvolutePair;
 use super::super::placed::Role;
 use super::super::shape::{C, HalfToothShape, turn};
 use super::corner_path::{CornerPath, around_radius};
+use crate::contact::gap::dot;
 use crate::gear::ProfilePart;
 
 /// Limit of Newton steps: `s` is a sine of `μ`, near its steepest place (4 are usual).
@@ -105,7 +106,7 @@ impl<'a> OnFillet<'a> {
         let f = turn(pair.free_base + free.half_base);
         let (centre, free_centre) = (self.posed.centre, self.posed.free_centre);
         let moving = C::i() * (centre - C::from(problem.distance));
-        let along = |z: C| z.re * border.normal.re + z.im * border.normal.im;
+        let along = |z: C| dot(z, border.normal);
         let mut gap = near;
         for _ in 0..STEPS {
             let turned = turn(gap);

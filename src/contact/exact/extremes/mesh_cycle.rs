@@ -9,7 +9,6 @@ use super::super::teeth::reduced;
 use super::line_bends::LineBends;
 use super::tip_at_fillet::TipAtFillet;
 use crate::contact::Effort;
-use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Pose};
 
 /// Parts of a pitch (tuned: ordinary pairs, contact ratio 1.2 and more, have a pair on the line of action throughout each).
@@ -105,10 +104,7 @@ impl<'a> MeshCycle<'a> {
             .face()
             .map(|end| assembly.twist(assembly.locked(), end));
         let side = |problem: &'a FlankProblem| {
-            let mirror = match problem.side {
-                Side::Right => 1.0,
-                Side::Left => -1.0,
-            };
+            let mirror = -problem.side.sense();
             let shapes = [&*problem.locked.shape, &*problem.free.shape];
             let least = problem.distance - off[0] - off[1];
             let proof = kernel.section.solver.as_ref().map(|solver| solver.proof);

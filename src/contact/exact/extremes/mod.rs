@@ -40,7 +40,6 @@ pub use extreme::{Doubt, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN};
 pub(crate) use extreme::{End, is_proven};
 use extreme::{ExaminedPoses, UNKNOWN};
 use mesh_cycle::MeshCycle;
-use sample::StopAt;
 use search::Search;
 use table::CycleTable;
 
@@ -80,7 +79,7 @@ pub(crate) fn keeps_to_involutes(kernel: &ExactKernel, assembly: &GearPair) -> b
         return false;
     }
     let table = CycleTable::new(&cycle);
-    stops_before_far_flanks(&cycle, &table, f64::INFINITY) && !table.has_tips_at_fillets()
+    table.stops_before_far_flanks(&cycle, f64::INFINITY) && !table.has_tips_at_fillets()
 }
 
 /// The extremes `of` a cycle, within a part ([`PARTS_OF_EFFORT`]) of the budget `effort`; other ends are `None`. A search for the least
@@ -112,17 +111,16 @@ pub(crate) fn cycle_extremes_within(
 }
 
 fn search_extremes(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes, Error> {
-    let until = match of {
-        [End::Least] => StopAt::Jammed,
-        [End::Greatest] => StopAt::Unmeshed,
-        _ => StopAt::End,
+    let only = match of {
+        [end] => Some(*end),
+        _ => None,
     };
     let mut found = ExaminedPoses::default();
     if let Some(cells) = AlongFaceCells::new(cycle) {
         return Ok(of_cells(cycle, &cells, width, of));
     }
     if cycle.assembly.is_modified() || cycle.assembly.deviates_along_face() {
-        sample::sample(cycle, &mut found, until)?;
+        sample::sample(cycle, &mut found, only)?;
         let bounds = if cycle.assembly.leans() {
             [UNKNOWN; 2]
         } else {
@@ -139,7 +137,7 @@ fn search_extremes(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes
             .as_ref()
             .is_some_and(|helical| !helical.has_line_contact())
     {
-        sample::sample(cycle, &mut found, until)?;
+        sample::sample(cycle, &mut found, only)?;
         return Ok(found.extremes(cycle, [UNKNOWN; 2]));
     }
     let table = CycleTable::new(cycle);
@@ -154,15 +152,15 @@ fn search_extremes(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes
         // samples none.
         reserved: match which {
             End::Greatest => cycle.effort.left() / 3 * 2,
-            End::Least if until == StopAt::Jammed => 0,
+            End::Least if only.is_some() => 0,
             End::Least => cycle.effort.left() / 3,
         },
-        until,
+        only,
     };
     let mut stays = stays_on_involutes(cycle);
     // Where far flanks are in reach, the greatest may show that the free gear stops before them.
     let asks_greatest =
-        stays && of.contains(&End::Least) && !stops_before_far_flanks(cycle, &table, f64::INFINITY);
+        stays && of.contains(&End::Least) && !table.stops_before_far_flanks(cycle, f64::INFINITY);
     let wanted = [End::Greatest, End::Least];
     let wanted = wanted.into_iter().filter(|which| match which {
         End::Greatest => asks_greatest || of.contains(which),
@@ -174,7 +172,7 @@ fn search_extremes(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes
     for (search, ranked) in searches.iter().zip(&mut ranked) {
         if asks_greatest && search.which == End::Least {
             let most = found.most(greatest) + width;
-            stays = stops_before_far_flanks(cycle, &table, most);
+            stays = table.stops_before_far_flanks(cycle, most);
             if !stays {
                 continue;
             }
@@ -186,7 +184,7 @@ fn search_extremes(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes
         }
     }
     if !stays && of.contains(&End::Least) {
-        sample::sample(cycle, &mut found, until)?;
+        sample::sample(cycle, &mut found, only)?;
     }
     for (search, ranked) in searches.iter().zip(ranked) {
         search.report_first_equal(ranked.near, &mut found)?;
@@ -227,12 +225,6 @@ fn stays_on_involutes_and_fillets(cycle: &MeshCycle) -> bool {
         && stays_on_involutes(cycle)
         && (section.far_flanks == FarFlanks::Clear
             || CycleTable::new(cycle).stops_before_far_flanks(cycle, f64::INFINITY))
-}
-
-/// Whether the far flank of a locked tooth never stops the free gear first. `most` bounds the lost motion of near half teeth, rad.
-fn stops_before_far_flanks(cycle: &MeshCycle, table: &CycleTable, most: f64) -> bool {
-    cycle.kernel.section.far_flanks == FarFlanks::Clear
-        || table.stops_before_far_flanks(cycle, most)
 }
 
 /// Whether of near half teeth only involutes, their ends and tip lands can touch, and corners on fillets, which [`tip_at_fillet`] bounds.

@@ -147,7 +147,7 @@ impl<'a> RollsOnLine<'a> {
     fn around(&self, at: f64, half: f64, enough: f64) -> StepRoom {
         let problem = self.side.problem;
         let is_in_reach = |(low, high): (f64, f64)| at + half >= low && at - half <= high;
-        if !problem.window().is_some_and(is_in_reach) {
+        if !problem.window.is_some_and(is_in_reach) {
             return StepRoom {
                 beside: f64::INFINITY,
                 at_fillet: None,

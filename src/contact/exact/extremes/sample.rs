@@ -15,9 +15,12 @@
 
 use super::extreme::{End, ExaminedPoses};
 use super::mesh_cycle::MeshCycle;
+use crate::contact::ranked::Ranked;
 use crate::contact::{Contact, LostMotion};
 use crate::error::Error;
+use crate::numeric::rank;
 use crate::pair::{Mating, Pose};
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::f64::consts::{PI, TAU};
 
@@ -39,33 +42,6 @@ const FEWEST: u64 = 16;
 
 /// Length of a stretch, pitches, below which it has no bound if its ends have none.
 const NARROWEST: f64 = 1e-3;
-
-/// The condition that ends sampling.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum StopAt {
-    Jammed,
-    Unmeshed,
-    End,
-}
-
-impl StopAt {
-    fn is_reached(self, found: &ExaminedPoses) -> bool {
-        match self {
-            StopAt::Jammed => found.jammed.is_some(),
-            StopAt::Unmeshed => found.unmeshed.is_some(),
-            StopAt::End => false,
-        }
-    }
-
-    /// The extremes to search.
-    fn ends_to_search(self) -> &'static [End] {
-        match self {
-            StopAt::Jammed => &[End::Least],
-            StopAt::Unmeshed => &[End::Greatest],
-            StopAt::End => &[End::Greatest, End::Least],
-        }
-    }
-}
 
 /// Free rotations at contact, less the nominal one, rad; `None` if they bound nothing.
 #[derive(Debug, Clone, Copy)]
@@ -124,36 +100,29 @@ impl SampledCycle<'_, '_> {
         stretches: &mut Vec<Stretch>,
         most: u64,
         found: &mut ExaminedPoses,
-        until: StopAt,
+        only: Option<End>,
     ) -> Result<f64, Error> {
         let worse = |stretch: &Stretch| {
             let [low, high] = self.bounds(stretch);
             which.key(low, high)
         };
-        let mut heap: BinaryHeap<RankedStretch> = stretches
-            .drain(..)
-            .enumerate()
-            .map(|(number, stretch)| RankedStretch {
-                key: worse(&stretch),
-                number,
-                stretch,
-            })
-            .collect();
+        // The worst first, of equal ones the first.
+        let ranked = |(number, item): (usize, Stretch)| Ranked {
+            key: (rank(worse(&item)), Reverse(number)),
+            item,
+        };
+        let mut heap: BinaryHeap<_> = stretches.drain(..).enumerate().map(ranked).collect();
         let mut number = heap.len();
         for _ in 0..most {
-            if self.cycle.effort.is_spent() || until.is_reached(found) {
+            if self.cycle.effort.is_spent() || found.lacks(only) {
                 break;
             }
-            let Some(RankedStretch { key, stretch, .. }) = heap.pop() else {
+            let Some(Ranked { item: stretch, .. }) = heap.pop() else {
                 break;
             };
             let [from, to] = stretch.places;
-            if key == f64::INFINITY && to - from < NARROWEST {
-                heap.push(RankedStretch {
-                    key,
-                    number,
-                    stretch,
-                });
+            if worse(&stretch) == f64::INFINITY && to - from < NARROWEST {
+                heap.push(ranked((number, stretch)));
                 break;
             }
             let middle = 0.5 * (from + to);
@@ -162,50 +131,13 @@ impl SampledCycle<'_, '_> {
                 ([from, middle], [stretch.ends[0], between]),
                 ([middle, to], [between, stretch.ends[1]]),
             ] {
-                let stretch = Stretch { places, ends };
-                heap.push(RankedStretch {
-                    key: worse(&stretch),
-                    number,
-                    stretch,
-                });
+                heap.push(ranked((number, Stretch { places, ends })));
                 number += 1;
             }
         }
-        let worst = heap.peek().map_or(f64::INFINITY, |top| top.key);
-        stretches.extend(heap.into_iter().map(|ranked| ranked.stretch));
-        Ok(match which {
-            End::Least => -worst,
-            End::Greatest => worst,
-        })
-    }
-}
-
-/// A stretch, ordered by its bound; of equal ones the first.
-#[derive(Debug)]
-struct RankedStretch {
-    key: f64,
-    number: usize,
-    stretch: Stretch,
-}
-
-impl PartialEq for RankedStretch {
-    fn eq(&self, other: &RankedStretch) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for RankedStretch {}
-
-impl PartialOrd for RankedStretch {
-    fn partial_cmp(&self, other: &RankedStretch) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for RankedStretch {
-    fn cmp(&self, other: &RankedStretch) -> std::cmp::Ordering {
-        let key = self.key.total_cmp(&other.key);
-        key.then(other.number.cmp(&self.number))
+        let worst = heap.peek().map_or(f64::INFINITY, |top| worse(&top.item));
+        stretches.extend(heap.into_iter().map(|ranked| ranked.item));
+        Ok(-which.sign() * worst)
     }
 }
 
@@ -229,11 +161,11 @@ fn free_rotations(seen: &LostMotion, nominal: f64) -> Option<FreeRotations> {
 }
 
 /// Samples the cycle, more densely where its bounds are worst and around the least and the greatest, with as many poses as the effort
-/// allows.
+/// allows. Sampling for `only` one extreme stops at the first pose that has none.
 pub(super) fn sample(
     cycle: &MeshCycle,
     found: &mut ExaminedPoses,
-    until: StopAt,
+    only: Option<End>,
 ) -> Result<(), Error> {
     if found.sampled.is_some() {
         return Ok(());
@@ -256,7 +188,7 @@ pub(super) fn sample(
     let mut stretches = Vec::with_capacity(cells as usize);
     let mut last = sampled.examine(found, 0.0)?;
     for cell in 0..cells {
-        if until.is_reached(found) || cycle.effort.is_spent() {
+        if found.lacks(only) || cycle.effort.is_spent() {
             return Ok(());
         }
         let next = sampled.examine(found, place(cell + 1))?;
@@ -270,15 +202,14 @@ pub(super) fn sample(
     // A touching body is no flank.
     let section = &cycle.kernel.section;
     let has_bounds = section.bodies.is_none() && !section.never_assembles;
-    for which in until.ends_to_search().iter().filter(|_| has_bounds) {
-        let bound = sampled.refine(*which, &mut stretches, poses / 3, found, until)?;
-        bounds[usize::from(*which == End::Greatest)] = bound;
+    let ends = [End::Greatest, End::Least].into_iter();
+    for end in ends.filter(|end| has_bounds && only.is_none_or(|only| only == *end)) {
+        bounds[end as usize] = sampled.refine(end, &mut stretches, poses / 3, found, only)?;
     }
     found.sampled = Some(bounds);
     let mut width = 0.5 * cycle.matings as f64 / cells as f64;
     for _ in 0..ROUNDS {
-        let best = [found.least, found.greatest];
-        for seen in best.into_iter().flatten() {
+        for seen in found.best.into_iter().flatten() {
             for part in -4..=4 {
                 if cycle.effort.is_spent() {
                     return Ok(());
@@ -327,7 +258,7 @@ mod tests {
         let effort = Effort::endless();
         let cycle = MeshCycle::new(&kernel, &pair, (first, 20), &effort);
         let mut found = ExaminedPoses::default();
-        sample(&cycle, &mut found, StopAt::End).unwrap();
+        sample(&cycle, &mut found, None).unwrap();
         let poses = (0..320).map(|k| {
             let mating = first.onward(&pair, f64::from(k) / 16.0);
             let lost = kernel.lost_motion(&Pose::new(&pair, mating)).unwrap();
@@ -336,7 +267,7 @@ mod tests {
         let (least, greatest) = poses.fold((f64::MAX, f64::MIN), |(least, greatest), angle| {
             (least.min(angle), greatest.max(angle))
         });
-        let [low, high] = [found.least, found.greatest].map(|seen| seen.unwrap().angle);
+        let [low, high] = found.best.map(|seen| seen.unwrap().angle);
         for beyond in [least - low, high - greatest] {
             assert!((-1e-9..1e-5).contains(&beyond), "{beyond}");
         }

@@ -3,10 +3,12 @@
 use super::cell::MatingCell;
 use super::extreme::{CycleBound, Doubt, End, ExaminedPoses, PoseValue};
 use super::mesh_cycle::{MeshCycle, PARTS};
-use super::sample::{self, StopAt};
+use super::sample;
 use super::table::{CycleTable, PartBounds};
+use crate::contact::ranked::Ranked;
 use crate::error::Error;
 use crate::numeric;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Limit of cells examined for one extreme (tuned: a hundred settle an ordinary one; the limit takes about 20 ms).
@@ -131,10 +133,7 @@ impl Candidates<'_> {
     /// The stretches to examine.
     fn ranked(mut self, found: &ExaminedPoses) -> RankedCells {
         self.discard(found);
-        let open = self.kept.iter().map(|bounds| RankedCell {
-            key: self.search.which.key(bounds.low, bounds.high),
-            cell: MatingCell::of_bounds(bounds),
-        });
+        let open = self.kept.iter().map(MatingCell::of_bounds);
         let near = self.near.iter().map(MatingCell::of_bounds);
         RankedCells {
             open: open.collect(),
@@ -155,46 +154,17 @@ pub(super) struct Search<'a> {
     pub which: End,
     /// Effort reserved for what follows this search.
     pub reserved: u64,
-    /// The condition that ends sampling after the effort of the search was too great.
-    pub until: StopAt,
+    /// The one extreme that is wanted, if not both.
+    pub only: Option<End>,
 }
 
-/// A cell in the order of examination.
-#[derive(Debug)]
-struct RankedCell {
-    /// Its key.
-    key: f64,
-    cell: MatingCell,
-}
-
-impl PartialEq for RankedCell {
-    fn eq(&self, other: &RankedCell) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for RankedCell {}
-
-impl PartialOrd for RankedCell {
-    fn partial_cmp(&self, other: &RankedCell) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for RankedCell {
-    /// The most promising first; of equal ones the first in the cycle.
-    fn cmp(&self, other: &RankedCell) -> std::cmp::Ordering {
-        let place = |open: &RankedCell| (open.cell.mating, open.cell.part);
-        let key = self.key.total_cmp(&other.key);
-        let place = key.then(place(other).cmp(&place(self)));
-        place.then(other.cell.from.total_cmp(&self.cell.from))
-    }
-}
+/// A cell in the order of examination: the most promising first, of equal ones the first in the cycle.
+type RankedCell = Ranked<(u64, Reverse<(u64, usize, u64)>), MatingCell>;
 
 /// The cells that a search has to examine.
 #[derive(Debug, Default)]
 pub(super) struct RankedCells {
-    open: Vec<RankedCell>,
+    open: Vec<MatingCell>,
     /// Cells that do not beat the best, but may equal it.
     pub near: Vec<MatingCell>,
     /// The best key of the others.
@@ -235,21 +205,23 @@ impl Search<'_> {
         self.which.key(low, high)
     }
 
+    fn ranked(&self, cell: MatingCell) -> RankedCell {
+        let place = (cell.mating, cell.part, numeric::rank(cell.from));
+        Ranked {
+            key: (numeric::rank(self.key(cell.low, cell.high)), Reverse(place)),
+            item: cell,
+        }
+    }
+
     /// The place of the expected extreme in a cell with bounds.
     fn expected(&self, cell: &MatingCell) -> f64 {
-        match self.which {
-            End::Least => cell.lowest,
-            End::Greatest => cell.highest,
-        }
+        cell.expected[self.which as usize]
     }
 
     /// The best known pose, as a key.
     fn best(&self, found: &ExaminedPoses) -> f64 {
-        let seen = match self.which {
-            End::Least => found.least.map(|seen| -seen.angle),
-            End::Greatest => found.greatest.map(|seen| seen.angle),
-        };
-        seen.unwrap_or(f64::NEG_INFINITY)
+        let seen = found.best[self.which as usize];
+        seen.map_or(f64::NEG_INFINITY, |seen| -self.which.sign() * seen.angle)
     }
 
     /// The bound for the whole cycle, rad, from the `ranked` stretches of this search.
@@ -258,9 +230,11 @@ impl Search<'_> {
         ranked: &mut RankedCells,
         found: &mut ExaminedPoses,
     ) -> Result<CycleBound, Error> {
-        let mut open = BinaryHeap::from(std::mem::take(&mut ranked.open));
+        let open = std::mem::take(&mut ranked.open).into_iter();
+        let open: Vec<RankedCell> = open.map(|cell| self.ranked(cell)).collect();
+        let mut open = BinaryHeap::from(open);
         let proof = self.settle(&mut open, ranked, found)?;
-        ranked.near.extend(open.into_iter().map(|open| open.cell));
+        ranked.near.extend(open.into_iter().map(|open| open.item));
         Ok(proof)
     }
 
@@ -281,18 +255,19 @@ impl Search<'_> {
             let Some(next) = open.pop() else {
                 break;
             };
+            let mut cell = next.item;
+            let key = self.key(cell.low, cell.high);
             // Everything not examined is within `width` of the best.
-            if next.key <= self.best(found) + self.width {
-                bound = bound.max(next.key);
+            if key <= self.best(found) + self.width {
+                bound = bound.max(key);
                 open.push(next);
                 break;
             }
-            if next.cell.to - next.cell.from < NARROWEST {
-                narrow = narrow.max(next.key);
-                ranked.near.push(next.cell);
+            if cell.to - cell.from < NARROWEST {
+                narrow = narrow.max(key);
+                ranked.near.push(cell);
                 continue;
             }
-            let mut cell = next.cell;
             let beats = |cell: &MatingCell, found: &ExaminedPoses| {
                 self.key(cell.low, cell.high) > self.best(found) + self.width
             };
@@ -307,11 +282,7 @@ impl Search<'_> {
                 if cell.seen != Some(at) {
                     found.examine(self.cycle, self.cycle.mating(cell.mating, at))?;
                 }
-                let without = match self.which {
-                    End::Least => found.jammed,
-                    End::Greatest => found.unmeshed,
-                };
-                if without.is_some() {
+                if found.lacks(Some(self.which)) {
                     // A jammed or unmeshed pose has no extreme.
                     return Ok((self.value(self.best(found)), None));
                 }
@@ -322,19 +293,18 @@ impl Search<'_> {
                 ranked.near.push(cell);
                 continue;
             }
-            for half in cell.cut(at) {
-                open.push(RankedCell { key, cell: half });
-            }
+            open.extend(cell.cut(at).map(|half| self.ranked(half)));
         }
-        let left = open.peek().map_or(narrow, |first| narrow.max(first.key));
+        let key = |first: &RankedCell| self.key(first.item.low, first.item.high);
+        let left = open.peek().map_or(narrow, |first| narrow.max(key(first)));
         if left <= self.best(found) + self.width {
             return Ok((self.value(bound), None));
         }
         // The key of the most promising stretch is the valid bound.
-        if self.until != StopAt::Jammed {
-            sample::sample(self.cycle, found, self.until)?;
+        if self.only != Some(End::Least) {
+            sample::sample(self.cycle, found, self.only)?;
         }
-        let key = open.peek().map_or(bound, |first| bound.max(first.key));
+        let key = open.peek().map_or(bound, |first| bound.max(key(first)));
         let key = key.max(narrow);
         let doubt = if key.is_finite() {
             Doubt::Effort
@@ -374,10 +344,7 @@ impl Search<'_> {
         found: &mut ExaminedPoses,
     ) -> Result<(), Error> {
         let least = self.best(found) - self.equal;
-        let best = match self.which {
-            End::Least => &mut found.least,
-            End::Greatest => &mut found.greatest,
-        };
+        let best = &mut found.best[self.which as usize];
         let Some(named) = best.map(|seen| seen.mating) else {
             return Ok(());
         };
@@ -410,10 +377,7 @@ impl Search<'_> {
     fn equal_at(&self, index: u64, at: f64, least: f64) -> Result<Option<PoseValue>, Error> {
         let mut seen = ExaminedPoses::default();
         seen.examine(self.cycle, self.cycle.mating(index, at))?;
-        let one = match self.which {
-            End::Least => seen.least,
-            End::Greatest => seen.greatest,
-        };
+        let one = seen.best[self.which as usize];
         Ok(one.filter(|_| self.best(&seen) >= least))
     }
 
@@ -443,9 +407,6 @@ impl Search<'_> {
     }
 
     fn value(&self, key: f64) -> f64 {
-        match self.which {
-            End::Least => -key,
-            End::Greatest => key,
-        }
+        -self.which.sign() * key
     }
 }

@@ -58,7 +58,7 @@ impl SideTable {
             let count = teeth.count();
             let places = -pad..count + pad;
             places
-                .map(|place| by * teeth.offset(place.rem_euclid(count) as usize))
+                .map(|place| by * teeth.half(place.rem_euclid(count) as usize).offset)
                 .collect()
         };
         let places = posed.flanks.places(0);
@@ -91,12 +91,7 @@ impl SideTable {
             return table;
         };
         let pair = InvolutePair::new(&posed.flanks, 0);
-        let gap = (problem.sum() * line.angle
-            - line.length
-            - problem.locked.shape.base * pair.locked_base)
-            * problem.per_free_base
-            - pair.free_base;
-        table.nominal = posed.room(gap) - table.off(table.places(0), 0);
+        table.nominal = posed.room(pair.gap_on(problem, &line)) - table.off(table.places(0), 0);
         let spread = table.spread;
         let rolls = RollsOnLine::new(side, &line, posed.flanks.ahead, spread);
         for part in 0..PARTS {
@@ -222,13 +217,14 @@ impl SideTable {
         let nearest = problem.distance - off;
         let line = Line::new(C::from(problem.distance + off), problem.sum())?;
         let half_tip = locked.half_base - involute::inv_of_roll(locked.tip_roll);
-        let far = (0..problem.locked.count()).map(|place| problem.locked.far(place as usize).arg());
+        let far =
+            (0..problem.locked.count() as usize).map(|place| problem.locked.half(place).far.arg());
         let thin = far.fold(0.0, |thin: f64, far| thin.max(half_tip - far));
         let angle = locked.tip_roll.atan() + half_tip + thin - (locked.base / nearest).acos();
-        let on_line =
-            (problem.sum() * line.angle - line.length - locked.base * (angle - locked.half_base))
-                * problem.per_free_base
-                + free.half_base;
+        let pair = InvolutePair {
+            locked_base: angle - locked.half_base,
+            free_base: -free.half_base,
+        };
         let point = overlap_half_angle(free.tip_radius, locked.tip_radius, nearest).unwrap_or(0.0);
         let from_axis =
             (nearest * nearest - locked.base * locked.base).sqrt() - locked.base * locked.tip_roll;
@@ -241,7 +237,7 @@ impl SideTable {
         } else {
             problem.free.pitch
         };
-        let later = on_line - point - half;
+        let later = pair.gap_on(problem, &line) - point - half;
         let later = later * (1.0 - 6.0 * side.off[1] * problem.per_free_base);
         later.is_finite().then_some(later)
     }
@@ -266,7 +262,7 @@ impl SideTable {
 /// Steps whose locked half tooth can reach the free gear somewhere in a pitch, and on the face.
 pub(super) fn steps(side: &CycleSide, ahead: f64) -> Range<i64> {
     let problem = side.problem;
-    let Some((low, high)) = problem.window() else {
+    let Some((low, high)) = problem.window else {
         return 0..0;
     };
     let beyond = ahead + side.sense * problem.locked.pitch;

@@ -11,6 +11,7 @@ use super::super::shape::C;
 use super::mesh_cycle::{CycleSide, MeshCycle, PARTS};
 use super::shift::CentreShift;
 use super::side_table::SideTable;
+use crate::contact::body::FarFlanks;
 use std::ops::Range;
 
 /// The tables of both sides.
@@ -226,6 +227,9 @@ impl CycleTable {
     /// A pair on the line of action stops the gear first if far flanks leave more room than the flanks differ. At other poses the room
     /// of a side is at most `most`, less the room of the other side.
     pub fn stops_before_far_flanks(&self, cycle: &MeshCycle, most: f64) -> bool {
+        if cycle.kernel.section.far_flanks == FarFlanks::Clear {
+            return true;
+        }
         let mut sides = self.sides.iter().zip(&cycle.sides);
         let later = |(table, side): (&SideTable, &CycleSide)| table.before_far_flanks(side);
         let Some(later) = sides.try_fold(f64::INFINITY, |least: f64, side| {
@@ -308,7 +312,6 @@ mod tests {
     use super::*;
     use crate::contact::Effort;
     use crate::contact::ExactKernel;
-    use crate::contact::body::FarFlanks;
     use crate::contact::exact::far_flanks::{far_contact, is_sideways};
     use crate::contact::exact::search::SideRequest;
     use crate::contact::exact::separation::Separation;

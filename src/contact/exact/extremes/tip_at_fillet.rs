@@ -13,7 +13,7 @@
 use super::super::line::Line;
 use super::super::placed::Role;
 use super::super::shape::{C, HalfToothShape, turn};
-use crate::contact::gap::dot;
+use crate::contact::gap::{dot, length};
 use crate::gear::ProfilePart;
 use std::f64::consts::PI;
 
@@ -296,11 +296,6 @@ struct MovingCorner {
     moved: f64,
     /// Bound of the change of `by_gap` on this path, and of its component along a normal that turns with the mate.
     turned: f64,
-}
-
-/// The length of a vector, as large as gears are.
-fn length(vector: C) -> f64 {
-    vector.norm_sqr().sqrt()
 }
 
 #[cfg(test)]

@@ -62,9 +62,7 @@ pub(super) fn inner_touch(
         let (centres, _) = flanks.centre_vector(gap);
         let distance = centres.norm();
         let line = Line::new(centres, problem.sum())?;
-        let on_line = (problem.sum() * line.angle - line.length - locked.base * pair.locked_base)
-            * problem.per_free_base
-            - pair.free_base;
+        let on_line = pair.gap_on(problem, &line);
         let Some((at, farther, lean)) =
             touch((locked, free), (fillet, owner), tip.owner, distance)?
         else {

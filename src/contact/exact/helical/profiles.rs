@@ -25,7 +25,7 @@
 //! Contacts in fillets are not found here, nor leaning axes: see [`super::leads`].
 
 use crate::contact::Effort;
-use crate::contact::exact::flank_heights::deviation;
+use crate::contact::exact::flank_heights::{amount, deviation};
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::line::Line;
 use crate::contact::exact::path::InvolutePair;
@@ -695,11 +695,6 @@ impl HighestPlace {
             self.height * (1.0 + ROUGH)
         }
     }
-}
-
-/// Greatest amount of a value in an interval.
-fn amount([least, most]: [f64; 2]) -> f64 {
-    least.abs().max(most.abs())
 }
 
 /// Greatest value of a parabola, from its slope and second derivative in the middle of an interval of this half width, above that there.

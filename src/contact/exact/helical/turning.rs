@@ -6,7 +6,7 @@ use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::{C, HalfToothShape};
 use crate::contact::exact::teeth::reduced;
-use crate::pair::{GearPair, Member};
+use crate::pair::GearPair;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
@@ -36,31 +36,23 @@ pub(super) struct TwistedTeeth<'a> {
 }
 
 impl<'a> TwistedTeeth<'a> {
-    fn new(assembly: &GearPair, posed: &PosedFlanks, member: Member) -> TwistedTeeth<'a> {
-        TwistedTeeth {
-            face: assembly.face(),
-            twist: posed.twist(assembly, member),
-            ahead: 0.0,
-            step: 0.0,
-            offset: Box::new(|_| 0.0),
-        }
-    }
-
     pub fn locked(assembly: &GearPair, posed: &'a PosedFlanks) -> TwistedTeeth<'a> {
         TwistedTeeth {
+            face: assembly.face(),
+            twist: posed.twist(assembly, assembly.locked()),
             ahead: PI + posed.ahead,
             step: posed.problem.locked.pitch,
-            offset: Box::new(|step| posed.locked_offset_at(step)),
-            ..TwistedTeeth::new(assembly, posed, assembly.locked())
+            offset: Box::new(|step| posed.problem.locked.half(posed.places(step).0).offset),
         }
     }
 
     pub fn free(assembly: &GearPair, posed: &'a PosedFlanks, rotation: f64) -> TwistedTeeth<'a> {
         TwistedTeeth {
+            face: assembly.face(),
+            twist: posed.twist(assembly, assembly.free()),
             ahead: rotation + posed.free_angle(),
             step: -posed.problem.free.pitch,
-            offset: Box::new(|step| posed.free_offset_at(step)),
-            ..TwistedTeeth::new(assembly, posed, assembly.free())
+            offset: Box::new(|step| posed.problem.free.half(posed.places(step).1).offset),
         }
     }
 

@@ -25,7 +25,7 @@
 
 mod search;
 
-use crate::contact::exact::flank_heights::{FlankHeights, deviation};
+use crate::contact::exact::flank_heights::{FlankHeights, amount, deviation};
 use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::{DeviationCurve, ProfilePart};
@@ -436,11 +436,6 @@ impl Heights<'_> {
         let all = [place, near, far].into_iter();
         all.max_by(|a, b| a.height.total_cmp(&b.height))
     }
-}
-
-/// Greatest absolute value in an interval.
-fn amount([least, most]: [f64; 2]) -> f64 {
-    least.abs().max(most.abs())
 }
 
 #[cfg(test)]

@@ -45,8 +45,8 @@ impl<'a> Path<'a> for FlankPath<'a> {
     }
 }
 
-/// The greatest gap above `floor` of the flanks of a step, searched first near the gap `guess`. It comes from
-/// bounds of their heights, and otherwise from their pieces; `None` if those do not settle it either.
+/// The greatest gap above `floor` of the flanks of a step, searched first near the gap `guess`. It comes from bounds of their heights, and
+/// otherwise from branch and bound over all pairs of their pieces; `None` if neither settles it.
 pub(in crate::contact::exact) fn greatest_gap_of_flanks(
     posed: &PosedFlanks,
     step: i64,
@@ -56,22 +56,13 @@ pub(in crate::contact::exact) fn greatest_gap_of_flanks(
 ) -> Option<Option<CandidateContact>> {
     effort.spend(BY_HEIGHTS);
     let by_heights = greatest_gap_by_heights(posed, step, floor, guess);
-    by_heights.or_else(|| greatest_gap_of_pieces(posed, step, floor, guess, effort))
-}
-
-/// The greatest gap above `floor` of the flanks of a step, by branch and bound over all pairs of their pieces,
-/// searched first near `guess`; `None` if it is not settled.
-fn greatest_gap_of_pieces(
-    posed: &PosedFlanks,
-    step: i64,
-    floor: f64,
-    guess: f64,
-    effort: &Effort,
-) -> Option<Option<CandidateContact>> {
+    if by_heights.is_some() {
+        return by_heights;
+    }
     let (locked, free) = (posed.locked(step), posed.free(step));
     let size = 2.0 * posed.problem.distance;
     let origin = posed.origin_of(step);
-    let mut search = PathSearch::new(origin, size, floor, guess).with_nodes(effort.left());
+    let mut search = PathSearch::new(origin, size, floor, guess, effort.left());
     let most = search.nodes_left();
     let found = search.greatest(&FlankPath::new(locked), &FlankPath::new(free));
     effort.spend(most - search.nodes_left());

@@ -2,7 +2,7 @@ use super::*;
 use crate::contact::exact::flank_problem::FlankProblem;
 use crate::contact::exact::shape::turn;
 use crate::gear::{Deviations, Face, GearDesign, Hand, Side};
-use crate::pair::{Mating, Pose};
+use crate::pair::{Mating, Member, Pose};
 
 /// A helical pair with runout and pitch deviations.
 pub(in crate::contact::exact::helical) fn pair(

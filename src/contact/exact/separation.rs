@@ -91,7 +91,7 @@ impl InvoluteArc {
     ///
     /// With `δ = ξ − ξ_e` beyond an end the room is `r_b (ξ_e (1 − cos δ) + δ − sin δ)`. The partial sums `δ²/2 − δ⁴/24` and `δ³/6 − |δ|⁵/120`
     /// are no greater than its terms. The room rises past the tip. Below the form roll both it and the sum rise, then fall.
-    pub fn room_at_least(&self, roll: f64, play: f64) -> f64 {
+    fn room_at_least(&self, roll: f64, play: f64) -> f64 {
         let room = |roll: f64| {
             let end = roll.clamp(self.form, self.tip);
             let beyond = (roll - end).min(1.0);
@@ -100,6 +100,27 @@ impl InvoluteArc {
             square * (cosine + beyond / 6.0 - square * beyond.abs() / 120.0)
         };
         self.base * room(roll - play).min(room(roll + play))
+    }
+
+    /// Lower bound of the room of `arcs`, mm, in the direction where it is about greatest, over all rolls within `plays` of `rolls`.
+    ///
+    /// Turned by `t` from the line of action, of length `T`, both rolls grow by `t`, and endless involutes come nearer by
+    /// `T (1 − cos t) + Σ r_b (t − sin t)`. A roll that is `δ` past its end leaves room that rises by `r_b ξ_e δ` and bends by `r_b ξ_e`.
+    pub fn room_of_both(arcs: &[InvoluteArc; 2], rolls: [f64; 2], plays: [f64; 2]) -> f64 {
+        let (mut length, mut slope, mut bend) = (0.0, 0.0, 0.0);
+        for k in 0..2 {
+            let InvoluteArc { base, form, tip } = arcs[k];
+            let end = rolls[k].clamp(form, tip);
+            length += base * (rolls[k] + plays[k]);
+            slope += base * end * (rolls[k] - end);
+            bend += base * if end == rolls[k] { end } else { 0.0 };
+        }
+        let turn = (slope / bend).clamp(-0.1, 0.1);
+        let turn = if turn.is_nan() { 0.0 } else { turn };
+        let sum = arcs[0].base + arcs[1].base;
+        let nearer = turn * turn * (0.5 * length + sum * turn.max(0.0) / 6.0);
+        let room = |k: usize| arcs[k].room_at_least(rolls[k] + turn, plays[k]);
+        room(0) + room(1) - nearer
     }
 
     /// `q` and its derivatives.

@@ -114,8 +114,7 @@ impl SearchFreeSections {
             if is_above_form && tighter <= problem.tie {
                 return true;
             }
-            let of = |k: usize| arcs[k].room_at_least(rolls[k], plays[k]);
-            let room = of(0) + of(1);
+            let room = InvoluteArc::room_of_both(&arcs, rolls, plays);
             room >= 0.0 && tighter - room / problem.most_turning() <= problem.tie
         })
     }

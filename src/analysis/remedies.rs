@@ -120,6 +120,8 @@ pub enum NoRemedy {
     NoDistance,
     /// The thickness of these gears: none was found that suffices.
     NoThickness(Gears),
+    /// A common thickness of both gears: it would change one of them the wrong way.
+    Opposed,
     /// No single change was found that suffices.
     NotEnough,
 }
@@ -194,9 +196,16 @@ pub fn remedies(
     match cycle_pair(&plans[0].run.assembly).thinned_teeth() {
         Some(teeth) => {
             for gears in Gears::EACH {
-                let changes = search.thickness(&teeth, gears, &effort())?;
+                let mut changes = search.thickness(&teeth, gears, &effort())?;
                 if changes.is_empty() {
                     found.missing.push(NoRemedy::NoThickness(gears));
+                } else if gears == Gears::Both {
+                    let change = |remedy: &Remedy| remedy.present.map(|at| at - remedy.value);
+                    let is_opposed = |by: f64| search.sign * by < 0.0;
+                    changes.retain(|remedy| !change(remedy).into_iter().any(is_opposed));
+                    if changes.is_empty() {
+                        found.missing.push(NoRemedy::Opposed);
+                    }
                 }
                 found.changes.extend(changes);
             }

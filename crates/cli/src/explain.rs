@@ -27,9 +27,14 @@ fn rendered(error: &Error, renderer: &Renderer) -> String {
     };
     match error {
         Error::Input(input) => {
+            let mut shown = None;
             let problems = input.lines().into_iter().zip(input.spans());
-            let text =
-                problems.map(|(line, span)| titled(&line, span.map(|span| place(input, &span))));
+            let text = problems.map(|(line, span)| {
+                // Problems of one table have one place, shown with the first.
+                let new = span.clone().filter(|_| span != shown);
+                shown = span;
+                titled(&line, new.map(|span| place(input, &span)))
+            });
             text.collect()
         }
         Error::Several(errors) => {

@@ -115,7 +115,7 @@ fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<u8, Error> {
     if end > all + 1 {
         let last = end - 1;
         let beyond = format!(
-            "tolerance.assemblies = {all}: rows up to {last} are computed; give --from-rows with --assemblies {last}, or compute fewer"
+            "tolerance.assemblies = {all}: rows up to {last} are computed; give --from-rows the total of all parts with --assemblies, {last} or more"
         );
         warn(&args.pair, &[beyond], &[]);
     }

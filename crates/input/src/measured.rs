@@ -23,6 +23,8 @@ const QUANTITIES: [Quantity; 7] = [
 pub struct RigResults {
     pub file: DataFile,
     pub rows: Vec<(u64, MeasuredRow)>,
+    /// Letter of the first column of numbers that is left out.
+    left_out: Option<String>,
 }
 
 impl RigResults {
@@ -38,9 +40,15 @@ impl RigResults {
             },
         };
         let (file, sheet) = Sheet::read(&table.below("measured"), &wanted)?;
+        let unread = sheet.origin.as_ref().map(|origin| &origin.unread);
+        let left_out = unread.and_then(|unread| unread.first_number_column(&[]));
         let rows = sheet.rows.into_iter().zip(sheet.sources).map(row);
         let rows = rows.collect::<Option<_>>()?;
-        Some(RigResults { file, rows })
+        Some(RigResults {
+            file,
+            rows,
+            left_out,
+        })
     }
 
     /// Each centre distance once, in order of first appearance, with its first line.
@@ -51,6 +59,18 @@ impl RigResults {
             .iter()
             .map(|(line, row)| (*line, row.center_distance));
         firsts.filter(|(_, mm)| seen.insert(mm.to_bits())).collect()
+    }
+
+    /// A warning where columns may be a prediction by other names.
+    pub fn unpredicted(&self) -> Option<String> {
+        let is_predicted = |(_, row): &(u64, MeasuredRow)| row.predicted_min_um.is_some();
+        let left_out = self
+            .left_out
+            .as_ref()
+            .filter(|_| !self.rows.iter().any(is_predicted))?;
+        Some(format!(
+            "measured.file: column {left_out} is left out; a predicted band of j_wt is in the columns predicted_min_um and predicted_max_um"
+        ))
     }
 
     /// A warning where two rows state the same mating at the same distance.

@@ -124,6 +124,7 @@ impl<'a> PairTables<'a> {
         let compared = pair_slips::tolerance_slip("compare.tolerance_um", compare.tolerance_um);
         warnings.extend(compared);
         warnings.extend(measured.as_ref().and_then(RigResults::equal_rows));
+        warnings.extend(measured.as_ref().and_then(RigResults::unpredicted));
 
         let built = match materials.first() {
             Some((_, wheel, pinion)) => [Some(wheel), Some(pinion)],

@@ -252,6 +252,9 @@ fn sentence(reason: NoRemedy) -> String {
             };
             return format!("No thickness of {of} was found that is enough.");
         }
+        NoRemedy::Opposed => {
+            "A common thickness of both gears is left out: it would change one of them the wrong way."
+        }
         NoRemedy::NotEnough => "No single change is enough.",
     };
     words.to_owned()

@@ -40,6 +40,8 @@ pub struct PoseEvidence {
     pub(super) places: [[usize; FacePlace::ALL.len()]; 2],
     /// Whether a contact of the cycle's extremes is at an end of the face.
     pub(super) extreme_at_end: bool,
+    /// Sections, mm, of the right and the left contact at the cycle's least.
+    pub(super) least_sections: Option<[f64; 2]>,
 }
 
 /// The contacts on one gear.
@@ -68,6 +70,7 @@ impl PoseEvidence {
             touched: Default::default(),
             places: Default::default(),
             extreme_at_end: false,
+            least_sections: None,
         }
     }
 
@@ -113,11 +116,18 @@ impl PoseEvidence {
     /// Adds the least `j_wt` of the cycle from the poses of `extremes`, if they have any.
     pub(super) fn with_least_of(mut self, extremes: &[ComparedRun]) -> PoseEvidence {
         let here = self.group_key();
+        let mut least_found = None;
         for run in extremes.iter().filter(|run| run.run.group_key() == here) {
             for pose in &run.poses {
-                self.least = least(self.least, pose.simulated.backlash);
-                let assembly = run.run.assembly.data();
                 let found = &pose.simulated;
+                self.least = least(self.least, found.backlash);
+                least_found = least(least_found, found.backlash);
+                if found.backlash == least_found {
+                    let on = |side| found.proven().and_then(|found| found.on(side));
+                    let sections = Side::BOTH.map(|side| on(side).map(|contact| contact.section));
+                    self.least_sections = sections[0].zip(sections[1]).map(<[f64; 2]>::from);
+                }
+                let assembly = run.run.assembly.data();
                 let places = assembly.map(|pair| places(pair, &found.pose, found.proven()));
                 let places = places.unwrap_or_default();
                 let is_at_end = |at| matches!(at, FacePlace::NearEnd | FacePlace::FarEnd);

@@ -361,7 +361,7 @@ impl CheckContext<'_> {
         if let Some(worst) = worst.filter(|worst| worst.loss > limits::MET_WITHIN) {
             note = format!(
                 "worst {} µm lost, {}: {} of wheel tooth {}, pinion tooth {}",
-                hundredths(worst.loss),
+                hundredths(worst.loss * 1e3),
                 pose_in_words(worst.pose.mating()),
                 worst.class.name(),
                 worst.contact.wheel.tooth,
@@ -443,7 +443,7 @@ impl CheckContext<'_> {
             details: Vec::from_iter(least.map(|least| ("least_j_wt_um", least * 1e3))),
             note: match jammed {
                 0 => least.map_or(String::new(), |least| {
-                    format!("least j_wt {} µm", hundredths(least))
+                    format!("least j_wt {} µm", hundredths(least * 1e3))
                 }),
                 _ => format!("jammed in {jammed} of {} poses", contact.poses()),
             },
@@ -578,16 +578,22 @@ impl CheckContext<'_> {
         let known: Vec<_> = known.into_iter().flatten().collect();
         let own = known.iter().filter(|(kind, ..)| self.assembly.has(*kind));
         let words: Vec<String> = own
-            .map(|(.., name, loss)| format!("{name} {} µm", hundredths(*loss)))
+            .map(|(.., name, loss)| format!("{name} {} µm", hundredths(loss * 1e3)))
             .collect();
         let details = known.iter().map(|(_, key, _, loss)| (*key, loss * 1e3));
+        let sections = self.evidence.least_sections;
+        let binds = sections.map(|[right, left]| {
+            format!(
+                "; least at {right:.2} mm (right), {left:.2} mm (left) from the measuring plane"
+            )
+        });
         Some(Check {
             outlines: Some(all),
             limit: Some(without),
             margin: Some(without - all),
             verdict: CheckVerdict::unless(without < 0.0 || all <= without, CheckVerdict::Warn),
             details: details.collect(),
-            note: words.join(", "),
+            note: words.join(", ") + &binds.unwrap_or_default(),
             ..Check::named("face_use", "least backlash lost along the face")
         })
     }
@@ -659,9 +665,9 @@ fn percent(part: usize, whole: usize) -> f64 {
     }
 }
 
-/// A length in mm as µm with two decimals, never `-0.00`.
-fn hundredths(length: f64) -> String {
-    let text = format!("{:.2}", length * 1e3);
+/// A number with two decimals, never `-0.00`.
+fn hundredths(value: f64) -> String {
+    let text = format!("{value:.2}");
     match text.as_str() {
         "-0.00" => "0.00".to_owned(),
         _ => text,

@@ -58,14 +58,14 @@ fn least(plays: Vec<f64>) -> f64 {
 fn has_no_play(seed: u64, per_pitch: u32, all: bool) {
     let (pair, matings) = pair(seed, per_pitch);
     let found = zero_distance(&pair, &matings, &go_on).unwrap().unwrap();
-    let told = format!("{seed}: {found:?}");
+    let case = format!("{seed}: {found:?}");
     let [low, high] = found.bracket;
-    assert!(high - low <= 1.001e-10, "{told}");
-    assert!((low..=high).contains(&found.distance), "{told}");
+    assert!(high - low <= 1.001e-10, "{case}");
+    assert!((low..=high).contains(&found.distance), "{case}");
     let here = [found.mating];
     // Play changes by less than the distance does; the rest is rounding.
-    assert!(plays(&pair, low - 1e-10, &here)[0] < 0.0, "{told}");
-    assert!(plays(&pair, high + 1e-10, &here)[0] > 0.0, "{told}");
+    assert!(plays(&pair, low - 1e-10, &here)[0] < 0.0, "{case}");
+    assert!(plays(&pair, high + 1e-10, &here)[0] > 0.0, "{case}");
     let beyond = high + 1e-9;
     let pitches = if all { pair.teeth(pair.locked()) } else { 1 };
     let half = 128 * pitches as i32;
@@ -74,17 +74,17 @@ fn has_no_play(seed: u64, per_pitch: u32, all: bool) {
     let beside = (-64..=64).map(|k| on(k, 4096.0));
     let all: Vec<Mating> = all.chain(beside).chain(matings.iter().copied()).collect();
     let less = least(plays(&pair, beyond, &all));
-    assert!(less > -1e-9, "{less:e} mm, {told}");
+    assert!(less > -1e-9, "{less:e} mm, {case}");
     let there = pair.at(high).unwrap();
     let lost = ExactKernel::new(&there).lost_motion(&Pose::new(&there, found.mating));
     let lost = lost.unwrap();
     let teeth = |contact: Contact| (contact.wheel.tooth, contact.pinion.tooth);
     let teeth = [lost.right, lost.left].map(|contact| contact.map_or((0, 0), teeth));
-    assert_eq!(teeth, found.teeth, "{told}");
+    assert_eq!(teeth, found.teeth, "{case}");
     // For the given poses.
     let [below, above] = [-1e-9, 1e-9].map(|off| plays(&pair, found.of_poses + off, &matings));
     let worst = matings.iter().position(|mating| *mating == found.pose);
-    assert!(below[worst.unwrap()] < 0.0 && least(above) > 0.0, "{told}");
+    assert!(below[worst.unwrap()] < 0.0 && least(above) > 0.0, "{case}");
 }
 
 /// Source: poses all round, by the exact method.

@@ -60,11 +60,11 @@ fn every_requirement_is_judged_as_the_verdict_of_the_pair_judges_it() {
                     let required = limited(quantity, value + by, is_max);
                     let verdict = Verdict::new(&found, &required, None, Vec::new());
                     let missed = verdict.requirement == RequirementOutcome::NotMet;
-                    let told = format!("{number} {quantity:?} {is_max} {by}");
-                    assert_eq!(missed, (by < 0.0) == is_max, "{told}");
+                    let case = format!("{number} {quantity:?} {is_max} {by}");
+                    assert_eq!(missed, (by < 0.0) == is_max, "{case}");
                     let standing = AssemblyLimits::of(&required).standing(&assembly, &outcome);
-                    assert_eq!(standing.below, missed && !is_max, "{told}");
-                    assert_eq!(standing.above, missed && is_max, "{told}");
+                    assert_eq!(standing.below, missed && !is_max, "{case}");
+                    assert_eq!(standing.above, missed && is_max, "{case}");
                 }
             }
         }

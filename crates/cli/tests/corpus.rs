@@ -282,8 +282,8 @@ fn every_command_writes_what_is_stored() {
         }
     }
     let (differ, all) = (found.len(), cases.len());
-    let told = format!("{report}{differ} of {all} cases differ; see tests/corpus/README.md");
-    assert!(differ == 0, "{told}");
+    let summary = format!("{report}{differ} of {all} cases differ; see tests/corpus/README.md");
+    assert!(differ == 0, "{summary}");
 }
 
 /// No stored output is left of a case that went away.

@@ -125,9 +125,9 @@ fn ends(verdict: &str) -> Vec<&str> {
 /// The verdict that the page shows is that of the program, word for word. Source: `check --format json`.
 fn assert_verdict(tab: &mut impl Script, file: &Path) {
     let shown = tab.text("document.querySelector('#verdict .status').textContent");
-    let told = gearlash(&["check", file.to_str().unwrap(), "--format", "json"]);
-    let told: Value = serde_json::from_str(&told).unwrap();
-    let verdict = told["files"][0]["verdict"]["text"].as_str().unwrap();
+    let printed = gearlash(&["check", file.to_str().unwrap(), "--format", "json"]);
+    let printed: Value = serde_json::from_str(&printed).unwrap();
+    let verdict = printed["files"][0]["verdict"]["text"].as_str().unwrap();
     assert_eq!(shown, verdict, "{file:?}");
     let numbers = text(tab, "verdict");
     assert!(ends(verdict).iter().all(|number| numbers.contains(number)));
@@ -302,9 +302,11 @@ pub fn page_mesh_moves_with_the_distance(browser: &Chromium, _: &Site) {
         ));
         let shown = text(&mut tab, "cycle");
         let pair = path(DRAWING[0]).display().to_string();
-        let told = gearlash(&["simulate", &pair, "--center-distance", a, "--no-files"]);
-        let is_same = ends(&told)[..2].iter().all(|value| shown.contains(value));
-        assert!(is_same, "{a}: {shown}, {told}");
+        let printed = gearlash(&["simulate", &pair, "--center-distance", a, "--no-files"]);
+        let is_same = ends(&printed)[..2]
+            .iter()
+            .all(|value| shown.contains(value));
+        assert!(is_same, "{a}: {shown}, {printed}");
         // The axis stays.
         let moved = tab.number("Number(document.querySelector('#scale rect').getAttribute('x'))");
         assert!(moved > place + 10.0, "{place} {moved}");
@@ -317,9 +319,9 @@ pub fn page_marks_the_ends_of_the_distance(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, 1280);
     give(&mut tab, &JAMS);
     tab.until("document.querySelector('#marks .jams button') !== null && document.querySelector('#marks .apart button') !== null");
-    let told = gearlash(&["check", path(JAMS[0]).to_str().unwrap()]);
+    let printed = gearlash(&["check", path(JAMS[0]).to_str().unwrap()]);
     let number = |text: &str| text.split(' ').find_map(|word| word.parse::<f64>().ok());
-    let (_, from) = told.split_once("Assembles from a = ").unwrap();
+    let (_, from) = printed.split_once("Assembles from a = ").unwrap();
     let shown = tab.text("document.querySelector('#marks .jams').innerText");
     let [from, marked] = [from, &shown].map(|text| number(text).unwrap());
     assert!((marked - from).abs() < 2e-4, "{shown}: {from}");
@@ -524,7 +526,7 @@ pub fn page_poses_do_not_wait_for_the_band(browser: &Chromium, _: &Site) {
     );
 }
 
-/// A fault of a pose or of a band is told with version and help, and stays until the next calculation.
+/// A fault of a pose or of a band is printed with version and help, and stays until the next calculation.
 pub fn page_tells_internal_faults(browser: &Chromium, _: &Site) {
     let page = std::fs::read_to_string(built().unwrap()).unwrap();
     let call = "answer = gearlash[call](...args)";

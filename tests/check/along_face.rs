@@ -63,18 +63,28 @@ fn leads_bind_where_their_closed_form_is_greatest_and_cost_that_much() {
     }
 }
 
-/// Shafts that lean by `θ` over a face `b` cost `sin α_wt θ b` in the plane of the axes and `cos α_wt θ b` out of it, on the base tangent, to first order.
+/// Shafts that lean by `θ` over a face `b` cost `sin α_wt θ b` in the plane of the axes and `cos α_wt θ b` out of it, on the base tangent, to first
+/// order. A wobble `θ` turns through both.
 #[test]
-fn leaning_shafts_cost_their_closed_form() {
+fn leaning_axes_cost_their_closed_form() {
     let theta = 1e-4;
     let pair = with_leads(Default::default());
     let alpha = pair.operating_pressure_angle();
-    for (lean, loss) in [([theta, 0.0], alpha.tan()), ([0.0, theta], 1.0)] {
-        let pair = pair.clone().with_lean(lean).unwrap();
+    let leans = |lean| pair.clone().with_lean(lean).unwrap();
+    let wheel = pair.gear(Member::Wheel).with_wobble(theta, 1.0);
+    let wobbles = GearPair::new(wheel, pair.gear(Member::Pinion).clone(), 132.15);
+    for (pair, kind, loss) in [
+        (leans([theta, 0.0]), FaceDeviation::Shafts, alpha.tan()),
+        (leans([0.0, theta]), FaceDeviation::Shafts, 1.0),
+        (
+            wobbles.unwrap().with_face(FACE).unwrap(),
+            FaceDeviation::Wobble,
+            1.0,
+        ),
+    ] {
         let found = extremes_of(&pair).face_loss.unwrap();
         let loss = loss * theta * (FACE[1] - FACE[0]);
-        let shafts = found.by(FaceDeviation::Shafts).unwrap();
-        near(lean, shafts, loss, 2e-3 * loss);
+        near(kind, found.by(kind).unwrap(), loss, 2e-3 * loss);
         assert_eq!(found.by(FaceDeviation::Lead), Some(0.0));
     }
 }

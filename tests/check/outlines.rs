@@ -195,8 +195,7 @@ fn outlines_have_the_extremes_and_uncertainty_of_their_data() {
         ..Uncertainty::default()
     };
     let mut inputs = Inputs::draw(&mut random, 0.0);
-    // They interfere.
-    inputs.distance -= 0.25;
+    inputs.distance -= 0.25; // They interfere.
     let pair = inputs.pair();
     let [drawn, data] = [run_of(&study_of(&pair)), extremes_of(&pair)];
     assert_eq!(drawn.matings, data.matings);

@@ -54,7 +54,7 @@ pub(super) fn interference(panel: &mut Panel, busy: f64) {
     if low >= 0.0 {
         return;
     }
-    panel.marks.insert(0, Mark::Ground(high.min(0.0)));
+    panel.marks.insert(0, Mark::Ground(0.0));
     if high > 0.0 {
         let zero = Mark::level(panel.x.range, 0.0, Look::Plain, 1.0);
         panel.marks.push(zero);

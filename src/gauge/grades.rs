@@ -42,6 +42,8 @@ pub(super) fn grades<'a>(
         }
     }
     list.extend(runout.map(|read| (GradedQuantity::Runout, None, read.total(), read.error())));
+    // A reading within its error of zero is of a quantity without deviations, which nobody measured.
+    list.retain(|(_, _, measured, error)| measured > error);
     let one = |(quantity, pitch, measured, error)| -> Result<GradedReading, GearError> {
         Ok(GradedReading {
             quantity,

@@ -50,10 +50,10 @@ impl Inspection {
         }
     }
 
-    /// Whether any flank is off its place or the gear is eccentric.
+    /// Whether any flank is off its place or the gear is eccentric, by more than the rounding of a lead, which moves all flanks alike.
     pub fn deviates(&self) -> bool {
         let all = [&self.right, &self.left, &self.thickness, &self.runout];
-        all.into_iter().flatten().any(|value| *value != 0.0)
+        all.into_iter().flatten().any(|value| value.abs() > 1e-12)
     }
 
     /// Cumulative pitch deviation `F_i` of the gear's own `flank` flanks, about their mean.

@@ -158,7 +158,8 @@ impl DrawnChart {
                 courses.len()
             ));
         }
-        let course = &course.clone().with_cycle(&analysis.extremes.each);
+        let each = &analysis.extremes.each;
+        let course = &course.clone().with_cycle(each, &study.requirements);
         let cycle = print_verdict(&analysis, unit);
         let heading = Heading::alone(&study.title, &cycle);
         let end = args.material.map(|end| format!("_{}", name_of(&end)));

@@ -5,6 +5,7 @@
 
 use crate::error::Error;
 use gearlash::analysis::verdict::Verdict;
+use gearlash_results::text::Screen;
 use gearlash_results::verdict::lines;
 use gearlash_text::Sources;
 use gearlash_text::characters::plain;
@@ -106,9 +107,14 @@ pub(super) fn print_note_line(line: &str) {
     }
 }
 
-/// Writes a warning or error to standard error. Texts from files in it are made harmless.
+/// Writes a warning or error to standard error, in lines that fit a terminal. Texts from files in it are made harmless.
 pub(super) fn print_error_line(line: &str) {
-    print_error_text(&(plain(line) + "\n"));
+    let size = ::console::Term::stderr().size_checked();
+    let screen = Screen {
+        width: size.map(|(_, columns)| columns.into()),
+        colour: false,
+    };
+    print_error_text(&screen.fold(&(plain(line) + "\n")));
 }
 
 /// Writes the verdict to standard error.

@@ -29,10 +29,9 @@ mod tolerance;
 
 use crate::error::Error;
 use clap::{CommandFactory, Parser, Subcommand};
-use console::{print_error_text, print_note_line, printed};
+use console::{print, print_error_text, print_note_line};
 use gearlash_text::characters::plain;
 use std::ffi::OsString;
-use std::io::Write;
 use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 
@@ -171,10 +170,12 @@ fn parse(words: &[OsString]) -> Result<Cli, clap::Error> {
 
 /// Prints the text for --help or --version, or the usage error.
 fn help(usage: &clap::Error) -> Result<u8, Error> {
-    let shown = usage.print();
     if usage.use_stderr() {
+        let _ = usage.print();
         return Ok(2);
     }
-    printed(shown.and_then(|()| std::io::stdout().flush()))?;
+    let screen = options::ScreenArgs::default().screen();
+    let styled = screen.colour.then(|| usage.render().ansi().to_string());
+    print(&screen.fold(&styled.unwrap_or_else(|| usage.render().to_string())))?;
     Ok(0)
 }

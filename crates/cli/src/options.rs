@@ -243,7 +243,7 @@ impl ResultsArgs {
 }
 
 /// Options of the commands that print tables.
-#[derive(clap::Args)]
+#[derive(clap::Args, Default)]
 pub(super) struct ScreenArgs {
     /// Print tables in full on a narrow terminal
     #[arg(long)]

@@ -71,7 +71,7 @@ pub fn over_teeth(
     let analysis = analysed(py, None, &plan)?;
     let course = curves::courses(&analysis.curves).into_iter().next();
     let course = course.ok_or("the pair asks for no poses")?;
-    let course = course.with_cycle(&analysis.extremes.each);
+    let course = course.with_cycle(&analysis.extremes.each, &study.requirements);
     let cycle = extremes_in_short(&analysis.verdict());
     let heading = Heading::alone(&study.title, &cycle);
     let drawn = if difference {

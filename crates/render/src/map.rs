@@ -180,8 +180,10 @@ impl Grid<'_> {
     /// The map with `title` and `caption` (the pair), the field and its legend.
     fn picture(&self, title: &str, caption: &str) -> SVG {
         let left = WIDE.field.left;
+        let style = TextStyle::new(18.0);
+        let title = style.shortened(title, WIDE.width - left - 16.0);
         self.drawn(&WIDE)
-            .add(TextStyle::new(18.0).verbatim(title, [left, 34.0]))
+            .add(style.verbatim(&title, [left, 34.0]))
             .add(SMALL.grey().text(caption, [left, 58.0]))
     }
 

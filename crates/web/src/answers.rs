@@ -658,7 +658,7 @@ fn curve(analysis: &Analysis, verdict: &Verdict) -> Vec<String> {
     let Some(course) = course else {
         return Vec::new();
     };
-    let course = course.with_cycle(&analysis.extremes.each);
+    let course = course.with_cycle(&analysis.extremes.each, &analysis.study.requirements);
     let cycle = extremes_in_short(verdict);
     let heading = Heading {
         prefix: "curve",

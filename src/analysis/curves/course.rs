@@ -2,6 +2,7 @@
 
 use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::extremes::{RunExtreme, RunExtremes};
+use crate::analysis::requirement::Requirements;
 use crate::analysis::study::Material;
 use crate::contact::{Contact, End, PoseResult, Status, first_least};
 use crate::gear::Side;
@@ -30,13 +31,15 @@ pub struct Course {
     pub greatest: Option<Extreme>,
     /// Least and greatest `j_wt` of the whole mesh cycle at this centre distance, over every phase and material, µm; `None` if unknown.
     pub cycle_um: [Option<f64>; 2],
+    /// The requirements on the pair.
+    pub required: Requirements,
 }
 
 impl Course {
-    /// Adds the extremes of the mesh cycle among `runs`. An extreme on the course replaces the course's own, so that
+    /// Adds what is `required`, and the extremes of the mesh cycle among `runs`. An extreme on the course replaces the course's own, so that
     /// verdict and chart name the same teeth.
     #[must_use]
-    pub fn with_cycle(mut self, runs: &[RunExtremes]) -> Course {
+    pub fn with_cycle(mut self, runs: &[RunExtremes], required: &Requirements) -> Course {
         let here = |run: &&RunExtremes| run.assembly.center_distance() == self.center_distance;
         let ends = End::BOTH.map(|end| {
             let ends = runs.iter().filter(here);
@@ -50,6 +53,7 @@ impl Course {
         let [least, greatest] = ends.map(|end| end.and_then(place));
         self.least = least.or(self.least);
         self.greatest = greatest.or(self.greatest);
+        self.required.clone_from(required);
         self
     }
 
@@ -180,6 +184,7 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
         least: extreme(1.0),
         greatest: extreme(-1.0),
         cycle_um: [None; 2],
+        required: Requirements::new(),
         lines,
     }
 }

@@ -4,6 +4,7 @@ use super::first_mating;
 use crate::analysis::compare::ComparedRun;
 use crate::analysis::extremes::RunExtremes;
 use crate::analysis::measured::{Bands, bands};
+use crate::analysis::requirement::Requirements;
 use crate::analysis::simulate::simulate_plans;
 use crate::analysis::study::{MeasuredRow, Run, RunPlan, Study};
 use crate::contact::{Method, MethodAgreement, Status, first_least};
@@ -101,6 +102,8 @@ pub struct OverDistance {
     pub points: Vec<DistancePoint>,
     /// The measured rows of the teeth, in the order of their file.
     pub measured: Vec<MeasuredRow>,
+    /// The requirements on the pair.
+    pub required: Requirements,
     /// With [`Method::Both`]: agreement of the two methods.
     pub agreement: MethodAgreement,
     /// Number of unproven poses, including the ends of the bearing clearance. The bands have gaps there.
@@ -186,6 +189,7 @@ pub fn over_distance(
         assembles_from,
         points: distances.iter().map(point).collect(),
         measured,
+        required: study.requirements.clone(),
     })
 }
 

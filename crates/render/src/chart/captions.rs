@@ -3,9 +3,10 @@
 use super::panel::{Entry, Look, Mark, Panel, Swatch};
 use crate::kit::{Anchor, Axis};
 use gearlash::analysis::curves::{Course, CourseLine};
+use gearlash::analysis::requirement::{Quantity, Requirements};
 use gearlash::contact::Status;
 use gearlash::pair::BacklashUnit;
-use gearlash_text::numbers::stated_distance;
+use gearlash_text::numbers::{rounded, shortest, stated_distance};
 
 pub(super) fn course_axis(course: &Course) -> Axis {
     let name = match course.teeth {
@@ -53,13 +54,46 @@ pub(super) fn interference(panel: &mut Panel, busy: f64) {
     if low >= 0.0 {
         return;
     }
-    panel.marks.insert(0, Mark::Ground(high.min(0.0)));
+    panel.marks.insert(0, Mark::Ground(0.0));
     if high > 0.0 {
         let zero = Mark::level(panel.x.range, 0.0, Look::Plain, 1.0);
         panel.marks.push(zero);
     }
     let name = Mark::text([corner, low], [shift, -10.0], "interference", anchor);
     panel.marks.push(name);
+}
+
+/// Draws the limits of j_wt in what is `required`. The axis makes room for a limit within its own length; the returned words name
+/// those beyond.
+pub(super) fn draw_limits(
+    panel: &mut Panel,
+    unit: BacklashUnit,
+    required: &Requirements,
+) -> String {
+    let ([x, _], [low, high]) = (panel.x.range, panel.y.range);
+    let mut beyond = String::new();
+    let of = Quantity::OperatingBacklash;
+    let limits = required
+        .iter()
+        .find(|limits| limits.0 == of && unit == BacklashUnit::Um);
+    let ends = limits.map_or([None; 2], |(_, limits)| [limits.min, limits.max]);
+    for (word, shift, mm) in [("min", 10.0, ends[0]), ("max", -10.0, ends[1])] {
+        let Some(mm) = mm else {
+            continue;
+        };
+        let limit = rounded(1e3 * mm, 9);
+        let words = format!("required {word} {} µm", shortest(limit));
+        if f64::max(low - limit, limit - high) > high - low {
+            beyond += &format!(" · {words}");
+            continue;
+        }
+        let [y0, y1] = panel.y.range;
+        panel.y.range = [y0.min(limit), y1.max(limit)];
+        let line = Mark::level(panel.x.range, limit, Look::Limit, 1.2);
+        let name = Mark::text([x, limit], [8.0, shift], words, Anchor::Start);
+        panel.marks.extend([line, name]);
+    }
+    beyond
 }
 
 pub(super) fn entry(name: &str, look: Look, sample: Swatch) -> Entry {

@@ -1,6 +1,8 @@
 //! Backlash over the centre distance, as in Figures 20–21 of the founding study.
 
-use super::captions::{backlash_axis, empty, entry, interference, unproven_note, without_value};
+use super::captions::{
+    backlash_axis, draw_limits, empty, entry, interference, unproven_note, without_value,
+};
 use super::panel::{Look, Mark, Panel, Point, Swatch, backlash_range, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
@@ -107,6 +109,7 @@ pub fn distance(
         return sheet::draw(heading, &details, &[], &[panel]);
     };
     let mut panel = Panel::new(x_axis, backlash_axis(unit, y), 380.0, marks);
+    let details = details + &draw_limits(&mut panel, unit, &curve.required);
     // The bands rise from the lower left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));

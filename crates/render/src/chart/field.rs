@@ -101,6 +101,8 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
     if sides.iter().any(|side| leads(side, x).is_some()) {
         entries.push(entry("lead of the wheel", Look::Plain, Swatch::Line));
         entries.push(entry("of the pinion", Look::Third, Swatch::Line));
+        let name = "their sum, in the colour of the flanks";
+        entries.push(entry(name, Look::Right, Swatch::Line));
     }
     let point = |side: &FieldSide| binding_line(side).is_none();
     if field.sides.iter().any(point) {

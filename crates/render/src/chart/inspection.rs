@@ -30,7 +30,7 @@ pub fn inspection(
         ("tooth thickness − mean", thickness),
         ("displacement by the eccentricity, e·cos φ", runout),
     ];
-    let moved = |series: &BarSeries| series.values.iter().flatten().any(|value| *value != 0.0);
+    let moved = |series: &BarSeries| series.values.iter().flatten().any(|um| um.abs() > 1e-9);
     let deviating = groups.iter().filter(|(_, series)| series.iter().any(moved));
     let panels: Vec<BarPanel> = deviating
         .map(|(title, series)| BarPanel {

@@ -9,7 +9,7 @@ use svg::node::element::Group;
 /// A hatched area over the whole width up to a value of y.
 pub(super) fn ground(plot: &Plot, below: f64) -> Group {
     let frame = Frame {
-        top: plot.spot((plot.x[0], below))[1],
+        top: plot.spot((plot.x[0], below))[1].max(plot.top),
         ..plot.frame()
     };
     Group::new()

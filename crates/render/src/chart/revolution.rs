@@ -1,8 +1,8 @@
 //! Backlash over the teeth, as in Figures 17–19 of the founding study.
 
 use super::captions::{
-    backlash_axis, course_axis, course_caption, empty, entry, interference, unproven_note,
-    unproven_of, without_value,
+    backlash_axis, course_axis, course_caption, draw_limits, empty, entry, interference,
+    unproven_note, unproven_of, without_value,
 };
 use super::panel::{Look, Mark, Panel, Point, Swatch, backlash_range};
 use super::sheet::{self, Chart, Heading, PictureError};
@@ -52,6 +52,7 @@ pub fn revolution(
     };
     let axis = backlash_axis(unit, y);
     let mut panel = Panel::new(course_axis(course), axis, 360.0, Vec::new());
+    let limits = draw_limits(&mut panel, unit, &course.required);
     let mut legend = Vec::new();
     // Only one band is filled, because both coincide where there are no pitch deviations.
     for (flank, look, fill) in [
@@ -128,7 +129,7 @@ pub fn revolution(
     } else {
         String::new()
     };
-    let details = format!("{unproven}{}{gaps}", course_caption(course));
+    let details = format!("{unproven}{}{limits}{gaps}", course_caption(course));
     sheet::draw(heading, &details, &legend, &[panel])
 }
 

@@ -46,6 +46,7 @@ pub(super) fn table(page: &Page) -> Markup {
         }
         @for gear in gears {
             @if let Err(reason) = &gear.graded { p.note { "No accuracy grade for the " (gear.name) ": " (reason.to_string()) "." } }
+            @if let (Ok([]), Some(grade)) = (gear.graded.as_deref(), gear.required) { p.note { "Grade " (grade) " is required of the " (gear.name) "; no deviation is given to be graded." } }
         }
     }
 }

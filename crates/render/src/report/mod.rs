@@ -39,6 +39,8 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     let runs: Vec<&ComparedRun> = report.analysis.distinct_runs().collect();
     let picked: Vec<&ComparedRun> = report.analysis.extremes.runs.iter().collect();
     let all = [&runs[..], &picked[..]].concat();
+    let each = &report.analysis.extremes.each;
+    let required = &report.pair.study.requirements;
     let mut distances = by_distance(&runs, &picked);
     // Numbers that are not negative have the order of their bits.
     distances.sort_by_cached_key(|at| at.center_distance.to_bits());
@@ -48,7 +50,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         distances,
         courses: courses(&report.analysis.curves)
             .into_iter()
-            .map(|course| course.with_cycle(&report.analysis.extremes.each))
+            .map(|course| course.with_cycle(each, required))
             .collect(),
         all,
         report,

@@ -2,9 +2,10 @@
 
 use crate::pose_name::{phase_name, pose_name};
 use gearlash::analysis::outcome::PoseOfRun;
+use gearlash::analysis::requirement::Requirements;
 use gearlash::gear::Side;
 pub(super) use gearlash_text::characters::plain;
-use gearlash_text::numbers::{NONE, um};
+use gearlash_text::numbers::{NONE, rounded, shortest, um, unit_of};
 use maud::{Markup, html};
 
 /// `least … greatest`, in µm.
@@ -13,6 +14,19 @@ pub(super) fn band(ends: [Option<f64>; 2], decimals: usize) -> String {
         [None, None] => NONE.to_owned(),
         [least, greatest] => format!("{} … {}", um(least, decimals), um(greatest, decimals)),
     }
+}
+
+/// What is `required` of each quantity, such as `j_wt 80 … 200 µm`.
+pub(super) fn limits(required: &Requirements) -> impl Iterator<Item = String> {
+    required.iter().map(|(quantity, limits)| {
+        let (name, unit, per, _) = unit_of(*quantity);
+        let shown = |end: Option<f64>| Some(shortest(rounded(end? * per, 9)));
+        match [limits.min, limits.max].map(shown) {
+            [Some(min), Some(max)] => format!("{name} {min} … {max} {unit}"),
+            [Some(min), None] => format!("{name} ≥ {min} {unit}"),
+            [None, max] => format!("{name} ≤ {} {unit}", max.unwrap_or_default()),
+        }
+    })
 }
 
 /// `words` with a full stop, or unchanged if a question.

@@ -3,18 +3,16 @@
 use super::figures::{collapsed, figure};
 use super::gears;
 use super::page::PageFrame;
-use super::phrases::{j_wt, plain, with_symbols};
+use super::phrases::{j_wt, limits, plain, with_symbols};
 use super::table::{Table, cells, columns, mark};
 use crate::chart::population::Pictures;
 use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::population::{
     CONFIDENCE, JACKKNIFE_GROUPS, LIMIT_SIGMAS, OutcomeKind, PITCH_LIMIT_SIGMAS,
 };
-use gearlash_input::tolerance::{
-    Limit, PopulationSummary, ToleranceFile, ToleranceResult, sentence, without_worst_case,
-};
+use gearlash_input::tolerance::{ToleranceFile, ToleranceResult, sentence, without_worst_case};
 use gearlash_results::population;
-use gearlash_text::numbers::{rounded, shortest};
+use gearlash_text::numbers::shortest;
 use maud::{Markup, Render, html};
 
 /// Input of a page of a population.
@@ -93,7 +91,9 @@ fn input(report: &ToleranceReport) -> Markup {
     // Specs are plain data, which JSON can always hold.
     let assembly = serde_json::to_value(&pair.spec.assembly).unwrap_or_default();
     let scatters = serde_json::to_value(&report.file.tolerance).unwrap_or_default();
-    let required = required(&report.result.about);
+    let share = report.result.about.max_ppm;
+    let share = share.map(|ppm| format!("at most {} ppm outside", shortest(ppm)));
+    let required = Vec::from_iter(limits(&pair.study.requirements).chain(share)).join(", ");
     html! {
         section id="input" {
             h2 { "Input" }
@@ -115,29 +115,6 @@ fn stated_table(caption: &str, table: &serde_json::Value) -> Markup {
     let rows = rows.iter();
     let rows = rows.map(|(name, value)| cells![plain(name), plain(value)]);
     Table::new(caption, html! { (caption) }, columns, rows).render()
-}
-
-/// The requirement for each assembly, in words.
-fn required(about: &PopulationSummary) -> String {
-    let own = Limit {
-        quantity: "j_wt".to_owned(),
-        unit: "µm".to_owned(),
-        min: about.min_mm.map(|mm| rounded(1e3 * mm, 6)),
-        max: about.max_mm.map(|mm| rounded(1e3 * mm, 6)),
-    };
-    let limits = std::iter::once(&own).chain(&about.others);
-    let words = limits.filter_map(|limit| {
-        let (quantity, unit) = (&limit.quantity, &limit.unit);
-        match [limit.min, limit.max].map(|end| end.map(shortest)) {
-            [None, None] => None,
-            [Some(min), Some(max)] => Some(format!("{quantity} {min} … {max} {unit}")),
-            [Some(min), None] => Some(format!("{quantity} ≥ {min} {unit}")),
-            [None, Some(max)] => Some(format!("{quantity} ≤ {max} {unit}")),
-        }
-    });
-    let share = about.max_ppm;
-    let share = share.map(|ppm| format!("at most {} ppm outside", shortest(ppm)));
-    words.chain(share).collect::<Vec<_>>().join(", ")
 }
 
 /// The statements of a table of the pair file, one row per inner table: its key and its values in a line.

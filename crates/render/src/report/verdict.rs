@@ -1,7 +1,7 @@
 //! The answer: whether the pair assembles, how much backlash it has, where, at which teeth, and over which poses.
 
 use super::page::Page;
-use super::phrases::{band, few, j_wt, touching, with_symbols};
+use super::phrases::{band, few, j_wt, limits, touching, with_symbols};
 use super::table::{Table, cells, columns, mark, marked};
 use super::trust::count;
 use gearlash::analysis::compare::ComparedRun;
@@ -19,10 +19,12 @@ use maud::{Markup, Render, html};
 use std::collections::BTreeSet;
 
 pub(super) fn section(page: &Page) -> Markup {
+    let required = Vec::from_iter(limits(&page.report.pair.study.requirements)).join(", ");
     html! {
         section id="result" {
             div.verdict.(state(page).name()) {
                 p.state { (mark(state(page))) }
+                @if !required.is_empty() { p { "Required: " (with_symbols(&required)) "." } }
                 (verdict(page))
                 @if !(page.report.pair.study.bearing_clearance > 0.0) {
                     p { "Bearing clearance: none is stated; the axes are assumed fixed at the centre distance." }

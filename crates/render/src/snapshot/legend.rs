@@ -85,7 +85,7 @@ pub fn draw(layout: &Layout, scene: &Scene, main: &View, ids: &Ids, overlap: boo
         (
             "gap",
             Sample::Fills(&[GAP]),
-            any(&|contact| contact.gap > 0.0),
+            any(&|contact| !scene.room_between(contact, main.chord()).is_empty()),
         ),
         ("overlap", Sample::Fills(&hatched), overlap),
         ("operating pitch circle", Sample::Dashes(PITCH_DASH), true),

@@ -78,7 +78,7 @@ fn texts_of_a_report_keep_clear() {
         let analysis = Analysis::silently(&Plan::whole(&study, METHOD)).unwrap();
         let mut charts = Vec::new();
         for course in courses(&analysis.curves) {
-            let course = course.with_cycle(&analysis.extremes.each);
+            let course = course.with_cycle(&analysis.extremes.each, &study.requirements);
             charts.push(chart::revolution(UM, &heading("r", "t"), &course));
             charts.push(chart::difference(&heading("d", "t"), &course, 0.1));
         }

@@ -9,8 +9,8 @@ use gearlash::analysis::curves::{Course, CoursePoint};
 use gearlash::gear::Side;
 use gearlash_render::chart::{Chart, Plot};
 
-/// Half the window of an envelope (whole pitches, the next above a swing of less than 7 units), and a column.
-const NEAR: f64 = 0.5 * (7.0 + 14.0) + 1.0;
+/// Half the window of an envelope (whole pitches, the next above a swing of less than 10 units), and a column.
+const NEAR: f64 = 0.5 * (10.0 + 14.0) + 1.0;
 
 /// The pair of the issue over `pitches`: a line up to a hundred or so, then an envelope.
 /// 1806 pitches are a hunting cycle of 28 896 poses.

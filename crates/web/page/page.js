@@ -118,6 +118,7 @@
   function edit(name) {
     main = name;
     named = small(files.keys());
+    noted = null;
     text.value = decoded(files.get(name));
     // As the editor has it: with its own ends of lines.
     saved = text.value;
@@ -155,12 +156,18 @@
     if (focused >= 0) (buttons()[focused] ?? buttons().at(-1) ?? byId("open")).focus();
   }
 
+  // The text whose files are all known.
+  let noted = null;
   // With problems, it may name the files of its last answer too.
-  const note = ({ problems, files }) => { named = small([...(problems ? named : []), ...files]); };
+  const note = ({ problems, files }, of) => {
+    named = small([...(problems ? named : []), ...files]);
+    noted = problems ? null : of;
+  };
   async function noteNames() {
-    files.set(main, new TextEncoder().encode(text.value));
+    const content = text.value;
+    files.set(main, new TextEncoder().encode(content));
     await send("live");
-    note(await answer("live", "open", main));
+    if (content !== noted) note(await answer("live", "open", main), content);
   }
 
   // The files of the former pair leave; those stay that came with the next one, or that only the next one names.
@@ -317,7 +324,7 @@
       await send("long");
       const found = await answer("long", "open", main);
       if (now !== run) return;
-      note(found);
+      note(found, content);
       listFiles();
       if (found.problems || found.failed) {
         showProblems(found.problems ?? [{ reason: found.failed }], found.title);

@@ -118,6 +118,7 @@
   function edit(name) {
     main = name;
     named = small(files.keys());
+    noted = null;
     text.value = decoded(files.get(name));
     // As the editor has it: with its own ends of lines.
     saved = text.value;
@@ -155,12 +156,18 @@
     if (focused >= 0) (buttons()[focused] ?? buttons().at(-1) ?? byId("open")).focus();
   }
 
+  // The text whose files are all known.
+  let noted = null;
   // With problems, it may name the files of its last answer too.
-  const note = ({ problems, files }) => { named = small([...(problems ? named : []), ...files]); };
+  const note = ({ problems, files }, of) => {
+    named = small([...(problems ? named : []), ...files]);
+    noted = problems ? null : of;
+  };
   async function noteNames() {
-    files.set(main, new TextEncoder().encode(text.value));
+    const content = text.value;
+    files.set(main, new TextEncoder().encode(content));
     await send("live");
-    note(await answer("live", "open", main));
+    if (content !== noted) note(await answer("live", "open", main), content);
   }
 
   // The files of the former pair leave; those stay that came with the next one, or that only the next one names.
@@ -194,10 +201,7 @@
     const names = [...added.keys()];
     // A text that a pair file names is the file of a gear.
     const texts = names.filter(isText);
-    run += 1;
-    // No calculation that runs, or is to begin, may end the worker or show its result.
-    clearTimeout(typing);
-    byId("working").hidden = true;
+    supersede();
     byId("found").classList.add("old");
     await noteNames();
     const namedBy = {};
@@ -212,8 +216,7 @@
     const tables = names.filter((name) => !isText(name) && !isDrawing(name));
     if (!pair && tables.length === 1 && drawings.length === 0 && !isNamed(tables[0])) await understand(tables[0]);
     if (!pair && tables.filter((name) => !isNamed(name)).length > 1) {
-      run += 1;
-      byId("working").hidden = true;
+      supersede();
       return say("tables", tables.join(", "));
     }
     if (pair) edit(pair);
@@ -226,8 +229,7 @@
     const drawings = [...files.keys()].filter((name) => isDrawing(name) && !isNamed(name));
     if (drawings.length === 0) return calculate();
     if (drawings.length === 2) return (await startFromDrawings(drawings)) && calculate();
-    run += 1;
-    byId("working").hidden = true;
+    supersede();
     listFiles();
     await say(drawings.length === 1 ? "one drawing" : "drawings", drawings.join(", "));
   }
@@ -279,6 +281,12 @@
 
   // ---- calculate
   let run = 0;
+  // No calculation that runs, or is to begin, may end a worker or show its result.
+  function supersede() {
+    run += 1;
+    clearTimeout(typing);
+    byId("working").hidden = true;
+  }
   let opened = null;
   // Time of the last run, ms: a short one follows the keys.
   let took = Infinity;
@@ -316,7 +324,7 @@
       await send("long");
       const found = await answer("long", "open", main);
       if (now !== run) return;
-      note(found);
+      note(found, content);
       listFiles();
       if (found.problems || found.failed) {
         showProblems(found.problems ?? [{ reason: found.failed }], found.title);
@@ -333,7 +341,7 @@
         await ask(name, "open", main);
       }
       if (now !== run) return;
-      opened = { ...found, sought: ["mark_of_jam", "mark_of_mesh"] };
+      opened = { ...found, sought: [0, 1] };
       byId("problems").hidden = true;
       show(result);
       byId("found").classList.toggle("old", text.value !== content);
@@ -352,7 +360,7 @@
   // Searches the marks that are not found yet.
   async function findMarks(now) {
     while (now === run && opened.sought.length > 0) {
-      const found = await answer("long", opened.sought[0]);
+      const found = await answer("long", "marks", opened.sought[0]);
       if (now !== run) return;
       opened.sought.shift();
       opened.marks.push(...found);
@@ -480,7 +488,7 @@
     byId("found").hidden = false;
     byId("found").classList.remove("old");
     verdict(byId("verdict"), result.verdict);
-    byId("curve").innerHTML = result.curve.join("");
+    showCurve(opened.marks[0].mm, result.curve);
     byId("remedies").textContent = result.remedies.trim();
     byId("checks-title").hidden = !result.checks && !result.remedies.trim();
     byId("checks").replaceChildren(...(result.checks ? checks(result.checks) : []));
@@ -489,6 +497,12 @@
     byId("notes").querySelector("ul").replaceChildren(...opened.notes.map((note) => make("li", note)));
     document.title = `${opened.title}: gearlash`;
     startLive(result.start);
+  }
+
+  function showCurve(a, curve) {
+    byId("curve").innerHTML = curve.join("");
+    byId("curve").dataset.a = a;
+    byId("curve").classList.remove("old");
   }
 
   // ---- live: one pose and the whole cycle at another centre distance, each in its own worker
@@ -544,6 +558,7 @@
       if (a !== distance()) return;
       const spoken = new Set(["here", "cycle"].map((name) => byId(name).dataset.spoken));
       byId("spoken").replaceChildren(...[...spoken].map((words) => make("span", words)));
+      if (byId("curve").classList.contains("old")) liveCurve();
     }, 1000);
   }
   const liveBand = newest(async () => {
@@ -551,6 +566,12 @@
     await bandAt(distance(), false);
   });
   const wholeBand = newest(() => bandAt(distance(), true));
+  // The curve of the distance at rest. The long worker may search marks before it.
+  const liveCurve = newest(async () => {
+    const [a, now] = [distance(), run];
+    const { curve } = await answer("long", "curve", a);
+    if (curve && now === run && a === distance()) showCurve(a, curve);
+  });
 
   function live() {
     if (!isDistance()) {
@@ -560,6 +581,7 @@
     }
     const isBehind = Number(byId("cycle").dataset.a) !== distance();
     byId("live").classList.toggle("behind", isBehind);
+    byId("curve").classList.toggle("old", Number(byId("curve").dataset.a) !== distance());
     clearTimeout(resting);
     clearTimeout(lagging);
     // The band of another distance does not stand beside the pose for long.
@@ -568,13 +590,11 @@
     liveBand();
   }
 
-  function startLive(start) {
+  function startLive(at) {
     const [low, high] = opened.range_mm;
     for (const field of [fields.a, fields.number]) [field.min, field.max] = [low, high];
     [fields.wheel.max, fields.pinion.max] = opened.teeth;
-    const at = start ?? { distance_mm: opened.distances_mm[0], wheel: 1, pinion: 1, left: false, fraction: 0 };
-    // A warm pair's distance has any number of decimals.
-    fields.a.value = fields.number.value = Number(at.distance_mm.toFixed(6));
+    fields.a.value = fields.number.value = at.distance_mm;
     [fields.wheel.value, fields.pinion.value] = [at.wheel, at.pinion];
     fields.flank.value = at.left ? "left" : "right";
     fields.material.replaceChildren(...opened.materials.map((name, i) => make("option", name, { value: i })));
@@ -813,8 +833,7 @@
     try {
       held = (await linked()) ?? other;
     } catch {
-      run += 1;
-      byId("working").hidden = true;
+      supersede();
       byId("examples").value = "";
       files.clear();
       files.set("pair.toml", new Uint8Array());
@@ -877,7 +896,6 @@
   (async () => {
     module = await unpacked(byId("wasm").textContent);
     await Promise.all(["long", "live", "band"].map(begin));
-    byId("save-page").textContent += ` (${(source.length / 1e6).toFixed(1)} MB)`;
     await openLinked(own ?? examples[0]);
     window.addEventListener("hashchange", () => quietly(openLinked(null)));
     window.addEventListener("beforeunload", (event) => { if (text.value !== saved) event.preventDefault(); });

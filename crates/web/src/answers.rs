@@ -1,7 +1,9 @@
 //! Answers of the page as JSON. Every number and sentence comes from the packages that the program uses.
 
 use crate::archive::archive;
-use gearlash::analysis::curves::courses;
+use gearlash::analysis::assembles_from::Threshold;
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::curves::{courses, refined, with_revolution};
 use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::analysis::extremes::{self, RunExtremes};
 use gearlash::analysis::requirement::{Limits, Quantity};
@@ -10,7 +12,7 @@ use gearlash::analysis::verdict::Verdict;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
 use gearlash::analysis::{Analysis, Plan, Progress};
 use gearlash::contact::{Doubt, Method, PoseResult, lost_motion_at};
-use gearlash::error::Tick;
+use gearlash::error::{Tick, go_on};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{BacklashUnit, Mating, Member, SweepPlan};
@@ -27,7 +29,7 @@ use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{
     ExtremeLine, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up, uncut,
 };
-use gearlash_text::numbers::{trimmed, um, unit_of};
+use gearlash_text::numbers::{rounded, trimmed, um, unit_of};
 use gearlash_text::{Files, InputError, MAX_BYTES, display_path, has_extension, too_large};
 use serde_json::{Value, json};
 use std::fmt::Display;
@@ -145,66 +147,66 @@ impl Page {
         } else {
             table(&analysis)
         };
+        let first = (pair.study.center_distances[0], Mating::FIRST, "");
         let start = verdict.worst().map(|(extremes, assembly, pose)| {
-            let mating = pose.simulated.pose.mating();
-            json!({
-                "distance_mm": assembly.center_distance(),
-                "wheel": mating.wheel_tooth,
-                "pinion": mating.pinion_tooth,
-                "left": mating.flank == Side::Left,
-                "fraction": mating.fraction,
-                "material": extremes.material.words(),
-            })
+            let mating = *pose.simulated.pose.mating();
+            let material = extremes.material.words();
+            (assembly.center_distance(), mating, material)
         });
+        let (a, mating, material) = start.unwrap_or(first);
+        let curves = (&analysis.curves[..], &analysis.extremes.each[..]);
         json!({
             "verdict": verdict_json(&verdict),
             "checks": checks,
             "remedies": remedies.text(&verdict),
-            "curve": curve(&analysis, &verdict),
-            "start": start,
-            "unproven": analysis.unproven(),
+            "curve": curve(&pair.study, curves, &verdict),
+            "start": {
+                "distance_mm": in_fields(a),
+                "wheel": mating.wheel_tooth,
+                "pinion": mating.pinion_tooth,
+                "left": mating.flank == Side::Left,
+                "fraction": mating.fraction,
+                "material": material,
+            },
         })
     }
 
-    /// The distance from which the pair assembles, as marks of the slider.
-    pub fn mark_of_jam(&self, report: &OnStep) -> Value {
-        let tick = |_| report(0, 0, "Searching the distance from which it assembles");
-        self.mark_at(0, &tick, |verdict| {
-            let from = verdict.assembles_from()?;
-            Some(mark(
-                rounded_up(from.high),
-                "jams",
-                "assembles from",
-                from.doubt,
-            ))
-        })
-    }
-
-    /// The distance up to which the pair is in mesh, as marks of the slider. It takes seconds.
-    pub fn mark_of_mesh(&self, report: &OnStep) -> Value {
-        let tick = |_| report(0, 0, "Searching the distance up to which it is in mesh");
-        self.mark_at(1, &tick, |verdict| {
-            let to = verdict.meshes_to()?;
-            Some(mark(
-                rounded_down(to.low),
-                "apart",
-                "in mesh up to",
-                to.doubt,
-            ))
-        })
-    }
-
-    /// The mark that the verdict at an end of the slider's range gives, if any.
-    fn mark_at(&self, end: usize, tick: &Tick, mark: impl Fn(&Verdict) -> Option<Value>) -> Value {
+    /// The curve of [`Page::result`] at another centre distance: `{curve}`.
+    pub fn curve(&self, a: f64) -> Value {
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
+        let found = movable(&pair.study).at(vec![a]).and_then(|study| {
+            let [_, turned] = with_revolution(&study, METHOD, &go_on)?;
+            let cycles = extremes::extremes(&study, METHOD, &go_on)?.each;
+            let curves = refined(&study, &turned, &cycles, METHOD, &go_on)?;
+            let verdict = Verdict::of_study(&study, &cycles, Vec::new());
+            Ok(json!({ "curve": curve(&study, (&curves, &cycles), &verdict) }))
+        });
+        found.unwrap_or_else(failed)
+    }
+
+    /// Marks of an end of the slider: the distance from which the pair assembles (0), or up to which it is in mesh (1), which takes seconds.
+    /// A pair without a result there has none.
+    pub fn marks(&self, end: usize, report: &OnStep) -> Value {
+        let Some(pair) = &self.pair else {
+            return nothing_open();
+        };
+        let sought = ["from which it assembles", "up to which it is in mesh"][end];
+        let stage = format!("Searching the distance {sought}");
+        let tick = |_| report(0, 0, &stage);
         let a = range(&pair.study)[end];
         let found = movable(&pair.study).at(vec![a]).and_then(|study| {
-            let found = extremes::extremes(&study, METHOD, tick)?;
-            Ok(mark(&Verdict::of_study(&study, &found.each, Vec::new())))
+            let found = extremes::extremes(&study, METHOD, &tick)?;
+            let verdict = Verdict::of_study(&study, &found.each, Vec::new());
+            let from =
+                |at: Threshold| mark(rounded_up(at.high), "jams", "assembles from", at.doubt);
+            let to = |at: Threshold| mark(rounded_down(at.low), "apart", "in mesh up to", at.doubt);
+            Ok(match end {
+                0 => verdict.assembles_from().map(from),
+                _ => verdict.meshes_to().map(to),
+            })
         });
-        // A pair without a result there has no mark.
         found.ok().flatten().into_iter().collect()
     }
 
@@ -528,11 +530,16 @@ fn movable(study: &Study) -> Study {
     }
 }
 
+/// A distance as fields show it: that of a warm pair has any number of decimals.
+fn in_fields(mm: f64) -> f64 {
+    rounded(mm, 6)
+}
+
 /// A distance to mark on the slider.
 fn mark(mm: f64, kind: &str, words: &str, doubt: Option<Doubt>) -> Value {
     let unless_proven = if doubt.is_some() { " (not proven)" } else { "" };
     let words = format!("{words} {} mm{unless_proven}", trimmed(mm, 0, 4));
-    json!({ "mm": mm, "kind": kind, "words": words })
+    json!({ "mm": in_fields(mm), "kind": kind, "words": words })
 }
 
 /// The limits of the quantities in proportion to the operating backlash, as its values at the one centre distance of `study`.
@@ -652,17 +659,21 @@ fn table(analysis: &Analysis) -> Value {
 }
 
 /// The backlash over the teeth at the first centre distance as SVG, for a wide and for a narrow screen; empty where there is no
-/// curve.
-fn curve(analysis: &Analysis, verdict: &Verdict) -> Vec<String> {
-    let course = courses(&analysis.curves).into_iter().next();
+/// curve. From the curves of `study` and the extremes of its cycles.
+fn curve(
+    study: &Study,
+    (curves, cycles): (&[ComparedRun], &[RunExtremes]),
+    verdict: &Verdict,
+) -> Vec<String> {
+    let course = courses(curves).into_iter().next();
     let Some(course) = course else {
         return Vec::new();
     };
-    let course = course.with_cycle(&analysis.extremes.each, &analysis.study.requirements);
+    let course = course.with_cycle(cycles, &study.requirements);
     let cycle = extremes_in_short(verdict);
     let heading = Heading {
         prefix: "curve",
-        title: &analysis.study.title,
+        title: &study.title,
         subtitle: &cycle,
     };
     chart::revolution(BacklashUnit::Um, &heading, &course).map_or(Vec::new(), |chart| {

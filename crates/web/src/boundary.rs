@@ -54,14 +54,9 @@ impl Gearlash {
         self.page.zip()
     }
 
-    /// The centre distance from which the pair assembles: `[{mm, kind, words}]`, empty without one.
-    pub fn mark_of_jam(&self) -> String {
-        self.page.mark_of_jam(&progress).to_string()
-    }
-
-    /// The centre distance up to which the pair is in mesh: `[{mm, kind, words}]`, empty without one.
-    pub fn mark_of_mesh(&self) -> String {
-        self.page.mark_of_mesh(&progress).to_string()
+    /// The centre distance from which the pair assembles (`end` 0), or up to which it is in mesh (1): `[{mm, kind, words}]`, empty without one.
+    pub fn marks(&self, end: usize) -> String {
+        self.page.marks(end, &progress).to_string()
     }
 
     /// The pair file `name` with the centre distance `mm`: `{text, said}`, or `{failed}`.
@@ -88,6 +83,11 @@ impl Gearlash {
     /// Verdict, checks, remedies and curve of the pair that is open.
     pub fn result(&self) -> String {
         self.page.result(&progress).to_string()
+    }
+
+    /// The curve over the teeth at the centre distance `a`, mm: `{curve}`, or `{failed}`.
+    pub fn curve(&self, a: f64) -> String {
+        self.page.curve(a).to_string()
     }
 
     /// The report of the pair that is open: `{html}`. `date` is its day, as printed.

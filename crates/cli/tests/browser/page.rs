@@ -124,9 +124,6 @@ pub fn says_the_same_without_script(browser: &Chromium, site: &Site) {
         let least = run["summary"]["min_j_wt_um"].as_f64();
         assert!(least.is_none_or(|least| shown <= least), "{shown}: {run}");
     }
-    // A pose without a value has an empty title, not a lone unit.
-    without.open(&site.stuck);
-    assert_eq!(of(&mut without, "backlash", "title"), "");
 }
 
 /// Issue 14: within a screen and a half of 1280 × 800, 1200 px; and a reader sees that the chart can be clicked.

@@ -312,6 +312,7 @@ pub fn page_mesh_moves_with_the_distance(browser: &Chromium, _: &Site) {
         assert!(moved > place + 10.0, "{place} {moved}");
         place = moved;
     }
+    tab.until("document.querySelector('#curve:not(.old)')?.textContent.includes('a = 30.15')");
 }
 
 /// Marks stand where the pair assembles from and is in mesh to; a click leads there. Source: `check` at a jam, `assembles_from_mm`.

@@ -22,8 +22,6 @@ function gearlashMesh(data, step) {
   // The number of a pose, where the page holds only some of a run.
   const numberIn = (run, pose) => run.number?.[pose] ?? pose + 1;
 
-  const signed = (number) => String(number).replace("-", "−");
-
   // The place of the contact on a side in the picture, y down; null without one.
   function contactAt(side) {
     const [x, y] = [value(side + "_x_mm"), value(side + "_y_mm")];
@@ -73,9 +71,7 @@ function gearlashMesh(data, step) {
   function showTexts() {
     byId("run").textContent = run().label;
     for (const name of TEXTS) byId(name).textContent = word(name + "_text");
-    const backlash = value("j_wt_um");
-    byId("backlash").dataset.um = backlash ?? "";
-    byId("backlash").title = backlash === null ? "" : `${signed(backlash)} µm`;
+    byId("backlash").dataset.um = value("j_wt_um") ?? "";
   }
 
   // ---- the section: turns the outlines and their numbers by the twist of the teeth, about the gears' own
@@ -84,7 +80,7 @@ function gearlashMesh(data, step) {
     const slider = byId("section");
     const z = (byId("section-follow").checked ? value(shown.side + "_section_mm") : null) ?? Number(slider.value);
     slider.value = z;
-    byId("section-at").textContent = byId("section-here").textContent = signed(slider.value);
+    byId("section-at").textContent = byId("section-here").textContent = slider.value.replace("-", "−");
     byId("section-contacts").textContent = word("section-contacts_text");
     members.forEach((member, i) => {
       const twist = data.helical.twist_deg_a_mm[i] * z;

@@ -86,7 +86,6 @@ pub fn draw(viewed: &Viewed, number: usize) -> String {
     texts.insert("run", run(viewed));
     let j_wt = viewed.run.poses[number].simulated.backlash;
     let full = j_wt.map_or(String::new(), |j| format!("{}", j * 1e3));
-    let title = j_wt.map_or(String::new(), |_| format!("{full} µm").replace('-', "−"));
     let rows = [
         ("run", "Run"),
         ("pose", "Pose"),
@@ -101,7 +100,7 @@ pub fn draw(viewed: &Viewed, number: usize) -> String {
     });
     format!(
         "<p class=\"viewer-backlash\">Backlash <i>j</i><sub>wt</sub> = <output id=\"viewer-backlash\" aria-live=\"polite\" \
-         title=\"{title}\" data-um=\"{full}\">{}</output> <span id=\"viewer-overlapping\">{}</span></p>\n<dl class=\"viewer-readout\">\n{}</dl>\n",
+         data-um=\"{full}\">{}</output> <span id=\"viewer-overlapping\">{}</span></p>\n<dl class=\"viewer-readout\">\n{}</dl>\n",
         texts["backlash"],
         texts["overlapping"],
         rows.concat()

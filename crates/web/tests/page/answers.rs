@@ -50,13 +50,18 @@ const DRAWN: [&str; 3] = [
     "fixtures/outlines/pinion_20.svg",
 ];
 
-/// Pairs with their tables and drawings.
-const EXAMPLES: [&[&str]; 6] = [
-    &["docs/files/sheet.toml", "docs/files/wheel.csv"],
-    &["fixtures/karba_44x44.toml", "fixtures/karba_tables_5_6.csv"],
+/// Pairs with their tables and drawings: first those of the page.
+const EXAMPLES: [&[&str]; 7] = [
     &["docs/files/drawing.toml"],
+    &[
+        "crates/web/page/example/drawn.toml",
+        "crates/web/page/example/wheel.dxf",
+        "crates/web/page/example/tooth.svg",
+    ],
+    &["docs/files/sheet.toml", "docs/files/wheel.csv"],
     &["docs/files/jams.toml"],
     &["docs/files/helical.toml"],
+    &["fixtures/karba_44x44.toml", "fixtures/karba_tables_5_6.csv"],
     &DRAWN,
 ];
 
@@ -137,6 +142,8 @@ fn a_verdict_and_a_band_are_those_of_the_files_on_disk() {
         let text = lines(&analysis.verdict()).to_string();
         assert_eq!(result["verdict"]["text"], text, "{names:?}");
         let a = found["distances_mm"][0].as_f64().unwrap();
+        let is_one = found["distances_mm"][1].is_null();
+        assert!(!is_one || page.curve(a)["curve"] == result["curve"]);
         let [low, high] = [0, 1].map(|end| found["range_mm"][end].as_f64().unwrap());
         for end in [low, high] {
             let band = page.live_band(end, false, &go_on);
@@ -232,8 +239,8 @@ fn a_tick_ends_any_work() {
     let works: [&dyn Fn(&OnStep) -> Value; 4] = [
         &|report| page.result(report),
         &|report| page.report("2026-01-01", report),
-        &|report| page.mark_of_jam(report),
-        &|report| page.mark_of_mesh(report),
+        &|report| page.marks(0, report),
+        &|report| page.marks(1, report),
     ];
     for work in works {
         let calls = Arc::new(AtomicU64::new(0));
@@ -252,27 +259,24 @@ fn a_tick_ends_any_work() {
     }
 }
 
-/// Elements and bytes stand for the time of a frame: the picture is drawn once, and an answer that moves it stays short.
+/// Counts stand for the time of a frame: the picture is drawn once, an answer that moves it stays short, and a band takes few steps.
 #[test]
 fn a_frame_is_small() {
-    for names in &EXAMPLES[2..] {
+    for names in EXAMPLES {
         let (page, found) = opened(names);
         let at = first(found["distances_mm"][0].as_f64().unwrap());
         let mesh = page.mesh(&at)["html"].as_str().unwrap().to_owned();
-        let live = page.live(&at).to_string();
-        let band = page.live_band(at.distance, false, &go_on).to_string();
-        let elements = mesh.matches('<').count();
-        let counts = [elements, mesh.len(), live.len(), band.len()];
-        println!(
-            "{names:?}: elements and bytes of a picture, bytes of a move and a band {counts:?}"
-        );
-        let mut pairs = counts.iter().zip(MOST_OF_A_FRAME);
+        let steps = AtomicU64::new(0);
+        let step = |_| go_on(steps.fetch_add(1, Ordering::Relaxed));
+        let band = page.live_band(at.distance, false, &step).to_string();
+        let [elements, steps] = [mesh.matches('<').count(), steps.into_inner() as usize];
+        let live = page.live(&at).to_string().len();
+        let counts = [elements, mesh.len(), live, band.len(), steps];
+        // Elements and bytes of the picture, bytes of a pose and of a band, rounds of up to 96 cells of the band.
+        let mut pairs = counts.iter().zip([400, 600_000, 2_000, 500, 40]);
         assert!(pairs.all(|(count, most)| *count <= most), "{counts:?}");
     }
 }
-
-/// Elements and bytes of a picture that is drawn once, and bytes of a pose and of a band while the slider moves.
-const MOST_OF_A_FRAME: [usize; 4] = [400, 600_000, 2_000, 500];
 
 /// A unit is that of the drawing that states none alone. Limits of lost motion stand in the band as backlash: `j_wt = φ r_w`, r_w = a z/Σz.
 #[test]

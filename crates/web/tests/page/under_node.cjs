@@ -54,12 +54,12 @@ for (const files of cases) {
   const opened = JSON.parse(answers[0]);
   if (opened.stem !== undefined) {
     const result = long("result", () => timed(() => one.result()));
-    const at = JSON.parse(result).start ?? { wheel: 1, pinion: 1, left: false, fraction: 0 };
+    const at = JSON.parse(result).start;
     const a = opened.distances_mm[0];
     const place = [a, 0, at.wheel, at.pinion, at.left, at.fraction];
     const text = fs.readFileSync(files[0][1], "utf8");
     answers.push(one.with_distance(main, text, a + 0.01), one.too_large(main, 2 ** 20 + 1), one.said("tables", main));
-    answers.push(result, long("jam", () => one.mark_of_jam()), timed(() => one.live_band(a, false)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
+    answers.push(result, long("jam", () => one.marks(0)), timed(() => one.live_band(a, false)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
     // As the slider moves it, after the first.
     answers.push(...timed(() => [one.live_band(a + 0.01, false), one.pose("live", a + 0.01, ...place.slice(1))]), one.live_band(a + 0.01, true));
   } else {
@@ -72,8 +72,8 @@ for (const files of slow) {
   const one = wrapped(new program.Gearlash());
   for (const [name, path] of files) one.add(name, fs.readFileSync(path));
   main = files[0][0];
-  one.open(main);
-  process.stdout.write(`[${long("report", () => one.report("2026-01-01"))},${long("mesh", () => one.mark_of_mesh())}]\n`);
+  const a = JSON.parse(one.open(main)).distances_mm[0] + 0.01;
+  process.stdout.write(`[${long("report", () => one.report("2026-01-01"))},${long("mesh", () => one.marks(1))},${one.curve(a)}]\n`);
 }
 const all = [Object.getOwnPropertyNames(program.Gearlash.prototype), Object.getOwnPropertyNames(program.Gearlash)].flat();
 const own = all.filter((key) => !key.startsWith("__") && !["constructor", "free", "length", "name", "prototype"].includes(key));

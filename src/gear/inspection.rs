@@ -16,7 +16,9 @@ pub struct Inspection {
 
 /// Whether the teeth of `gear` differ: a flank is off its place, the gear is eccentric or wobbles, or profiles or leads differ.
 pub fn has_different_teeth(gear: &AsBuilt) -> bool {
-    Inspection::of(gear).deviates()
+    let sheet = Inspection::of(gear);
+    let all = [sheet.right, sheet.left, sheet.thickness, sheet.runout].concat();
+    all.iter().any(|mm| *mm != 0.0)
         || gear.wobble() != 0.0
         || gear.has_different_profiles()
         || !gear.has_one_lead()

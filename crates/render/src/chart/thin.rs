@@ -80,8 +80,7 @@ pub(super) enum Overplotting {
 /// Length per width from which a line is dense (tuned: a rig's difference with its 45 spikes, 9 times its width, is easier to
 /// read thin).
 const DENSE: f64 = 4.0;
-/// Mean width of a swing below which a line is solid, units: dashes and strokes of two lines are no longer separate (tuned: 8.2
-/// are a block, 14.7 are lines).
+/// Mean width of a swing below which a line is solid, units (tuned: 8.2 are a block in two lines, 14.7 are not).
 const NARROW: f64 = 10.0;
 /// Rises below this height are no swing, units: a stroke's width, so that rounding on a plateau does not count.
 const LOW: f64 = 1.5;

@@ -40,7 +40,6 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     let picked: Vec<&ComparedRun> = report.analysis.extremes.runs.iter().collect();
     let all = [&runs[..], &picked[..]].concat();
     let each = &report.analysis.extremes.each;
-    let required = &report.pair.study.requirements;
     let mut distances = by_distance(&runs, &picked);
     // Numbers that are not negative have the order of their bits.
     distances.sort_by_cached_key(|at| at.center_distance.to_bits());
@@ -50,7 +49,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         distances,
         courses: courses(&report.analysis.curves)
             .into_iter()
-            .map(|course| course.with_cycle(each, required))
+            .map(|course| course.with_cycle(each, &report.pair.study.requirements))
             .collect(),
         all,
         report,

@@ -104,9 +104,12 @@ fn answers(files: &Files, times: &mut Vec<f64>) -> Value {
 fn words(text: &str) -> Vec<&str> {
     let pieces = text.split('<').filter_map(|piece| piece.split_once('>'));
     let words = pieces.map(|(_, words)| words.trim());
-    // The data of the viewer are numbers.
-    let is_shown = |words: &&str| !words.is_empty() && !words.starts_with('{');
-    words.filter(is_shown).collect()
+    // The data of the viewer are numbers. Differences below 1e-9 µm are rounding.
+    let is_rounding = |words: &str| words.len() < 16 && words.contains("·10⁻¹");
+    let is_data = |words: &str| words.is_empty() || words.starts_with('{');
+    words
+        .filter(|words| !is_data(words) && !is_rounding(words))
+        .collect()
 }
 
 /// The places where `other` is not equal to `native` are added to `unlike`: words are equal exactly, numbers within 1e-6 (µm, mm, degrees), pictures and

@@ -105,11 +105,8 @@ fn words(text: &str) -> Vec<&str> {
     let pieces = text.split('<').filter_map(|piece| piece.split_once('>'));
     let words = pieces.map(|(_, words)| words.trim());
     // The data of the viewer are numbers. Differences below 1e-9 µm are rounding.
-    let is_rounding = |words: &str| words.len() < 16 && words.contains("·10⁻¹");
-    let is_data = |words: &str| words.is_empty() || words.starts_with('{');
-    words
-        .filter(|words| !is_data(words) && !is_rounding(words))
-        .collect()
+    let is_data = |words: &str| words.starts_with('{') || words.contains("·10⁻¹");
+    words.filter(|it| !it.is_empty() && !is_data(it)).collect()
 }
 
 /// The places where `other` is not equal to `native` are added to `unlike`: words are equal exactly, numbers within 1e-6 (µm, mm, degrees), pictures and

@@ -32,6 +32,7 @@ use super::tightest::{FirstContact, TightestContacts};
 use crate::contact::Effort;
 use crate::contact::gap::MOST_NODES;
 use crate::gear::{ProfilePart, Side};
+use crate::numeric::rank;
 use crate::pair::{GearPair, Member};
 use flanks::{flank_contact, rises};
 use heights::greatest_gap_by_heights;
@@ -182,7 +183,7 @@ impl OuterGears {
         let count = self.pairs_on_line(outer, &mut pairs)?;
         let pairs = &mut pairs[..count];
         let gap = |pair: &Option<OuterPair>| pair.map_or(f64::NEG_INFINITY, |pair| pair.gap);
-        pairs.sort_by(|a, b| gap(b).total_cmp(&gap(a)));
+        pairs.sort_by_cached_key(|pair| rank(-gap(pair)));
         let mut tightest = TightestContacts::new(posed.problem);
         for pair in pairs.iter().flatten() {
             if pair.gap - beyond < tightest.least_tied_gap() {

@@ -17,16 +17,18 @@ pub(super) fn band(ends: [Option<f64>; 2], decimals: usize) -> String {
 }
 
 /// What is `required` of each quantity, such as `j_wt 80 … 200 µm`.
-pub(super) fn limits(required: &Requirements) -> impl Iterator<Item = String> {
-    required.iter().map(|(quantity, limits)| {
+pub(super) fn limits(required: &Requirements) -> Vec<String> {
+    let mut words = Vec::new();
+    for (quantity, limits) in required {
         let (name, unit, per, _) = unit_of(*quantity);
-        let shown = |end: Option<f64>| Some(shortest(rounded(end? * per, 9)));
-        match [limits.min, limits.max].map(shown) {
-            [Some(min), Some(max)] => format!("{name} {min} … {max} {unit}"),
-            [Some(min), None] => format!("{name} ≥ {min} {unit}"),
-            [None, max] => format!("{name} ≤ {} {unit}", max.unwrap_or_default()),
-        }
-    })
+        let [min, max] = [limits.min, limits.max].map(|end| Some(shortest(rounded(end? * per, 9))));
+        words.push(match (min, max) {
+            (Some(min), Some(max)) => format!("{name} {min} … {max} {unit}"),
+            (Some(min), None) => format!("{name} ≥ {min} {unit}"),
+            (None, max) => format!("{name} ≤ {} {unit}", max.unwrap_or_default()),
+        });
+    }
+    words
 }
 
 /// `words` with a full stop, or unchanged if a question.

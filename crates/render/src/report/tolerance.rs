@@ -93,7 +93,9 @@ fn input(report: &ToleranceReport) -> Markup {
     let scatters = serde_json::to_value(&report.file.tolerance).unwrap_or_default();
     let share = report.result.about.max_ppm;
     let share = share.map(|ppm| format!("at most {} ppm outside", shortest(ppm)));
-    let required = Vec::from_iter(limits(&pair.study.requirements).chain(share)).join(", ");
+    let mut required = limits(&pair.study.requirements);
+    required.extend(share);
+    let required = required.join(", ");
     html! {
         section id="input" {
             h2 { "Input" }

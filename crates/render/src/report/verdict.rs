@@ -19,7 +19,7 @@ use maud::{Markup, Render, html};
 use std::collections::BTreeSet;
 
 pub(super) fn section(page: &Page) -> Markup {
-    let required = Vec::from_iter(limits(&page.report.pair.study.requirements)).join(", ");
+    let required = limits(&page.report.pair.study.requirements).join(", ");
     html! {
         section id="result" {
             div.verdict.(state(page).name()) {

@@ -195,7 +195,7 @@ fn checks_fail_whether_or_not_all_are_made() {
     let fixtures = "karba_44x44 karba_44x44_pitch karba_86x21 hunting_51x23 tip_on_fillet_86x21 profiled_44x44";
     let fixtures = fixtures.split(' ');
     let fixtures = fixtures.map(|name| (name.to_owned(), study(format!("fixtures/{name}.toml"))));
-    let drawn = (0..40).map(|index| {
+    let drawn = (0..60).map(|index| {
         let mut random = Random::of(14, index);
         let mut gear = || {
             let teeth = random.within(9.0, 50.0) as u32;

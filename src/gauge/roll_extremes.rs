@@ -18,6 +18,7 @@
 
 use crate::contact::{PoseClass, ToothPlace};
 use crate::error::Error;
+use crate::numeric::rank;
 use crate::pair::Mating;
 use crate::parallel;
 use std::collections::BTreeMap;
@@ -132,7 +133,7 @@ pub(super) fn bracketed(
         };
         halved.retain(|piece| piece.to - piece.from > 1);
         // The pieces with the greatest possible excess first, because their number is limited.
-        halved.sort_by(|one, other| other.slack().total_cmp(&one.slack()));
+        halved.sort_by_cached_key(|piece| rank(-piece.slack()));
         halved.truncate((MOST * curve.steps).saturating_sub(samples.len()));
         let middle = |piece: &&CurvePiece| piece.from + (piece.to - piece.from) / 2;
         wanted = halved.iter().map(middle).collect();

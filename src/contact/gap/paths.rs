@@ -5,6 +5,7 @@
 
 use super::boxes::{Rectangle, RunContent, Tree};
 use super::{C, CurveArc, CurveContact, MOST_NODES, OpenPairs, Origin, greatest, turn};
+use crate::numeric::rank;
 
 /// Distance below the origin of gaps, rad, from which rectangles rule nothing out. The gap of a pair within 120° (see
 /// [`Rectangle::is_near`]) could be more than half a turn below the origin there, and count as one a turn above.
@@ -191,7 +192,7 @@ impl<'a> PathSearch<'a> {
                 }
             }
             // The deepest penetration goes last, because the last is taken first.
-            self.open[from..].sort_by(|a, b| a.penetration.total_cmp(&b.penetration));
+            self.open[from..].sort_by_cached_key(|pair| rank(pair.penetration));
         }
         Ok(best)
     }

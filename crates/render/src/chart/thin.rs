@@ -214,7 +214,7 @@ mod tests {
             Overplotting::Clear
         );
         assert_eq!(
-            overplotting(&swings(86, 100.0), [1.0, 1.0]),
+            overplotting(&swings(60, 100.0), [1.0, 1.0]),
             Overplotting::Dense
         );
         let Overplotting::Solid([low, high]) = overplotting(&swings(172, 100.0), [1.0, 1.0]) else {

@@ -14,11 +14,9 @@ pub struct Inspection {
     runout: Vec<f64>,
 }
 
-/// Whether the teeth of `gear` differ: a flank is off its place, the gear is eccentric or wobbles, or profiles or leads differ.
+/// Whether the teeth of `gear` differ: a flank deviates, the gear is eccentric or wobbles, or profiles or leads differ.
 pub fn has_different_teeth(gear: &AsBuilt) -> bool {
-    let sheet = Inspection::of(gear);
-    let all = [sheet.right, sheet.left, sheet.thickness, sheet.runout].concat();
-    all.iter().any(|mm| *mm != 0.0)
+    Inspection::of(gear).greatest() != 0.0
         || gear.wobble() != 0.0
         || gear.has_different_profiles()
         || !gear.has_one_lead()
@@ -52,10 +50,16 @@ impl Inspection {
         }
     }
 
-    /// Whether any flank is off its place or the gear is eccentric, by more than the rounding of a lead, which moves all flanks alike.
+    /// Whether any flank deviates or the gear is eccentric, by more than the rounding of a lead that all flanks share.
     pub fn deviates(&self) -> bool {
+        self.greatest() > 1e-12
+    }
+
+    /// The greatest amount of a deviation, mm.
+    fn greatest(&self) -> f64 {
         let all = [&self.right, &self.left, &self.thickness, &self.runout];
-        all.into_iter().flatten().any(|value| value.abs() > 1e-12)
+        let amounts = all.into_iter().flatten().map(|mm| mm.abs());
+        amounts.fold(0.0, f64::max)
     }
 
     /// Cumulative pitch deviation `F_i` of the gear's own `flank` flanks, about their mean.

@@ -132,7 +132,7 @@ fn the_foremost_run_is_the_first_of_equals() {
     assert!(std::ptr::eq(worst.0, &runs[1]) && worst.2.simulated.backlash.is_none());
 }
 
-/// Of runs that do not assemble, the greatest distance from which one does; of those out of mesh, the least up to which one is. None where one has none.
+/// The greatest distance from which a run that jams assembles, and the least up to which one out of mesh is in mesh. None where one has none.
 #[test]
 fn distances_are_of_all_runs_that_fail() {
     let run = run();

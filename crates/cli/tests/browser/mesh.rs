@@ -40,7 +40,7 @@ fn turned(tab: &mut Tab, member: &str) -> f64 {
     rotation.trim_end_matches(')').parse().unwrap()
 }
 
-/// A gear stands at a rotation, shown to 1e-6°; the free gear's left contact is the sum of two such numbers.
+/// A gear has a rotation, shown to 1e-6°; the free gear's left contact is the sum of two such numbers.
 fn assert_angle(tab: &mut Tab, member: &str, rotation: &Value) {
     let (shown, expected) = (turned(tab, member), rotation.as_f64().unwrap().to_degrees());
     let off = (shown - expected + 180.0).rem_euclid(360.0) - 180.0;

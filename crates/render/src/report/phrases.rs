@@ -16,7 +16,7 @@ pub(super) fn band(ends: [Option<f64>; 2], decimals: usize) -> String {
     }
 }
 
-/// What is `required` of each quantity, such as `j_wt 80 … 200 µm`.
+/// The limits of each `required` quantity, such as `j_wt 80 … 200 µm`.
 pub(super) fn limits(required: &Requirements) -> Vec<String> {
     let mut words = Vec::new();
     for (quantity, limits) in required {

@@ -278,7 +278,7 @@ fn a_frame_is_small() {
     }
 }
 
-/// A unit is that of the drawing that states none alone. Limits of lost motion stand in the band as backlash: `j_wt = φ r_w`, r_w = a z/Σz.
+/// A unit is that of the drawing that states none alone. The band shows limits of lost motion as backlash: `j_wt = φ r_w`, r_w = a z/Σz.
 #[test]
 fn units_and_limits_are_those_of_what_states_them() {
     let (mut page, _) = opened(&DRAWN[1..]);

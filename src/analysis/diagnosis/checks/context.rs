@@ -582,10 +582,9 @@ impl CheckContext<'_> {
             .collect();
         let details = known.iter().map(|(_, key, _, loss)| (*key, loss * 1e3));
         let sections = self.evidence.least_sections;
-        let binds = sections.map(|[right, left]| {
-            format!(
-                "; least at {right:.2} mm (right), {left:.2} mm (left) from the measuring plane"
-            )
+        let binds = sections.map(|sections| {
+            let [right, left] = sections.map(hundredths);
+            format!("; least at {right} mm (right), {left} mm (left) from the measuring plane")
         });
         Some(Check {
             outlines: Some(all),

@@ -15,9 +15,6 @@ use crate::pair::Mating;
 use crate::parallel;
 use std::collections::HashSet;
 
-/// Cells per pitch in the first round (tuned).
-const CELLS_A_PITCH: u64 = 4;
-
 /// Limit of cells in the first round (tuned: some seconds). Longer cycles have wider cells.
 const MOST_CELLS: u64 = 60_000;
 
@@ -112,6 +109,11 @@ pub(super) trait CycleCells: Sync {
     /// The doubt of a bracket whose rest no narrower cell excludes.
     const DOUBT_OF_BOUNDS: Doubt;
 
+    /// Cells of a pitch in the first round.
+    fn cells_a_pitch(&self) -> u64 {
+        4
+    }
+
     /// The mating `pitches` after the first pose.
     fn mating(&self, pitches: f64) -> Mating;
 
@@ -197,7 +199,8 @@ impl<T: CycleCells> CycleSearch<'_, T> {
     /// The cells of the first round; of equal ones only the first.
     fn first_cells(&self, ends: &[End]) -> Vec<Cell> {
         let pitches = self.distinct;
-        let count = (CELLS_A_PITCH * pitches).min(MOST_CELLS.max(pitches.min(2 * MOST_CELLS)));
+        let count =
+            (self.cells.cells_a_pitch() * pitches).min(MOST_CELLS.max(pitches.min(2 * MOST_CELLS)));
         let distance = pitches as f64 / count as f64;
         let mut seen = HashSet::new();
         let each = (0..count).map(|k| ((k as f64 + 0.5) * distance, 0.5 * distance));

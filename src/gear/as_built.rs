@@ -784,6 +784,24 @@ impl AsBuilt {
         (0..self.shapes(side)).map(bounds).collect()
     }
 
+    /// Greatest profile deviation of any flank at its lower end, by which fillet and root land are turned, and at its tip corner, mm.
+    pub(crate) fn end_deviations(&self) -> [f64; 2] {
+        let mut greatest = [f64::NEG_INFINITY; 2];
+        for side in Side::BOTH {
+            for shape in 0..self.shapes(side) {
+                let part = self.shape(side, shape).part(ProfilePart::Involute);
+                let (low, high) = part.range();
+                for (most, end) in greatest.iter_mut().zip([low, high]) {
+                    *most = most.max(match &part.curve {
+                        PartCurve::Modified(flank) => flank.deviation().at(end),
+                        _ => 0.0,
+                    });
+                }
+            }
+        }
+        greatest
+    }
+
     /// Whether a profile lies outside its involute anywhere.
     pub(crate) fn stands_out(&self) -> bool {
         let sides = Side::BOTH.iter().flat_map(|side| self.deviations(*side));

@@ -79,12 +79,18 @@ impl<'a> FacingTeeth<'a> {
 
     /// Bound of the sum of both leads over `face`, less that in the measuring plane, mm.
     pub fn lead_sum_bound(&self, face: [f64; 2]) -> f64 {
+        self.lead_sum_bounds(face)[1]
+    }
+
+    /// Lower and upper bound of that sum.
+    pub fn lead_sum_bounds(&self, face: [f64; 2]) -> [f64; 2] {
         let [locked, free] = [0, 1].map(|k| {
             let (gear, tooth) = self.teeth[k];
             let face = face.map(|b| self.height(k, b));
-            gear.lead_bounds(self.side, tooth, face)[0][1] - self.in_plane[k]
+            let [bounds, ..] = gear.lead_bounds(self.side, tooth, face);
+            bounds.map(|bound| bound - self.in_plane[k])
         });
-        locked + free
+        [locked[0] + free[0], locked[1] + free[1]]
     }
 
     /// Least and greatest second derivative of each lead between two places, mm per mm².

@@ -254,7 +254,7 @@ impl GearPair {
     }
 
     /// Bound on the sum of the rates of two leads, mm per mm.
-    pub(super) fn steepest_leads(&self) -> f64 {
+    pub(crate) fn steepest_leads(&self) -> f64 {
         let height = self.height_bound();
         let [from, to] = self.face();
         let face = [from - height, to + height];

@@ -43,18 +43,16 @@ fn helical_pairs_hold_or_are_doubted() {
     }
 }
 
-/// Helical gears whose profiles deviate, over a part of their cycle.
+/// Helical gears whose profiles deviate, over a part of their cycle: brackets of a hundredth of a micrometre hold.
 #[test]
 fn extremes_of_helical_profiles_hold() {
-    let bounded = (0..2).filter(|index| {
-        let (pair, _) = along_face::drawn(11, *index, true);
-        let pitches = (0..40).map(|k| 0.4 * f64::from(k));
-        let poses = pitches.map(|pitches| Pose::new(&pair, Mating::FIRST.onward(&pair, pitches)));
-        let found = held_from(&pair, Mating::FIRST, 16, poses).unwrap();
-        let both = found.least.zip(found.greatest);
-        both.is_some_and(|(least, most)| least.low.is_finite() && most.high.is_finite())
-    });
-    assert!(bounded.count() > 0);
+    let (pair, _) = along_face::drawn(6, 3, true);
+    let pitches = (0..40).map(|k| 0.1 * f64::from(k));
+    let poses = pitches.map(|pitches| Pose::new(&pair, Mating::FIRST.onward(&pair, pitches)));
+    let found = held_from(&pair, Mating::FIRST, 4, poses).unwrap();
+    for end in [found.least, found.greatest].map(Option::unwrap) {
+        assert!(end.high - end.low < 1e-5, "{end:?}");
+    }
 }
 
 /// The lost motion, mm, that perfect gears have on a face of an overlap ratio above 1: both sides touch wherever along the face they do so

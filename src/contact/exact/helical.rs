@@ -26,7 +26,7 @@
 mod edges;
 mod leads;
 mod place_filter;
-mod profiles;
+pub(super) mod profiles;
 mod roots;
 mod search_free_sections;
 mod turning;
@@ -432,7 +432,9 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
             let (b, doubt) = match highest {
                 Ok(None) => return Ok(()),
                 Ok(Some(HighestPlace { b, .. })) if round < MOST_ROUNDS_OF_PROFILES => (b, 0.0),
-                Ok(Some(HighestPlace { b, height })) => (b, 2.0 * height * problem.per_free_base),
+                Ok(Some(HighestPlace { b, height, .. })) => {
+                    (b, 2.0 * height * problem.per_free_base)
+                }
                 // The section reports it.
                 Err(_) => (helical.assembly.face()[0], 0.0),
             };

@@ -4,11 +4,39 @@
 //! its flank everywhere, over its profile and over the common face. Additional metal never adds play, so at any pose the lost motion is
 //! between those of the outer and of the inner gears.
 
-use super::extreme::{CycleBound, Doubt, End, Extreme, UNKNOWN};
+use super::extreme::{CycleBound, Doubt, End, Extreme, Extremes, UNKNOWN};
 use super::mesh_cycle::MeshCycle;
 use crate::contact::ExactKernel;
 use crate::error::Error;
 use crate::pair::Member;
+
+/// The extremes `found`, within the bounds of the enclosing gears where they are not proven.
+pub(super) fn narrowed(
+    cycle: &MeshCycle,
+    found: Extremes,
+    width: f64,
+    of: &[End],
+) -> Result<Extremes, Error> {
+    if found.each().all(|one| one.is_proven()) {
+        return Ok(found);
+    }
+    let [(low, _), (high, _)] = bounds(cycle, width, of)?;
+    let per_radian = cycle.per_radian();
+    // `max` and `min` skip an unknown bound, which is NaN.
+    let least = found.least.map(|least| Extreme {
+        low: least.low.max(low * per_radian).min(least.high),
+        ..least
+    });
+    let greatest = found.greatest.map(|greatest| Extreme {
+        high: greatest.high.min(high * per_radian).max(greatest.low),
+        ..greatest
+    });
+    Ok(Extremes {
+        least,
+        greatest,
+        ..found
+    })
+}
 
 /// Lower bound of the least and upper bound of the greatest.
 pub(super) fn bounds(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<[CycleBound; 2], Error> {

@@ -156,7 +156,8 @@ impl<'a> MeshCycle<'a> {
         let is_round = gear.eccentricity() == 0.0 && gear.wobble() == 0.0;
         let is_equal = |side: &CycleSide| {
             let teeth = [&side.problem.locked, &side.problem.free][k];
-            teeth.offset_range.0 == teeth.offset_range.1
+            let (least, most) = teeth.offset_range;
+            least == most && gear.shapes(side.problem.side) == 1
         };
         is_round && self.assembly.has_one_lead() && self.sides.iter().all(is_equal)
     }

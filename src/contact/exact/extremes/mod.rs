@@ -16,6 +16,7 @@ mod corner_path;
 mod enclosed;
 mod extreme;
 mod fillet;
+mod held_side;
 mod line_bends;
 mod mesh_cycle;
 mod rolls;
@@ -23,6 +24,7 @@ mod room;
 mod sample;
 mod search;
 mod shift;
+mod side_over_face;
 mod side_stretch;
 mod side_table;
 mod table;
@@ -117,7 +119,12 @@ fn search_extremes(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes
     };
     let mut found = ExaminedPoses::default();
     if let Some(cells) = AlongFaceCells::new(cycle) {
-        return Ok(of_cells(cycle, &cells, width, of));
+        let found = of_cells(cycle, &cells, width, of);
+        return if cycle.assembly.is_modified() {
+            enclosed::narrowed(cycle, found, width, of)
+        } else {
+            Ok(found)
+        };
     }
     if cycle.assembly.is_modified() || cycle.assembly.deviates_along_face() {
         sample::sample(cycle, &mut found, only)?;
@@ -192,7 +199,7 @@ fn search_extremes(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes
     Ok(found.extremes(cycle, [least, greatest]))
 }
 
-/// The extremes `of` a pair with lead deviations, by bounds over cells.
+/// The extremes `of` a pair that deviates along the face, by bounds over cells.
 fn of_cells(cycle: &MeshCycle, cells: &AlongFaceCells, width: f64, of: &[End]) -> Extremes {
     let search = CycleSearch {
         cells,

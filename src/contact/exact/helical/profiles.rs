@@ -22,6 +22,11 @@
 //! edge of a relief, can also be highest. It is one point of its gear, with `η` a function of `b`, so that one variable is left. For a corner
 //! of the free gear both gears change places.
 //!
+//! **Over a cell of rotations** ([`Plays`]) the free gear follows at a given gap. Rolls on the line move by the same angle in every section, so
+//! a turn of helical teeth is a shift along the face: the face is longer by it. What is left is a play of the rolls, up to `p`, and of `T`, up
+//! to `p T`, and the change of leads by the shift. A point of the first flank keeps its roll `x`, so that `η` and `y_b` move: `D` by up to `|E_η| p + |δ_F'| (1 + |η_F,η|) p`, and by `T`
+//! no more than `(1 − cos η_F + |δ_F'| |sin η_F|/s_F) p T` ([`FlankPair::moved`]).
+//!
 //! Contacts in fillets are not found here, nor leaning axes: see [`super::leads`].
 
 use crate::contact::Effort;
@@ -33,6 +38,7 @@ use crate::contact::exact::placed::PlacedHalf;
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::{DeviationCurve, ProfilePart};
 use crate::pair::{FacingTeeth, GearPair};
+use std::ops::Range;
 
 /// Difference of heights, mm, below which two places count as equally high: the tie of two pairs.
 pub(super) const LEVEL: f64 = 1e-9;
@@ -49,25 +55,39 @@ const WIDEST: f64 = 1.5;
 /// Roll beyond a flank, rad, at which a pair on the line is too far away to touch: a corner leaves a room of some `r_b/5` there.
 const FARTHEST: f64 = 1.0;
 
+/// Moves of a pair over a cell of rotations, against its middle.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::contact::exact) struct Plays {
+    /// Shift along the face, mm.
+    pub along: f64,
+    /// Change of the rolls on the line beside it, rad.
+    pub roll: f64,
+    /// Excess over the highest place, mm, that the bound of the heights may leave.
+    pub open: f64,
+}
+
 /// The pairs of flanks of one side of a pose, with the free gear held at a gap.
-pub(super) struct AlongFlanks<'a> {
+pub(in crate::contact::exact) struct AlongFlanks<'a> {
     assembly: &'a GearPair,
     posed: &'a PosedFlanks<'a>,
     gap: f64,
     line: Line,
+    plays: Plays,
     effort: &'a Effort<'a>,
 }
 
 /// The place of the greatest height.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct HighestPlace {
+pub(in crate::contact::exact) struct HighestPlace {
     pub height: f64,
     /// Mm along the face.
     pub b: f64,
+    /// Excess over it that is ignored, mm.
+    open: f64,
 }
 
 /// The effort of the pose is spent.
-pub(super) struct Spent;
+pub(in crate::contact::exact) struct Spent;
 
 impl<'a> AlongFlanks<'a> {
     /// The flanks of `posed`, which is the measuring plane of `assembly`; `None` where there is no line of action.
@@ -83,23 +103,105 @@ impl<'a> AlongFlanks<'a> {
             posed,
             gap,
             line,
+            plays: Plays::default(),
             effort,
         })
     }
 
+    /// The flanks over a cell of rotations.
+    pub fn over(self, plays: Plays) -> AlongFlanks<'a> {
+        AlongFlanks { plays, ..self }
+    }
+
     /// The highest of all places above [`LEVEL`]; `None` if there is none.
     pub fn highest(&self) -> Result<Option<HighestPlace>, Spent> {
-        let twist = self.posed.twist(self.assembly, self.assembly.locked());
-        let mut turns = self.assembly.face().map(|b| twist * b);
-        turns.sort_unstable_by(f64::total_cmp);
         let mut best = HighestPlace {
             height: LEVEL,
             b: f64::NAN,
+            open: self.plays.open,
         };
-        for step in self.posed.steps_over(turns) {
+        for step in self.steps() {
             self.search(step, &mut best)?;
         }
         Ok((best.height > LEVEL).then_some(best))
+    }
+
+    fn steps(&self) -> Range<i64> {
+        let [twist, _] = self.twists();
+        let mut turns = self.face().map(|b| twist * b);
+        turns.sort_unstable_by(f64::total_cmp);
+        self.posed.steps_over(turns)
+    }
+
+    /// Upper bound of all heights over the cell, mm.
+    pub fn height_bound(&self) -> Result<f64, Spent> {
+        let highest = self.highest()?.map_or(LEVEL, |highest| highest.enough());
+        Ok(highest.max(LEVEL + self.plays.open))
+    }
+
+    /// The greatest slope of the free gear's profiles, mm/rad; `None` if it is not below the base radius.
+    pub fn steepest(&self) -> Option<f64> {
+        let slope = |step| Flank::new(&self.posed.free(step)).steepest();
+        let slope = self.steps().map(slope).fold(0.0, f64::max);
+        (slope * self.posed.problem.per_free_base < 1.0).then_some(slope)
+    }
+
+    /// Bound of the height, mm, that the contact of a step in the section at `b` loses over the cell: either gear keeps its point, which stays
+    /// on the flank of the other. Both points have these `radii` from their centres. `None` if they may leave the flanks.
+    pub fn loss(&self, step: i64, b: f64, radii: [f64; 2]) -> Option<f64> {
+        let (assembly, posed) = (self.assembly, self.posed);
+        let halves = [posed.locked(step), posed.free(step)];
+        let flanks = [Flank::new(&halves[0]), Flank::new(&halves[1])];
+        let teeth = posed.facing_teeth(assembly, step);
+        let twists = self.twists();
+        let [from, to] = assembly.face();
+        // What the face is too short for turns the rolls instead.
+        let short = (self.plays.along - (b - from).min(to - b)).max(0.0);
+        let play = self.plays.roll + short * twists[0].abs().max(twists[1].abs());
+        let leads = teeth.leads(b);
+        let pair = InvolutePair::new(posed, step);
+        let on_line = [
+            self.line.angle - pair.locked_base,
+            self.line.angle - self.gap - pair.free_base,
+        ];
+        let each = [0, 1].map(|k| {
+            let Flank { base, range, .. } = flanks[k];
+            let roll = (radii[k] * radii[k] - base * base).max(0.0).sqrt() / base;
+            let moved = flanks[k].farthest() / base;
+            let turned = roll - (on_line[k] - twists[k] * b + leads[k] / base);
+            (roll, moved, turned.abs() + moved, range)
+        });
+        let sin = (each[0].2 + each[1].2 + 2.0 * play).sin();
+        let losses = [[0, 1], [1, 0]].map(|[own, mate]| {
+            let (roll, moved, ..) = each[own];
+            let (mate_roll, mate_moved, _, [low, high]) = each[mate];
+            let (base, slope) = (flanks[own].base, flanks[mate].steepest());
+            let arm = base * (roll + moved);
+            let reach = flanks[mate].base * (mate_roll - mate_moved) - arm * play;
+            let follows = (arm + base * sin) / reach;
+            let turned = mate_moved + (1.0 + follows) * play;
+            let stays = reach > 0.0 && mate_roll - turned >= low && mate_roll + turned <= high;
+            let tilted = ((base + self.line.length) * sin + arm) * sin;
+            let loss = tilted + slope * (1.0 + follows + self.line.length * sin / reach);
+            stays.then_some(loss * play)
+        });
+        let along = self.plays.along;
+        let near = [b - along, b + along];
+        let [one, other] = teeth.steepest(near);
+        let least = losses.into_iter().flatten().reduce(f64::min)?;
+        let fall = teeth.lead_sum(b) - teeth.lead_sum_bounds(near)[0];
+        Some(least + fall.min(along * (one + other)))
+    }
+
+    fn twists(&self) -> [f64; 2] {
+        let members = [self.assembly.locked(), self.assembly.free()];
+        members.map(|member| self.posed.twist(self.assembly, member))
+    }
+
+    /// Both ends of the common face, farther out by the shift along it, mm.
+    fn face(&self) -> [f64; 2] {
+        let [from, to] = self.assembly.face();
+        [from - self.plays.along, to + self.plays.along]
     }
 
     /// Raises `best` to the highest place of a step.
@@ -115,14 +217,13 @@ impl<'a> AlongFlanks<'a> {
         ];
         let bases = flanks.each_ref().map(|flank| flank.base);
         let apart = self.line.length - bases[0] * rolls[0] - bases[1] * rolls[1];
-        let face = assembly.face();
+        let face = self.face();
         self.effort.spend(BOX);
         let most = teeth.lead_sum_bound(face) + flanks[0].most() + flanks[1].most() - apart;
-        if most <= best.height {
+        if most <= best.enough() {
             return Ok(());
         }
-        let twists =
-            [assembly.locked(), assembly.free()].map(|member| posed.twist(assembly, member));
+        let twists = self.twists();
         let mut near = face;
         for (k, flank) in flanks.iter().enumerate().filter(|(k, _)| twists[*k] != 0.0) {
             let beyond = [flank.range[0] - FARTHEST, flank.range[1] + FARTHEST];
@@ -138,8 +239,9 @@ impl<'a> AlongFlanks<'a> {
         let flanks = flanks.each_ref();
         for ends in knots.windows(2) {
             let ends = [ends[0], ends[1]];
-            let locked = FlankPair::new(&teeth, [0, 1], flanks, (rolls, twists), &self.line, ends);
-            let free = FlankPair::new(&teeth, [1, 0], flanks, (rolls, twists), &self.line, ends);
+            let line = (&self.line, self.plays);
+            let locked = FlankPair::new(&teeth, [0, 1], flanks, (rolls, twists), line, ends);
+            let free = FlankPair::new(&teeth, [1, 0], flanks, (rolls, twists), line, ends);
             for one in &pieces[0] {
                 for other in &pieces[1] {
                     locked.smooth([one, other], best, self.effort)?;
@@ -186,6 +288,16 @@ impl<'a> Flank<'a> {
     /// Its greatest deviation, mm.
     fn most(&self) -> f64 {
         self.whole().bounds(self.range)[0][1]
+    }
+
+    /// Its greatest amount of deviation, mm.
+    fn farthest(&self) -> f64 {
+        amount(self.whole().bounds(self.range)[0])
+    }
+
+    /// The greatest amount of its slope, mm/rad.
+    fn steepest(&self) -> f64 {
+        amount(self.whole().bounds(self.range)[1])
     }
 
     /// The whole flank as one piece; no edge of it stands out.
@@ -268,6 +380,10 @@ struct FlankPair<'a> {
     rolls: [f64; 2],
     /// `T`, mm.
     length: f64,
+    /// Play of the rolls on the line, rad.
+    play: f64,
+    /// Shift along the face, mm.
+    along: f64,
     ends: [f64; 2],
     /// Greatest rates of the rolls on the line along the face, rad/mm.
     rates: [f64; 2],
@@ -315,7 +431,7 @@ impl<'a> FlankPair<'a> {
         order: [usize; 2],
         flanks: [&'a Flank<'a>; 2],
         (rolls, twists): ([f64; 2], [f64; 2]),
-        line: &Line,
+        (line, plays): (&Line, Plays),
         ends: [f64; 2],
     ) -> FlankPair<'a> {
         let flanks = order.map(|k| flanks[k]);
@@ -332,6 +448,8 @@ impl<'a> FlankPair<'a> {
             twists,
             rolls,
             length: line.length,
+            play: plays.roll,
+            along: plays.along,
             ends,
             rates: [0, 1].map(|k| twists[k].abs() + steepest[k] / bases[k]),
             bends: ((bends[0][1] + bends[1][1]).max(0.0), [bend(0), bend(1)]),
@@ -439,6 +557,7 @@ impl<'a> FlankPair<'a> {
             WIDEST / 3.0
         };
         let [from, to] = self.ends;
+        let widest = widest + self.play;
         let mut open = vec![[0.5 * (from + to), 0.5 * (to - from), 0.0, widest]];
         while let Some([b, half, eta, wide]) = open.pop() {
             effort.spend(BOX);
@@ -453,27 +572,33 @@ impl<'a> FlankPair<'a> {
                 continue;
             }
             let own = pieces[0].bounds(ranges);
-            let lead = self.teeth.lead_sum_bound([b - half, b + half]);
+            let [lead, led] = self.leads(b, half);
             let shortest = self.bases[0] * ranges[0].max(pieces[0].range[0]) + own[0][0];
-            let top = own[0][1] + lead - self.apart() - self.room(shortest, eta.abs() - wide);
+            let turned = eta.abs() - wide - self.play;
+            let top = own[0][1] + lead - self.apart() - self.room(shortest, turned);
             if top + all[1][0][1] <= best.enough() {
                 continue;
             }
             let at = self.point(b, eta, pieces);
             let steepest = amount(own[1]);
             let arm = (self.bases[0] + steepest) * first;
-            let bounds = at.as_ref().and_then(|at| self.bounds(at, wide, arm));
+            let bounds = at
+                .as_ref()
+                .and_then(|at| self.bounds(at, wide + self.play, arm));
             // How much each half width may add.
             let mut adds = [half * self.bases[0] * self.rates[0], wide * self.bases[0]];
             if let Some((at, near)) = at.zip(bounds) {
-                let second = play[1] + near.turned;
+                let second = play[1] + near.turned + self.play;
                 let mates = [at.rolls[1] - second, at.rolls[1] + second];
                 if pieces[1].misses(mates) {
                     continue;
                 }
                 let mate = pieces[1].bounds(mates);
-                best.offer(&at, pieces);
+                self.offer(&at, pieces, best);
+                let moved = self.moved(&at, &near, mate[1]);
                 let bound = self.box_of(&at, &near, [own, mate], &mut adds, [half, wide]);
+                let bound = bound + moved + led;
+                adds[1] += self.play * at.arm * (1.0 + near.follows) * wide;
                 if bound.min(top + mate[0][1]) <= best.enough()
                     || self.has_no_normal(&at, &near, [own, mate], [half, wide])
                 {
@@ -597,8 +722,51 @@ impl<'a> FlankPair<'a> {
             + mate_square * mate_moves[1]
             + mate_steepest * near.bows[0]
             + near.along * (1.0 + near.follows);
+        let by_play = by_eta + amount(mate[2]) * mate_moves[1];
+        let open = by_b * half + by_eta * wide + by_play * self.play;
         // Its rounding is far below the level.
-        self.slopes(at)[1].abs() > by_b * half + by_eta * wide + LEVEL
+        self.slopes(at)[1].abs() > open + LEVEL
+    }
+
+    /// Bounds of the sum of the leads within `half` of `b`, over the cell, and of what the shift adds to it anywhere there, mm.
+    fn leads(&self, b: f64, half: f64) -> [f64; 2] {
+        let near = half + self.along;
+        let near = [b - near, b + near];
+        let most = self.teeth.lead_sum_bound(near);
+        if !(self.along > 0.0) {
+            return [most, 0.0];
+        }
+        let [one, other] = self.teeth.steepest(near);
+        let rate = one + other;
+        let rise = most - self.teeth.lead_sum(b) + half * rate;
+        [most, rise.min(self.along * rate)]
+    }
+
+    /// Bound on what the play of the rolls adds to the height of a point near `at`, mm, where the second flank has slopes between `slopes`:
+    /// the point keeps its place on the first flank.
+    fn moved(&self, at: &Point, near: &Bounds, slopes: [f64; 2]) -> f64 {
+        let tilted = ((self.bases[0] + self.length) * near.sin + at.arm) * near.sin;
+        let followed = 1.0 + near.follows + near.by_arm * self.length;
+        self.play * (tilted + amount(slopes) * followed)
+    }
+
+    /// Replaces `best` by a point that is on both flanks and higher, with what the play of the rolls adds.
+    fn offer(&self, at: &Point, pieces: [&FlankPiece; 2], best: &mut HighestPlace) {
+        let mut mates = [at.rolls[1]; 2];
+        let [_, led] = self.leads(at.b, 0.0);
+        let mut height = at.height + led;
+        if self.play > 0.0 {
+            let Some(near) = self.bounds(at, self.play, 0.0) else {
+                return;
+            };
+            let second = near.turned + self.play;
+            mates = [mates[0] - second, mates[1] + second];
+            height += self.moved(at, &near, pieces[1].bounds(mates)[1]);
+        }
+        let is_on = !pieces[0].misses([at.rolls[0]; 2]) && !pieces[1].misses(mates);
+        if height > best.height && is_on {
+            (best.height, best.b) = (height, at.b);
+        }
     }
 
     /// Raises `best` to the highest place of the corner of the first flank at a roll.
@@ -616,9 +784,9 @@ impl<'a> FlankPair<'a> {
             }
             let rolls = self.on_line(b);
             let (wide, eta) = (self.rates[0] * half, roll - rolls[0]);
-            let lead = self.teeth.lead_sum_bound([b - half, b + half]);
+            let [lead, led] = self.leads(b, half);
             let most = arm - self.bases[0] * roll + mate_most + lead - self.apart();
-            if most - self.room(arm, eta.abs() - wide) <= best.enough() {
+            if most - self.room(arm, eta.abs() - wide - self.play) <= best.enough() {
                 continue;
             }
             let at = self.point(b, eta, pieces).map(|at| Point {
@@ -626,14 +794,16 @@ impl<'a> FlankPair<'a> {
                 rolls: [roll, at.rolls[1]],
                 ..at
             });
-            let bounds = at.as_ref().and_then(|at| self.bounds(at, wide, 0.0));
+            let bounds = at
+                .as_ref()
+                .and_then(|at| self.bounds(at, wide + self.play, 0.0));
             if let Some((at, near)) = at.zip(bounds) {
-                let second = self.rates[1] * half + near.turned;
+                let second = self.rates[1] * half + near.turned + self.play;
                 let mates = [at.rolls[1] - second, at.rolls[1] + second];
                 if pieces[1].misses(mates) {
                     continue;
                 }
-                best.offer(&at, pieces);
+                self.offer(&at, pieces, best);
                 let mate = pieces[1].bounds(mates);
                 let mate_steepest = amount(mate[1]);
                 let (sin, cos) = at.zeta.sin_cos();
@@ -655,7 +825,8 @@ impl<'a> FlankPair<'a> {
                     + leads
                     + (most_by_eta + mate_steepest * near.follows) * bend
                     + mate_steepest * mate_bend;
-                if at.height + greatest(slope, second, half) <= best.enough() {
+                let moved = self.moved(&at, &near, mate[1]);
+                if at.height + greatest(slope, second, half) + moved + led <= best.enough() {
                     continue;
                 }
             }
@@ -676,23 +847,12 @@ impl<'a> FlankPair<'a> {
 }
 
 impl HighestPlace {
-    /// Replaces the place by that of a point that is on both flanks and higher.
-    fn offer(&mut self, at: &Point, pieces: [&FlankPiece; 2]) {
-        let is_on = |k: usize| {
-            let [low, high] = pieces[k].range;
-            at.rolls[k] >= low && at.rolls[k] <= high
-        };
-        if at.height > self.height && is_on(0) && is_on(1) {
-            (self.height, self.b) = (at.height, at.b);
-        }
-    }
-
     /// The height above which a place matters.
     fn enough(&self) -> f64 {
         if self.b.is_nan() {
-            self.height
+            self.height + self.open
         } else {
-            self.height * (1.0 + ROUGH)
+            self.height * (1.0 + ROUGH) + self.open
         }
     }
 }

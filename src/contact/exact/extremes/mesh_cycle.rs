@@ -148,6 +148,20 @@ impl<'a> MeshCycle<'a> {
         self.has_equal_teeth(0) && self.has_equal_teeth(1)
     }
 
+    /// Matings after which all half teeth meet as before.
+    pub fn distinct_matings(&self) -> u64 {
+        let members = [self.assembly.locked(), self.assembly.free()];
+        let unequal = (0..2).filter(|k| !self.has_equal_teeth(*k));
+        let counts: Vec<u64> = unequal
+            .map(|k| u64::from(self.assembly.teeth(members[k])))
+            .collect();
+        match counts[..] {
+            [] => 1,
+            [count] => count.min(self.matings),
+            _ => self.matings,
+        }
+    }
+
     /// Whether all teeth of the locked (0) or the free gear (1) are equal, and it has no runout.
     fn has_equal_teeth(&self, k: usize) -> bool {
         let gear = self
@@ -159,7 +173,7 @@ impl<'a> MeshCycle<'a> {
             let (least, most) = teeth.offset_range;
             least == most && gear.shapes(side.problem.side) == 1
         };
-        is_round && self.assembly.has_one_lead() && self.sides.iter().all(is_equal)
+        is_round && gear.has_one_lead() && self.sides.iter().all(is_equal)
     }
 
     /// The mating `fraction` of a pitch past mating number `index`; a whole pitch is the next mating.

@@ -203,11 +203,7 @@ fn search_extremes(cycle: &MeshCycle, width: f64, of: &[End]) -> Result<Extremes
 fn of_cells(cycle: &MeshCycle, cells: &AlongFaceCells, width: f64, of: &[End]) -> Extremes {
     let search = CycleSearch {
         cells,
-        distinct: if cycle.has_equal_matings() {
-            1
-        } else {
-            cycle.matings
-        },
+        distinct: cycle.distinct_matings(),
         matings: cycle.matings,
         width: width / cycle.per_radian(),
         radius: cycle.per_radian(),

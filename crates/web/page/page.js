@@ -128,6 +128,7 @@
     listFiles();
   }
 
+  // Numbers of lines are layout, as the lines are.
   function number() {
     const lines = text.value.split("\n").length;
     byId("lines").textContent = Array.from({ length: lines }, (_, i) => i + 1).join("\n");
@@ -195,8 +196,8 @@
         return say("not UTF-8", file.name);
       }
     }
-    byId("unit-row").hidden = true;
-    byId("unit").value = "";
+    byId("drawn").hidden = true;
+    byId("unit").value = byId("drawn-a").value = "";
     byId("understood").hidden = true;
     const names = [...added.keys()];
     // A text that a pair file names is the file of a gear.
@@ -247,15 +248,15 @@
     try {
       await free("long");
       await send("long");
-      made = await answer("long", "of_drawings", wheel, pinion, byId("unit").value);
+      made = await answer("long", "drawings", wheel, pinion, Number(byId("drawn-a").value), byId("unit").value);
     } finally {
       if (now === run) byId("working").hidden = true;
     }
     if (now !== run) return false;
+    byId("drawn").hidden = false;
     if (!made.text) {
       // Their lines are not those of the text that is shown.
       showProblems((made.problems ?? [{ reason: made.failed }]).map((problem) => ({ ...problem, line: null })), made.title);
-      byId("unit-row").hidden = false;
       return false;
     }
     dismiss(new Set(), [wheel, pinion]);
@@ -397,7 +398,7 @@
   setInterval(() => {
     if (byId("working").hidden) return;
     const now = performance.now();
-    byId("gone").textContent = `${Math.floor((now - begun) / 1000)} s`;
+    quietly(ask("live", "gone", now - begun).then((gone) => { byId("gone").textContent = gone; }));
     byId("silence").textContent = now - heard > 1000 ? words("silence") : "";
   }, 250);
 
@@ -853,7 +854,7 @@
   });
 
   function open(held) {
-    byId("unit-row").hidden = true;
+    byId("drawn").hidden = true;
     files.clear();
     byId("examples").value = examples.includes(held) ? examples.indexOf(held) : "";
     for (const [name, content] of Object.entries(held.texts ?? {})) files.set(name, new TextEncoder().encode(content));
@@ -870,7 +871,7 @@
     event.target.value = "";
     quietly(take(given));
   });
-  byId("unit").addEventListener("change", () => {
+  byId("drawn").addEventListener("change", () => {
     if (offered.every((name) => files.has(name))) quietly(startFromDrawings(offered).then((made) => made && calculate()));
   });
   byId("calculate").addEventListener("click", calculate);

@@ -463,7 +463,7 @@ pub fn page_has_no_findings_of_axe(browser: &Chromium, _: &Site) {
         }
         drawings[0].1 = dxf.into_bytes();
         drop_files(&mut tab, &drawings);
-        tab.until("!document.getElementById('unit-row').hidden");
+        tab.until("!document.getElementById('drawn').hidden");
         check(&mut tab, "a drawing without a unit");
         give(&mut tab, &JAMS);
         tab.eval(

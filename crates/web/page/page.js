@@ -404,18 +404,21 @@
 
   // Work on the distance at rest: the gears as drawn there, then in the long worker the band by all effort, the curve, and the marks that are
   // not found yet. Newer work ends it; a new worker opens the pair.
-  async function rest(isNew = workers.long.waiting.size > 0) {
+  async function rest(isNew = false) {
     if (!byId("working").hidden) return;
     const [a, now] = [distance(), run];
     if (mesh && mesh.a !== a) quietly(drawMesh(place()));
-    if (isNew) {
+    const isOld = () => byId("curve").classList.contains("old");
+    const isBusy = workers.long.waiting.size > 0;
+    if (isBusy && !(isNew || isOpen || isOld())) return;
+    if (isBusy || isNew) {
       await begin("long");
       if (!isFresh()) return;
       await send("long");
       await ask("long", "open", main);
     }
     if (isOpen) await bandAt("long", a, true);
-    if (byId("curve").classList.contains("old")) {
+    if (isOld()) {
       const { curve } = await answer("long", "curve", a);
       if (curve && a === distance()) showCurve(a, curve);
     }

@@ -8,7 +8,7 @@
   const examples = JSON.parse(byId("example-files").textContent);
   const own = JSON.parse(byId("own").textContent);
 
-  // ---- the program, in three workers: long work, poses and whole cycles while the slider moves
+  // ---- the program, in three workers: long work; poses; and whole cycles while the slider moves, for which no pose waits
   const workers = {};
   // The fault of calls whose worker was ended for newer work.
   const STOPPED = Symbol("stopped");
@@ -43,14 +43,14 @@
     return WebAssembly.compile(await new Response(stream).arrayBuffer());
   }
 
+  const url = URL.createObjectURL(new Blob([byId("worker").textContent], { type: "text/javascript" }));
   function begin(name) {
     workers[name]?.worker.terminate();
     for (const call of workers[name]?.waiting.values() ?? []) call.failed(STOPPED);
-    const url = URL.createObjectURL(new Blob([byId("worker").textContent], { type: "text/javascript" }));
     const worker = new Worker(url);
     const waiting = new Map();
     worker.onmessage = ({ data }) => {
-      if (data.progress) return showProgress(data.progress);
+      if (data.progress) return name === "long" && showProgress(data.progress);
       const call = waiting.get(data.id);
       waiting.delete(data.id);
       if (data.fault === undefined) return call.done(data.answer);
@@ -128,6 +128,7 @@
     listFiles();
   }
 
+  // Numbers of lines are layout, as the lines are.
   function number() {
     const lines = text.value.split("\n").length;
     byId("lines").textContent = Array.from({ length: lines }, (_, i) => i + 1).join("\n");
@@ -137,16 +138,21 @@
     const buttons = () => [...byId("files").querySelectorAll("button")];
     const focused = buttons().indexOf(document.activeElement);
     byId("files").replaceChildren(...[...files.keys()].map((name) => {
-      // The pair file is replaced by another.
-      if (name === main) return make("li", name, { className: "now" });
-      const item = make("li", name);
-      if (!isNamed(name)) item.append(" ", make("span", words("files", "unused"), { className: "grey" }));
+      const isMain = name === main;
+      const item = make("li", name, { className: isMain ? "now" : "" });
+      if (!isMain && !isNamed(name)) item.append(" ", make("span", words("files", "unused"), { className: "grey" }));
       const out = make("button", "×", { type: "button" });
       out.setAttribute("aria-label", `Remove ${name}`);
       out.addEventListener("click", () => {
         files.delete(name);
         byId("understood").hidden = true;
-        if (isDrawing(name) && !isNamed(name)) quietly(useDrawings());
+        if (isMain) {
+          byId("examples").value = "";
+          files.set("pair.toml", new Uint8Array());
+          edit("pair.toml");
+          named.clear();
+        }
+        if (isMain || (isDrawing(name) && !isNamed(name))) quietly(useDrawings());
         else calculate();
       });
       item.append(" ", out);
@@ -195,8 +201,8 @@
         return say("not UTF-8", file.name);
       }
     }
-    byId("unit-row").hidden = true;
-    byId("unit").value = "";
+    byId("drawn").hidden = true;
+    byId("unit").value = byId("drawn-a").value = "";
     byId("understood").hidden = true;
     const names = [...added.keys()];
     // A text that a pair file names is the file of a gear.
@@ -247,15 +253,15 @@
     try {
       await free("long");
       await send("long");
-      made = await answer("long", "of_drawings", wheel, pinion, byId("unit").value);
+      made = await answer("long", "drawings", wheel, pinion, Number(byId("drawn-a").value), byId("unit").value);
     } finally {
       if (now === run) byId("working").hidden = true;
     }
     if (now !== run) return false;
+    byId("drawn").hidden = false;
     if (!made.text) {
       // Their lines are not those of the text that is shown.
       showProblems((made.problems ?? [{ reason: made.failed }]).map((problem) => ({ ...problem, line: null })), made.title);
-      byId("unit-row").hidden = false;
       return false;
     }
     dismiss(new Set(), [wheel, pinion]);
@@ -345,7 +351,6 @@
       byId("problems").hidden = true;
       show(result);
       byId("found").classList.toggle("old", text.value !== content);
-      quietly(findMarks(now));
     } catch (fault) {
       if (now === run && fault !== STOPPED) fail(fault);
     } finally {
@@ -355,18 +360,6 @@
         byId("working").hidden = true;
       }
     }
-  }
-
-  // Searches the marks that are not found yet.
-  async function findMarks(now) {
-    while (now === run && opened.sought.length > 0) {
-      const found = await answer("long", "marks", opened.sought[0]);
-      if (now !== run) return;
-      opened.sought.shift();
-      opened.marks.push(...found);
-      marks(opened.marks);
-    }
-    byId("searching").textContent = "";
   }
 
   // ---- what is being done, and the time gone; a second without news is told
@@ -397,25 +390,44 @@
   setInterval(() => {
     if (byId("working").hidden) return;
     const now = performance.now();
-    byId("gone").textContent = `${Math.floor((now - begun) / 1000)} s`;
+    quietly(ask("live", "gone", now - begun).then((gone) => { byId("gone").textContent = gone; }));
     byId("silence").textContent = now - heard > 1000 ? words("silence") : "";
   }, 250);
 
   function cancel() {
-    const now = ++run;
-    quietly(resume(now));
+    run += 1;
     byId("working").hidden = true;
+    quietly(rest(true));
     byId("cancelled").textContent = words("cancelled");
     byId("calculate").focus();
   }
 
-  // A new worker opens the pair whose marks it searches on.
-  async function resume(now) {
-    await begin("long");
-    if (!isFresh()) return;
-    await send("long");
-    await ask("long", "open", main);
-    await findMarks(now);
+  // Work on the distance at rest: the gears as drawn there, then in the long worker the band by all effort, the curve, and the marks that are
+  // not found yet. Newer work ends it; a new worker opens the pair.
+  async function rest(isNew = false) {
+    if (!byId("working").hidden) return;
+    const [a, now] = [distance(), run];
+    if (mesh && mesh.a !== a) quietly(drawMesh(place()));
+    const isOld = () => byId("curve").classList.contains("old");
+    const isBusy = workers.long.waiting.size > 0;
+    if (isBusy && !(isNew || isOpen || isOld())) return;
+    if (isBusy || isNew) {
+      await begin("long");
+      if (!isFresh()) return;
+      await send("long");
+      await ask("long", "open", main);
+    }
+    if (isOpen) await bandAt("long", a, true);
+    if (isOld()) {
+      const { curve } = await answer("long", "curve", a);
+      if (curve && a === distance()) showCurve(a, curve);
+    }
+    while (now === run && opened.sought.length > 0) {
+      opened.marks.push(...await answer("long", "marks", opened.sought[0]));
+      opened.sought.shift();
+      marks(opened.marks);
+    }
+    byId("searching").textContent = "";
   }
 
   // A result that is greyed answers nothing, and nothing of it is saved.
@@ -515,6 +527,8 @@
   let resting = null;
   let settling = null;
   let lagging = null;
+  // Whether all effort may prove more of the band.
+  let isOpen = false;
   // Ends of the axis of the band, µm.
   let axis = null;
 
@@ -545,33 +559,24 @@
     if (isDistance()) showPose(pose);
   });
   // A part of the effort while the slider moves; all of it at rest, where that leaves a band unproven.
-  async function bandAt(a, isWhole) {
-    const band = await answer("band", "live_band", a, isWhole);
+  async function bandAt(name, a, isWhole) {
+    const band = await answer(name, "live_band", a, isWhole);
     if (!isDistance() || (isWhole && a !== distance())) return;
     clearTimeout(lagging);
     showBand(band);
+    isOpen = !isWhole && band.is_proven === false;
     byId("cycle").dataset.a = a;
     byId("live").classList.toggle("behind", a !== distance());
-    if (!isWhole && band.is_proven === false) settling = setTimeout(wholeBand, 150);
     clearTimeout(resting);
+    clearTimeout(settling);
     resting = setTimeout(() => {
       if (a !== distance()) return;
       const spoken = new Set(["here", "cycle"].map((name) => byId(name).dataset.spoken));
       byId("spoken").replaceChildren(...[...spoken].map((words) => make("span", words)));
-      if (byId("curve").classList.contains("old")) liveCurve();
     }, 1000);
+    if (!isWhole) settling = setTimeout(() => quietly(rest()), 150);
   }
-  const liveBand = newest(async () => {
-    clearTimeout(settling);
-    await bandAt(distance(), false);
-  });
-  const wholeBand = newest(() => bandAt(distance(), true));
-  // The curve of the distance at rest. The long worker may search marks before it.
-  const liveCurve = newest(async () => {
-    const [a, now] = [distance(), run];
-    const { curve } = await answer("long", "curve", a);
-    if (curve && now === run && a === distance()) showCurve(a, curve);
-  });
+  const liveBand = newest(() => bandAt("band", distance(), false));
 
   function live() {
     if (!isDistance()) {
@@ -582,8 +587,7 @@
     const isBehind = Number(byId("cycle").dataset.a) !== distance();
     byId("live").classList.toggle("behind", isBehind);
     byId("curve").classList.toggle("old", Number(byId("curve").dataset.a) !== distance());
-    clearTimeout(resting);
-    clearTimeout(lagging);
+    for (const timer of [resting, lagging, settling]) clearTimeout(timer);
     // The band of another distance does not stand beside the pose for long.
     if (isBehind) lagging = setTimeout(() => showBand({ failed: "…" }), 500);
     livePose();
@@ -613,22 +617,32 @@
     marks(opened.marks);
   }
 
-  // The picture is drawn once for two gears, then moved.
+  // The picture is drawn for two gears, then moved. Drawn again at rest, it keeps zoom and focus.
   async function drawMesh(at) {
     const drawn = await answer("live", "pose", "mesh", ...at);
     const pose = await answer("live", "pose", "live", ...at);
-    if (drawn.failed || pose.failed) return;
+    if (drawn.failed || pose.failed || (mesh && String(at) !== String(place()))) return;
     // A new element has no listeners of the picture before.
     const viewer = byId("viewer").cloneNode(false);
-    const focused = byId("viewer").contains(document.activeElement) && document.activeElement.id;
-    byId("viewer").replaceWith(viewer);
     viewer.innerHTML = drawn.html;
-    byId("viewer-backlash").setAttribute("aria-live", "off");
-    mesh = gearlashMesh(pose.mesh, (by) => {
-      fields.turn.value = Number(fields.turn.value) + 0.02 * by;
-      live();
-    });
-    if (focused) byId(focused)?.focus();
+    if (mesh) {
+      const [old, now] = [byId("viewer-picture"), viewer.querySelector("#viewer-picture")];
+      const isHome = old.getAttribute("viewBox") === old.dataset.home;
+      Object.assign(old.dataset, { ...now.dataset });
+      old.querySelector("defs").replaceWith(now.querySelector("defs"));
+      if (isHome) byId("viewer-home").click();
+      showPose(pose);
+    } else {
+      const focused = byId("viewer").contains(document.activeElement) && document.activeElement.id;
+      byId("viewer").replaceWith(viewer);
+      byId("viewer-backlash").setAttribute("aria-live", "off");
+      mesh = gearlashMesh(pose.mesh, (by) => {
+        fields.turn.value = Number(fields.turn.value) + 0.02 * by;
+        live();
+      });
+      if (focused) byId(focused)?.focus();
+    }
+    mesh.a = at[0];
   }
 
   // Words at once, and those that are spoken when the slider rests.
@@ -763,7 +777,7 @@
     } finally {
       if (now === run) {
         byId("working").hidden = true;
-        if (isFresh()) quietly(findMarks(now));
+        if (isFresh()) quietly(rest());
       }
     }
   }
@@ -853,7 +867,7 @@
   });
 
   function open(held) {
-    byId("unit-row").hidden = true;
+    byId("drawn").hidden = true;
     files.clear();
     byId("examples").value = examples.includes(held) ? examples.indexOf(held) : "";
     for (const [name, content] of Object.entries(held.texts ?? {})) files.set(name, new TextEncoder().encode(content));
@@ -870,7 +884,7 @@
     event.target.value = "";
     quietly(take(given));
   });
-  byId("unit").addEventListener("change", () => {
+  byId("drawn").addEventListener("change", () => {
     if (offered.every((name) => files.has(name))) quietly(startFromDrawings(offered).then((made) => made && calculate()));
   });
   byId("calculate").addEventListener("click", calculate);

@@ -5,7 +5,7 @@ let sent = 0;
 // At most twenty messages a second.
 function progress(done, of, stage) {
   const now = Date.now();
-  if (now - sent < 50 && done < of) return;
+  if (now - sent < 50) return;
   sent = now;
   self.postMessage({ progress: { done, of, stage } });
 }

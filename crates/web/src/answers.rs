@@ -2,8 +2,7 @@
 
 use crate::archive::archive;
 use gearlash::analysis::assembles_from::Threshold;
-use gearlash::analysis::compare::ComparedRun;
-use gearlash::analysis::curves::{courses, refined, with_revolution};
+use gearlash::analysis::curves::courses;
 use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::analysis::extremes::{self, RunExtremes};
 use gearlash::analysis::requirement::{Limits, Quantity};
@@ -12,7 +11,7 @@ use gearlash::analysis::verdict::Verdict;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
 use gearlash::analysis::{Analysis, Plan, Progress};
 use gearlash::contact::{Doubt, Method, PoseResult, lost_motion_at};
-use gearlash::error::{Tick, go_on};
+use gearlash::error::Tick;
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{BacklashUnit, Mating, Member, SweepPlan};
@@ -57,7 +56,7 @@ const STATED: f64 = 1e-6;
 const MOST_READINGS: u32 = 5;
 
 /// Receives steps begun, steps in all and the stage; a break ends the work.
-pub type OnStep = dyn Fn(u64, u64, &str) -> ControlFlow<()> + Sync;
+pub type OnStep<'a> = dyn Fn(u64, u64, &str) -> ControlFlow<()> + Sync + 'a;
 
 /// The pair of each material at a centre distance.
 type Pairs = [(Material, AssembledPair)];
@@ -154,12 +153,11 @@ impl Page {
             (assembly.center_distance(), mating, material)
         });
         let (a, mating, material) = start.unwrap_or(first);
-        let curves = (&analysis.curves[..], &analysis.extremes.each[..]);
         json!({
             "verdict": verdict_json(&verdict),
             "checks": checks,
             "remedies": remedies.text(&verdict),
-            "curve": curve(&pair.study, curves, &verdict),
+            "curve": curve(&analysis, &verdict),
             "start": {
                 "distance_mm": in_fields(a),
                 "wheel": mating.wheel_tooth,
@@ -172,16 +170,14 @@ impl Page {
     }
 
     /// The curve of [`Page::result`] at another centre distance: `{curve}`.
-    pub fn curve(&self, a: f64) -> Value {
+    pub fn curve(&self, a: f64, report: &OnStep) -> Value {
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
         let found = movable(&pair.study).at(vec![a]).and_then(|study| {
-            let [_, turned] = with_revolution(&study, METHOD, &go_on)?;
-            let cycles = extremes::extremes(&study, METHOD, &go_on)?.each;
-            let curves = refined(&study, &turned, &cycles, METHOD, &go_on)?;
-            let verdict = Verdict::of_study(&study, &cycles, Vec::new());
-            Ok(json!({ "curve": curve(&study, (&curves, &cycles), &verdict) }))
+            let plan = Plan::new(&study, METHOD).with_revolution().with_extremes();
+            let analysis = analysed(&plan, report)?;
+            Ok(json!({ "curve": curve(&analysis, &analysis.verdict()) }))
         });
         found.unwrap_or_else(failed)
     }
@@ -341,9 +337,15 @@ impl Page {
         problems(&InputError::of(name, vec![too_large(bytes, most)]))
     }
 
-    /// A pair file for two of the drawings, at the centre distance without play: `{text}`, or all problems of the drawings.
-    /// `unit` is that of drawings without one, or empty.
-    pub fn of_drawings(&self, drawings: [&str; 2], unit: &str, report: &OnStep) -> Value {
+    /// A pair file for two of the drawings at a centre distance, mm, or without play where that is not positive: `{text}`, or all problems of
+    /// the drawings. `unit` is that of drawings without one, or empty.
+    pub fn drawings(
+        &self,
+        drawings: [&str; 2],
+        distance: f64,
+        unit: &str,
+        report: &OnStep,
+    ) -> Value {
         const NAME: &str = "pair.toml";
         let [wheel, pinion] = drawings.map(Path::new);
         let options = OutlineOptions {
@@ -361,15 +363,19 @@ impl Page {
             let mut files = self.files.clone();
             files.add(NAME, drawings.pair_file().into_bytes());
             let apart = read_files(Rc::new(files), NAME).map_err(|error| problems(&error))?;
-            let nearest = tips_on_roots(&apart.study).map_err(failed)?;
-            let nearest = nearest.ok_or_else(|| failed("these files are no drawings"))?;
-            let tight = apart.at(vec![nearest]).map_err(failed)?;
-            let plan = Plan::new(&tight.study, METHOD).with_extremes();
-            let analysis = analysed(&plan, report).map_err(failed)?;
-            let found = WithoutPlay::of(&analysis.verdict(), nearest);
-            let distance = found.map_or(nearest, |found| found.distance);
+            let center_distance_mm = if distance > 0.0 {
+                distance
+            } else {
+                let nearest = tips_on_roots(&apart.study).map_err(failed)?;
+                let nearest = nearest.ok_or_else(|| failed("these files are no drawings"))?;
+                let tight = apart.at(vec![nearest]).map_err(failed)?;
+                let plan = Plan::new(&tight.study, METHOD).with_extremes();
+                let analysis = analysed(&plan, report).map_err(failed)?;
+                let found = WithoutPlay::of(&analysis.verdict(), nearest);
+                found.map_or(nearest, |found| found.distance)
+            };
             let drawings = Drawings {
-                center_distance_mm: distance,
+                center_distance_mm,
                 ..drawings
             };
             Ok(json!({ "text": drawings.pair_file() }))
@@ -659,17 +665,14 @@ fn table(analysis: &Analysis) -> Value {
 }
 
 /// The backlash over the teeth at the first centre distance as SVG, for a wide and for a narrow screen; empty where there is no
-/// curve. From the curves of `study` and the extremes of its cycles.
-fn curve(
-    study: &Study,
-    (curves, cycles): (&[ComparedRun], &[RunExtremes]),
-    verdict: &Verdict,
-) -> Vec<String> {
-    let course = courses(curves).into_iter().next();
+/// curve.
+fn curve(analysis: &Analysis, verdict: &Verdict) -> Vec<String> {
+    let study = analysis.study;
+    let course = courses(&analysis.curves).into_iter().next();
     let Some(course) = course else {
         return Vec::new();
     };
-    let course = course.with_cycle(cycles, &study.requirements);
+    let course = course.with_cycle(&analysis.extremes.each, &study.requirements);
     let cycle = extremes_in_short(verdict);
     let heading = Heading {
         prefix: "curve",

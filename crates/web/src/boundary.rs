@@ -1,7 +1,6 @@
 //! The boundary to JavaScript: the functions that the page calls, each of texts and bytes.
 
 use crate::answers::{LivePlace, Page};
-use gearlash::error::go_on;
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
@@ -87,7 +86,7 @@ impl Gearlash {
 
     /// The curve over the teeth at the centre distance `a`, mm: `{curve}`, or `{failed}`.
     pub fn curve(&self, a: f64) -> String {
-        self.page.curve(a).to_string()
+        self.page.curve(a, &progress).to_string()
     }
 
     /// The report of the pair that is open: `{html}`. `date` is its day, as printed.
@@ -123,7 +122,13 @@ impl Gearlash {
 
     /// Least and greatest backlash of the whole mesh cycle at the centre distance `a`, mm, by a part or all of the effort of a verdict.
     pub fn live_band(&self, a: f64, is_whole: bool) -> String {
-        self.page.live_band(a, is_whole, &go_on).to_string()
+        let tick = |_| progress(0, 0, "Searching the whole cycle");
+        self.page.live_band(a, is_whole, &tick).to_string()
+    }
+
+    /// A time of `ms` milliseconds as shown.
+    pub fn gone(&self, ms: f64) -> String {
+        format!("{} s", (ms / 1e3) as u64)
     }
 
     /// The content of a table among the files, and the lines of a pair file that name it.
@@ -131,10 +136,13 @@ impl Gearlash {
         self.page.understand(name).to_string()
     }
 
-    /// A pair file for the drawings `wheel` and `pinion` at the distance without play; `unit` is that of drawings without one.
-    pub fn of_drawings(&self, wheel: &str, pinion: &str, unit: &str) -> String {
-        let drawings = [wheel, pinion];
-        self.page.of_drawings(drawings, unit, &progress).to_string()
+    /// A pair file for the drawings `wheel` and `pinion` at a centre distance, mm, or at the one without play; `unit` is that of drawings
+    /// without one.
+    pub fn drawings(&self, wheel: &str, pinion: &str, distance: f64, unit: &str) -> String {
+        let drawings = self
+            .page
+            .drawings([wheel, pinion], distance, unit, &progress);
+        drawings.to_string()
     }
 }
 

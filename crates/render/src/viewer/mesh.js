@@ -80,7 +80,7 @@ function gearlashMesh(data, step) {
     const slider = byId("section");
     const z = (byId("section-follow").checked ? value(shown.side + "_section_mm") : null) ?? Number(slider.value);
     slider.value = z;
-    byId("section-at").textContent = byId("section-here").textContent = slider.value.replace("-", "−");
+    byId("section-at").value = slider.value;
     byId("section-contacts").textContent = word("section-contacts_text");
     members.forEach((member, i) => {
       const twist = data.helical.twist_deg_a_mm[i] * z;
@@ -99,10 +99,10 @@ function gearlashMesh(data, step) {
   }
 
   // ---- zoom and pan: the viewBox
-  const box = (text) => text.split(" ").map(Number);
-  const [home, whole] = [box(picture.dataset.home), box(picture.dataset.whole)];
+  const box = (name) => picture.dataset[name].split(" ").map(Number);
+  const home = box("home");
   const NARROWEST = Math.min(Number(picture.dataset.narrowest), home[2]);
-  const WIDEST = whole[2] * 2;
+  const WIDEST = box("whole")[2] * 2;
   let view = home;
 
   function look(to) {
@@ -252,7 +252,7 @@ function gearlashMesh(data, step) {
   // ---- keys: anywhere in the viewer, but arrows stay with the slider and the lists
   const ZOOM = 1.5;
   const keys = {
-    "+": () => zoom(ZOOM), "=": () => zoom(ZOOM), "-": () => zoom(1 / ZOOM), "0": () => look(home),
+    "+": () => zoom(ZOOM), "=": () => zoom(ZOOM), "-": () => zoom(1 / ZOOM), "0": () => look(box("home")),
     ArrowLeft: () => step(-1), ArrowRight: () => step(1),
   };
   const shifted = {
@@ -274,7 +274,7 @@ function gearlashMesh(data, step) {
     draw();
   }));
   const clicks = {
-    in: () => zoom(ZOOM), out: () => zoom(1 / ZOOM), home: () => look(home), whole: () => look(whole), gap: lookAtGap,
+    in: () => zoom(ZOOM), out: () => zoom(1 / ZOOM), home: () => look(box("home")), whole: () => look(box("whole")), gap: lookAtGap,
   };
   for (const [name, act] of Object.entries(clicks)) byId(name).addEventListener("click", act);
   picture.setAttribute("tabindex", "0");
@@ -287,7 +287,11 @@ function gearlashMesh(data, step) {
     const slider = byId("section");
     [slider.min, slider.max] = data.helical.face_mm;
     slider.value = data.helical.start_mm;
-    slider.addEventListener("input", () => { byId("section-follow").checked = false; showSection(); });
+    const chosen = () => { byId("section-follow").checked = false; showSection(); };
+    slider.addEventListener("input", chosen);
+    byId("section-at").addEventListener("change", ({ target }) => { slider.value = target.value; chosen(); });
+    // The field has it.
+    byId("section-here").hidden = true;
     byId("section-follow").addEventListener("change", showSection);
     byId("section-row").hidden = false;
   }

@@ -168,7 +168,7 @@ pub fn note(assembly: &AssembledPair, pose: &PoseResult) -> String {
         ""
     };
     format!(
-        "<p class=\"viewer-note\" id=\"viewer-section-text\">Drawn in the section at z = <span id=\"viewer-section-here\">{}</span> mm{without}. \
+        "<p class=\"viewer-note\" id=\"viewer-section-text\">Drawn in the section<span id=\"viewer-section-here\"> at z = {} mm</span>{without}. \
          <span id=\"viewer-section-contacts\">{}</span></p>\n",
         trimmed(section, 0, SECTION),
         sections(pose)

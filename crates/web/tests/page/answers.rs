@@ -14,7 +14,6 @@ use gearlash_web::answers::{LivePlace, OnStep, Page};
 use serde_json::{Value, json};
 use std::io::{Cursor, Read};
 use std::ops::ControlFlow;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A page with these files, and the answer to opening the first.
@@ -143,7 +142,7 @@ fn a_verdict_and_a_band_are_those_of_the_files_on_disk() {
         assert_eq!(result["verdict"]["text"], text, "{names:?}");
         let a = found["distances_mm"][0].as_f64().unwrap();
         let is_one = found["distances_mm"][1].is_null();
-        assert!(!is_one || page.curve(a)["curve"] == result["curve"]);
+        assert!(!is_one || page.curve(a, &silent)["curve"] == result["curve"]);
         let [low, high] = [0, 1].map(|end| found["range_mm"][end].as_f64().unwrap());
         for end in [low, high] {
             let band = page.live_band(end, false, &go_on);
@@ -182,7 +181,7 @@ fn a_verdict_and_a_band_are_those_of_the_files_on_disk() {
 #[test]
 fn two_drawings_make_a_pair_file() {
     let (mut page, _) = opened(&DRAWN[1..]);
-    let made = page.of_drawings(["wheel_20.dxf", "pinion_20.svg"], "", &silent);
+    let made = page.drawings(["wheel_20.dxf", "pinion_20.svg"], 0.0, "", &silent);
     let text = made["text"].as_str().expect("both state their unit");
     page.files.add("pair.toml", text.as_bytes().to_vec());
     let found = page.open("pair.toml");
@@ -232,24 +231,24 @@ fn the_archive_holds_the_files() {
     }
 }
 
-/// A break at any tick ends verdict, report and marks: nothing of them is left.
+/// A break at any tick ends verdict, report, marks and curve: nothing of them is left.
 #[test]
 fn a_tick_ends_any_work() {
     let (page, _) = opened(&["docs/files/jams.toml"]);
-    let works: [&dyn Fn(&OnStep) -> Value; 4] = [
+    let works: [&dyn Fn(&OnStep) -> Value; 5] = [
         &|report| page.result(report),
         &|report| page.report("2026-01-01", report),
         &|report| page.marks(0, report),
         &|report| page.marks(1, report),
+        &|report| page.curve(39.3, report),
     ];
     for work in works {
-        let calls = Arc::new(AtomicU64::new(0));
-        let counted = calls.clone();
-        work(&move |_, _, _| go_on(counted.fetch_add(1, Ordering::Relaxed)));
-        let all = calls.load(Ordering::Relaxed);
+        let calls = AtomicU64::new(0);
+        work(&|_, _, _| go_on(calls.fetch_add(1, Ordering::Relaxed)));
+        let all = calls.into_inner();
         for part in 0..8 {
             let (left, most) = (AtomicU64::new(0), all * part / 8);
-            let ended = work(&move |_, _, _| match left.fetch_add(1, Ordering::Relaxed) {
+            let ended = work(&|_, _, _| match left.fetch_add(1, Ordering::Relaxed) {
                 call if call < most => ControlFlow::Continue(()),
                 _ => ControlFlow::Break(()),
             });
@@ -259,9 +258,10 @@ fn a_tick_ends_any_work() {
     }
 }
 
-/// Counts stand for the time of a frame: the picture is drawn once, an answer that moves it stays short, and a band takes few steps.
+/// Counts stand for time: the picture is drawn once, an answer that moves it stays short, a band takes few steps, and so does a verdict. A
+/// page is usable with the verdict of the first example.
 #[test]
-fn a_frame_is_small() {
+fn a_frame_and_a_verdict_are_small() {
     for names in EXAMPLES {
         let (page, found) = opened(names);
         let at = first(found["distances_mm"][0].as_f64().unwrap());
@@ -269,11 +269,13 @@ fn a_frame_is_small() {
         let steps = AtomicU64::new(0);
         let step = |_| go_on(steps.fetch_add(1, Ordering::Relaxed));
         let band = page.live_band(at.distance, false, &step).to_string();
-        let [elements, steps] = [mesh.matches('<').count(), steps.into_inner() as usize];
-        let live = page.live(&at).to_string().len();
-        let counts = [elements, mesh.len(), live, band.len(), steps];
-        // Elements and bytes of the picture, bytes of a pose and of a band, rounds of up to 96 cells of the band.
-        let mut pairs = counts.iter().zip([400, 600_000, 2_000, 500, 40]);
+        let of_verdict = AtomicU64::new(0);
+        page.result(&|_, _, _| go_on(of_verdict.fetch_add(1, Ordering::Relaxed)));
+        let [steps, of_verdict] = [steps, of_verdict].map(|steps| steps.into_inner() as usize);
+        let (elements, live) = (mesh.matches('<').count(), page.live(&at).to_string().len());
+        let counts = [elements, mesh.len(), live, band.len(), steps, of_verdict];
+        // Elements and bytes of the picture, bytes of a pose and of a band, rounds of up to 96 cells of the band, steps of the verdict.
+        let mut pairs = counts.iter().zip([400, 600_000, 2_000, 500, 40, 20_000]);
         assert!(pairs.all(|(count, most)| *count <= most), "{counts:?}");
     }
 }
@@ -287,7 +289,7 @@ fn units_and_limits_are_those_of_what_states_them() {
         dxf = dxf.replace(unit, "$UNKNOWN");
     }
     page.files.add("wheel_20.dxf", dxf.into_bytes());
-    let made = |unit: &str| page.of_drawings(["wheel_20.dxf", "pinion_20.svg"], unit, &silent);
+    let made = |unit: &str| page.drawings(["wheel_20.dxf", "pinion_20.svg"], 0.0, unit, &silent);
     assert!(made("")["problems"].is_array());
     let text = made("mm")["text"].as_str().unwrap().to_owned();
     assert_eq!(text.matches("units").count(), 1, "{text}");

@@ -53,7 +53,9 @@ for (const files of cases) {
   const answers = [one.open(main)];
   const opened = JSON.parse(answers[0]);
   if (opened.stem !== undefined) {
+    steps = 0;
     const result = long("result", () => timed(() => one.result()));
+    times.at(-1).push(steps);
     const at = JSON.parse(result).start;
     const a = opened.distances_mm[0];
     const place = [a, 0, at.wheel, at.pinion, at.left, at.fraction];
@@ -61,11 +63,12 @@ for (const files of cases) {
     answers.push(one.with_distance(main, text, a + 0.01), one.too_large(main, 2 ** 20 + 1), one.said("tables", main));
     answers.push(result, long("jam", () => one.marks(0)), timed(() => one.live_band(a, false)), ...["live", "mesh", "picture"].map((what) => one.pose(what, ...place)));
     // As the slider moves it, after the first.
-    answers.push(...timed(() => [one.live_band(a + 0.01, false), one.pose("live", a + 0.01, ...place.slice(1))]), one.live_band(a + 0.01, true));
+    answers.push(...timed(() => [one.live_band(a + 0.01, false), one.pose("live", a + 0.01, ...place.slice(1))]), long("band", () => one.live_band(a + 0.01, true)));
   } else {
-    answers.push(one.understand(main), long("drawings", () => one.of_drawings(main, files.at(-1)[0], "")));
+    const drawings = [0, 20.1].map((a) => long("drawings", () => one.drawings(main, files.at(-1)[0], a, "")));
+    answers.push(one.understand(main), ...drawings);
   }
-  answers.push(JSON.stringify(one.zip().length));
+  answers.push(JSON.stringify([one.zip().length, one.gone(2500)]));
   process.stdout.write(`[${answers.join(",")}]\n`);
 }
 for (const files of slow) {
@@ -73,8 +76,8 @@ for (const files of slow) {
   for (const [name, path] of files) one.add(name, fs.readFileSync(path));
   main = files[0][0];
   const a = JSON.parse(one.open(main)).distances_mm[0] + 0.01;
-  process.stdout.write(`[${long("report", () => one.report("2026-01-01"))},${long("mesh", () => one.marks(1))},${one.curve(a)}]\n`);
+  process.stdout.write(`[${long("report", () => one.report("2026-01-01"))},${long("mesh", () => one.marks(1))},${long("curve", () => one.curve(a))}]\n`);
 }
 const all = [Object.getOwnPropertyNames(program.Gearlash.prototype), Object.getOwnPropertyNames(program.Gearlash)].flat();
 const own = all.filter((key) => !key.startsWith("__") && !["constructor", "free", "length", "name", "prototype"].includes(key));
-process.stdout.write(`${JSON.stringify({ uncalled: own.filter((key) => !called.has(key)), steps, silence, where, times })}\n`);
+process.stdout.write(`${JSON.stringify({ uncalled: own.filter((key) => !called.has(key)), silence, where, times })}\n`);

@@ -150,7 +150,7 @@ fn contributions_of_a_linear_case_lie_within_their_errors() {
     let parts = [slope() * 0.008, slope() * 0.012, by_distance * 0.01].map(|part| part * part);
     let sum: f64 = parts.iter().sum();
     let (mut inside, mut all) = (0, 0);
-    for seed in 0..30 {
+    for seed in 0..20 {
         for found in contributions(&population, seed, 512, &go_on).unwrap() {
             let counts = (found.rows, found.unused_rows, found.each.len());
             assert_eq!(counts, (512, 0, 3));

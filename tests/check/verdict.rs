@@ -222,8 +222,9 @@ fn a_study_has_a_run_for_each_phase_that_differs() {
         let mut study = Study::of_pair("phases", &pair, 1);
         study.sweep = Some(SweepPlan::Matings {
             matings: (1..=18).map(|tooth| (1, tooth)).collect(),
-            fractions: vec![0.0],
+            fractions: vec![0.0, 0.3, 0.6],
         });
+        assert_eq!(study.pose_count(), 108);
         assert_eq!(run_count(&study).unwrap(), phases, "{pitches:?}");
         let found = runs_of(&study, false);
         assert_eq!(found.len() as u64, phases);

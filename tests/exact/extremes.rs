@@ -140,10 +140,10 @@ proptest! {
         closer in 0.0..0.2f64,
     ) {
         let pair = case.try_assemble(1.0);
-        holds(pair.clone(), 1500)?;
-        holds(case.warmed(expansion), 1500)?;
+        holds(pair.clone(), 1000)?;
+        holds(case.warmed(expansion), 1000)?;
         let distance = |pair: &GearPair| pair.center_distance() - closer * 2.0;
-        holds(pair.and_then(|pair| pair.at(distance(&pair))), 400)?;
+        holds(pair.and_then(|pair| pair.at(distance(&pair))), 270)?;
         turns_as_before(&case, expansion[0])?;
     }
 }
@@ -156,7 +156,7 @@ fn wide_pairs_hold_or_are_doubted() {
         let pair = Pair::new(31, number).pose(0, Some(Depth::Any)).assembly;
         // Long cycles of pairs that must be searched take seconds.
         if pair.teeth(Member::Wheel) * pair.teeth(Member::Pinion) < 900 {
-            let least = held(&pair, 500).unwrap().least;
+            let least = held(&pair, 340).unwrap().least;
             found += u32::from(least.is_some_and(|least| least.is_proven()));
         }
     }
@@ -166,7 +166,7 @@ fn wide_pairs_hold_or_are_doubted() {
 /// Profiles that deviate, with traces. Source: random poses of the exact method.
 #[test]
 fn extremes_of_deviating_profiles_hold() {
-    let bounded = (0..80u64).into_par_iter().filter_map(|seed| {
+    let bounded = (0..56u64).into_par_iter().filter_map(|seed| {
         let mut random = Random(seed ^ 0xe47e);
         let pair = crate::profiles::deviating_pair(&mut random, true)?;
         if Member::BOTH.iter().any(|member| pair.teeth(*member) > 80) {
@@ -180,8 +180,7 @@ fn extremes_of_deviating_profiles_hold() {
         let (least, greatest) = found.least.zip(found.greatest)?;
         (least.low.is_finite() && greatest.high.is_finite()).then_some(seed)
     });
-    let bounded = bounded.count();
-    assert!(bounded > 8, "{bounded}");
+    assert!(bounded.count() > 8);
 }
 
 fn perfect(teeth: [u32; 2], distance: f64) -> GearPair {

@@ -72,6 +72,8 @@ fn pairs_of_involutes_have_the_same_contact() {
                 if smooth {
                     compared += 1;
                     off_plane += u32::from(found.section != 0.0);
+                    let at = |section| serde_json::json!(Contact { section, ..found });
+                    assert!(at(5.0).get("section").is_some() && at(0.0).get("section").is_none());
                     let off = without_turns(found.rotation - model.rotation);
                     near((found, model), off * um(&pair), 0.0, 1e-8);
                 }

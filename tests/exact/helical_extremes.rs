@@ -30,7 +30,7 @@ fn ordinary_helical_pairs_are_proven_and_hold() {
 /// Pairs from far beyond any shop, tips on fillets among them, and such of unequal base pitch: most are proven, and what is not says so.
 #[test]
 fn helical_pairs_hold_or_are_doubted() {
-    for (warm, count, poses, tenths) in [(false, 40, 150, 9), (true, 30, 100, 8)] {
+    for (warm, count, poses, tenths) in [(false, 28, 100, 9), (true, 20, 70, 8)] {
         let mut rng = Random(9 + u64::from(warm));
         let (mut sure, mut brackets) = (0, 0);
         for _ in 0..count {

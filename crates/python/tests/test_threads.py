@@ -31,11 +31,11 @@ def test_python_goes_on_while_rust_works() -> None:
     thread = threading.Thread(target=count)
     thread.start()
     before = counted
-    one.revolution(steps_per_pitch=1500, hunting=True, certify=False, threads=1)
+    one.revolution(steps_per_pitch=300, hunting=True, certify=False, threads=1)
     during = counted - before
     done.set()
     thread.join()
-    # A call of millions of poses that held the lock would leave it at most at the two ends of the call.
+    # A call of half a million poses that held the lock would leave it at most at the two ends of the call.
     assert during > 20
 
 

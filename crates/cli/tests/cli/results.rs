@@ -97,7 +97,7 @@ fn helical_gears_have_the_backlash_of_their_face() {
     let with = format!(
         "{pitch}\npitch = {{ kind = \"cumulative\", right_um = {list:?}, left_um = {list:?} }}"
     );
-    let text = text.replace(pitch, &with) + "\n[sweep]\nsteps_per_pitch = 6\n";
+    let text = text.replace(pitch, &with) + "\n[sweep]\nsteps_per_pitch = 4\n";
     let mut last = f64::INFINITY;
     for width in [1, 12, 48] {
         let stated = format!("face_width_mm = {width}");
@@ -121,7 +121,7 @@ fn helical_gears_have_the_backlash_of_their_face() {
             assert!(section.abs() <= 0.5 * f64::from(width));
             mean += found / poses.len() as f64;
         }
-        assert!(compared > 100, "{compared}");
+        assert!(compared > 70, "{compared}");
         assert!(mean < last - 0.1, "{width}: {mean} {last}");
         last = mean;
         let text = result["verdict"]["text"].as_str().unwrap();

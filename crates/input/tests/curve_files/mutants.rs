@@ -107,7 +107,6 @@ fn garbled_curve_files() {
             (bytes, values, true)
         };
         let (errors, right) = garbled.run(file, |study, right| understood(study) == *right);
-        println!("{name}: {errors} errors, {right} right");
         let is_mixed = name == "mew" && right == 1 || 4 * errors > count() && 60 * right > count();
         assert!(is_mixed, "{name}: {errors} errors, {right} right");
     }

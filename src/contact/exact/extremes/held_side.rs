@@ -8,7 +8,7 @@ use super::mesh_cycle::PosedSide;
 use super::side_over_face::{FaceSideCell, HIGHER_ORDERS, PairOverFace, STEP, SideBound, start};
 use crate::contact::exact::helical::profiles::{AlongFlanks, Plays};
 use crate::contact::exact::separation::Separation;
-use crate::contact::lost_motion::Contact;
+use crate::contact::lost_motion::{Contact, ToothPlace, Touch};
 
 /// Part of the moves of a cell that the heights of profiles may leave open (tuned).
 const SHARE_OF_HEIGHTS: f64 = 0.02;
@@ -57,7 +57,7 @@ impl<'b, 'a> HeldSide<'b, 'a> {
         let led = cell.assembly.steepest_leads() * along;
         let led = led.min(cell.deviations.leads);
         roll += led / bases[0].min(bases[1]);
-        let open = SHARE_OF_HEIGHTS * (5.0 * led + bases[0].max(bases[1]) * roll);
+        let open = SHARE_OF_HEIGHTS * (led + bases[0].max(bases[1]) * roll);
         Some(HeldSide {
             cell,
             middle,
@@ -119,12 +119,16 @@ impl<'b, 'a> HeldSide<'b, 'a> {
         })
     }
 
-    /// A lower bound of the side's tightness, from the pair in contact.
+    /// A lower bound of the side's tightness, from the pair in contact; `None` where it touches on a fillet or a root.
     pub fn below(&self) -> Option<SideBound> {
         let (cell, b) = (self.cell, self.contact.section);
-        let radii = cell
-            .members()
-            .map(|member| self.contact.touch(member).radius);
+        let touches = cell.members().map(|member| self.contact.touch(member));
+        let is_on_flank =
+            |touch: &&Touch| matches!(touch.curve, ToothPlace::Involute | ToothPlace::Tip);
+        if !touches.iter().all(is_on_flank) {
+            return None;
+        }
+        let radii = touches.map(|touch| touch.radius);
         let flanks = self.flanks()?;
         let loss = flanks.loss(self.step, b, radii)?;
         let bend = cell.bend(&cell.endless(self.step))?;

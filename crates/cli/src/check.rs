@@ -213,7 +213,7 @@ fn without_play(args: &Args, drawings: Drawings) -> Result<(f64, String), Error>
         "a tip touches a root and no flank binds"
     };
     let taken = format!(
-        "no centre distance is given: at {:.3} mm, taken here, {mesh}; --center-distance states another",
+        "no centre distance is given: at {:.3} mm, rounded up to 0.001 mm and taken here, {mesh}; --center-distance states another",
         found.distance
     );
     Ok((found.distance, taken))

@@ -240,15 +240,22 @@ fn words(statements: &Statements, finding: &Finding) -> String {
             exchanged,
             eccentricity_um,
         } => {
-            let why = if *alike {
-                "; both flanks vary equally, as from an index error of the machine"
+            let (first, why) = if *alike {
+                (
+                    "",
+                    "; both flanks vary equally, as from an index error of the machine",
+                )
             } else if *exchanged {
-                "; with right and left exchanged it is that of an eccentricity: check which column is which"
+                (
+                    "right and left look exchanged: the other way round, their first harmonic is that of an eccentricity. Check which column is \
+                     which. As stated, ",
+                    "",
+                )
             } else {
-                ""
+                ("", "")
             };
             format!(
-                "the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. Of it, {left_um:.3} µm \
+                "{first}the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. Of it, {left_um:.3} µm \
                  on a flank, {left_percent:.0} % of its energy, are used as the gear's own pitch{why}. The eccentricity of {eccentricity_um:.3} µm is therefore uncertain: measure the runout, \
                  and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\""
             )
@@ -417,22 +424,25 @@ fn runout_readings(readings: &FittedReadings) -> String {
                 ""
             },
         ),
-        FlankKnowledge::Pitch => format!(
-            "{}, without the flanks' effect on {}. With it, their first harmonic is {}. \
-             F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored{}",
-            match readings.in_pitch {
-                None => format!("the eccentricity used, {fitted}, is from these readings"),
+        FlankKnowledge::Pitch => {
+            let (probe, first) = (probe(readings.probe), shown(readings.first_harmonic));
+            let found = match readings.in_pitch {
+                None => format!(
+                    "the eccentricity used, {fitted}, is from these readings, without the flanks' effect on {probe}. With it, their first harmonic is {first}"
+                ),
                 Some((used, apart)) => format!(
-                    "the eccentricity used, {}, is from [pitch]. That of these readings, {apart:.3} µm from it, is {fitted}",
+                    "the eccentricity used is {}, from [pitch]. The readings give {first}. With the flanks' effect on {probe} taken out, that is \
+                     {fitted}, {apart:.3} µm off",
                     shown(used)
                 ),
-            },
-            probe(readings.probe),
-            shown(readings.first_harmonic),
-            readings.by_ball_um.map_or(String::new(), |um| format!(
+            };
+            let ball = readings.by_ball_um.map_or(String::new(), |um| format!(
                 ". State ball_mm: the ball is taken to touch at the reference circle; another that fits changes it by up to {um:.3} µm"
-            ))
-        ),
+            ));
+            format!(
+                "{found}. F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored{ball}"
+            )
+        }
         FlankKnowledge::DatumPitch => format!(
             "the readings' first harmonic is an eccentricity of {fitted}; datum-axis pitch cannot separate it from a first harmonic of the gear's own tooth \
              thickness, which looks the same in both. F_r, their range, is {range} µm; up to {left} µm of a reading is in neither that harmonic nor the pitch",

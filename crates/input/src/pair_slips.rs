@@ -115,7 +115,7 @@ fn large_runout(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Optio
         scale => format!(", {} µm with scale = {scale},", ascii(um, 1)),
     };
     Some(format!(
-        "{name}.runout: {} µm{scaled} is more than half of the radial clearance, {} µm at a = {a} mm: check the unit (µm), and that it is the \
+        "{name}.runout: {} µm{scaled} is more than half of the radial clearance, which is {} µm at a = {a} mm: check the unit (µm), and that it is the \
          runout F_r = 2e of the teeth",
         ascii(um / scale, 1),
         um_ascii(clearance, 1)

@@ -101,7 +101,7 @@ impl MatchResult {
         self.pairs.len() == self.matrix.most()
     }
 
-    /// "198 of 200 pairs keep 40 µm or more; to be expected 171.3 at random, 183.0 with 6 thickness classes"
+    /// "198 of 200 pairs keep 40 µm or more; to be expected 171.3 at random, 183.0 with 6 thickness classes, thickest wheels to thinnest pinions"
     pub fn sentence(&self) -> String {
         let um = |mm: f64| shortest(rounded(1e3 * mm, 6));
         let limits = match self.limits {
@@ -130,7 +130,7 @@ impl MatchResult {
         );
         if let Some((count, classes)) = self.by_classes.filter(|(count, _)| *count > 1) {
             text += &format!(
-                ", {} with {count} thickness classes",
+                ", {} with {count} thickness classes, thickest wheels to thinnest pinions",
                 fixed(classes.any_phase, 1)
             );
         }

@@ -34,7 +34,14 @@ pub fn text(title: &str, gears: &[GaugedGear], by_position: bool, screen: &Scree
     if gears.iter().any(GaugedGear::is_helical) {
         text += &screen.paragraphs(OF_HELICAL);
     }
-    let _ = writeln!(text, "Grades: {GRADE_SOURCE}.");
+    let graded = |gauged: &GaugedGear| {
+        let grades = gauged.gauged.grades.as_ref();
+        grades.is_ok_and(|grades| !grades.is_empty())
+    };
+    if gears.iter().any(graded) {
+        text += OF_GRADES;
+        let _ = writeln!(text, "Grades: {GRADE_SOURCE}.");
+    }
     screen.fold(&text)
 }
 
@@ -44,7 +51,7 @@ Ball: its centre from the rotation axis, so its range is F_r. a'': tight mesh wi
 F_r of an eccentricity e alone is 2 e, down to 2 e cos(π/z) where no space is in line with the high tooth; \
 pitch and thickness of the teeth add to it.
 Thickness is an arc of the reference circle. Pitch: own, about the gear's own centre; datum, about its rotation axis, \
-which is what a standard grades. Grade: the finest that admits the value, with its tolerance; measured and tolerance in µm.
+which is what a standard grades.
 --positions, --format csv and the CSV files have every reading tooth by tooth.";
 
 const OF_LENGTHS: &str = "
@@ -54,6 +61,9 @@ down to a third of the depth above the root.";
 const OF_HELICAL: &str = "
 Helical gears: all is of the measuring plane, the centres of the balls too. Span: along the normal of the helix. M_dK: over balls; \
 M_dR: over pins that lie along the spaces, opposite each other. Thickness: s_t on the arc of the transverse section, s_n = s_t cos β.";
+
+const OF_GRADES: &str =
+    "Grade: the finest that admits the value, with its tolerance; measured and tolerance in µm.\n";
 
 /// Runout, pitch, roll and grades; empty if spans and pins alone are measured.
 fn deviations(read: &Gauged, screen: &Screen) -> String {

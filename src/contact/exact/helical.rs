@@ -445,7 +445,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
 }
 
 /// Greatest move of both flanks of any pair by leads, leans and profile deviations, mm along the base tangent.
-fn most_moved(assembly: &GearPair) -> f64 {
+pub(super) fn most_moved(assembly: &GearPair) -> f64 {
     let wheel = assembly.gear(Member::Wheel).gear().basic_data();
     let wound = wheel.base_helix_angle().tan();
     let of_gear = |member| {

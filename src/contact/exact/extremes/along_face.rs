@@ -4,7 +4,7 @@
 //! Gears whose flanks spread over all turns by leads and leans, at the least distance of any section, show that.
 
 use super::held_side::HeldSide;
-use super::mesh_cycle::{CycleSide, MeshCycle, posed_sides};
+use super::mesh_cycle::{CycleSide, MeshCycle, PosedSide, posed_sides};
 use super::side_over_face::{FaceSideCell, ProfileDeviations, SideBound, start};
 use super::side_stretch::SideStretch;
 use crate::contact::cycle_search::{Cell, CycleCells};
@@ -12,6 +12,7 @@ use crate::contact::effort::Effort;
 use crate::contact::exact::leaning::LeaningFrame;
 use crate::contact::exact::teeth::reduced;
 use crate::contact::exact::{Doubt, End, ExactKernel};
+use crate::contact::lost_motion::Contact;
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member, Pose};
 
@@ -69,6 +70,52 @@ impl<'a> AlongFaceCells<'a> {
     }
 }
 
+impl AlongFaceCells<'_> {
+    /// The bounds of side `k` over a cell about `posed`, with this contact and room there: above for a least, below for a greatest.
+    fn side_bounds(
+        &self,
+        k: usize,
+        posed: &PosedSide,
+        half: f64,
+        contact: Option<(Contact, f64)>,
+        ends: &[End],
+        effort: &Effort,
+    ) -> [Option<SideBound>; 2] {
+        let both = [posed.after(-half), posed.after(half)];
+        let side = FaceSideCell {
+            assembly: self.assembly,
+            deviations: self.deviations,
+            starts: both.each_ref().map(start),
+            leaning: LeaningFrame::new(self.assembly, &both[0].flanks)
+                .zip(LeaningFrame::new(self.assembly, &both[1].flanks))
+                .map(|(one, other)| [one, other]),
+            plane: SideStretch {
+                stretch: [-half, half],
+                side: &self.sides[k],
+                ends: both,
+                faces: Vec::new(),
+                effort,
+            },
+        };
+        let wants = |end| ends.contains(&end);
+        if !self.assembly.is_modified() {
+            let below = contact.filter(|_| wants(End::Greatest));
+            return [
+                wants(End::Least).then(|| side.above()).flatten(),
+                below.and_then(|(contact, _)| side.below(&contact)),
+            ];
+        }
+        let held = contact.and_then(|(contact, room)| HeldSide::new(&side, contact, posed, room));
+        let Some(held) = held else {
+            return [None; 2];
+        };
+        [
+            wants(End::Least).then(|| held.above()).flatten(),
+            wants(End::Greatest).then(|| held.below()).flatten(),
+        ]
+    }
+}
+
 impl CycleCells for AlongFaceCells<'_> {
     const DOUBT_OF_BOUNDS: Doubt = Doubt::Sections;
 
@@ -97,58 +144,24 @@ impl CycleCells for AlongFaceCells<'_> {
             return cell;
         };
         let posed = posed_sides(&self.sides, self.kernel.plane(), &pose);
-        let sides = [0, 1].map(|k| {
-            let ends = [posed[k].after(-half), posed[k].after(half)];
-            FaceSideCell {
-                assembly,
-                deviations: self.deviations,
-                starts: ends.each_ref().map(start),
-                leaning: LeaningFrame::new(assembly, &ends[0].flanks)
-                    .zip(LeaningFrame::new(assembly, &ends[1].flanks))
-                    .map(|(one, other)| [one, other]),
-                plane: SideStretch {
-                    stretch: [-half, half],
-                    side: &self.sides[k],
-                    ends,
-                    faces: Vec::new(),
-                    effort: &effort,
-                },
-            }
+        let bounds = [0, 1].map(|k| {
+            let contact = found.on(Side::BOTH[k]).map(|contact| {
+                let beyond = reduced(contact.rotation - pose.free_rotation());
+                (contact, Side::BOTH[k].sense() * beyond)
+            });
+            self.side_bounds(k, &posed[k], half, contact, ends, &effort)
         });
-        let sums = |right: SideBound, left: SideBound| [0, 1].map(|k| right.ends[k] + left.ends[k]);
-        let held = |k: usize| {
-            let contact = found.on(Side::BOTH[k])?;
-            let beyond = reduced(contact.rotation - pose.free_rotation());
-            let room = Side::BOTH[k].sense() * beyond;
-            HeldSide::new(&sides[k], contact, &posed[k], room)
+        let sums = |which: usize| {
+            let (right, left) = bounds[0][which].zip(bounds[1][which])?;
+            let ends = [0, 1].map(|k| right.ends[k] + left.ends[k]);
+            Some((ends, right.open + left.open))
         };
-        let is_modified = assembly.is_modified();
-        let above = |k: usize| {
-            if is_modified {
-                held(k)?.above()
-            } else {
-                sides[k].above()
-            }
-        };
-        if ends.contains(&End::Least)
-            && let [Some(right), Some(left)] = [above(0), above(1)]
-        {
-            let [one, other] = sums(right, left);
-            cell.low = rest_of(half, -one.max(other), angle, right.open + left.open);
+        if let Some(([one, other], open)) = sums(0) {
+            cell.low = rest_of(half, -one.max(other), angle, open);
         }
-        if ends.contains(&End::Greatest) {
-            let below = |k: usize| {
-                if is_modified {
-                    held(k)?.below()
-                } else {
-                    sides[k].below(&found.on(Side::BOTH[k])?)
-                }
-            };
-            if let [Some(right), Some(left)] = [below(0), below(1)] {
-                let [one, other] = sums(right, left);
-                let (high, open) = rest_of(half, one.min(other), -angle, right.open + left.open);
-                cell.high = (-high, open);
-            }
+        if let Some(([one, other], open)) = sums(1) {
+            let (high, open) = rest_of(half, one.min(other), -angle, open);
+            cell.high = (-high, open);
         }
         cell.effort = effort.used();
         cell

@@ -55,7 +55,7 @@ impl<'b, 'a> HeldSide<'b, 'a> {
             turns[0] / twist.abs()
         };
         let led = cell.assembly.steepest_leads() * along;
-        let led = led.min(cell.deviations.leads);
+        let led = led.min(cell.deviations.moved);
         roll += led / bases[0].min(bases[1]);
         let open = SHARE_OF_HEIGHTS * (led + bases[0].max(bases[1]) * roll);
         Some(HeldSide {
@@ -105,7 +105,7 @@ impl<'b, 'a> HeldSide<'b, 'a> {
         let arms = [self.arm(), bases[1] + cell.plane.side.off[1]];
         // Where arms change over the cell, so does the room of pairs that their deviations close.
         let off = cell.plane.side.off[1] * (cell.turns()[1] + beside.max(0.0));
-        let off = off / arms[0] * (cell.deviations.amount + cell.deviations.leads);
+        let off = off / arms[0] * cell.deviations.moved;
         let height = height + arms[1] * beside + off;
         let more = height / (arms[0] - flanks.steepest()?);
         let mut most = self.line.map(|line| line + more);

@@ -26,11 +26,12 @@
 
 use super::mesh_cycle::PosedSide;
 use super::side_stretch::SideStretch;
+use crate::contact::exact::helical::most_moved;
 use crate::contact::exact::leaning::LeaningFrame;
 use crate::contact::exact::separation::{NearStart, Separation};
 use crate::contact::gap::dot;
 use crate::contact::lost_motion::Contact;
-use crate::gear::{AsBuilt, Side};
+use crate::gear::AsBuilt;
 use crate::numeric::{bisect, rank};
 use crate::pair::{FacingTeeth, GearPair, Member};
 use std::ops::Range;
@@ -56,42 +57,25 @@ const LEAST_HALF_FACE: f64 = 1e-3;
 /// Factor of the bounds of leaning axes for their products with eccentricities and with each other.
 pub(super) const HIGHER_ORDERS: f64 = 1.5;
 
-/// Greatest profile deviations of both gears together, mm.
-#[derive(Debug, Clone, Copy)]
+/// Greatest deviations of both gears together, mm; 0 where profiles do not deviate.
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct ProfileDeviations {
-    /// Amount of any of them.
-    pub amount: f64,
-    /// Of a tip corner and the fillet of its mate.
+    /// Amount of any profile deviations and leads.
+    pub moved: f64,
+    /// Profile deviations of a tip corner and the fillet of its mate.
     pub at_fillet: f64,
-    /// Greatest ranges of leads of both gears together.
-    pub leads: f64,
 }
 
 impl ProfileDeviations {
     pub fn new(assembly: &GearPair) -> ProfileDeviations {
-        let gears = Member::BOTH.map(|member| assembly.gear(member));
-        let amount = gears.map(|gear| {
-            let each = Side::BOTH
-                .into_iter()
-                .flat_map(|side| gear.deviations(side));
-            let each = each.map(|[least, most]| most.max(-least));
-            each.fold(0.0, f64::max)
-        });
-        let leads = gears.map(|gear| {
-            let range = |(side, tooth)| {
-                gear.lead_curve(side, tooth)
-                    .map_or(0.0, |lead| lead.range())
-            };
-            let flanks = gear
-                .teeth_by_lead()
-                .flat_map(|tooth| Side::BOTH.map(|side| (side, tooth)));
-            flanks.map(range).fold(0.0, f64::max)
-        });
-        let [[fillet, tip], [mate_fillet, mate_tip]] = gears.map(|gear| gear.end_deviations());
+        if !assembly.is_modified() {
+            return ProfileDeviations::default();
+        }
+        let [fillet, tip] = assembly.gear(Member::Wheel).end_deviations();
+        let [mate_fillet, mate_tip] = assembly.gear(Member::Pinion).end_deviations();
         ProfileDeviations {
-            amount: amount[0] + amount[1],
+            moved: most_moved(assembly),
             at_fillet: (tip + mate_fillet).max(mate_tip + fillet),
-            leads: leads[0] + leads[1],
         }
     }
 }
@@ -492,7 +476,7 @@ impl<'a> PairOverFace<'a> {
             let own = gear.lead_curve(problem.side, tooth);
             own.map_or(0.0, |curve| curve.range())
         });
-        let ranges = ranges[0] + ranges[1] + cell.deviations.amount;
+        let ranges = ranges[0] + ranges[1] + cell.deviations.moved;
         let turned = ranges / shapes[0].base.min(shapes[1].base);
         let plays = cell.plane.plays();
         // The line turns by less than a fifth of the gears, as [`SideStretch::plays`] allows.

@@ -101,7 +101,9 @@ impl AlongFaceCells<'_> {
         if !self.assembly.is_modified() {
             let below = contact.filter(|_| wants(End::Greatest));
             return [
-                wants(End::Least).then(|| side.above()).flatten(),
+                wants(End::Least)
+                    .then(|| side.above(side.pairs()?, None))
+                    .flatten(),
                 below.and_then(|(contact, _)| side.below(&contact)),
             ];
         }

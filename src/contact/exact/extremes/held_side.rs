@@ -5,7 +5,7 @@
 //! chord by what theirs do beside it. The pair in contact loses no more than its height does.
 
 use super::mesh_cycle::PosedSide;
-use super::side_over_face::{FaceSideCell, HIGHER_ORDERS, PairOverFace, STEP, SideBound, start};
+use super::side_over_face::{FaceSideCell, HIGHER_ORDERS, PairInCell, SideBound, start};
 use crate::contact::exact::helical::profiles::{AlongFlanks, Plays};
 use crate::contact::exact::separation::Separation;
 use crate::contact::lost_motion::{Contact, ToothPlace, Touch};
@@ -87,20 +87,17 @@ impl<'b, 'a> HeldSide<'b, 'a> {
         let height = flanks.height_bound().ok()?;
         let start = start(self.middle);
         let middle = 0.5 * (self.line[0] + self.line[1]);
+        let pairs = cell.pairs()?;
         let mut beside = 0.0f64;
-        let mut pairs = Vec::new();
-        for step in cell.steps() {
-            cell.plane.effort.spend(STEP);
-            let found = cell.endless(step);
-            let here = Separation::endless_near(&self.middle.flanks, step, [0.0; 2], &start);
-            if !here.touches || !found.iter().all(|one| one.touches) {
+        for PairInCell { step, found, bend } in &pairs {
+            let here = Separation::endless_near(&self.middle.flanks, *step, [0.0; 2], &start);
+            if !here.touches {
                 return None;
             }
-            let (own, bend) = (cell.tightness(&found), cell.bend(&found)?);
+            let own = cell.tightness(found);
             let apart = middle + self.middle.room(here.gap);
             let nearer = |k: usize| apart - (self.line[k] - own[k]);
             beside = beside.max(nearer(0).max(nearer(1)) + bend);
-            pairs.push((step, found, own.map(|own| own + bend)));
         }
         let arms = [self.arm(), bases[1] + cell.plane.side.off[1]];
         // Where arms change over the cell, so does the room of pairs that their deviations close.
@@ -108,15 +105,7 @@ impl<'b, 'a> HeldSide<'b, 'a> {
         let off = off / arms[0] * cell.deviations.moved;
         let height = height + arms[1] * beside + off;
         let more = height / (arms[0] - flanks.steepest()?);
-        let mut most = self.line.map(|line| line + more);
-        for (step, found, line) in pairs {
-            let pair = PairOverFace::new(cell, step, &found)?;
-            cell.add_fillets(step, &pair, line, &mut most);
-        }
-        Some(SideBound {
-            ends: most,
-            open: 0.0,
-        })
+        cell.above(pairs, Some(self.line.map(|line| line + more)))
     }
 
     /// A lower bound of the side's tightness, from the pair in contact; `None` where it touches on a fillet or a root.

@@ -37,13 +37,13 @@ use crate::pair::{FacingTeeth, GearPair, Member};
 use std::ops::Range;
 
 /// Effort of a pair of teeth in a cell, nodes (tuned: 1 µs).
-pub(super) const STEP: u64 = 3;
+const STEP: u64 = 3;
 
 /// Effort of the sections of a pair of leaning axes in a cell, nodes (tuned: 4 µs).
 const LEANING_STEP: u64 = 12;
 
 /// Steps to the maximum of a stretch between knots: each at least halves the bracket, and its square is what remains.
-pub(super) const STEPS: usize = 14;
+const STEPS: usize = 14;
 
 /// Excess of a bound over the bracket's tangents at which a maximum is close enough, mm.
 const CLOSE: f64 = 1e-10;
@@ -87,6 +87,15 @@ pub(super) struct SideBound {
     pub ends: [f64; 2],
     /// Rest that no narrower cell excludes.
     pub open: f64,
+}
+
+/// A pair of teeth in a cell.
+pub(super) struct PairInCell {
+    pub step: i64,
+    /// Its endless involutes at both ends.
+    pub found: [Separation; 2],
+    /// Bound on what its tightness rises above the chord between both ends, rad.
+    pub bend: f64,
 }
 
 /// One side of a cell.
@@ -153,10 +162,8 @@ impl<'a> FaceSideCell<'a> {
         [0, 1].map(|k| -self.plane.ends[k].room(found[k].gap))
     }
 
-    /// An upper bound of the side's tightness.
-    pub fn above(&self) -> Option<SideBound> {
-        let mut most = [f64::NEG_INFINITY; 2];
-        let mut open = 0.0f64;
+    /// Its pairs; `None` where one has no line of action.
+    pub fn pairs(&self) -> Option<Vec<PairInCell>> {
         let mut pairs = Vec::new();
         for step in self.steps() {
             self.plane.effort.spend(STEP);
@@ -165,17 +172,24 @@ impl<'a> FaceSideCell<'a> {
                 return None;
             }
             let bend = self.bend(&found)?;
-            let line = self.tightness(&found).map(|own| own + bend);
-            pairs.push((step, found, line));
+            pairs.push(PairInCell { step, found, bend });
         }
+        Some(pairs)
+    }
+
+    /// An upper bound of the side's tightness over its `pairs`. Where profiles deviate, their flanks are no tighter than `flanks` at both ends.
+    pub fn above(&self, mut pairs: Vec<PairInCell>, flanks: Option<[f64; 2]>) -> Option<SideBound> {
+        let mut most = flanks.unwrap_or([f64::NEG_INFINITY; 2]);
+        let mut open = 0.0f64;
         // Pairs far from their tips are likely to be tightest. They come first.
-        let passed = |(_, found, _): &(i64, [Separation; 2], [f64; 2])| {
+        let passed = |PairInCell { found, .. }: &PairInCell| {
             let beyond =
                 |k: usize| found[0].rolls()[k].max(found[1].rolls()[k]) - self.tip_rolls()[k];
             beyond(0).max(beyond(1))
         };
         pairs.sort_by_cached_key(|pair| rank(passed(pair)));
-        for (step, found, line) in pairs {
+        for PairInCell { step, found, bend } in pairs {
+            let line = self.tightness(&found).map(|own| own + bend);
             let pair = PairOverFace::new(self, step, &found)?;
             let [from, to] = pair.face;
             if from > to {
@@ -188,13 +202,15 @@ impl<'a> FaceSideCell<'a> {
             if (0..2).all(|k| line[k] + simple[k] + more <= most[k]) {
                 continue;
             }
-            let floors = [0, 1].map(|k| most[k] - line[k]);
-            let greatest = match self.leaning {
-                Some(_) => [0, 1].map(|k| pair.greatest(k, floors[k])),
-                None => [pair.greatest(0, floors[0].min(floors[1])); 2],
-            };
-            for k in 0..2 {
-                most[k] = most[k].max(line[k] + greatest[k]);
+            if flanks.is_none() {
+                let floors = [0, 1].map(|k| most[k] - line[k]);
+                let greatest = match self.leaning {
+                    Some(_) => [0, 1].map(|k| pair.greatest(k, floors[k])),
+                    None => [pair.greatest(0, floors[0].min(floors[1])); 2],
+                };
+                for k in 0..2 {
+                    most[k] = most[k].max(line[k] + greatest[k]);
+                }
             }
             self.add_fillets(step, &pair, line, &mut most);
             open = open.max(pair.open);
@@ -208,7 +224,7 @@ impl<'a> FaceSideCell<'a> {
 
     /// Raises `most`, the bounds at both ends of the cell, by those of corners of a pair on fillets. A corner on a fillet has at least its
     /// clearance more room than the endless involutes, which have `line` in the measuring plane.
-    pub fn add_fillets(&self, step: i64, pair: &PairOverFace, line: [f64; 2], most: &mut [f64; 2]) {
+    fn add_fillets(&self, step: i64, pair: &PairOverFace, line: [f64; 2], most: &mut [f64; 2]) {
         let [from, to] = pair.face;
         let twist = self.twists()[0];
         let pitches = (to - from) * twist.abs() / self.plane.side.problem.locked.pitch;
@@ -438,7 +454,7 @@ impl PassedTip {
 }
 
 /// A pair of teeth over the face: what leads and leans add to its tightness, less the room of its tips.
-pub(super) struct PairOverFace<'a> {
+struct PairOverFace<'a> {
     teeth: FacingTeeth<'a>,
     /// Both ends of the sections in which the teeth face each other, mm.
     face: [f64; 2],
@@ -460,7 +476,7 @@ pub(super) struct PairOverFace<'a> {
 
 impl<'a> PairOverFace<'a> {
     /// The pair of a step, with `found` in the measuring plane at both ends of the cell; `None` without a line of action.
-    pub fn new(
+    fn new(
         cell: &FaceSideCell<'a>,
         step: i64,
         found: &[Separation; 2],

@@ -141,7 +141,7 @@ impl Request<'_> {
                 .clone()
                 .map(|of| (head.places_of(*of, self.choice), of.key()));
             let mut all: Vec<_> = all.filter(|(at, _)| at.len() == 1).collect();
-            all.sort();
+            all.sort_by_cached_key(|(at, _)| at[0] as u64);
             all
         };
         let is_one = |head: &ColumnHeader| {

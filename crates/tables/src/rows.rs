@@ -263,7 +263,7 @@ impl<'a> Found<'a> {
 
 /// Lines with their labels: "lines 1–3, 50 (\"max\")"; `None` for none.
 fn lines_in_words(file: &DataFile, mut lines: Vec<(u64, &str)>) -> Option<String> {
-    lines.sort_unstable();
+    lines.sort_by_cached_key(|(line, _)| *line);
     let mut runs: Vec<[u64; 2]> = Vec::new();
     for (line, _) in &lines {
         match runs.last_mut() {

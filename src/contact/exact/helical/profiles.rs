@@ -171,7 +171,11 @@ impl<'a> AlongFlanks<'a> {
             let turned = roll - (on_line[k] - twists[k] * b + leads[k] / base);
             (roll, moved, turned.abs() + moved, range)
         });
-        let sin = (each[0].2 + each[1].2 + 2.0 * play).sin();
+        let zeta = each[0].2 + each[1].2 + 2.0 * play;
+        if zeta > WIDEST {
+            return None;
+        }
+        let sin = zeta.sin();
         let losses = [[0, 1], [1, 0]].map(|[own, mate]| {
             let (roll, moved, ..) = each[own];
             let (mate_roll, mate_moved, _, [low, high]) = each[mate];

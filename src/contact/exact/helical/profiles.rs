@@ -24,8 +24,8 @@
 //!
 //! **Over a cell of rotations** ([`Plays`]) the free gear follows at a given gap. Rolls on the line move by the same angle in every section, so
 //! a turn of helical teeth is a shift along the face: the face is longer by it. What is left is a play of the rolls, up to `p`, and of `T`, up
-//! to `p T`, and the change of leads by the shift. A point of the first flank keeps its roll `x`, so that `η` and `y_b` move: `D` by up to `|E_η| p + |δ_F'| (1 + |η_F,η|) p`, and by `T`
-//! no more than `(1 − cos η_F + |δ_F'| |sin η_F|/s_F) p T` ([`FlankPair::moved`]).
+//! to `p T`, and the change of leads by the shift. A point of the first flank keeps its roll `x`, so that `η` and `y_b` move: `D` by up to
+//! `|E_η| p + |δ_F'| (1 + |η_F,η|) p`, and by `T` no more than `(1 − cos η_F + |δ_F'| |sin η_F|/s_F) p T` ([`FlankPair::moved`]).
 //!
 //! Contacts in fillets are not found here, nor leaning axes: see [`super::leads`].
 
@@ -757,8 +757,10 @@ impl<'a> FlankPair<'a> {
     /// Replaces `best` by a point that is on both flanks and higher, with what the play of the rolls adds.
     fn offer(&self, at: &Point, pieces: [&FlankPiece; 2], best: &mut HighestPlace) {
         let mut mates = [at.rolls[1]; 2];
-        let [_, led] = self.leads(at.b, 0.0);
-        let mut height = at.height + led;
+        let mut height = at.height;
+        if self.along > 0.0 {
+            height += self.leads(at.b, 0.0)[1];
+        }
         if self.play > 0.0 {
             let Some(near) = self.bounds(at, self.play, 0.0) else {
                 return;

@@ -16,7 +16,6 @@ use gearlash_results::text::check::titles;
 use gearlash_results::verdict::{VerdictLines, uncut};
 use gearlash_text::numbers::{stated_distance, um};
 use maud::{Markup, Render, html};
-use std::collections::BTreeSet;
 
 pub(super) fn section(page: &Page) -> Markup {
     let required = limits(&page.report.pair.study.requirements).join(", ");
@@ -254,8 +253,9 @@ fn phases(page: &Page) -> Markup {
         poses.map(|pose| phase(&run.run.assembly, pose.simulated.pose.mating()))
     });
     let elsewhere: Vec<u32> = requested.filter(|other| *other != way).collect();
-    let other_ways = BTreeSet::from_iter(elsewhere.iter().copied());
-    let other_ways = Vec::from_iter(other_ways);
+    let mut other_ways = elsewhere.clone();
+    other_ways.sort_unstable();
+    other_ways.dedup();
     html! {
         @if matters {
             " Wheel tooth " (mating.wheel_tooth) " meets pinion tooth " (mating.pinion_tooth)

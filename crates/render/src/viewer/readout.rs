@@ -82,7 +82,10 @@ pub fn texts(viewed: &Viewed, number: usize) -> Vec<(&'static str, String)> {
 }
 
 pub fn draw(viewed: &Viewed, number: usize) -> String {
-    let mut texts: BTreeMap<_, _> = texts(viewed, number).into_iter().collect();
+    let read = texts(viewed, number);
+    // `collect` would sort them by code of their own.
+    let mut texts = BTreeMap::new();
+    texts.extend(read);
     texts.insert("run", run(viewed));
     let j_wt = viewed.run.poses[number].simulated.backlash;
     let full = j_wt.map_or(String::new(), |j| format!("{}", j * 1e3));

@@ -5,7 +5,6 @@ use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::study::{Material, Run};
 use gearlash::contact::{Status, first_least, worst_pose};
 use gearlash::outline::AssembledPair;
-use std::collections::BTreeSet;
 
 /// A run, and the selection of its poses.
 pub struct Viewed<'a> {
@@ -45,9 +44,11 @@ pub fn select(runs: &mut [Viewed], most: usize, start: [usize; 2]) -> usize {
     let every = count(runs).div_ceil(most.max(1)).max(1);
     for (index, viewed) in runs.iter_mut().enumerate() {
         let evenly = viewed.numbers.iter().copied().step_by(every);
-        let mut numbers: BTreeSet<usize> = evenly.chain(extremes(viewed.run)).collect();
+        let mut numbers: Vec<usize> = evenly.chain(extremes(viewed.run)).collect();
         numbers.extend((index == start[0]).then_some(start[1]));
-        viewed.numbers = numbers.into_iter().collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        viewed.numbers = numbers;
     }
     every
 }

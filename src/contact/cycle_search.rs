@@ -109,7 +109,7 @@ pub(super) trait CycleCells: Sync {
     /// The doubt of a bracket whose rest no narrower cell excludes.
     const DOUBT_OF_BOUNDS: Doubt;
 
-    /// Cells of a pitch in the first round.
+    /// Cells of a pitch in the first round (tuned).
     fn cells_a_pitch(&self) -> u64 {
         4
     }

@@ -773,33 +773,33 @@ impl AsBuilt {
 
     /// Least and greatest deviation, mm, of each shape on a side.
     pub(crate) fn deviations(&self, side: Side) -> Vec<[f64; 2]> {
-        let bounds = |shape| {
+        let profiles = self.profiles(side);
+        let bounds = profiles
+            .map(|(curve, (low, high))| curve.map_or([0.0; 2], |curve| curve.bounds(low, high)[0]));
+        bounds.collect()
+    }
+
+    /// The deviation of each half-tooth shape on `side`, and the rolls of its flank's ends.
+    fn profiles(&self, side: Side) -> impl Iterator<Item = (Option<&DeviationCurve>, (f64, f64))> {
+        (0..self.shapes(side)).map(move |shape| {
             let part = self.shape(side, shape).part(ProfilePart::Involute);
-            let (low, high) = part.range();
-            match &part.curve {
-                PartCurve::Modified(flank) => flank.deviation().bounds(low, high)[0],
-                _ => [0.0; 2],
-            }
-        };
-        (0..self.shapes(side)).map(bounds).collect()
+            let curve = match &part.curve {
+                PartCurve::Modified(flank) => Some(flank.deviation()),
+                _ => None,
+            };
+            (curve, part.range())
+        })
     }
 
     /// Greatest profile deviation of any flank at its lower end, by which fillet and root land are turned, and at its tip corner, mm.
     pub(crate) fn end_deviations(&self) -> [f64; 2] {
-        let mut greatest = [f64::NEG_INFINITY; 2];
-        for side in Side::BOTH {
-            for shape in 0..self.shapes(side) {
-                let part = self.shape(side, shape).part(ProfilePart::Involute);
-                let (low, high) = part.range();
-                for (most, end) in greatest.iter_mut().zip([low, high]) {
-                    *most = most.max(match &part.curve {
-                        PartCurve::Modified(flank) => flank.deviation().at(end),
-                        _ => 0.0,
-                    });
-                }
-            }
-        }
-        greatest
+        let profiles = Side::BOTH.into_iter().flat_map(|side| self.profiles(side));
+        let ends = profiles.map(|(curve, (low, high))| {
+            [low, high].map(|end| curve.map_or(0.0, |curve| curve.at(end)))
+        });
+        ends.fold([f64::NEG_INFINITY; 2], |most, ends| {
+            [most[0].max(ends[0]), most[1].max(ends[1])]
+        })
     }
 
     /// Whether a profile lies outside its involute anywhere.

@@ -299,9 +299,10 @@ impl<'a> PosedFlanks<'a> {
         (steps.start - 1).max(least)..steps.end
     }
 
-    /// Steps whose locked half tooth can reach the free gear in some section, where sections turn the locked teeth by the least and the
-    /// greatest of `turns`, rad.
-    pub fn steps_over(&self, [least, most]: [f64; 2]) -> Range<i64> {
+    /// Steps whose locked half tooth can reach the free gear in some section, where sections turn the locked teeth by angles between `turns`,
+    /// rad.
+    pub fn steps_over(&self, turns: [f64; 2]) -> Range<i64> {
+        let [least, most] = [turns[0].min(turns[1]), turns[0].max(turns[1])];
         let plane = self.steps();
         if plane.is_empty() {
             return plane;

@@ -1,7 +1,8 @@
 //! Extremes of pairs that deviate along the face: bounds over cells of the mesh cycle, for [`CycleSearch`].
 //!
-//! Both bounds hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`SideStretch`] bounds.
-//! Gears whose flanks spread over all turns by leads and leans, at the least distance of any section, show that.
+//! Each side of a cell is bounded on its own: by [`FaceSideCell`], or by [`HeldSide`] where profiles deviate. The bounds hold while only
+//! involutes and their ends can touch, and corners on fillets, whose additional room [`SideStretch`] bounds. Gears whose flanks spread over
+//! all turns by leads, leans and profile deviations, at the least distance of any section, show that.
 
 use super::held_side::HeldSide;
 use super::mesh_cycle::{CycleSide, MeshCycle, PosedSide, posed_sides};
@@ -29,13 +30,15 @@ pub(super) struct AlongFaceCells<'a> {
 }
 
 impl<'a> AlongFaceCells<'a> {
-    /// The cells of `cycle`; `None` where nothing deviates along the face, or other curves can touch.
+    /// The cells of `cycle`; `None` where nothing deviates along the face, profiles deviate beside leaning axes, or other curves can touch.
     pub fn new(cycle: &MeshCycle<'a>) -> Option<AlongFaceCells<'a>> {
         let assembly = cycle.assembly;
-        if !assembly.varies_along_face()
-            || assembly.is_modified() && assembly.leans()
-            || !assembly.is_modified() && !assembly.deviates_along_face()
-        {
+        let has_bounds = if assembly.is_modified() {
+            assembly.varies_along_face() && !assembly.leans()
+        } else {
+            assembly.deviates_along_face()
+        };
+        if !has_bounds {
             return None;
         }
         // Heights of a point of contact over its section, and turns of flanks by their twist.

@@ -20,6 +20,8 @@ pub(super) struct HeldSide<'b, 'a> {
     middle: &'b PosedSide<'a>,
     contact: Contact,
     step: i64,
+    /// The endless involutes of the pair in contact at both ends.
+    found: [Separation; 2],
     /// Tightness at which the free gear is held at both ends of the cell, rad; it is a line between them.
     line: [f64; 2],
     plays: Plays,
@@ -63,6 +65,7 @@ impl<'b, 'a> HeldSide<'b, 'a> {
             middle,
             contact,
             step,
+            found,
             line: own.map(|own| own + more),
             plays: Plays { along, roll, open },
         })
@@ -120,7 +123,7 @@ impl<'b, 'a> HeldSide<'b, 'a> {
         let radii = touches.map(|touch| touch.radius);
         let flanks = self.flanks()?;
         let loss = flanks.loss(self.step, b, radii)?;
-        let bend = cell.bend(&cell.endless(self.step))?;
+        let bend = cell.bend(&self.found)?;
         let less = loss / (self.arm() - flanks.steepest()?) + bend + self.contact.error;
         Some(SideBound {
             ends: self.line.map(|line| line - less),

@@ -150,15 +150,12 @@ impl<'a> MeshCycle<'a> {
 
     /// Matings after which all half teeth meet as before.
     pub fn distinct_matings(&self) -> u64 {
-        let members = [self.assembly.locked(), self.assembly.free()];
-        let unequal = (0..2).filter(|k| !self.has_equal_teeth(*k));
-        let counts: Vec<u64> = unequal
-            .map(|k| u64::from(self.assembly.teeth(members[k])))
-            .collect();
-        match counts[..] {
-            [] => 1,
-            [count] => count.min(self.matings),
-            _ => self.matings,
+        let teeth = |member| u64::from(self.assembly.teeth(member));
+        match [0, 1].map(|k| self.has_equal_teeth(k)) {
+            [true, true] => 1,
+            [true, false] => self.matings.min(teeth(self.assembly.free())),
+            [false, true] => self.matings.min(teeth(self.assembly.locked())),
+            [false, false] => self.matings,
         }
     }
 

@@ -63,7 +63,7 @@ pub(super) struct ProfileDeviations {
     /// Amount of any profile deviations and leads.
     pub moved: f64,
     /// Profile deviations of a tip corner and the fillet of its mate.
-    pub at_fillet: f64,
+    pub of_corner: f64,
 }
 
 impl ProfileDeviations {
@@ -75,7 +75,7 @@ impl ProfileDeviations {
         let [mate_fillet, mate_tip] = assembly.gear(Member::Pinion).end_deviations();
         ProfileDeviations {
             moved: most_moved(assembly),
-            at_fillet: (tip + mate_fillet).max(mate_tip + fillet),
+            of_corner: (tip + mate_fillet).max(mate_tip + fillet),
         }
     }
 }
@@ -144,7 +144,7 @@ impl<'a> FaceSideCell<'a> {
         self.plane.plays().map(|play| play / 1.2)
     }
 
-    /// SideBound on what a pair's tightness rises above the chord between its ends, or falls below it, rad.
+    /// Bound on what a pair's tightness rises above the chord between its ends, or falls below it, rad.
     pub fn bend(&self, found: &[Separation; 2]) -> Option<f64> {
         Some(self.plane.bend(found)? / 8.0 + self.plane.rounding())
     }
@@ -304,7 +304,7 @@ impl<'a> FaceSideCell<'a> {
         gear.basic_data().base_helix_angle().tan()
     }
 
-    /// SideBound on the distance of a pair's points on the line from both axes over the face, mm.
+    /// Bound on the distance of a pair's points on the line from both axes over the face, mm.
     fn reaches(&self, found: &[Separation; 2]) -> [f64; 2] {
         let (bases, twists) = (self.bases(), self.twists());
         let [from, to] = self.assembly.face();
@@ -322,7 +322,7 @@ impl<'a> FaceSideCell<'a> {
         bases[0] * one + bases[1] * other
     }
 
-    /// SideBound on what turning leans bend the tightness of a pair on the line over the cell, rad.
+    /// Bound on what turning leans bend the tightness of a pair on the line over the cell, rad.
     fn lean_bend(&self, found: &[Separation; 2]) -> f64 {
         let (bases, turns, off) = (self.bases(), self.turns(), self.plane.side.off);
         let (gears, reach) = (self.gears(), self.reaches(found));
@@ -338,7 +338,7 @@ impl<'a> FaceSideCell<'a> {
         HIGHER_ORDERS * all / 8.0 / bases[1]
     }
 
-    /// SideBound on what the heights of a pair's contact bend its tightness over the cell, rad.
+    /// Bound on what the heights of a pair's contact bend its tightness over the cell, rad.
     fn heights_bend(&self, teeth: &FacingTeeth, found: &[Separation; 2]) -> f64 {
         let (gears, turns) = (self.gears(), self.turns());
         let lean = self.assembly.lean_bound();
@@ -356,7 +356,7 @@ impl<'a> FaceSideCell<'a> {
         by_leads + HIGHER_ORDERS * by_twist / self.bases()[1]
     }
 
-    /// SideBound on the effect of a free gear that leans as at the contact of the pair nearest to the line of centres, rad: not as at that of
+    /// Bound on the effect of a free gear that leans as at the contact of the pair nearest to the line of centres, rad: not as at that of
     /// `found`, with teeth turned by up to `turned`, rad.
     fn other_contact(&self, found: &[Separation; 2], turned: f64) -> f64 {
         let apart = [0, 1].map(|k| {
@@ -461,7 +461,7 @@ struct PairOverFace<'a> {
     /// Knots of both leads on it, ascending, with its ends.
     knots: Vec<f64>,
     /// Greatest profile deviation of a corner and a fillet that touch, mm.
-    at_fillet: f64,
+    of_corner: f64,
     /// Turn of both teeth by leads, leans and profile deviations at most, rad.
     turned: f64,
     tips: [PassedTip; 2],
@@ -526,7 +526,7 @@ impl<'a> PairOverFace<'a> {
             knots: Vec::new(),
             teeth,
             face,
-            at_fillet: cell.deviations.at_fillet,
+            of_corner: cell.deviations.of_corner,
             turned,
             tips,
             arms: [arms[0].min(arms[1]) - arm, arms[0].max(arms[1]) + arm],
@@ -663,7 +663,7 @@ impl<'a> PairOverFace<'a> {
 
     /// Bounds on the rotation at both ends of the cell over a part of the face, rad, without the room of tips.
     fn simple(&self, part: [f64; 2]) -> [f64; 2] {
-        let lead = self.teeth.lead_sum_bound(part) + self.at_fillet;
+        let lead = self.teeth.lead_sum_bound(part) + self.of_corner;
         let arm = if lead > 0.0 {
             self.arms[0]
         } else {
@@ -673,7 +673,7 @@ impl<'a> PairOverFace<'a> {
             .map(|leaning| lead / arm + greatest_of(leaning, part) + self.bend)
     }
 
-    /// SideBound on the rotation, rad, that a lean adds where a corner touches a fillet in a part of the face.
+    /// Bound on the rotation, rad, that a lean adds where a corner touches a fillet in a part of the face.
     fn at_fillet(&self, part: [f64; 2]) -> f64 {
         let more = self.tips.iter().map(|tip| {
             let passed = part.map(|b| tip.excess + tip.rate * b);
@@ -685,7 +685,7 @@ impl<'a> PairOverFace<'a> {
         more.sum::<f64>() / self.arms[0]
     }
 
-    /// SideBound on the rotation at an end of the cell, rad, or `floor` if that is greater.
+    /// Bound on the rotation at an end of the cell, rad, or `floor` if that is greater.
     fn greatest(&self, end: usize, floor: f64) -> f64 {
         let along = |arm: f64| {
             let parabola = self.leaning[end].map(|factor| factor * arm);

@@ -434,8 +434,7 @@ impl<'a> AlongFace<'a> {
         if !self.first.touches {
             return Vec::new();
         }
-        let mut turns = self.assembly.face().map(|b| self.twists[0] * b);
-        turns.sort_unstable_by(f64::total_cmp);
+        let turns = self.assembly.face().map(|b| self.twists[0] * b);
         let steps = self.posed.steps_over(turns);
         let mut pairs: Vec<EndlessPair> = steps.map(|step| self.endless(step)).collect();
         let level = self.level(&pairs).max(floor);

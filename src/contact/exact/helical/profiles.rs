@@ -23,8 +23,8 @@
 //! of the free gear both gears change places.
 //!
 //! **Over a cell of rotations** ([`Plays`]) the free gear follows at a given gap. Rolls on the line move by the same angle in every section, so
-//! a turn of helical teeth is a shift along the face: the face is longer by it. What is left is a play of the rolls, up to `p`, and of `T`, up
-//! to `p T`, and the change of leads by the shift. A point of the first flank keeps its roll `x`, so that `η` and `y_b` move: `D` by up to
+//! a turn of helical teeth is a shift along the face: the face is longer by it. The rest is a play of the rolls, up to `p`, and of `T`, up to
+//! `p T`, and the change of leads by the shift. A point of the first flank keeps its roll `x`, so that `η` and `y_b` move: `D` by up to
 //! `|E_η| p + |δ_F'| (1 + |η_F,η|) p`, and by `T` no more than `(1 − cos η_F + |δ_F'| |sin η_F|/s_F) p T` ([`FlankPair::moved`]).
 //!
 //! Contacts in fillets are not found here, nor leaning axes: see [`super::leads`].
@@ -128,9 +128,16 @@ impl<'a> AlongFlanks<'a> {
 
     fn steps(&self) -> Range<i64> {
         let [twist, _] = self.twists();
-        let mut turns = self.face().map(|b| twist * b);
-        turns.sort_unstable_by(f64::total_cmp);
-        self.posed.steps_over(turns)
+        self.posed.steps_over(self.face().map(|b| twist * b))
+    }
+
+    /// Rolls of a step on the line in the section at 0, without leads.
+    fn on_line(&self, step: i64) -> [f64; 2] {
+        let pair = InvolutePair::new(self.posed, step);
+        [
+            self.line.angle - pair.locked_base,
+            self.line.angle - self.gap - pair.free_base,
+        ]
     }
 
     /// Upper bound of all heights over the cell, mm.
@@ -155,15 +162,10 @@ impl<'a> AlongFlanks<'a> {
         let teeth = posed.facing_teeth(assembly, step);
         let twists = self.twists();
         let [from, to] = assembly.face();
-        // What the face is too short for turns the rolls instead.
+        // Where the face is too short for the shift, the rolls turn instead.
         let short = (self.plays.along - (b - from).min(to - b)).max(0.0);
         let play = self.plays.roll + short * twists[0].abs().max(twists[1].abs());
-        let leads = teeth.leads(b);
-        let pair = InvolutePair::new(posed, step);
-        let on_line = [
-            self.line.angle - pair.locked_base,
-            self.line.angle - self.gap - pair.free_base,
-        ];
+        let (leads, on_line) = (teeth.leads(b), self.on_line(step));
         let each = [0, 1].map(|k| {
             let Flank { base, range, .. } = flanks[k];
             let roll = (radii[k] * radii[k] - base * base).max(0.0).sqrt() / base;
@@ -202,7 +204,7 @@ impl<'a> AlongFlanks<'a> {
         members.map(|member| self.posed.twist(self.assembly, member))
     }
 
-    /// Both ends of the common face, farther out by the shift along it, mm.
+    /// Both ends of the common face, extended by the shift along it, mm.
     fn face(&self) -> [f64; 2] {
         let [from, to] = self.assembly.face();
         [from - self.plays.along, to + self.plays.along]
@@ -214,11 +216,7 @@ impl<'a> AlongFlanks<'a> {
         let halves = [posed.locked(step), posed.free(step)];
         let flanks = [Flank::new(&halves[0]), Flank::new(&halves[1])];
         let teeth = posed.facing_teeth(assembly, step);
-        let pair = InvolutePair::new(posed, step);
-        let rolls = [
-            self.line.angle - pair.locked_base,
-            self.line.angle - self.gap - pair.free_base,
-        ];
+        let rolls = self.on_line(step);
         let bases = flanks.each_ref().map(|flank| flank.base);
         let apart = self.line.length - bases[0] * rolls[0] - bases[1] * rolls[1];
         let face = self.face();

@@ -423,8 +423,10 @@
       if (curve && a === distance()) showCurve(a, curve);
     }
     while (now === run && opened.sought.length > 0) {
-      opened.marks.push(...await answer("long", "marks", opened.sought[0]));
+      const found = await answer("long", "marks", opened.sought[0]);
+      if (now !== run) return;
       opened.sought.shift();
+      opened.marks.push(...found);
       marks(opened.marks);
     }
     byId("searching").textContent = "";

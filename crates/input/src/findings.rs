@@ -93,7 +93,7 @@ fn words(statements: &Statements, finding: &Finding) -> String {
         Finding::RunoutReadings(readings) => runout_readings(readings),
         Finding::RunoutContradictsFlanks(found) => format!(
             "beyond the first harmonic the readings contradict the flanks, which take precedence there. The readings vary by up to {:.3} µm, the stated flanks by \
-             {:.3} µm; {} {} they differ by {:.3} µm. F_r of the readings is {:.3} µm. Check gear, tooth numbers, sense and at",
+             {:.3} µm; {} {} they differ by {:.3} µm. F_r of the readings is {:.3} µm. Check the gear, its tooth numbers, `sense` and `at`",
             found.read_um,
             found.said_um,
             match found.probe {

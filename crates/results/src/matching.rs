@@ -201,7 +201,7 @@ pub fn text(result: &MatchResult, screen: &Screen) -> String {
     if has_phases {
         text.push('\n');
         text += &screen.fold(&format!(
-            "At random, with teeth marked: {} pairs to be expected.\n",
+            "At random, {} pairs are to be expected if the best teeth are marked.\n",
             fixed(result.at_random.best_phase, 1)
         ));
     }

@@ -361,7 +361,10 @@ pub fn remarks(result: &ToleranceResult) -> Vec<String> {
         .collect();
     let mut remarks = Vec::new();
     if !capability.is_empty() {
-        remarks.push(format!("{}, if normal.", capability.join(", ")));
+        remarks.push(format!(
+            "Process capability, if normal: {} (1: 3 standard deviations to the nearer limit).",
+            capability.join(", ")
+        ));
     }
     remarks.extend(without_backlash(result));
     remarks.extend(phases_of_limits(about).map(str::to_owned));

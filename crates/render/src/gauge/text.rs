@@ -55,8 +55,8 @@ which is what a standard grades.
 --positions, --format csv and the CSV files have every reading tooth by tooth.";
 
 const OF_LENGTHS: &str = "
-Lengths in mm; range and bound in µm. At: the first tooth spanned, or the tooth before the space of the (first) pin. The anvils reach \
-down to a third of the depth above the root.";
+Lengths in mm; range and bound in µm. The columns \"at\" name the first tooth spanned, or the tooth before the space of the (first) pin. \
+The anvils reach down to a third of the depth above the root.";
 
 const OF_HELICAL: &str = "
 Helical gears: all is of the measuring plane, the centres of the balls too. Span: along the normal of the helix. M_dK: over balls; \

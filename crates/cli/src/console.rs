@@ -132,6 +132,15 @@ pub(super) fn print_error_text(lines: &str) {
 /// Prints warnings, and with `--verbose` notes.
 pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
     let file = gearlash_text::display_path(file).display();
+    let named = |list: &[String]| {
+        let named = list.iter().map(|message| format!("{file}: {message}"));
+        named.collect::<Vec<String>>()
+    };
+    warn_of_files(&named(warnings), &named(remarks));
+}
+
+/// [`warn`] with messages that name their files.
+pub(super) fn warn_of_files(warnings: &[String], remarks: &[String]) {
     let remarks = if VERBOSE.load(Ordering::Relaxed) {
         remarks
     } else {
@@ -139,7 +148,7 @@ pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
     };
     for (kind, list) in [("warning", warnings), ("note", remarks)] {
         for message in list {
-            print_error_line(&format!("{kind}: {file}: {message}"));
+            print_error_line(&format!("{kind}: {message}"));
         }
     }
 }

@@ -212,7 +212,7 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
         let unnamed = |problem: &&mut Problem| problem.help == import::NAME_COLUMNS;
         for problem in error.problems.iter_mut().filter(unnamed) {
             problem.help +=
-                "; as options --only pitch --tooth-column A --left B --right C, or --only span --column B";
+                "; as options --only pitch --tooth-column A --left B --right C, or --only span --tooth-column A --column B";
         }
         if args.of_tables() {
             for problem in &mut error.problems {

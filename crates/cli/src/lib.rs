@@ -56,7 +56,7 @@ struct Cli {
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 done; 1 a comparison or a check failed, a requirement is not met or not proven, or a pose is unproven;
-2 bad input or usage (nothing is written then).
+2 bad input or usage: nothing is written, but check and compare of several files report the others.
 Results go to standard output and to files; progress, warnings and errors to standard error.
 
 Example:

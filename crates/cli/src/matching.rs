@@ -1,6 +1,6 @@
 //! `gearlash match`: pairs measured wheels with pinions, and finds the teeth to mark.
 
-use crate::console::{check_streams_not_input, print_error_line, print_note_line, warn};
+use crate::console::{check_streams_not_input, warn, warn_of_files};
 use crate::error::{Error, exit_code};
 use crate::options::{ResultsArgs, ScreenArgs};
 use crate::progress::Progress;
@@ -57,12 +57,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     check_streams_not_input(sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
     warn(&args.pair, &warnings, &file.pair.remarks);
-    for line in &file.gear_warnings {
-        print_error_line(&format!("warning: {line}"));
-    }
-    for line in &file.gear_remarks {
-        print_note_line(&format!("note: {line}"));
-    }
+    warn_of_files(&file.gear_warnings, &file.gear_remarks);
     let is_own = |name: &str| FILES.contains(&name);
     let prepared = args.results.folder(&file.pair.stem, sources, is_own)?;
     let (wheels, pinions) = (file.wheels.len(), file.pinions.len());

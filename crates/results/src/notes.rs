@@ -114,7 +114,7 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
         several => several.join(", or "),
     };
     format!(
-        "Not used: the {name} looks like {like}; the middle of its flanks is within {} µm of that involute.",
+        "The {name} looks like {like}, which is not used. The middle of its flanks is within {} µm of that involute.",
         um(found.residual, 2)
     )
 }

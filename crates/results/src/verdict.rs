@@ -820,7 +820,7 @@ pub(crate) fn doubt_words(doubt: Doubt) -> &'static str {
         Doubt::OffInvolute => "bounded by poses alone, as fillets or roots may touch",
         Doubt::Effort => "search budget used up",
         Doubt::Unbounded => "no bound for parts of the cycle",
-        Doubt::SecondOrder => "runout direction bounded to second order",
+        Doubt::SecondOrder => "runout of unknown direction bounded widely",
         Doubt::Profile => "deviations bounded for each flank as a whole",
         Doubt::ContactLost => "contact lost at a pose",
         Doubt::Drawing => "the drawings leave more open",

@@ -291,7 +291,11 @@ impl Request<'_> {
             None => {
                 let (what, row) = match choice.table.header_row {
                     Some(row) => (format!("line {row} does not name"), row),
-                    None => ("no line names".to_owned(), 1),
+                    None => {
+                        let mut likely = grids.iter().map(|grid| ColumnHeader::likely(&grid.lines));
+                        let row = likely.find_map(|head| u32::try_from(head?.line).ok());
+                        ("no line names".to_owned(), row.unwrap_or(1))
+                    }
                 };
                 let is_book = grids.len() > 1 && grids.iter().any(|grid| grid.sheet.is_some());
                 let place = if is_book {

@@ -118,7 +118,11 @@ pub fn revolution(
             continue;
         };
         let (x, y) = (panel.x.range, of_um(um));
-        let words = format!("{word} of the whole mesh cycle {}", shown(um));
+        let of = course.cycle_phase.map_or_else(
+            || "the whole mesh cycle".to_owned(),
+            |(wheel, pinion)| format!("phase {wheel}·{pinion}"),
+        );
+        let words = format!("{word} of {of} {}", shown(um));
         panel.marks.push(Mark::level(x, y, Look::Limit, 1.2));
         panel
             .marks

@@ -91,9 +91,12 @@ pub(super) fn assembles_from(
         });
         Ok(Some((value.unwrap_or(f64::NEG_INFINITY), least)))
     };
+    let is_close = |_: f64, _: f64| false;
     let between = [assembly.center_distance(), reach];
     let below = least.unwrap_or(f64::NEG_INFINITY);
-    let Some((low, high, Some(least))) = threshold(between, below, per_mm, value, effort)? else {
+    let Some((low, high, Some(least))) =
+        threshold(between, below, per_mm, value, is_close, effort)?
+    else {
         return Ok(None);
     };
     Ok(Some(Threshold {
@@ -107,8 +110,8 @@ pub(super) fn assembles_from(
 }
 
 /// The threshold at which a rising `value` becomes 0 or more. The results are a place, mm, where it is below 0, a place where it is not, and
-/// the second result of `value` at the latter. The places are at most [`DISTANCE_WIDTH`] apart unless the effort ran out. `None` if the value
-/// is below 0 everywhere.
+/// the second result of `value` at the latter. The places are at most [`DISTANCE_WIDTH`] apart, or close enough by `is_close`, unless the
+/// effort ran out. `None` if the value is below 0 everywhere.
 ///
 /// `below` is the value at the lower place, or −∞. `slope` is the value's derivative at a place. `value` returns `None`
 /// at a place that is not possible.
@@ -117,6 +120,7 @@ pub(super) fn threshold<T>(
     mut below: f64,
     slope: impl Fn(f64) -> f64,
     mut value: impl FnMut(f64) -> Result<Option<(f64, T)>, Error>,
+    is_close: impl Fn(f64, f64) -> bool,
     effort: &Effort,
 ) -> Result<Option<(f64, f64, T)>, Error> {
     if !(low < high) {
@@ -160,7 +164,7 @@ pub(super) fn threshold<T>(
             (low, below) = (at, value);
             above *= stays;
         }
-        if high - low <= DISTANCE_WIDTH {
+        if high - low <= DISTANCE_WIDTH || found.is_some() && is_close(low, high) {
             break;
         }
     }

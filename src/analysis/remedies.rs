@@ -304,13 +304,15 @@ impl<'a> Search<'a> {
             let angle = pair.operating_pressure_angle();
             angle.map_or(DRAWN_SLOPE, |angle| 2.0 * angle.tan())
         };
-        let Some([fails, fits]) = self.between([own, end], &changed, &slope, effort)? else {
-            return Ok(None);
-        };
         let listed = &self.study.center_distances;
         let (origin, shown) = match self.study.distance_band {
             Some(_) => (own, listed[listed.len() / 2] - own),
             None => (0.0, 0.0),
+        };
+        let grids = [(origin, STEP)];
+        let Some([fails, fits]) = self.between([own, end], &changed, &slope, &grids, effort)?
+        else {
+            return Ok(None);
         };
         let Some(found) = self.rounded(origin, fits, STEP, &changed, effort)? else {
             return Ok(None);
@@ -357,10 +359,6 @@ impl<'a> Search<'a> {
             let teeth = cycle_pair(pair).thinned_teeth();
             teeth.map_or(f64::NAN, |teeth| scales().sum::<f64>() * teeth.slope)
         };
-        let Some([fails, fits]) = self.between(range, &changed, &slope, effort)? else {
-            return Ok(Vec::new());
-        };
-        let mut remedies = Vec::new();
         // One flank offset of one gear is an allowance, unless the file states an offset.
         let by_offset = |member: Member| self.stated[member as usize].by_flank_offset;
         let by_offset = gears.members().all(by_offset);
@@ -369,7 +367,13 @@ impl<'a> Search<'a> {
             (has_offset, Change::FlankOffset, teeth.per_offset),
             (!by_offset, Change::ThicknessAllowance, 1.0),
         ];
-        for (_, what, unit) in units.into_iter().filter(|(is_stated, ..)| *is_stated) {
+        let units = || units.into_iter().filter(|(is_stated, ..)| *is_stated);
+        let grids: Vec<(f64, f64)> = units().map(|(.., unit)| (0.0, STEP * unit)).collect();
+        let Some([fails, fits]) = self.between(range, &changed, &slope, &grids, effort)? else {
+            return Ok(Vec::new());
+        };
+        let mut remedies = Vec::new();
+        for (_, what, unit) in units() {
             let found = self.rounded(0.0, fits, STEP * unit, &changed, effort)?;
             let bracket = [-fails.max(fits), -fails.min(fits)];
             remedies.extend(found.map(|found| Remedy {
@@ -387,12 +391,14 @@ impl<'a> Search<'a> {
         self.stated[member as usize].scale
     }
 
-    /// A place at which the worst run does not fit and one at which it does, between its present place and the end of `range`.
+    /// A place at which the worst run does not fit and one at which it does, between its present place and the end of `range`. In the end no
+    /// step of `grids`, each an origin and a step, lies between them.
     fn between(
         &self,
         [own, end]: [f64; 2],
         changed: &dyn Fn(&CyclePlan, f64) -> Option<AssembledPair>,
         slope: &dyn Fn(&AssembledPair) -> f64,
+        grids: &[(f64, f64)],
         effort: &Effort,
     ) -> Result<Option<[f64; 2]>, Error> {
         let worst = &self.plans[self.worst];
@@ -410,8 +416,18 @@ impl<'a> Search<'a> {
             return Ok(None);
         };
         let range = [0.0, (end - own).abs()];
-        let found = threshold(range, now, slope, value, effort)?;
+        let is_close = |fails: f64, fits: f64| {
+            let steps = |by: f64, &(origin, step): &(f64, f64)| self.steps(origin, place(by), step);
+            let mut grids = grids.iter();
+            grids.all(|grid| steps(fails, grid) == steps(fits, grid))
+        };
+        let found = threshold(range, now, slope, value, is_close, effort)?;
         Ok(found.map(|(fails, fits, ())| [place(fails), place(fits)]))
+    }
+
+    /// Steps from `origin` to the first one at or past `place`.
+    fn steps(&self, origin: f64, place: f64, step: f64) -> f64 {
+        ((self.sign * (place - origin) - NEAR) / step).ceil()
     }
 
     /// The first multiple of `step` from `origin` at or past `fits` at which every run fits.
@@ -423,9 +439,9 @@ impl<'a> Search<'a> {
         changed: &dyn Fn(&CyclePlan, f64) -> Option<AssembledPair>,
         effort: &Effort,
     ) -> Result<Option<f64>, Error> {
-        let steps = (self.sign * (fits - origin) - NEAR) / step;
+        let steps = self.steps(origin, fits, step);
         for more in 0..2 {
-            let at = origin + self.sign * (steps.ceil() + f64::from(more)) * step;
+            let at = origin + self.sign * (steps + f64::from(more)) * step;
             if self.all_fit(at, changed, effort)? {
                 return Ok(Some(at));
             }

@@ -374,6 +374,7 @@ pub fn run_count(study: &Study) -> Result<u64, Error> {
 
 /// The assembly phases that extremes cover.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum CoveredPhases {
     /// Every phase of the pair.
     All,

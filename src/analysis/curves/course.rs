@@ -1,7 +1,7 @@
 //! A run's poses as curves over the teeth.
 
 use crate::analysis::compare::{ComparedPose, ComparedRun};
-use crate::analysis::extremes::{RunExtreme, RunExtremes};
+use crate::analysis::extremes::{CoveredPhases, RunExtreme, RunExtremes};
 use crate::analysis::requirement::Requirements;
 use crate::analysis::study::Material;
 use crate::contact::{Contact, End, PoseResult, Status, first_least};
@@ -29,10 +29,10 @@ pub struct Course {
     pub least: Option<Extreme>,
     /// The greatest.
     pub greatest: Option<Extreme>,
-    /// Least and greatest `j_wt` of the whole mesh cycle at this centre distance, over every phase and material, µm; `None` if unknown.
+    /// Least and greatest `j_wt` of the whole mesh cycle at this centre distance, over its phases and every material, µm; `None` if unknown.
     pub cycle_um: [Option<f64>; 2],
-    /// Wheel and pinion tooth of the one phase that these hold for; `None` for every phase.
-    pub cycle_phase: Option<(u32, u32)>,
+    /// The assembly phases that these hold for.
+    pub cycle_phases: CoveredPhases,
     /// The requirements on the pair.
     pub required: Requirements,
 }
@@ -51,9 +51,7 @@ impl Course {
             )
         });
         self.cycle_um = ends.map(|end| end.map(|(_, extreme)| extreme.found() * 1e3));
-        let mut phases = runs.iter().filter(here).map(|run| run.own_phase);
-        let first = phases.next().flatten();
-        self.cycle_phase = first.filter(|_| phases.all(|phase| phase == first));
+        self.cycle_phases = CoveredPhases::of(runs.iter().filter(here));
         let place = |(material, extreme)| self.extreme_of_cycle(material, extreme);
         let [least, greatest] = ends.map(|end| end.and_then(place));
         self.least = least.or(self.least);
@@ -189,7 +187,7 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
         least: extreme(1.0),
         greatest: extreme(-1.0),
         cycle_um: [None; 2],
-        cycle_phase: None,
+        cycle_phases: CoveredPhases::All,
         required: Requirements::new(),
         lines,
     }

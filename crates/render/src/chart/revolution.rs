@@ -8,6 +8,7 @@ use super::panel::{Look, Mark, Panel, Point, Swatch, backlash_range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Anchor;
 use gearlash::analysis::curves::{Course, CourseLine, Extreme};
+use gearlash::analysis::extremes::CoveredPhases;
 use gearlash::analysis::study::Material;
 use gearlash::gear::Side;
 use gearlash::pair::BacklashUnit;
@@ -118,10 +119,13 @@ pub fn revolution(
             continue;
         };
         let (x, y) = (panel.x.range, of_um(um));
-        let of = course.cycle_phase.map_or_else(
-            || "the whole mesh cycle".to_owned(),
-            |(wheel, pinion)| format!("phase {wheel}·{pinion}"),
-        );
+        let of = match &course.cycle_phases {
+            CoveredPhases::All => "the whole mesh cycle".to_owned(),
+            CoveredPhases::Some(phases) => match phases[..] {
+                [(wheel, pinion)] => format!("phase {wheel}·{pinion}"),
+                _ => format!("{} phases", phases.len()),
+            },
+        };
         let words = format!("{word} of {of} {}", shown(um));
         panel.marks.push(Mark::level(x, y, Look::Limit, 1.2));
         panel

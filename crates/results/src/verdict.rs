@@ -458,16 +458,13 @@ fn proof(verdict: &Verdict) -> Vec<String> {
     let matings = verdict.matings();
     let covered = distinct(verdict.runs.iter().filter_map(|run| run.own_phase));
     let phases = CoveredPhases::of(verdict.runs);
-    let are_all = covered.is_empty() || matches!(phases, CoveredPhases::All);
-    let over = match (phases, &covered[..]) {
-        (_, []) => format!("{matings} matings"),
-        (CoveredPhases::All, phases) => format!("{matings} matings × {} phases", phases.len()),
-        (CoveredPhases::Some(_), [(wheel, pinion)]) => {
-            format!("{matings} matings of phase {wheel}·{pinion} alone")
-        }
-        (CoveredPhases::Some(_), phases) => {
-            format!("{matings} matings of {} phases alone", phases.len())
-        }
+    let are_all = phases == CoveredPhases::All;
+    let over = if !are_all {
+        format!("{matings} matings of {} alone", cycle_words(&phases))
+    } else if covered.is_empty() {
+        format!("{matings} matings")
+    } else {
+        format!("{matings} matings × {} phases", covered.len())
     };
     let rotation = if verdict.runs.iter().any(RunExtremes::any_direction) {
         "every rotation and runout direction"
@@ -872,8 +869,20 @@ pub fn extremes_in_short(verdict: &Verdict) -> String {
     match &in_short(&rows(verdict))[..] {
         "" => String::new(),
         extremes => format!(
-            "whole mesh cycle ({} matings): {extremes}",
+            "{} ({} matings): {extremes}",
+            cycle_words(&CoveredPhases::of(verdict.runs)),
             verdict.matings()
         ),
+    }
+}
+
+/// The cycle over these phases: "whole mesh cycle", "phase 1·1" or "2 phases".
+pub fn cycle_words(phases: &CoveredPhases) -> String {
+    match phases {
+        CoveredPhases::All => "whole mesh cycle".to_owned(),
+        CoveredPhases::Some(phases) => match phases[..] {
+            [(wheel, pinion)] => format!("phase {wheel}·{pinion}"),
+            _ => format!("{} phases", phases.len()),
+        },
     }
 }

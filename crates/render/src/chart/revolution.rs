@@ -12,6 +12,7 @@ use gearlash::analysis::extremes::CoveredPhases;
 use gearlash::analysis::study::Material;
 use gearlash::gear::Side;
 use gearlash::pair::BacklashUnit;
+use gearlash_results::verdict::cycle_words;
 use gearlash_text::numbers::backlash;
 
 const FILL: f64 = 0.2;
@@ -119,14 +120,13 @@ pub fn revolution(
             continue;
         };
         let (x, y) = (panel.x.range, of_um(um));
-        let of = match &course.cycle_phases {
-            CoveredPhases::All => "the whole mesh cycle".to_owned(),
-            CoveredPhases::Some(phases) => match phases[..] {
-                [(wheel, pinion)] => format!("phase {wheel}·{pinion}"),
-                _ => format!("{} phases", phases.len()),
-            },
+        let cycle = cycle_words(&course.cycle_phases);
+        let the = if course.cycle_phases == CoveredPhases::All {
+            "the "
+        } else {
+            ""
         };
-        let words = format!("{word} of {of} {}", shown(um));
+        let words = format!("{word} of {the}{cycle} {}", shown(um));
         panel.marks.push(Mark::level(x, y, Look::Limit, 1.2));
         panel
             .marks

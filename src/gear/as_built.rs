@@ -3,83 +3,13 @@
 use super::lead::Leads;
 use super::modified_flanks::{ModifiedHalves, end_at};
 use super::{
-    BasicGearData, DeviationCurve, Face, Flank, Gear, Lead, Modification, PartCurve, Pitch,
-    Profile, ProfilePart, Side, involute, thickness,
+    DeviationCurve, Deviations, Face, Flank, Gear, Lead, Modification, PartCurve, Profile,
+    ProfilePart, Side, involute, thickness,
 };
 use crate::error::GearError;
 use nalgebra::{UnitComplex, Vector2};
-use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
-
-/// Measured deviations beside the mean thickness. Lengths in mm; empty or zero where nothing was measured.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Deviations {
-    /// Tooth thickness added to the mean, per tooth, at the reference circle; empty or `z` values.
-    pub per_tooth: Vec<f64>,
-    /// Pitch deviation of both flanks, free of eccentricity.
-    pub pitch: Option<Pitch>,
-    /// Distance `e` of the outline's centre from the rotation axis, half the runout `F_r`.
-    pub eccentricity: f64,
-    /// Tooth (fractional, `1 ≤ … < z + 1`) towards which the outline is displaced.
-    pub high_tooth: f64,
-    /// Whether the direction is unknown: a pose uses `high_tooth`, extremes cover all directions.
-    pub any_direction: bool,
-    /// Lean of the teeth's axis from the rotation axis (wobble), mm per mm.
-    pub wobble: f64,
-    /// Tooth (fractional) towards which the teeth lean away from the reference face.
-    pub wobble_tooth: f64,
-    /// Profile deviation of the gear's own right flanks, and of its left ones.
-    pub profiles: [Modification; 2],
-    /// Lead deviation of the gear's own right flanks, and of its left ones.
-    pub leads: [Lead; 2],
-}
-
-impl Deviations {
-    /// Whether leads change spans. They do on helical gears: the contacts of a span are apart along the face.
-    pub(crate) fn leads_change_spans(&self, basic_data: &BasicGearData) -> bool {
-        basic_data.hand().is_some() && !self.leads.iter().all(Lead::is_none)
-    }
-
-    /// Adds the rotations by thickness and pitch to the `offsets` of the right and left flanks, rad, counter-clockwise.
-    fn offsets(
-        &self,
-        basic_data: &BasicGearData,
-        face: Face,
-        mut offsets: [Vec<f64>; 2],
-    ) -> Result<[Vec<f64>; 2], GearError> {
-        let teeth = basic_data.teeth();
-        let length = |what, list: &[f64]| match list.len() {
-            found if found == teeth as usize => Ok(()),
-            found => Err(GearError::WrongLength { what, found, teeth }),
-        };
-        let r = basic_data.reference_radius();
-        if !self.per_tooth.is_empty() {
-            length("thickness of each tooth", &self.per_tooth)?;
-            for side in Side::BOTH {
-                for (offset, thickness) in offsets[side.index()].iter_mut().zip(&self.per_tooth) {
-                    *offset += side.sense() * thickness / (2.0 * r * basic_data.helix_cos());
-                }
-            }
-        }
-        if let Some(pitch) = &self.pitch {
-            for own in Flank::BOTH {
-                let curve = pitch.flank(own);
-                length("pitch", curve)?;
-                for &f in curve {
-                    let is_near = f.abs() < PI * basic_data.module() / 2.0;
-                    let allowed = "less than half a pitch";
-                    GearError::require(is_near, "pitch deviation (mm)", f, allowed)?;
-                }
-                let side = face.seen_from_front(own);
-                for (offset, f) in offsets[side.index()].iter_mut().zip(curve) {
-                    *offset += face.ascending() * f / r;
-                }
-            }
-        }
-        Ok(offsets)
-    }
-}
 
 /// A gear with every tooth at its measured place.
 ///
@@ -959,71 +889,4 @@ pub(super) fn modified(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::gear::{GearDesign, Profile, Side};
-    use std::f64::consts::TAU;
-
-    /// Both half teeth of a space end in the same direction, on either face, whatever the deviations; the land
-    /// widens and narrows with the space, and a space closed at its root leaves none.
-    #[test]
-    fn root_lands_meet_in_the_middle_of_the_space() {
-        let design = GearDesign::plain(20, 2.0);
-        let gear = design.gear();
-        let mut right = vec![0.0; 20];
-        (right[4], right[9]) = (0.9, -0.9);
-        let deviations = Deviations {
-            per_tooth: (0..20).map(|k| 0.01 * f64::from(k % 3)).collect(),
-            ..Deviations::default().with_pitch(&right, &[0.0; 20])
-        };
-        let (start, middle) = Profile::new(&gear).range(ProfilePart::Root);
-        for face in [Face::Front, Face::Back] {
-            let built = design.built(face, &deviations);
-            let end = |side: Side, tooth: u32| {
-                let turned = built.tooth_angle(f64::from(tooth)) + built.flank_offset(side, tooth);
-                turned + side.sense() * built.root_end(side, tooth)
-            };
-            for tooth in 1..=20 {
-                let next = built.counter_clockwise(tooth, 1);
-                let apart = end(Side::Left, tooth) - end(Side::Right, next);
-                let closed = built.root_end(Side::Left, tooth) == start;
-                let whole = apart - TAU * (apart / TAU).round();
-                assert!(closed || whole.abs() < 1e-14, "{whole} at tooth {tooth}");
-            }
-            let ends = (1..=20).map(|tooth| built.root_end(Side::Right, tooth));
-            let (least, most) = ends.fold((middle, middle), |(l, m), e| (l.min(e), m.max(e)));
-            assert!(least == start && most > middle + 0.02);
-        }
-    }
-
-    /// In two steps as in one.
-    #[test]
-    fn a_gear_varied_is_the_gear_made_so() {
-        let design = GearDesign::plain(30, 2.0);
-        let deviations = |thick: f64, phase: f64| {
-            let wave = |phase: f64| -> Vec<f64> {
-                let each = 0..30;
-                each.map(|k| 0.004 * (f64::from(k) + phase).sin()).collect()
-            };
-            Deviations {
-                per_tooth: vec![thick; 30],
-                ..Deviations::off_axis(0.01, 3.0).with_pitch(&wave(phase), &wave(2.0 * phase))
-            }
-        };
-        let (own, further) = (deviations(0.0, 1.0), deviations(0.002, 0.3));
-        for (face, turned) in [(Face::Front, Face::Back), (Face::Back, Face::Front)] {
-            let varied = design.built(face, &own).varied(-0.05, &further).unwrap();
-            let base = design.nominal_base_thickness() - 0.05 * 20f64.to_radians().cos();
-            let gear = Gear::new(design, base).unwrap();
-            let built = |face, stated| AsBuilt::new(gear.clone(), face, stated).unwrap();
-            let (own, other) = (built(face, &own), built(face, &further));
-            assert_eq!(other.facing(turned), built(turned, &further));
-            assert_eq!(varied.gear(), own.gear());
-            assert_eq!((varied.eccentricity(), varied.high_tooth()), (0.01, 3.0));
-            for (side, tooth) in (1..=30).flat_map(|tooth| Side::BOTH.map(|side| (side, tooth))) {
-                let sum = own.flank_offset(side, tooth) + other.flank_offset(side, tooth);
-                assert!((varied.flank_offset(side, tooth) - sum).abs() < 1e-16);
-            }
-        }
-    }
-}
+mod tests;

@@ -1,12 +1,13 @@
 //! The checks of a pair: their rows, their outcome as a judged file, and their text.
 
+use crate::assembly_state::distinct;
 use crate::column::{PeopleColumn, Row, Value, row_type, shown};
 use crate::judged::{Case, Judgement, VERDICT};
 use crate::layout::{Screen, Tone};
 use crate::notes::{self, drawn_notes};
 use crate::remedies::RemedyRecords;
 use crate::run::{contact_count, extremes, verdict_record};
-use crate::verdict::{self, distinct, heading, lines, short_title};
+use crate::verdict::{self, heading, lines, short_title};
 use gearlash::analysis::backlash_map::{BacklashCell, BacklashMap};
 use gearlash::analysis::diagnosis::{
     Check, CheckVerdict, CheckedPair, Diagnosis, Map as ContactMap, MapCell,

@@ -26,6 +26,7 @@
 mod edges;
 mod leads;
 mod place_filter;
+mod profiled_flank;
 pub(super) mod profiles;
 mod roots;
 mod search_free_sections;

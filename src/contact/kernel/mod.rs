@@ -3,6 +3,7 @@
 mod checker;
 mod convex;
 mod facing_halves;
+mod facing_pair;
 mod hollow;
 mod proof;
 mod prover;

@@ -17,13 +17,14 @@
 
 use super::convex::{Convex, Support, along};
 use super::facing_halves::{Apart, FacingHalves};
+use super::facing_pair::{EndsAlong, FacingPair};
 use super::hollow::{Hollow, is_beyond, is_off_both, is_off_chord, is_off_hollow, out_of_locked};
-use super::proof::{Piece, Proof, Reason, Separation, SideProof, TouchProof};
+use super::proof::{Piece, Proof, Separation, SideProof, TouchProof};
 use crate::contact::Effort;
 use crate::contact::exact::{
     ExactKernel, FlankProblem, HalfToothShape, PlacedHalf, PosedFlanks, Section, reduced,
 };
-use crate::contact::gap::{C, PlacedCurve, dot, turn};
+use crate::contact::gap::{C, PlacedCurve, turn};
 use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
 use crate::gear::{AsBuilt, ProfilePart, Side};
 use crate::numeric::bisect;
@@ -231,14 +232,6 @@ struct SideProver<'a> {
     apart: Option<Vec<Separation>>,
 }
 
-/// The half teeth of one step, and their tops.
-struct FacingPair<'a> {
-    step: i64,
-    at: FacingHalves<'a>,
-    placed: [PlacedHalf<'a>; 2],
-    tops: [Convex<'a>; 2],
-}
-
 /// The separation of the tops of a pair.
 struct TopSeparation {
     apart: Apart,
@@ -247,92 +240,8 @@ struct TopSeparation {
     supports: [Support; 2],
 }
 
-/// The extents of the pieces of a pair along the direction that separates its tops.
-struct EndsAlong {
-    n: C,
-    /// Reach of the locked tooth, mm.
-    tooth: f64,
-    top: FreeStart,
-    /// Whether a disc in which the free tooth turns represents each of its pieces.
-    is_disc: bool,
-}
-
-/// The nearest point of a free piece along a direction, mm, and its arm.
-#[derive(Clone, Copy)]
-struct FreeStart {
-    at: f64,
-    arm: f64,
-}
-
-impl EndsAlong {
-    /// The ends along the direction of `apart`, in which the tops have these supports.
-    fn new(pair: &FacingPair, apart: Apart, [locked, free]: [Support; 2]) -> EndsAlong {
-        let (at, n) = (&pair.at, apart.normal);
-        let is_disc = apart.by == Reason::OutOfReach;
-        let top = if is_disc {
-            FreeStart {
-                at: -pair.farthest_of_free(),
-                arm: f64::INFINITY,
-            }
-        } else {
-            lowest(at, n, free)
-        };
-        EndsAlong {
-            n,
-            tooth: dot(at.centres[0], n) + locked.reach,
-            top,
-            is_disc,
-        }
-    }
-
-    fn of_locked(&self, pair: &FacingPair, hollow: &Hollow, is_far: bool) -> f64 {
-        let direction = if is_far {
-            pair.placed[0].far_direction()
-        } else {
-            pair.at.directions[0]
-        };
-        dot(pair.at.centres[0], self.n) + hollow.bound(self.n * direction.conj()).reach
-    }
-
-    fn of_free(&self, at: &FacingHalves, hollow: &Hollow) -> FreeStart {
-        if self.is_disc {
-            return self.top;
-        }
-        lowest(at, self.n, hollow.bound(-self.n * at.directions[1].conj()))
-    }
-
-    fn keeps_off(&self, at: &FacingHalves, reach: f64, free: FreeStart) -> bool {
-        at.stays_apart(free.at - reach, free.arm)
-    }
-}
-
-/// The nearest point of a free piece along `n`; `back` is its support against `n`.
-fn lowest(at: &FacingHalves, n: C, back: Support) -> FreeStart {
-    FreeStart {
-        at: dot(at.centres[1], n) - back.reach,
-        arm: at.least_arm(back, n),
-    }
-}
-
 /// The tops of a pair as pieces.
 const TOPS: [Piece; 2] = [Piece::Tooth, Piece::Top];
-
-impl<'a> FacingPair<'a> {
-    /// Greatest radius of the free tooth about its axis, mm: the whole tooth turns within its top's disc.
-    fn farthest_of_free(&self) -> f64 {
-        self.tops[1].farthest(self.at.centres[1] * self.at.directions[1].conj())
-    }
-
-    /// The pair with the far half of the locked tooth instead of the near one.
-    fn far_at(&self) -> FacingHalves<'a> {
-        let direction = self.placed[0].far_direction();
-        FacingHalves {
-            angles: [direction.im.atan2(direction.re), self.at.angles[1]],
-            directions: [direction, self.at.directions[1]],
-            ..self.at
-        }
-    }
-}
 
 impl<'a> SideProver<'a> {
     fn new(
@@ -865,54 +774,4 @@ fn fillet_angle(shape: &HalfToothShape, radius: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::pair::Mating;
-    use std::f64::consts::PI;
-
-    /// Source: points of the free tooth at 720 rotations.
-    #[test]
-    fn a_disc_holds_its_tooth_at_every_rotation() {
-        let pair = GearPair::plain([17, 23], [0.3; 2], 40.2, Member::Wheel);
-        let kernel = ExactKernel::new(&pair);
-        let prover = Prover::new(&pair, &kernel);
-        let pose = Pose::new(&pair, Mating::FIRST);
-        let found = kernel.lost_motion(&pose).unwrap();
-        let mut compared = 0;
-        let checked = prover.over(&pose, &found, |section, here, _| {
-            let posed = section.posed(section.side(Side::Right), here);
-            let tried = Cell::new(0);
-            let proving = SideProver::new(&prover, &posed, section.free(), &found, &tried);
-            for step in posed.steps_of_whole_teeth() {
-                let pair = proving.pair(step, 0.0, C::ONE);
-                let [_, free] = &pair.placed;
-                let parts = [ProfilePart::Tip, ProfilePart::Involute];
-                let points = parts.into_iter().flat_map(|part| {
-                    let (low, high) = free.range(part);
-                    (0..=40).map(move |k| {
-                        let at = low + (high - low) * f64::from(k) / 40.0;
-                        free.centre + free.direction * free.shape.at(part, at).point
-                    })
-                });
-                let points: Vec<C> = points.collect();
-                for n in [1.0, 2.5, 4.0].map(turn) {
-                    let supports = pair.at.supports(&pair.tops[0], &pair.tops[1], n.arg(), n);
-                    let apart = Apart {
-                        by: Reason::OutOfReach,
-                        normal: n,
-                    };
-                    let along = EndsAlong::new(&pair, apart, supports);
-                    let turns = (0..720).map(|k| turn(PI / 360.0 * f64::from(k)));
-                    let starts =
-                        turns.flat_map(|turned| points.iter().map(move |p| dot(turned * p, n)));
-                    let off = starts.fold(f64::INFINITY, f64::min) - along.top.at;
-                    assert!((-1e-12..1e-3).contains(&off), "{step}: {off:e}");
-                    compared += 1;
-                }
-            }
-            Ok(())
-        });
-        checked.unwrap();
-        assert!(compared > 5, "{compared}");
-    }
-}
+mod tests;

@@ -19,6 +19,7 @@ mod fillet;
 mod held_side;
 mod line_bends;
 mod mesh_cycle;
+mod passed_tip;
 mod rolls;
 mod room;
 mod sample;

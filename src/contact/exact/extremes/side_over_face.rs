@@ -25,6 +25,7 @@
 //! `g ω` to its tightness.
 
 use super::mesh_cycle::PosedSide;
+use super::passed_tip::PassedTip;
 use super::side_stretch::SideStretch;
 use crate::contact::exact::helical::most_moved;
 use crate::contact::exact::leaning::LeaningFrame;
@@ -411,46 +412,6 @@ struct LeaningPair {
     /// Tightness along the base tangent, mm per mm, that a contact gains by standing nearer to the locked axis, along the radius of its
     /// tangent point. Nearer to the free axis it loses as much.
     winding: f64,
-}
-
-/// A tip that leaves room where it is passed, mm along the base tangent.
-struct PassedTip {
-    base: f64,
-    roll: f64,
-    /// Least roll beyond it in the section at 0 over the cell, rad, and its rate, rad/mm.
-    excess: f64,
-    rate: f64,
-    /// Its change per locked lead, rad/mm.
-    by_lead: f64,
-    /// More room per angle beyond it, mm/rad.
-    pull: f64,
-    /// Share of the room that a lean takes.
-    share: f64,
-    /// Greatest roll above the least over the cell, rad.
-    play: f64,
-    /// The form roll, rad, and the tightness, mm/rad, that a lean may add below it, where a section has the contact at the form circle.
-    form: f64,
-    below: f64,
-}
-
-impl PassedTip {
-    /// Least roll beyond it at `b`, where the locked lead is `lead`, rad.
-    fn beyond(&self, b: f64, lead: f64) -> f64 {
-        self.excess + self.rate * b + self.by_lead * lead
-    }
-
-    /// The room at a roll beyond it, mm, and its rate.
-    fn room(&self, beyond: f64) -> [f64; 2] {
-        if !(beyond > 0.0) {
-            return [0.0; 2];
-        }
-        let (sin, cos) = beyond.sin_cos();
-        let left = (1.0 - self.share) * self.base;
-        [
-            left * (self.roll * (1.0 - cos) + beyond - sin) + self.pull * beyond,
-            left * (self.roll * sin + 1.0 - cos) + self.pull,
-        ]
-    }
 }
 
 /// A pair of teeth over the face: what leads and leans add to its tightness, less the room of its tips.

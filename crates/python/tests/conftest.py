@@ -10,6 +10,9 @@ import pytest
 
 FIXTURES = Path(__file__).parents[3] / "fixtures"
 
+# The data of a gear without deviations.
+GEAR = {"teeth": 20, "module_mm": 2.0, "pressure_angle_deg": 20.0}
+
 
 @pytest.fixture
 def fixtures() -> Path:

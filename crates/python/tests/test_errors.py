@@ -9,12 +9,11 @@ import numpy as np
 import pytest
 
 import gearlash
-
-GOOD = {"teeth": 20, "module_mm": 2.0, "pressure_angle_deg": 20.0}
+from conftest import GEAR
 
 
 def pair(distance: float = 40.1, **assembly: Any) -> gearlash.Pair:
-    return gearlash.Pair(gearlash.Gear(**GOOD), gearlash.Gear(**GOOD), distance, **assembly)
+    return gearlash.Pair(gearlash.Gear(**GEAR), gearlash.Gear(**GEAR), distance, **assembly)
 
 
 def test_a_file_is_refused_in_the_words_of_the_command(fixtures, tmp_path) -> None:
@@ -44,10 +43,10 @@ def test_all_problems_of_a_gear_are_told_at_once() -> None:
 @pytest.mark.parametrize(
     ("call", "text"),
     [
-        (lambda: gearlash.Gear(**{**GOOD, "module_mm": float("nan")}), "gear.module_mm = nan"),
-        (lambda: gearlash.Gear(**GOOD, profile=object()), "gear.profile = object"),
-        (lambda: gearlash.Gear(**GOOD, lead={"crowning_um": 8}), "gear.face_width_mm"),
-        (lambda: gearlash.Gear(**GOOD, pitch={"right_um": np.zeros(3)}), "gear.pitch"),
+        (lambda: gearlash.Gear(**{**GEAR, "module_mm": float("nan")}), "gear.module_mm = nan"),
+        (lambda: gearlash.Gear(**GEAR, profile=object()), "gear.profile = object"),
+        (lambda: gearlash.Gear(**GEAR, lead={"crowning_um": 8}), "gear.face_width_mm"),
+        (lambda: gearlash.Gear(**GEAR, pitch={"right_um": np.zeros(3)}), "gear.pitch"),
         (lambda: pair(misalignment={"in_plane_um": 8.0}), "assembly.misalignment.over_mm"),
         (lambda: pair(misalignment={"in_plane_um": 8.0, "over_mm": 90.0}), "wheel.face_width_mm"),
         (lambda: gearlash.read("no such file.toml"), "there is no such file"),
@@ -71,8 +70,8 @@ def test_all_problems_of_a_gear_are_told_at_once() -> None:
         (lambda: pair().revolution(threads=20000), "threads = 20000: allowed is 1 … 1024"),
         (lambda: pair().chart("pie"), "kind"),
         (lambda: pair().chart("distance", mating=(21, 1)), "the wheel has teeth"),
-        (lambda: gearlash.Gear(**GOOD).gauge(span_teeth=21), "span_teeth = 21"),
-        (lambda: gearlash.Gear(**GOOD).gauge(pin_mm=0.1).over_pins_mm, "pins: not measured"),
+        (lambda: gearlash.Gear(**GEAR).gauge(span_teeth=21), "span_teeth = 21"),
+        (lambda: gearlash.Gear(**GEAR).gauge(pin_mm=0.1).over_pins_mm, "pins: not measured"),
     ],
 )
 def test_errors_name_what_is_wrong(call, text: str) -> None:
@@ -88,7 +87,7 @@ def test_an_empty_array_has_no_poses() -> None:
 
 def test_a_slip_is_a_warning() -> None:
     with pytest.warns(gearlash.GearlashWarning, match="0.022"):
-        gear = gearlash.Gear(**GOOD, thickness={"allowance_um": -0.022})
+        gear = gearlash.Gear(**GEAR, thickness={"allowance_um": -0.022})
     assert gear.warnings
 
 
@@ -97,5 +96,5 @@ def test_pairs_and_gears_can_be_pickled() -> None:
     two = pickle.loads(pickle.dumps(one))
     assert two.to_dict() == one.to_dict()
     assert two.lost_motion(1, 1) == one.lost_motion(1, 1)
-    gear = pickle.loads(pickle.dumps(gearlash.Gear(**GOOD)))
+    gear = pickle.loads(pickle.dumps(gearlash.Gear(**GEAR)))
     assert gear.teeth == 20

@@ -6,15 +6,13 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from conftest import FIXTURES, command, of_command
+from conftest import FIXTURES, GEAR, command, of_command
 from jsonschema import validators
 
 if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
-
-GEAR = {"teeth": 20, "module_mm": 2.0, "pressure_angle_deg": 20.0}
 
 
 def smallest() -> Any:

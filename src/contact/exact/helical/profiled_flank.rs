@@ -7,16 +7,16 @@ use crate::gear::{DeviationCurve, ProfilePart};
 /// A flank and its deviation.
 pub(super) struct Flank<'a> {
     pub base: f64,
-    pub deviation: Option<&'a DeviationCurve>,
+    deviation: Option<&'a DeviationCurve>,
     /// Rolls of its ends.
     pub range: [f64; 2],
     /// Whether it begins at an edge: undercut.
-    pub begins_at_edge: bool,
+    begins_at_edge: bool,
 }
 
 /// A part of a flank without edges inside, continued straight beyond its ends.
 pub(super) struct FlankPiece<'a> {
-    pub deviation: Option<&'a DeviationCurve>,
+    deviation: Option<&'a DeviationCurve>,
     pub range: [f64; 2],
 }
 
@@ -56,7 +56,7 @@ impl<'a> Flank<'a> {
     }
 
     /// Rolls of the edges on it.
-    pub fn edges(&self) -> impl Iterator<Item = f64> + use<'a> {
+    fn edges(&self) -> impl Iterator<Item = f64> + use<'a> {
         let [low, high] = self.range;
         let edges = self.deviation.map_or(&[][..], |curve| curve.edges());
         let inside = edges.iter().copied();

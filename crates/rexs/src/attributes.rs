@@ -1,16 +1,9 @@
-//! The attributes of a component, their units, and the reasons why a stage becomes no pair.
+//! The attributes of a component, and their units.
 
 use super::document::{Component, shown};
 use gearlash_text::Problem;
 use std::cell::RefCell;
 use std::fmt::Display;
-
-/// The reason why a stage becomes no pair.
-pub enum NoPair {
-    Wrong(Problem),
-    /// The stage is ignored, with the reason.
-    LeftOut(String),
-}
 
 /// Allowances and half a grade of a table are printed in whole µm. For an allowance of a span that is 0.5 µm, as thickness at pressure
 /// angles up to 60° 1 µm.
@@ -20,12 +13,6 @@ pub const ROUNDING_UM: f64 = 1.0;
 pub fn differ(ones: [f64; 2], others: [f64; 2]) -> bool {
     let mut pairs = ones.into_iter().zip(others);
     pairs.any(|(one, other)| (one - other).abs() > ROUNDING_UM)
-}
-
-impl From<Problem> for NoPair {
-    fn from(problem: Problem) -> NoPair {
-        NoPair::Wrong(problem)
-    }
 }
 
 /// A unit of the format: its names in the versions. The sign written as `mum` is U+00B5 or U+03BC.
@@ -88,14 +75,14 @@ impl<'a> Attributes<'a> {
 
     /// A number that must be present.
     /// Errors: as [`Attributes::number`]; the attribute is absent.
-    pub fn need(&self, id: &str, unit: Unit) -> Result<f64, NoPair> {
+    pub fn need(&self, id: &str, unit: Unit) -> Result<f64, String> {
         let found = self.number(id, unit)?;
         found.ok_or_else(|| self.left_out(format!("has no {id}")))
     }
 
-    /// The fault of a stage that is ignored because of the component.
-    pub fn left_out(&self, why: impl Display) -> NoPair {
-        NoPair::LeftOut(format!("{} {why}", self.component.place()))
+    /// The reason why a stage becomes no pair because of the component.
+    pub fn left_out(&self, why: impl Display) -> String {
+        format!("{} {why}", self.component.place())
     }
 
     /// A whole number from 1 on; `None` where it is absent.

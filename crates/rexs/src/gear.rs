@@ -1,6 +1,6 @@
 //! One external gear of a REXS stage: its data, tool and thickness.
 
-use super::attributes::{Attributes, DEGREE, MILLIMETRE, NUMBER, NoPair, Unit};
+use super::attributes::{Attributes, DEGREE, MILLIMETRE, NUMBER, Unit};
 use super::document::{Component, Document, Relation};
 use super::thickness::{self, Generated, Thickness};
 use gearlash::gear::{BasicGearData, Hand};
@@ -43,7 +43,7 @@ pub struct Helix {
     pub face_width: f64,
 }
 
-fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), NoPair> {
+fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), String> {
     match gear.component().kind.as_str() {
         "cylindrical_gear" => {}
         "ring_gear" => return Err(gear.left_out("is internal")),
@@ -71,15 +71,16 @@ fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), NoPair> {
 
 impl<'a> Gear<'a> {
     /// Reads the gear with these own attributes.
-    pub fn read(document: &'a Document, gear: Attributes<'a>) -> Result<Gear<'a>, NoPair> {
+    pub fn read(document: &'a Document, gear: Attributes<'a>) -> Result<Gear<'a>, String> {
         let (teeth, module, helix) = basics(&gear)?;
         let id = gear.component().id;
         let flanks = flanks(document, id)?;
         let pressure_angle = common_value(&flanks, "normal_pressure_angle", DEGREE)?;
         let Some(pressure_angle) = pressure_angle else {
             let place = gear.component().place();
-            let why = format!("the flanks of {place} have no normal_pressure_angle");
-            return Err(NoPair::LeftOut(why));
+            return Err(format!(
+                "the flanks of {place} have no normal_pressure_angle"
+            ));
         };
         let mut shift = common_value(&flanks, "addendum_modification_coefficient", NUMBER)?;
         if shift.is_none() {
@@ -92,8 +93,8 @@ impl<'a> Gear<'a> {
             None => Ok(data),
             Some(helix) => data.with_helix(helix.angle.to_radians(), helix.hand),
         });
-        let basic_data = basic_data
-            .map_err(|error| NoPair::LeftOut(format!("{}: {error}", gear.component().place())))?;
+        let basic_data =
+            basic_data.map_err(|error| format!("{}: {error}", gear.component().place()))?;
         let settings = settings(document, id, &flanks)?;
         let sources = [&gear].into_iter().chain(&flanks).chain(&settings);
         let generated = Generated::read(sources)?;
@@ -120,7 +121,7 @@ impl<'a> Gear<'a> {
     }
 
     /// Reads the basic rack from the tool that generates the gear.
-    fn tool(&mut self, document: &'a Document, addendum: Option<f64>) -> Result<(), NoPair> {
+    fn tool(&mut self, document: &'a Document, addendum: Option<f64>) -> Result<(), String> {
         let mut racks = Vec::new();
         let parts: Vec<i32> = self.parts.iter().map(|p| p.component().id).collect();
         let place = self.parts[0].component().place();
@@ -265,7 +266,7 @@ fn add_once<'a>(component: &'a Component, all: &mut Vec<Attributes<'a>>) {
 }
 
 /// The common value of all flanks that state it.
-fn common_value(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, NoPair> {
+fn common_value(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, String> {
     let mut all: Option<f64> = None;
     for flank in flanks {
         match (all, flank.number(id, unit)?) {

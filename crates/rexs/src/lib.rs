@@ -12,7 +12,6 @@ mod stage;
 mod thickness;
 mod xml;
 
-use attributes::NoPair;
 use document::{Component, Document, shown};
 use gearlash_text::characters::{cut, plain};
 use gearlash_text::node::LONGEST;
@@ -122,15 +121,12 @@ fn stage_of(
     source: &str,
     used: &mut Vec<i32>,
 ) -> RexsStage {
-    let pair = match Stage::read(document, component) {
-        Ok(stage) => {
-            let parts: Vec<&Component> = stage.parts().map(|part| part.component()).collect();
-            pair_of(&stage, source).inspect(|_| used.extend(parts.iter().map(|part| part.id)))
-        }
-        Err(NoPair::LeftOut(why)) => Err(why),
-        // A fault of one stage does not concern the others.
-        Err(NoPair::Wrong(problem)) => Err(problem.to_string()),
-    };
+    // A fault of one stage does not concern the others.
+    let pair = Stage::read(document, component).and_then(|stage| {
+        let pair = pair_of(&stage, source)?;
+        used.extend(stage.parts().map(|part| part.component().id));
+        Ok(pair)
+    });
     RexsStage {
         id: component.id,
         kind: cut(&component.kind, LONGEST),

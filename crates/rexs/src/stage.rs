@@ -1,6 +1,6 @@
 //! One stage of a REXS file: its pair, or the reason why it has none.
 
-use super::attributes::{Attributes, MICROMETRE, MILLIMETRE, NoPair, differ};
+use super::attributes::{Attributes, MICROMETRE, MILLIMETRE, differ};
 use super::document::{Component, Document};
 use super::gear::Gear;
 use super::thickness::Thickness;
@@ -36,8 +36,8 @@ enum Band {
     },
 }
 
-fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a>; 2], NoPair> {
-    let left_out = |why: &str| Err(NoPair::LeftOut(why.to_owned()));
+fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a>; 2], String> {
+    let left_out = |why: &str| Err(why.to_owned());
     if stage.kind == "planetary_stage" {
         return left_out("a planetary stage: its play is not that of one pair");
     }
@@ -47,7 +47,7 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
     for relation in document.relations("assembly", "part", stage.id) {
         let whole = document.component(relation.one("assembly")?, relation)?;
         if whole.kind == "planetary_stage" {
-            return Err(NoPair::LeftOut(format!("part of {}", whole.place())));
+            return Err(format!("part of {}", whole.place()));
         }
     }
     let mut relations = document.relations("stage", "stage", stage.id);
@@ -65,13 +65,13 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
     let (one, two) = (gear("gear_1")?, gear("gear_2")?);
     if one.component().id == two.component().id {
         let place = one.component().place();
-        return Err(NoPair::LeftOut(format!("both its gears are {place}")));
+        return Err(format!("both its gears are {place}"));
     }
     Ok([one, two])
 }
 
 impl<'a> Stage<'a> {
-    pub fn read(document: &'a Document, component: &'a Component) -> Result<Stage<'a>, NoPair> {
+    pub fn read(document: &'a Document, component: &'a Component) -> Result<Stage<'a>, String> {
         let [one, two] = gears(document, component)?;
         let gears = [Gear::read(document, one)?, Gear::read(document, two)?];
         let stage = Attributes::of(component);

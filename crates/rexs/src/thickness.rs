@@ -1,6 +1,6 @@
 //! The thickness of a tooth in a REXS file.
 
-use super::attributes::{Attributes, MICROMETRE, MILLIMETRE, NUMBER, NoPair, ROUNDING_UM, differ};
+use super::attributes::{Attributes, MICROMETRE, MILLIMETRE, NUMBER, ROUNDING_UM, differ};
 use super::document::shown;
 use gearlash::gear::{BasicGearData, MeasuringBody, ThicknessField};
 use gearlash_text::numbers::{fixed, rounded, shortest};
@@ -103,7 +103,7 @@ pub fn stated(
     shift: f64,
     generated: &Generated,
     remarks: &mut Vec<String>,
-) -> Result<Vec<Thickness>, NoPair> {
+) -> Result<Vec<Thickness>, String> {
     let place = gear.component().place();
     let mut stated = limits(gear, basic_data)?;
     if stated.is_empty() {
@@ -163,12 +163,12 @@ pub fn stated(
     Ok(stated)
 }
 
-fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, NoPair> {
+fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, String> {
     let mut stated = Vec::new();
     if let Some(series) = SERIES.iter().find_map(|id| gear.text(id)) {
         let field = series.parse().map_err(|error| {
             let place = gear.component().place();
-            NoPair::LeftOut(format!("{place}: {}: {error}", shown(series)))
+            format!("{place}: {}: {error}", shown(series))
         })?;
         stated.push(Thickness::Series(field));
     }
@@ -198,7 +198,7 @@ fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness
     Ok(stated)
 }
 
-fn lengths(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, NoPair> {
+fn lengths(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, String> {
     let mut stated = Vec::new();
     if let Some(other) = OTHER_LIMITS
         .into_iter()
@@ -261,7 +261,7 @@ impl Generated {
     /// Errors: no number, or one deviation without the other.
     pub fn read<'a, 'b: 'a>(
         sources: impl Iterator<Item = &'a Attributes<'b>>,
-    ) -> Result<Generated, NoPair> {
+    ) -> Result<Generated, String> {
         let mut all: Vec<GeneratedShift> = Vec::new();
         for source in sources {
             let Some(shift) = source.number(SHIFT, NUMBER)? else {

@@ -12,7 +12,6 @@ use clap::builder::PossibleValue;
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, simulate_by_blocks};
 use gearlash_input::PairFile;
-use gearlash_input::outlines::TwoDrawings;
 use gearlash_render::outline_difference;
 use gearlash_results::judged::Judgement;
 use gearlash_results::text::difference_text;
@@ -185,13 +184,10 @@ fn drawings(args: &Args) -> Result<u8, Error> {
             "--method, --no-certify and the formats junit, github and markdown are for pair files; leave them out",
         ));
     }
-    let compared = gearlash_input::compare_drawings(&TwoDrawings {
-        paths: [a, b],
-        options: args.drawn.options()?,
-    })?;
+    let compared = gearlash_input::compare_drawings([a, b], args.drawn.options()?)?;
     check_streams_not_input(&compared.sources)?;
     for (k, path) in args.pairs.iter().enumerate() {
-        warn(path, &compared.warnings[k], &compared.remarks[k]);
+        warn(path, compared.warnings[k].as_slice(), &compared.remarks[k]);
     }
     let picture = Target::prepare_given(args.svg.as_ref(), &compared.sources);
     let picture = picture.map_err(|error| of_option(error, "--svg"))?;

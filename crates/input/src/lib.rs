@@ -119,39 +119,28 @@ pub fn read_files(files: Rc<Files>, main: &str) -> Result<PairFile, InputError> 
 /// # Errors
 /// As [`read`]; it names options of the command line, not keys.
 pub fn read_drawings(drawings: &outlines::Drawings) -> Result<PairFile, InputError> {
-    let mut warnings = Vec::new();
-    let drawings = drawings.with_units_needed(None, &mut warnings);
-    let stem = |path: &Path| path.file_stem().unwrap_or_default().to_os_string();
-    let mut name = stem(drawings.wheel);
-    name.push("_");
-    name.push(stem(drawings.pinion));
+    let (drawings, warnings) = drawings.with_units_needed(None);
+    let name = drawings.stems().join("_");
     let read = of_text(Path::new(&name), &drawings.pair_file(), pair);
     let mut file = read.map_err(outlines::by_flags)?;
     file.warnings.splice(..0, warnings);
     Ok(file)
 }
 
-/// Reads two drawings of one gear and compares them.
+/// Reads two drawings of one gear and compares them, the second with the first.
 ///
 /// # Errors
 /// As [`read_drawings`].
 pub fn compare_drawings(
-    drawings: &outlines::TwoDrawings,
+    paths: [&Path; 2],
+    options: [outlines::OutlineOptions; 2],
 ) -> Result<outlines::ComparedOutlines, InputError> {
-    let mut warnings = [Vec::new(), Vec::new()];
-    let mut drawings = *drawings;
-    for (k, path) in drawings.paths.into_iter().enumerate() {
-        let given = drawings.options[k];
-        let needed = given.with_unit_needed(path, None, &mut warnings[k]);
-        drawings.options[k] = needed;
-    }
-    let read = of_text(drawings.paths[1], &drawings.tables(), |file| {
-        drawings.compared(file)
-    });
-    let compared = read.map_err(outlines::by_flags)?;
+    let needed = [0, 1].map(|k| options[k].with_unit_needed(paths[k], None));
+    let text = outlines::compared_tables(paths, needed.each_ref().map(|(options, _)| options));
+    let compared = of_text(paths[1], &text, |file| outlines::compared(file, paths));
     Ok(outlines::ComparedOutlines {
-        warnings,
-        ..compared
+        warnings: needed.map(|(_, warning)| warning),
+        ..compared.map_err(outlines::by_flags)?
     })
 }
 
@@ -187,11 +176,10 @@ pub fn read_drawing(
     path: &Path,
     options: &outlines::OutlineOptions,
 ) -> Result<GearsFile, InputError> {
-    let mut warnings = Vec::new();
-    let options = options.with_unit_needed(path, None, &mut warnings);
-    let text = outlines::of_drawing(path, &options);
+    let (options, warning) = options.with_unit_needed(path, None);
+    let text = outlines::outline_table("gear", path, &options);
     let mut file = of_text(path, &text, gears).map_err(outlines::by_flags)?;
-    file.warnings.splice(..0, warnings);
+    file.warnings.splice(..0, warning);
     Ok(file)
 }
 

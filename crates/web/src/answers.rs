@@ -358,7 +358,7 @@ impl Page {
             center_distance_mm: APART_MM,
             options: [options; 2],
         };
-        let drawings = drawings.with_units_needed(Some(&self.files), &mut Vec::new());
+        let (drawings, _) = drawings.with_units_needed(Some(&self.files));
         let found = || -> Result<Value, Value> {
             let mut files = self.files.clone();
             files.add(NAME, drawings.pair_file().into_bytes());

@@ -15,15 +15,6 @@ const NAMES: [&str; 2] = ["a", "b"];
 /// Chords of both outlines, mm: 0.01 µm, a tenth of the finest outline that makes sense to write.
 const CHORD_MM: f64 = 1e-5;
 
-/// Two drawings of one gear.
-#[derive(Debug, Clone, Copy)]
-pub struct TwoDrawings<'a> {
-    /// A, and B that is compared with it.
-    pub paths: [&'a Path; 2],
-    /// How each is read.
-    pub options: [OutlineOptions<'a>; 2],
-}
-
 /// Two drawings of one gear, read and compared.
 #[derive(Debug)]
 pub struct ComparedOutlines {
@@ -35,42 +26,40 @@ pub struct ComparedOutlines {
     pub centres: [Point2<f64>; 2],
     /// The deviations of B from A.
     pub difference: OutlineDifference,
-    /// Units that are not used, of each, for standard error.
-    pub warnings: [Vec<String>; 2],
+    /// The unit that is not used, of each, for standard error.
+    pub warnings: [Option<String>; 2],
     /// Remarks on each, for standard error.
     pub remarks: [Vec<String>; 2],
     /// The files it was read from.
     pub sources: Sources,
 }
 
-impl TwoDrawings<'_> {
-    /// The tables of a pair file for both drawings.
-    pub(crate) fn tables(&self) -> String {
-        let table = |k: usize| outline_table(NAMES[k], self.paths[k], &self.options[k]);
-        [0, 1].map(table).concat()
-    }
+/// The tables of a pair file for the drawings at `paths`.
+pub(crate) fn compared_tables(paths: [&Path; 2], options: [&OutlineOptions; 2]) -> String {
+    let table = |k: usize| outline_table(NAMES[k], paths[k], options[k]);
+    [0, 1].map(table).concat()
+}
 
-    /// Reads and compares them, from their tables.
-    pub(crate) fn compared(&self, file: &Table) -> Option<ComparedOutlines> {
-        check(&DRAWINGS, file);
-        let [a, b] = NAMES.map(|name| gear(file, name));
-        let (a, b): (OutlinePart, OutlinePart) = (a?, b?);
-        let gears = [&a, &b].map(|part| part.gears.most().clone());
-        let difference = OutlineDifference::new(&gears[0], &gears[1], CHORD_MM);
-        let difference = difference.map_err(|error| {
-            let help = help(&error);
-            file.problem("b.outline.file", error, help)
-        });
-        Some(ComparedOutlines {
-            difference: file.reading().keep(difference)?,
-            files: self.paths.map(|path| path.display().to_string()),
-            centres: [a.read.centre, b.read.centre],
-            gears,
-            warnings: Default::default(),
-            remarks: [a.remarks, b.remarks],
-            sources: file.reading().sources(),
-        })
-    }
+/// Compares the drawings at `paths`, read from their tables.
+pub(crate) fn compared(file: &Table, paths: [&Path; 2]) -> Option<ComparedOutlines> {
+    check(&DRAWINGS, file);
+    let [a, b] = NAMES.map(|name| gear(file, name));
+    let (a, b): (OutlinePart, OutlinePart) = (a?, b?);
+    let gears = [&a, &b].map(|part| part.gears.most().clone());
+    let difference = OutlineDifference::new(&gears[0], &gears[1], CHORD_MM);
+    let difference = difference.map_err(|error| {
+        let help = help(&error);
+        file.problem("b.outline.file", error, help)
+    });
+    Some(ComparedOutlines {
+        difference: file.reading().keep(difference)?,
+        files: paths.map(|path| path.display().to_string()),
+        centres: [a.read.centre, b.read.centre],
+        gears,
+        warnings: Default::default(),
+        remarks: [a.remarks, b.remarks],
+        sources: file.reading().sources(),
+    })
 }
 
 impl ComparedOutlines {

@@ -75,8 +75,7 @@ pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutline
         units,
         ..OutlineOptions::default()
     };
-    let mut unused = Vec::new();
-    let needed = given.with_unit_needed(path, None, &mut unused);
+    let (needed, unused) = given.with_unit_needed(path, None);
     let options = Options {
         unit: needed.units.and_then(unit).map(|(_, unit)| *unit),
         ..Options::default()

@@ -13,6 +13,8 @@ use gearlash::pair::Mating;
 use gearlash_drawing::{Options, Unit};
 use gearlash_text::numbers::{ascii, rounded, shortest};
 use gearlash_text::{Files, InputError, Table, source};
+use serde::Serialize;
+use serde_with::skip_serializing_none;
 use std::path::Path;
 
 /// A distance at which no two gears touch, mm.
@@ -44,15 +46,15 @@ const ONE_SECTION: &str = "an outline is solved in one section: axes are paralle
 /// Limits that do not apply to an outline, and why.
 const NOT_REQUIRED: [(&str, &str); 3] = [
     (
-        "j_bn_um",
+        "require.j_bn_um",
         "lies along a line of action, which an outline has not",
     ),
     (
-        "j_t_um",
+        "require.j_t_um",
         "is an arc of the reference circle, which an outline has not",
     ),
     (
-        "j_r_um",
+        "require.j_r_um",
         "is worked out of an involute, which an outline has not",
     ),
 ];
@@ -197,10 +199,9 @@ pub(crate) fn check_distances(
 
 /// Reports limits of quantities that an outline has not.
 pub(crate) fn refuse_limits(file: &Table) {
-    let given = NOT_REQUIRED.map(|(key, why)| (format!("require.{key}"), why));
-    for (key, why) in given.iter().filter(|(key, _)| file.has(key)) {
+    for (key, why) in NOT_REQUIRED.into_iter().filter(|(key, _)| file.has(key)) {
         let help = "limit j_wt_um, lost_motion_arcmin or radial_clearance_mm";
-        file.add(key, *why, help);
+        file.add(key, why, help);
     }
 }
 
@@ -233,11 +234,13 @@ pub struct Drawings<'a> {
 }
 
 /// How a drawing is read, as the keys of an outline's table state it.
-#[derive(Debug, Clone, Copy, Default)]
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, Default, Serialize)]
 pub struct OutlineOptions<'a> {
     /// Its unit, as a pair file names it; used where the drawing states none.
     pub units: Option<&'a str>,
     /// `fit` or `bore`; `None`: at (0, 0).
+    #[serde(rename = "center_mm")]
     pub center: Option<&'a str>,
     /// The layer of a DXF.
     pub layer: Option<&'a str>,
@@ -247,78 +250,71 @@ pub struct OutlineOptions<'a> {
     pub number: Option<u32>,
     /// A point inside the outline, mm.
     pub at_mm: Option<[f64; 2]>,
-    /// `front` or `back`; `None`: the front.
+    /// `front` or `back`; `None`: the front. It is a key of the gear's table.
+    #[serde(skip)]
     pub reference_face: Option<&'a str>,
 }
 
 impl<'a> OutlineOptions<'a> {
-    /// These options for the drawing at `path`, among `files` if there are any: a unit that it states counts. `warnings` name one that is
+    /// These options for the drawing at `path`, among `files` if there are any: a unit that it states counts. A warning names one that is
     /// not used.
     pub(crate) fn with_unit_needed(
         self,
         path: &Path,
         files: Option<&Files>,
-        warnings: &mut Vec<String>,
-    ) -> OutlineOptions<'a> {
+    ) -> (OutlineOptions<'a>, Option<String>) {
         let named = |given| Unit::NAMED.iter().find(|(name, _)| *name == given);
         let bytes = || files.map_or_else(|| source::bytes(path), |files| files.bytes(path));
         let given = self.units.and_then(named);
         let Some(((name, unit), bytes)) = given.and_then(|given| Some((given, bytes().ok()?)))
         else {
-            return self;
+            return (self, None);
         };
         let select = self.layer.or(self.id).map(str::to_owned);
         let options = Options {
             select,
             ..Options::default()
         };
-        match gearlash_drawing::read(path, &bytes, &options) {
-            Err(error) if error.lacks_unit => return self,
+        let warning = match gearlash_drawing::read(path, &bytes, &options) {
+            Err(error) if error.lacks_unit => return (self, None),
             Ok(drawing) if (drawing.unit_mm / unit.mm() - 1.0).abs() > 1e-6 => {
                 let stated = shortest(rounded(drawing.unit_mm, 9));
-                warnings.push(format!(
+                Some(format!(
                     "states that its unit is {stated} mm, which counts; {name} is not used"
-                ));
+                ))
             }
-            _ => {}
-        }
-        OutlineOptions {
-            units: None,
-            ..self
-        }
+            _ => None,
+        };
+        let units = None;
+        (OutlineOptions { units, ..self }, warning)
     }
 }
 
 impl<'a> Drawings<'a> {
-    /// These drawings, among `files` if there are any: a given unit counts where a drawing states none. `warnings` name units that are not used.
-    pub fn with_units_needed(
-        mut self,
-        files: Option<&Files>,
-        warnings: &mut Vec<String>,
-    ) -> Drawings<'a> {
+    /// These drawings, among `files` if there are any: a given unit counts where a drawing states none. Warnings name units that are not used.
+    pub fn with_units_needed(mut self, files: Option<&Files>) -> (Drawings<'a>, Vec<String>) {
+        let mut warnings = Vec::new();
         for (options, path) in self.options.iter_mut().zip([self.wheel, self.pinion]) {
-            let mut own = Vec::new();
-            *options = options.with_unit_needed(path, files, &mut own);
-            let named = own
-                .iter()
-                .map(|words| format!("{}: {words}", path.display()));
-            warnings.extend(named);
+            let (needed, warning) = options.with_unit_needed(path, files);
+            *options = needed;
+            warnings.extend(warning.map(|words| format!("{}: {words}", path.display())));
         }
-        self
+        (self, warnings)
+    }
+
+    /// The names of both files without folder and ending.
+    pub(crate) fn stems(&self) -> [String; 2] {
+        [self.wheel, self.pinion].map(|path| {
+            let stem = path.file_stem().unwrap_or_default();
+            stem.to_string_lossy().into_owned()
+        })
     }
 
     /// The text of the pair file for both drawings.
     pub fn pair_file(&self) -> String {
-        let name = |path: &Path| {
-            path.file_stem()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned()
-        };
-        let title = format!("{} and {}", name(self.wheel), name(self.pinion));
         format!(
             "{}{}{}[assembly]\ncenter_distance_mm = {:?}\n",
-            key("title", Some(&title)),
+            key("title", Some(&self.stems().join(" and "))),
             outline_table("wheel", self.wheel, &self.options[0]),
             outline_table("pinion", self.pinion, &self.options[1]),
             self.center_distance_mm
@@ -333,26 +329,12 @@ fn key(name: &str, value: Option<&str>) -> String {
 }
 
 /// The table of the gear `name` given by a drawing.
-pub(super) fn outline_table(name: &str, path: &Path, options: &OutlineOptions) -> String {
+pub(crate) fn outline_table(name: &str, path: &Path, options: &OutlineOptions) -> String {
     let face = key("reference_face", options.reference_face);
-    let mut table = format!("[{name}]\n{face}[{name}.outline]\n");
-    let file = path.display().to_string();
-    for (name, value) in [
-        ("file", Some(&file[..])),
-        ("units", options.units),
-        ("center_mm", options.center),
-        ("layer", options.layer),
-        ("id", options.id),
-    ] {
-        table += &key(name, value);
-    }
-    if let Some(number) = options.number {
-        table += &format!("number = {number}\n");
-    }
-    if let Some(point) = options.at_mm {
-        table += &format!("at_mm = {point:?}\n");
-    }
-    table + "\n"
+    let file = key("file", Some(&path.display().to_string()));
+    // Texts and numbers: nothing that TOML cannot hold.
+    let others = toml::to_string(options).unwrap_or_default();
+    format!("[{name}]\n{face}[{name}.outline]\n{file}{others}\n")
 }
 
 /// Words of pair files about a drawing, and those of the command line.
@@ -411,11 +393,6 @@ pub(crate) fn by_flags(mut error: InputError) -> InputError {
     }
     error.text.clear();
     error
-}
-
-/// The text of the gear file for a drawing alone.
-pub(crate) fn of_drawing(path: &Path, options: &OutlineOptions) -> String {
-    outline_table("gear", path, options)
 }
 
 /// The keys of gears given by an outline.

@@ -51,7 +51,7 @@ pub(super) fn outcome(
     format: JudgedFormat,
     mut judge: impl FnMut(&Path, &PairFile) -> Result<Judgement, Error>,
 ) -> Result<(Outcome, Option<PathBuf>), Error> {
-    let mut sources = Sources::new();
+    let mut sources = Sources::default();
     for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
         sources.extend(&file.sources);
     }

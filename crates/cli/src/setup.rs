@@ -52,7 +52,7 @@ impl Template {
 
 /// Runs `init`.
 pub(super) fn init(args: &InitArgs) -> Result<u8, Error> {
-    Target::prepare_new(&args.pair, &Sources::new(), "init")?
+    Target::prepare_new(&args.pair, &Sources::default(), "init")?
         .write(&explained(args.from.examples()))?;
     Ok(0)
 }

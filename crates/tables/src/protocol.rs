@@ -7,7 +7,7 @@
 use super::column::{Column, Quantity};
 use super::grid::MAX_ROWS;
 use super::protocol_header::ProtocolHeader;
-use super::request::{Request, Wanted};
+use super::request::Request;
 use super::rows::{Row, ordered};
 use crate::data_file::DataFile;
 use gearlash::gear::Side;
@@ -108,11 +108,7 @@ pub fn has(text: &str, column: Column) -> bool {
 pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, ProtocolHeader)> {
     let (blocks, header) = parse(request.file, text)?;
     let teeth = request.wanted.teeth.or(header.teeth());
-    let wanted = Wanted {
-        teeth,
-        ..request.wanted
-    };
-    Some((blocks.rows(&Request { wanted, ..*request })?, header))
+    Some((blocks.rows(&request.with_teeth(teeth))?, header))
 }
 
 fn parse<'a>(file: &DataFile, text: &'a str) -> Option<(Blocks<'a>, ProtocolHeader)> {

@@ -114,6 +114,15 @@ pub struct Request<'a> {
 }
 
 impl Request<'_> {
+    /// This request for a gear with `teeth` teeth.
+    pub fn with_teeth(self, teeth: Option<u32>) -> Self {
+        let wanted = Wanted {
+            teeth,
+            ..self.wanted
+        };
+        Request { wanted, ..self }
+    }
+
     /// Finds the header in `grids`: the line that names a tooth column and a wanted one.
     pub fn head<'g>(&self, grids: &'g [Grid]) -> Option<(&'g Grid, ColumnHeader)> {
         let has_wanted = self.is_there(grids);

@@ -38,11 +38,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
         if metadata.len() > MAX_BYTES {
             return Err(too_large(metadata.len(), MAX_BYTES));
         }
-        let mut bytes = Vec::new();
-        let file = File::open(path).map_err(unreadable)?;
-        let mut file = file.take(MAX_BYTES + 1);
-        file.read_to_end(&mut bytes).map_err(unreadable)?;
-        return limited(bytes);
+        return whole(File::open(path).map_err(unreadable)?);
     }
     let path = path.to_owned();
     // Opening a pipe waits for a program that writes to it.
@@ -53,12 +49,16 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
 /// Errors: as [`bytes`]; a terminal can wait for ever.
 pub fn standard_input() -> Result<Vec<u8>, Problem> {
     if std::io::stdin().is_terminal() {
-        let mut bytes = Vec::new();
-        let mut input = std::io::stdin().lock().take(MAX_BYTES + 1);
-        input.read_to_end(&mut bytes).map_err(unreadable)?;
-        return limited(bytes);
+        return whole(std::io::stdin().lock());
     }
     by_pieces(|| Ok(std::io::stdin()))
+}
+
+fn whole(input: impl Read) -> Result<Vec<u8>, Problem> {
+    let mut bytes = Vec::new();
+    let read = input.take(MAX_BYTES + 1).read_to_end(&mut bytes);
+    read.map_err(unreadable)?;
+    limited(bytes)
 }
 
 /// The bytes of an input that can wait for ever. Another thread reads it; this one waits for each piece.

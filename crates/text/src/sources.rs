@@ -29,11 +29,6 @@ type Identity = (u64, u64);
 type Identity = PathBuf;
 
 impl Sources {
-    /// No files.
-    pub fn new() -> Sources {
-        Sources::default()
-    }
-
     /// Records the file at `path` if it is an ordinary one.
     pub fn add(&mut self, path: &Path) {
         let identity = std::fs::metadata(path)
@@ -91,11 +86,6 @@ pub struct Files {
 }
 
 impl Files {
-    /// No files.
-    pub fn new() -> Files {
-        Files::default()
-    }
-
     /// Adds a file, in place of one with the same name.
     pub fn add(&mut self, name: &str, bytes: Vec<u8>) {
         self.each.insert(plain_name(Path::new(name)), bytes);

@@ -45,7 +45,7 @@ impl Gearlash {
 
     /// Takes all files out.
     pub fn clear(&mut self) {
-        self.page.files = gearlash_text::Files::new();
+        self.page.files = gearlash_text::Files::default();
     }
 
     /// The files in a zip archive.

@@ -212,10 +212,6 @@ impl TableSource<'_> {
         }
         let last = sheet.teeth().last().copied();
         let teeth = sheet.header.teeth().or(last);
-        let wanted = Wanted {
-            teeth,
-            ..request.wanted
-        };
-        Sheet::of(self.content, &Request { wanted, ..*request })
+        Sheet::of(self.content, &request.with_teeth(teeth))
     }
 }

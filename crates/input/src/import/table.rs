@@ -1,7 +1,7 @@
 //! One table of a file: its content, place and columns.
 
 use crate::unit_slips;
-use gearlash_tables::{Quantity, Row, Sheet, Unread};
+use gearlash_tables::{Origin, Quantity, Row, Sheet};
 use serde::Serialize;
 
 /// The content of a table.
@@ -47,12 +47,9 @@ pub struct ImportedTable {
     /// "single" or "cumulative" for pitch, where the table states it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch_kind: Option<&'static str>,
-    /// Whether its rows are numbered by spaces.
+    /// Its place in the file; none in a protocol.
     #[serde(skip)]
-    pub(super) by_space: bool,
-    /// Diameter of the ball or pins by its headings, mm.
-    #[serde(skip)]
-    pub(super) ball_mm: Option<f64>,
+    pub(super) origin: Option<Origin>,
     /// Its sheet, where a workbook has several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheet: Option<String>,
@@ -68,9 +65,6 @@ pub struct ImportedTable {
     /// Columns that are part of another table of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub in_other_table: Option<String>,
-    /// The same parts by column, until all tables are known.
-    #[serde(skip)]
-    pub(super) unread: Unread,
     /// Its columns, all with the same number of values.
     pub columns: Vec<ImportedColumn>,
 }
@@ -190,36 +184,34 @@ impl ImportedTable {
         columns: Vec<ImportedColumn>,
         sheet: &Sheet,
     ) -> ImportedTable {
-        let origin = sheet.origin.as_ref();
+        let origin = sheet.origin.clone();
         ImportedTable {
             kind,
             title,
             pitch_kind: None,
-            by_space: origin.is_some_and(|origin| origin.by_space),
-            ball_mm: origin.and_then(|origin| origin.ball_mm),
-            sheet: origin.and_then(|origin| origin.sheet.clone()),
-            header_row: origin.map(|origin| origin.header_row),
+            sheet: origin.as_ref().and_then(|origin| origin.sheet.clone()),
+            header_row: origin.as_ref().map(|origin| origin.header_row),
+            origin,
             left_out: sheet.header.unread().map(str::to_owned),
             left_out_numbers: None,
             in_other_table: None,
-            unread: origin.map_or_else(Unread::default, |origin| origin.unread.clone()),
             columns,
         }
     }
 
     /// Tells columns of other `tables` from those that are left out; a protocol has none.
     pub(super) fn exclude_columns_of(&mut self, tables: &[ImportedTable]) {
-        if self.header_row.is_none() {
+        let Some(Origin { unread, .. }) = &self.origin else {
             return;
-        }
+        };
         let place = |table: &ImportedTable| (table.sheet.clone(), table.header_row);
         let own = place(self);
         let same = tables.iter().filter(|table| place(table) == own);
         let headings = same.flat_map(|table| &table.columns);
         let letters = headings.filter_map(|column| Some(&column.heading.as_ref()?.1[..]));
         let letters: Vec<&str> = letters.collect();
-        self.left_out = self.unread.words(&letters);
-        self.left_out_numbers = self.unread.first_number_column(&letters);
-        self.in_other_table = self.unread.elsewhere(&letters);
+        self.left_out = unread.words(&letters);
+        self.left_out_numbers = unread.first_number_column(&letters);
+        self.in_other_table = unread.elsewhere(&letters);
     }
 }

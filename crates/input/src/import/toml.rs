@@ -49,8 +49,11 @@ pub(super) fn lines(
             continue;
         }
         // A ball is put into a space.
-        let by_space = (table.by_space || table.ball_mm.is_some()) && table.kind == Kind::Runout;
-        let pin = table.ball_mm.is_none().then_some(PIN);
+        let origin = table.origin.as_ref();
+        let ball_mm = origin.and_then(|origin| origin.ball_mm);
+        let by_space = ball_mm.is_some() || origin.is_some_and(|origin| origin.by_space);
+        let by_space = by_space && table.kind == Kind::Runout;
+        let pin = ball_mm.is_none().then_some(PIN);
         let (below, open) = match table.kind {
             Kind::Runout if by_space => ("runout", None),
             Kind::Pitch => ("pitch", table.pitch_kind.is_none().then_some(PITCH_KIND)),
@@ -90,7 +93,7 @@ pub(super) fn lines(
         if by_space {
             block += "at = \"space\"\n";
         }
-        match (table.kind, table.ball_mm) {
+        match (table.kind, ball_mm) {
             (Kind::Runout, Some(mm)) => block += &format!("ball_mm = {mm:?}\n"),
             (Kind::OverPins, Some(mm)) => block += &format!("pin_mm = {mm:?}\n"),
             _ => {}

@@ -11,7 +11,7 @@ mod traces;
 use super::column::Quantity;
 use super::protocol::Blocks;
 use super::protocol_header::ProtocolHeader;
-use super::request::{Coverage, Request, Wanted};
+use super::request::{Coverage, Request};
 use super::rows::Row;
 use crate::data_file::DataFile;
 use curves::Data;
@@ -93,8 +93,7 @@ pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, ProtocolHeader)>
         );
     }
     let teeth = wanted.teeth.or(p40.header.teeth());
-    let wanted = Wanted { teeth, ..wanted };
-    let rows = p40.blocks.rows(&Request { wanted, ..*request })?;
+    let rows = p40.blocks.rows(&request.with_teeth(teeth))?;
     let mut header = p40.header.clone();
     header.set_unread(file, &p40.unread(PITCH));
     Some((rows, header))

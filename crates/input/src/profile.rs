@@ -28,8 +28,6 @@ impl ProfileSpec {
             traces: flank.traces().iter().map(|t| of_trace(t, base)).collect(),
             range: flank
                 .range_mm
-                .as_deref()
-                .and_then(|range| <[f64; 2]>::try_from(range).ok())
                 .map(|range| range.map(|diameter| diameter / 2.0)),
         })
     }

@@ -2,7 +2,7 @@
 
 use super::rules::{
     at_least, at_most_one, beside, beside_places, deviation, exactly_one, length, list_length,
-    not_beside, number_at_least, whole, within,
+    not_beside, whole, within,
 };
 use super::value::{Either, one_or_list};
 use gearlash::analysis::axes::BearingEnds;
@@ -14,6 +14,7 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 use serde_with::skip_serializing_none;
+use std::str::FromStr;
 
 /// "30 js7", "30,0 H7", "30 ±0.02", "30 +0.03/0".
 pub(crate) const DISTANCE_FIELD: &str = r"^ *[0-9.,]+ *((js|JS|[HhFf]) *([5-9]|10)|(±|\+-) *[0-9.,]+|([-+−] *[0-9.,]+| [0.,]+)( */ *([-+−] *[0-9.,]+|[0.,]+)| *[-+−] *[0-9.,]+| +0)?) *$";
@@ -35,7 +36,7 @@ pub struct AssemblySpec {
     pub locked: Member,
     /// Radial play of each gear on its axis.
     #[serde(default, deserialize_with = "both_or_each")]
-    #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = number_at_least(0.0))]
+    #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = at_least(0.0))]
     pub bearing_clearance_mm: BearingClearanceSpec,
     /// Deviation of the shafts from parallel.
     pub misalignment: Option<MisalignmentSpec>,
@@ -158,15 +159,13 @@ fn across(mm: f64, out_of_plane: f64) -> f64 {
 /// Deviations of the axes from parallel, ISO/TR 10064-3.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline)]
+#[schemars(inline, transform = deviation())]
 pub struct MisalignmentSpec {
     /// In-plane deviation f_Σδ; plus: further apart away from the viewer.
     #[serde(default = "parallel")]
-    #[schemars(transform = deviation())]
     pub in_plane_um: Either<f64, EitherSenseSpec>,
     /// Out-of-plane deviation f_Σβ; plus: the pinion stands higher there.
     #[serde(default = "parallel")]
-    #[schemars(transform = deviation())]
     pub out_of_plane_um: Either<f64, EitherSenseSpec>,
     /// Length over which both are stated.
     #[schemars(transform = length())]
@@ -185,7 +184,6 @@ fn parallel() -> Either<f64, EitherSenseSpec> {
 #[schemars(inline)]
 pub struct EitherSenseSpec {
     /// Its greatest amount; the verdict covers all up to it, in either sense.
-    #[schemars(transform = within(0.0, 1e7))]
     pub max: f64,
 }
 
@@ -233,10 +231,9 @@ impl CenterDistanceSpec {
         match self {
             CenterDistanceSpec::Distances(list) => list.clone(),
             CenterDistanceSpec::Ends(ends) => vec![ends.ends_mm[0][1]],
-            CenterDistanceSpec::Band(band)
-            | CenterDistanceSpec::Designated(DesignatedDistanceSpec { band, .. }) => {
-                band.distances_mm()
-            }
+            _ => self
+                .band()
+                .map_or(Vec::new(), DistanceBandSpec::distances_mm),
         }
     }
 
@@ -248,20 +245,19 @@ impl CenterDistanceSpec {
                 _ => None,
             },
             CenterDistanceSpec::Ends(ends) => Some(ends.ends_mm[0][1]),
-            CenterDistanceSpec::Band(band)
-            | CenterDistanceSpec::Designated(DesignatedDistanceSpec { band, .. }) => {
-                Some(band.nominal_mm)
-            }
+            _ => Some(self.band()?.nominal_mm),
         }
     }
 
     /// The least and the greatest distance of a band, mm.
     pub fn band_mm(&self) -> Option<[f64; 2]> {
+        self.band().map(DistanceBandSpec::ends_mm)
+    }
+
+    fn band(&self) -> Option<&DistanceBandSpec> {
         match self {
-            CenterDistanceSpec::Band(band)
-            | CenterDistanceSpec::Designated(DesignatedDistanceSpec { band, .. }) => {
-                Some(band.ends_mm())
-            }
+            CenterDistanceSpec::Band(band) => Some(band),
+            CenterDistanceSpec::Designated(designated) => Some(&designated.band),
             CenterDistanceSpec::Distances(_) | CenterDistanceSpec::Ends(_) => None,
         }
     }
@@ -281,12 +277,12 @@ pub struct DesignatedDistanceSpec {
     is_field: bool,
 }
 
-impl DesignatedDistanceSpec {
-    /// Keeps the stated text and its meaning.
-    ///
-    /// # Errors
-    /// A size beyond the table of ISO 286.
-    pub fn new(stated: &DesignatedDistance) -> Result<DesignatedDistanceSpec, GearError> {
+/// Keeps the stated text and its meaning. Errors: a size beyond the table of ISO 286.
+impl FromStr for DesignatedDistanceSpec {
+    type Err = GearError;
+
+    fn from_str(text: &str) -> Result<DesignatedDistanceSpec, GearError> {
+        let stated: DesignatedDistance = text.parse()?;
         let [lower, upper] = stated.deviations_um()?;
         Ok(DesignatedDistanceSpec {
             text: stated.to_string(),
@@ -299,7 +295,9 @@ impl DesignatedDistanceSpec {
             is_field: stated.is_field(),
         })
     }
+}
 
+impl DesignatedDistanceSpec {
     /// The meaning of a tolerance field: "30 js7 is 30 ± 0.0105 mm", "30 H7 is 30 … 30.021 mm".
     pub fn meaning(&self) -> Option<String> {
         let (text, nominal) = (&self.text, self.band.nominal_mm);
@@ -318,17 +316,14 @@ impl DesignatedDistanceSpec {
 impl<'de> Deserialize<'de> for DesignatedDistanceSpec {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<DesignatedDistanceSpec, D::Error> {
         let text = String::deserialize(from)?;
-        let stated = text
-            .parse()
-            .and_then(|stated| DesignatedDistanceSpec::new(&stated));
-        stated.map_err(D::Error::custom)
+        text.parse().map_err(D::Error::custom)
     }
 }
 
 /// A nominal distance with tolerance_um, or with upper_um and lower_um: least, nominal and greatest are run.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline, transform = band_keys)]
+#[schemars(inline, transform = band_keys, transform = deviation())]
 pub struct DistanceBandSpec {
     /// Nominal centre distance, mm.
     #[schemars(transform = length())]
@@ -337,10 +332,8 @@ pub struct DistanceBandSpec {
     #[schemars(transform = within(0.0, 1e7))]
     pub tolerance_um: Option<f64>,
     /// Upper deviation, µm.
-    #[schemars(transform = deviation())]
     pub upper_um: Option<f64>,
     /// Lower deviation, µm, at most the upper one.
-    #[schemars(transform = deviation())]
     pub lower_um: Option<f64>,
 }
 
@@ -396,13 +389,11 @@ impl DistanceEndsSpec {
 /// One for each gear; in bearings at two places one for both or each, and the places.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline, transform = clearance_keys)]
+#[schemars(inline, transform = clearance_keys, transform = at_least(0.0))]
 pub struct BearingClearanceSpec {
     /// The wheel's, mm.
-    #[schemars(transform = at_least(0.0))]
     pub wheel: Either<f64, [f64; 2]>,
     /// The pinion's, mm.
-    #[schemars(transform = at_least(0.0))]
     pub pinion: Either<f64, [f64; 2]>,
     /// Places of both bearings, from the wheel's measuring plane: the verdict covers axes that tilt in them.
     #[schemars(transform = within(-1e6, 1e6))]

@@ -92,7 +92,7 @@ impl GearSpec {
             return [None; 2];
         };
         profile.flanks().map(|flank| {
-            let range = <[f64; 2]>::try_from(flank.range_mm.as_deref()?).ok()?;
+            let range = flank.range_mm?;
             Some(range.map(|diameter| self.scale() * diameter / 2.0))
         })
     }
@@ -172,12 +172,11 @@ pub enum System {
 /// Basic rack, in modules.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
+#[schemars(transform = above_zero(10.0))]
 pub struct RackSpec {
     /// Addendum h_aP*.
-    #[schemars(transform = above_zero(10.0))]
     pub addendum: f64,
     /// Dedendum h_fP*.
-    #[schemars(transform = above_zero(10.0))]
     pub dedendum: f64,
     /// Root radius ρ_fP*; ≤ 0.317 at 25°.
     #[schemars(transform = at_least(0.0))]

@@ -37,15 +37,13 @@ pub struct LeadSpec {
 /// Lead deviations of a flank, µm, plus = more material; they add.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(transform = deviation())]
 pub struct FlankLeadSpec {
     /// Growth from the reference face to the far end.
-    #[schemars(transform = deviation())]
     pub slope_um: Option<f64>,
     /// Helix slope f_Hβ, plus = greater helix angle; of spur gears "10 r" or "10 l".
-    #[schemars(transform = deviation())]
     pub helix_slope_um: Option<Either<f64, SpurSlopeSpec>>,
     /// Lead crowning C_β, off both ends of the face; negative: hollow.
-    #[schemars(transform = deviation())]
     pub crowning_um: Option<f64>,
     /// Taken off towards the ends.
     pub end_relief: Option<Either<EndReliefSpec, Vec<EndReliefSpec>>>,

@@ -73,12 +73,7 @@ pub(crate) fn designation_fault(schema: &Value, text: &str) -> Option<String> {
             let is_good = SpurSlopeSpec::of_text(text).parsed().is_some();
             return (!is_good).then(|| fault.to_owned());
         }
-        assembly::DISTANCE_FIELD => {
-            let stated = text
-                .parse()
-                .and_then(|stated| DesignatedDistanceSpec::new(&stated));
-            stated.err()?
-        }
+        assembly::DISTANCE_FIELD => text.parse::<DesignatedDistanceSpec>().err()?,
         _ => text.parse::<ThicknessField>().err()?,
     };
     Some(match fault {

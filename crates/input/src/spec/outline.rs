@@ -40,6 +40,7 @@ pub struct OutlineThicknessSpec {
 /// A drawing of a gear: DXF, SVG, or a list of points.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(transform = within(-1e6, 1e6))]
 pub struct OutlineSpec {
     /// A .dxf, .svg, .csv or .txt file, the last two with points x, y in order.
     pub file: String,
@@ -47,7 +48,7 @@ pub struct OutlineSpec {
     pub units: Option<Unit>,
     /// Axis in the drawing; "bore": of the one circle inside; "fit": of the circle through the tips.
     #[serde(default)]
-    #[schemars(with = "Either<[f64; 2], CentreName>", transform = within(-1e6, 1e6))]
+    #[schemars(with = "Either<[f64; 2], CentreName>")]
     pub center_mm: CentreSpec,
     /// Teeth there should be; none: as found.
     #[schemars(transform = whole(3, 10_000))]
@@ -57,7 +58,7 @@ pub struct OutlineSpec {
     /// SVG element to read; none: all.
     pub id: Option<String>,
     /// A point inside the outline to read; none: the only outline, or the one round the centre.
-    #[schemars(with = "Option<[f64; 2]>", transform = within(-1e6, 1e6))]
+    #[schemars(with = "Option<[f64; 2]>")]
     pub at_mm: Option<[f64; 2]>,
     /// The outline to read, from 1 in the order of the file; paths inside another do not count.
     #[schemars(transform = whole(1, 10_000))]

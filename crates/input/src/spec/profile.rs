@@ -13,20 +13,19 @@ pub type ProfileSpec = FlanksSpec<FlankProfileSpec>;
 /// Profile deviations of a flank, µm, plus = more material; they add.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(transform = deviation())]
 pub struct FlankProfileSpec {
     /// Profile slope f_Hα at the end of the evaluation range, 0 at its start.
-    #[schemars(transform = deviation())]
     pub slope_um: Option<f64>,
     /// Profile crowning C_α in the middle of the evaluation range, 0 at its ends; negative: hollow.
-    #[schemars(transform = deviation())]
     pub crowning_um: Option<f64>,
     /// Taken off towards the tip.
     pub tip_relief: Option<ReliefSpec>,
     /// Taken off towards the root.
     pub root_relief: Option<ReliefSpec>,
     /// Evaluation range, diameters; default: root form circle to tip circle.
-    #[schemars(transform = length(), transform = list_length(2, Some(2)))]
-    pub range_mm: Option<Vec<f64>>,
+    #[schemars(with = "Option<Vec<f64>>", transform = length(), transform = list_length(2, Some(2)))]
+    pub range_mm: Option<[f64; 2]>,
     /// Measured profiles; teeth without one take the mean.
     #[schemars(transform = trace_of(&PROFILE_TRACE))]
     pub trace: Option<Either<TraceSpec, Vec<TraceSpec>>>,

@@ -10,19 +10,15 @@ use serde_with::skip_serializing_none;
 /// Limits that the pair must keep over its whole mesh cycle, at every centre distance and material; exit code 1 when it does not.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(extend("minProperties" = 1))]
+#[schemars(extend("minProperties" = 1), transform = within(-1e6, 1e6))]
 pub struct RequireSpec {
     /// Circumferential backlash on the operating pitch circle.
-    #[schemars(transform = within(-1e6, 1e6))]
     pub j_wt_um: Option<LimitsSpec>,
     /// Normal backlash.
-    #[schemars(transform = within(-1e6, 1e6))]
     pub j_bn_um: Option<LimitsSpec>,
     /// Circumferential backlash on the reference circle of the gear that turns.
-    #[schemars(transform = within(-1e6, 1e6))]
     pub j_t_um: Option<LimitsSpec>,
     /// Radial backlash.
-    #[schemars(transform = within(-1e6, 1e6))]
     pub j_r_um: Option<LimitsSpec>,
     /// Lost motion of a gear.
     #[schemars(transform = within(-10_800.0, 10_800.0))]

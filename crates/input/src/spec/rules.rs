@@ -6,7 +6,7 @@ use schemars::Schema;
 use schemars::transform::{RecursiveTransform, Transform};
 use serde_json::{Value, json};
 
-/// Every number of the value, in lists and alternatives too, is `least` … `most`.
+/// Every number of the value, in lists, tables and alternatives too, is `least` … `most`, unless it has bounds of its own.
 pub fn within(least: f64, most: f64) -> impl Fn(&mut Schema) {
     bounds(
         "number",
@@ -17,20 +17,6 @@ pub fn within(least: f64, most: f64) -> impl Fn(&mut Schema) {
 /// Every number is `least` or more.
 pub fn at_least(least: f64) -> impl Fn(&mut Schema) {
     bounds("number", json!({ "minimum": number(least) }))
-}
-
-/// An alternative that is a number is `least` or more.
-pub fn number_at_least(least: f64) -> impl Fn(&mut Schema) {
-    move |schema| {
-        if let Some(Value::Array(options)) = schema.get_mut("anyOf") {
-            for option in options
-                .iter_mut()
-                .filter(|option| option["type"] == "number")
-            {
-                option["minimum"] = number(least);
-            }
-        }
-    }
 }
 
 /// Every number is above 0 and at most `most`.
@@ -204,11 +190,14 @@ fn number(number: f64) -> Value {
     }
 }
 
-/// Adds `more` to the schema and to all inner ones of type `name`.
+/// Adds `more` to the schema and to all inner ones of type `name`. Numbers that have bounds keep them.
 fn bounds(name: &'static str, more: Value) -> impl Fn(&mut Schema) {
     move |schema| {
         let add = |schema: &mut Schema| {
-            if let (true, Value::Object(more)) = (is_type(schema, name), &more) {
+            let mut least = ["minimum", "exclusiveMinimum"].iter();
+            let is_bounded = name == "number" && least.any(|key| schema.get(*key).is_some());
+            let is_open = is_type(schema, name) && !is_bounded;
+            if let (true, Value::Object(more)) = (is_open, &more) {
                 schema.ensure_object().extend(more.clone());
             }
         };

@@ -150,15 +150,14 @@ pub struct SpanSpec {
 /// A length: one value, with deviations if it is a drawing's; measured values; or the least and the greatest.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(transform = length())]
 pub struct LengthSpec {
     /// Measured: one value, or a list.
-    #[schemars(transform = length(), transform = list_length(1, None))]
+    #[schemars(transform = list_length(1, None))]
     pub mm: Option<Either<f64, Vec<f64>>>,
     /// Least measured.
-    #[schemars(transform = length())]
     pub min_mm: Option<f64>,
     /// Greatest measured.
-    #[schemars(transform = length())]
     pub max_mm: Option<f64>,
     /// Upper deviation of the drawing from mm.
     #[schemars(transform = deviation())]
@@ -171,19 +170,15 @@ pub struct LengthSpec {
 /// Chordal tooth thickness: one value, or the least and the greatest.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(transform = chord_keys)]
+#[schemars(transform = chord_keys, transform = length())]
 pub struct ChordSpec {
     /// Measured.
-    #[schemars(transform = length())]
     pub mm: Option<f64>,
     /// Least measured.
-    #[schemars(transform = length())]
     pub min_mm: Option<f64>,
     /// Greatest measured.
-    #[schemars(transform = length())]
     pub max_mm: Option<f64>,
     /// Depth of the chord below the tip circle; default: the nominal chordal addendum.
-    #[schemars(transform = length())]
     pub height_mm: Option<f64>,
 }
 

@@ -134,31 +134,26 @@ pub struct AxesScatterSpec {
 /// A normal distribution about 0; of a wobble that of either component.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline, transform = spread_keys)]
+#[schemars(inline, transform = spread_keys, transform = above_zero(1e7))]
 pub struct SpreadSpec {
     /// Standard deviation.
-    #[schemars(transform = above_zero(1e7))]
     pub sigma: Option<f64>,
     /// Amount that 99.73 % keep.
-    #[schemars(transform = above_zero(1e7))]
     pub max: Option<f64>,
 }
 
 /// How a length scatters, µm.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline)]
+#[schemars(inline, transform = deviation())]
 pub struct ScatterSpec {
     /// Distribution and its keys: fixed (value_um), uniform (lower_um, upper_um), triangular (also mode_um), normal (sigma_um, mean_um; or limits, mean_um, cpk), rayleigh (scale_um or upper_um), table (values_um). Limits that the pair file states as a band may be left out.
     pub scatter: ScatterName,
     /// Lower limit.
-    #[schemars(transform = deviation())]
     pub lower_um: Option<f64>,
     /// Upper limit; of rayleigh 99.73 % lie below.
-    #[schemars(transform = deviation())]
     pub upper_um: Option<f64>,
     /// Mean; default: the middle of the limits, or 0.
-    #[schemars(transform = deviation())]
     pub mean_um: Option<f64>,
     /// Standard deviation.
     #[schemars(transform = above_zero(1e7))]
@@ -167,16 +162,14 @@ pub struct ScatterSpec {
     #[schemars(transform = above_zero(100.0))]
     pub cpk: Option<f64>,
     /// Most frequent value; default: the middle of the limits.
-    #[schemars(transform = deviation())]
     pub mode_um: Option<f64>,
     /// Standard deviation of either component.
     #[schemars(transform = above_zero(1e7))]
     pub scale_um: Option<f64>,
     /// The value.
-    #[schemars(transform = deviation())]
     pub value_um: Option<f64>,
     /// Values, drawn with replacement.
-    #[schemars(transform = deviation(), transform = list_length(1, None))]
+    #[schemars(transform = list_length(1, None))]
     pub values_um: Option<Vec<f64>>,
 }
 

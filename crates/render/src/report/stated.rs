@@ -221,7 +221,7 @@ fn flank_profile(stated: &FlankProfileSpec) -> String {
     if parts.is_empty() {
         return "involute".to_owned();
     }
-    if let Some(&[from, to]) = stated.range_mm.as_deref() {
+    if let Some([from, to]) = stated.range_mm {
         let [from, to] = [from, to].map(shortest);
         parts.push(format!("evaluated over d {from} … {to} mm"));
     }

@@ -500,12 +500,8 @@ impl SchemaCheck<'_> {
     }
 
     fn elements(&self, list: &Value) -> String {
-        let kinds: Vec<Kind> = self
-            .options(&list["items"])
-            .into_iter()
-            .map(Kind::of)
-            .collect();
-        let name = match kinds.first() {
+        let items = self.options(&list["items"]).into_iter();
+        let name = match items.map(Kind::of).next() {
             Some(Kind::Number) => "numbers",
             Some(Kind::Whole) => "whole numbers",
             Some(Kind::Text | Kind::Word) => "strings",

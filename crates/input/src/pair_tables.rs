@@ -91,14 +91,7 @@ impl<'a> PairTables<'a> {
         let gears = [&self.wheel, &self.pinion];
         let mut warnings = gears.map(|gear| &gear.warnings[..]).concat();
         let mut remarks = gears.map(|gear| &gear.remarks[..]).concat();
-        let PlacedGears {
-            materials,
-            drawn,
-            stated,
-            center_distances,
-            band,
-            face,
-        } = if self.is_drawn {
+        let placed = if self.is_drawn {
             self.drawn(&mut warnings, &mut remarks)?
         } else {
             self.by_data(&mut warnings, &mut remarks)?
@@ -116,17 +109,18 @@ impl<'a> PairTables<'a> {
         warnings.extend(unit_slips::warnings("tolerance", &tolerance));
         warnings.extend(pair_slips::bearing_slips(&bearings));
         warnings.extend(pair_slips::face_slip(gears));
+        let distances = &placed.center_distances;
         warnings.extend(pair_slips::distance_slips(
             &self.wheel,
             &self.pinion,
-            &center_distances,
+            distances,
         ));
         let compared = pair_slips::tolerance_slip("compare.tolerance_um", compare.tolerance_um);
         warnings.extend(compared);
         warnings.extend(measured.as_ref().and_then(RigResults::equal_rows));
         warnings.extend(measured.as_ref().and_then(RigResults::unpredicted));
 
-        let built = match materials.first() {
+        let built = match placed.materials.first() {
             Some((_, wheel, pinion)) => [Some(wheel), Some(pinion)],
             None => [&self.wheel.as_built, &self.pinion.as_built]
                 .map(|gear| gear.as_ref().map(Toleranced::most)),
@@ -138,7 +132,7 @@ impl<'a> PairTables<'a> {
             wheel: self.wheel.spec?,
             pinion: self.pinion.spec?,
             assembly: AssemblySpec {
-                center_distance_mm: stated,
+                center_distance_mm: placed.stated,
                 misalignment: assembly.misalignment.map(|stated| MisalignmentSpec {
                     at_mm: Some(assembly.distance_place_mm()),
                     ..stated
@@ -160,15 +154,15 @@ impl<'a> PairTables<'a> {
         });
         let study = Study {
             title,
-            materials,
-            drawn,
+            materials: placed.materials,
+            drawn: placed.drawn,
             locked: spec.assembly.locked,
-            face,
+            face: placed.face,
             lean: lean[0],
             open_lean: lean[1],
             bearing_ends: bearings.ends(),
-            center_distances,
-            distance_band: band,
+            center_distances: placed.center_distances,
+            distance_band: placed.band,
             bearing_clearance: bearings.sum_mm(),
             all_phases: sweep
                 .as_ref()

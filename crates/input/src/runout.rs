@@ -171,21 +171,14 @@ impl RunoutSheet {
 
     /// The measurement as the metrology takes it.
     pub fn for_metrology(&self) -> RunoutStatement {
-        let in_plane = metrology::Runout {
+        let runout = self.of_planes.unwrap_or(metrology::Runout {
             total_um: self.spec.total(),
             high_tooth: self.spec.high_tooth,
-        };
-        let metrology::Runout {
-            total_um,
-            high_tooth,
-        } = self.of_planes.unwrap_or(in_plane);
+        });
         match &self.readings {
             Some(readings) => RunoutStatement::Readings(readings.clone()),
-            None if total_um == 0.0 && high_tooth.is_none() => RunoutStatement::None,
-            None => RunoutStatement::Total(metrology::Runout {
-                total_um,
-                high_tooth,
-            }),
+            None if runout.total_um == 0.0 && runout.high_tooth.is_none() => RunoutStatement::None,
+            None => RunoutStatement::Total(runout),
         }
     }
 

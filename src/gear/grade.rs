@@ -29,22 +29,21 @@ pub enum GradedQuantity {
 /// A grade with its tolerance, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum Grade {
-    /// The finest grade that admits the value.
-    Within {
-        /// `A`.
-        grade: u32,
-        /// Its tolerance.
-        tolerance: f64,
-    },
-    /// Coarser than the last grade.
-    Beyond {
-        /// The last one.
-        last: u32,
-        /// Its tolerance.
-        tolerance: f64,
-    },
+pub struct Grade {
+    /// The finest grade that admits the value; the last of all where none does.
+    pub grade: u32,
+    /// Its tolerance.
+    pub tolerance: f64,
+    /// Whether it admits the value.
+    pub admits: bool,
+}
+
+impl Grade {
+    /// `5`, or `beyond 11` where no grade admits the value.
+    pub fn words(self) -> String {
+        let beyond = if self.admits { "" } else { "beyond " };
+        format!("{beyond}{}", self.grade)
+    }
 }
 
 impl GradedQuantity {
@@ -79,16 +78,16 @@ impl GradedQuantity {
     pub fn grade(self, basic_data: &BasicGearData, measured: f64) -> Result<Grade, GearError> {
         // The conversion rounds once, by half a unit in the last place at most.
         let least = measured * (1.0 - f64::EPSILON);
-        for grade in GRADES {
-            let tolerance = self.tolerance(basic_data, grade)?;
-            if least <= tolerance {
-                return Ok(Grade::Within { grade, tolerance });
-            }
+        let mut grade = *GRADES.start();
+        let mut tolerance = self.tolerance(basic_data, grade)?;
+        while !(least <= tolerance) && grade < *GRADES.end() {
+            grade += 1;
+            tolerance = self.tolerance(basic_data, grade)?;
         }
-        let last = *GRADES.end();
-        Ok(Grade::Beyond {
-            last,
-            tolerance: self.tolerance(basic_data, last)?,
+        Ok(Grade {
+            grade,
+            tolerance,
+            admits: least <= tolerance,
         })
     }
 

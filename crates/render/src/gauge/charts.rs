@@ -247,12 +247,14 @@ fn coarsest(
 
 /// Tolerance, µm, and its name.
 fn tolerance(graded: &GradedReading) -> (f64, String) {
-    let (words, grade, tolerance) = match graded.grade {
-        Grade::Within { grade, tolerance } => ("grade", grade, tolerance),
-        Grade::Beyond { last, tolerance } => ("beyond grade", last, tolerance),
-    };
+    let Grade {
+        grade,
+        tolerance,
+        admits,
+    } = graded.grade;
+    let beyond = if admits { "" } else { "beyond " };
     let um = 1e3 * tolerance;
-    (um, format!("{words} {grade}, {} µm", rounded(um, 1)))
+    (um, format!("{beyond}grade {grade}, {} µm", rounded(um, 1)))
 }
 
 /// The tolerance of a range, centred between `ends`, mm.

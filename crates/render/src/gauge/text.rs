@@ -2,11 +2,11 @@
 
 use gearlash::contact::{ContactKind, PoseClass, Touch};
 use gearlash::gauge::{
-    Eccentricity, FaceReadings, FlankTraces, Gauged, GradedReading, PitchReadings, TraceReading,
+    Eccentricity, FaceReadings, FlankTraces, Gauged, PitchReadings, TraceReading,
 };
-use gearlash::gear::{Flank, GRADE_SOURCE, Grade};
-use gearlash_results::gauge::{GaugedGear, length_table, tooth_table};
-use gearlash_results::text::{Column, Screen, Table};
+use gearlash::gear::{Flank, GRADE_SOURCE};
+use gearlash_results::gauge::{self, GaugedGear, length_table, tooth_table};
+use gearlash_results::text::Screen;
 use gearlash_text::characters::plain;
 use gearlash_text::numbers::{ascii, order_um, um_ascii};
 use std::fmt::Write;
@@ -208,33 +208,10 @@ fn both(pitch: &PitchReadings) -> String {
 
 /// Accuracy grades, or the reason for none.
 fn grade_table(read: &Gauged, screen: &Screen) -> String {
-    let graded = match &read.grades {
-        Ok(graded) if graded.is_empty() => return String::new(),
-        Ok(graded) => graded,
-        Err(reason) => return format!("\nno accuracy grades: {reason}\n"),
-    };
-    let headings = ["", "measured", "grade", "tolerance"];
-    let mut table = Table::new(headings.map(Column::new));
-    for one in graded {
-        let (grade, tolerance) = match one.grade {
-            Grade::Within { grade, tolerance } => (grade.to_string(), tolerance),
-            Grade::Beyond { last, tolerance } => (format!("beyond {last}"), tolerance),
-        };
-        table.add(vec![
-            graded_name(one),
-            um_ascii(one.measured, 3),
-            grade,
-            um_ascii(tolerance, 1),
-        ]);
-    }
-    format!("\n{}", table.text(screen))
-}
-
-fn graded_name(one: &GradedReading) -> String {
-    let symbol = one.quantity.symbol();
-    match one.pitch {
-        Some((axis, side)) => format!("{symbol} {}, {} flanks", axis.name(), side.name()),
-        None => symbol.to_owned(),
+    match &read.grades {
+        Ok(graded) if graded.is_empty() => String::new(),
+        Ok(graded) => format!("\n{}", gauge::grade_table(graded, screen)),
+        Err(reason) => format!("\nno accuracy grades: {reason}\n"),
     }
 }
 

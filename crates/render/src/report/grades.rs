@@ -5,7 +5,7 @@ use super::phrases::symbol;
 use super::table::{Table, cells, columns, marked};
 use gearlash::analysis::diagnosis::CheckVerdict;
 use gearlash::gauge::{GradedReading, PitchReadings};
-use gearlash::gear::{Flank, GRADE_SOURCE, Grade, GradedQuantity, PitchAxis};
+use gearlash::gear::{Flank, GRADE_SOURCE, GradedQuantity, PitchAxis};
 use gearlash::metrology::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
 use gearlash_results::gauge::GearGrades;
 use gearlash_text::numbers::{fixed, um};
@@ -67,16 +67,13 @@ fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
         GradedQuantity::TotalPitch => (symbol("F", "p"), "total cumulative pitch"),
         GradedQuantity::Runout => (symbol("F", "r"), "runout, by a ball"),
     };
-    let (grade, tolerance, finest) = match reading.grade {
-        Grade::Within { grade, tolerance } => (grade.to_string(), tolerance, Some(grade)),
-        Grade::Beyond { last, tolerance } => (format!("beyond {last}"), tolerance, None),
-    };
+    let found = reading.grade;
     // Readings about the gear's own centre are outside the standard's grades.
     let own = matches!(reading.pitch, Some((PitchAxis::Own, _)));
     let wanted = gear.required.filter(|_| !own);
     let met = match wanted {
         None => html! { "–" },
-        Some(wanted) if finest.is_some_and(|grade| grade <= wanted) => {
+        Some(wanted) if found.admits && found.grade <= wanted => {
             marked(CheckVerdict::Pass, &format!("{wanted}, met"))
         }
         Some(wanted) => marked(CheckVerdict::Fail, &format!("{wanted}, not met")),
@@ -85,9 +82,9 @@ fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
         gear.name,
         sign,
         html! { (name) (flank_and_axis(reading.pitch)) },
-        um(Some(reading.measured), 3),
-        grade,
-        um(Some(tolerance), 1),
+        um(reading.measured, 3),
+        found.words(),
+        um(found.tolerance, 1),
         met,
     ]
 }
@@ -105,7 +102,7 @@ fn ungraded(gear: &str, pitch: &PitchReadings, flank: Flank) -> [Vec<Markup>; 3]
     .map(|(letter, index, name, mm)| {
         let name = html! { (name) (flank_and_axis(Some((pitch.axis, flank)))) };
         let symbol = symbol(letter, index);
-        cells![gear, symbol, name, um(Some(mm), 3), "–", "–", "–"]
+        cells![gear, symbol, name, um(mm, 3), "–", "–", "–"]
     })
 }
 
@@ -140,8 +137,8 @@ fn eccentricity(note: &EccentricityNote) -> Markup {
     let words = |of: &Eccentricity| {
         format!(
             "{} µm towards tooth {}",
-            fixed(Some(of.um), 3),
-            fixed(Some(of.high_tooth), 2)
+            fixed(of.um, 3),
+            fixed(of.high_tooth, 2)
         )
     };
     html! {
@@ -149,7 +146,7 @@ fn eccentricity(note: &EccentricityNote) -> Markup {
         @if let Some(stated) = &note.stated {
             "; the runout states " (words(stated))
             @if let Some(difference) = note.difference_um {
-                ", " (fixed(Some(difference), 3)) " µm from it"
+                ", " (fixed(difference, 3)) " µm from it"
             }
         }
         @if note.stated_counts { "; the stated one is the gear’s." } @else { "; the gear is given that of the pitch." }
@@ -173,18 +170,18 @@ fn all_round(note: &AllRoundNote, teeth: usize) -> Markup {
 fn thickness(note: &ThicknessStatements) -> Markup {
     let range = |[least, most]: [f64; 2]| {
         if least == most {
-            fixed(Some(least), 5)
+            fixed(least, 5)
         } else {
-            format!("{} … {}", fixed(Some(least), 5), fixed(Some(most), 5))
+            format!("{} … {}", fixed(least, 5), fixed(most, 5))
         }
     };
     html! {
         "base tooth thickness " (symbol("s", "b")) " is stated twice: " (range(note.counts))
         " mm counts, " (range(note.cross)) " mm is the cross-check, in the middle "
-        (fixed(Some(note.difference_um), 2)) " µm off. "
+        (fixed(note.difference_um, 2)) " µm off. "
         @if note.agree() { "They agree." } @else {
-            "They do not agree: " (fixed(Some(note.gap_um), 2)) " µm lie between them, "
-            (fixed(Some(note.tolerance_um), 2)) " µm are allowed."
+            "They do not agree: " (fixed(note.gap_um, 2)) " µm lie between them, "
+            (fixed(note.tolerance_um, 2)) " µm are allowed."
         }
     }
 }

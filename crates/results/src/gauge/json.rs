@@ -1,15 +1,17 @@
-//! The readings as JSON.
+//! The readings as JSON, and the grades as a table.
 
 use super::GaugedGear;
-use crate::column::{json_text, list, row_type};
+use crate::column::{Row, json_text, list, row_type, shown};
+use crate::layout::Screen;
 use gearlash::contact::Touch;
 use gearlash::gauge::{
     BallReading, FaceReadings, FlankTraces, Gauged, GradedReading, LeadReadings, OverPins,
     PitchReadings, ProfileReadings, RollPose, SectionReadings, Span, Spans, TraceReading,
     Unmeasured,
 };
-use gearlash::gear::{Flank, GRADE_SOURCE, Grade, Hand};
+use gearlash::gear::{Flank, GRADE_SOURCE, Hand};
 use gearlash_input::spec::GearSpec;
+use gearlash_text::numbers::um_ascii;
 use serde_json::{Value, json};
 
 /// All gears as JSON: lengths in mm where the name says so, deviations in µm. A reading that was not taken is
@@ -256,19 +258,28 @@ row_type!(row: SectionReadings {
 });
 
 row_type!(row: GradedReading {
+    "" Plain [heading(shown(""))] => graded_name(row);
     "symbol" Plain => row.quantity.symbol();
     "axis" Plain => row.pitch.map(|(axis, _)| axis.name());
     "flank" Plain => row.pitch.map(|(_, side)| side.name());
+    "" Plain [heading(shown("measured"))] => um_ascii(row.measured, 3);
     "measured_um" Plain => row.measured * 1e3;
     "error_bound_um" Plain => row.error * 1e3;
-    "grade" Plain => grade(row).0;
-    "tolerance_um" Plain => grade(row).1 * 1e3;
+    "" Plain [heading(shown("grade"))] => row.grade.words();
+    "grade" Plain => row.grade.admits.then_some(row.grade.grade);
+    "" Plain [heading(shown("tolerance"))] => um_ascii(row.grade.tolerance, 1);
+    "tolerance_um" Plain => row.grade.tolerance * 1e3;
 });
 
-/// The grade and its tolerance, mm; none beyond the last one, with the tolerance of the last one.
-fn grade(one: &GradedReading) -> (Option<u32>, f64) {
-    match one.grade {
-        Grade::Within { grade, tolerance } => (Some(grade), tolerance),
-        Grade::Beyond { tolerance, .. } => (None, tolerance),
+fn graded_name(one: &GradedReading) -> String {
+    let symbol = one.quantity.symbol();
+    match one.pitch {
+        Some((axis, side)) => format!("{symbol} {}, {} flanks", axis.name(), side.name()),
+        None => symbol.to_owned(),
     }
+}
+
+/// The `graded` readings as a table for a terminal.
+pub fn grade_table(graded: &[GradedReading], screen: &Screen) -> String {
+    GradedReading::columns().text(graded, screen)
 }

@@ -13,7 +13,7 @@ use gearlash_input::spec::GearSpec;
 use gearlash_input::{NoGearFile, gauged_file};
 
 pub use grades::{GearGrades, grades, stated_leads};
-pub use json::json;
+pub use json::{grade_table, json};
 pub use lengths::{ByTooth, Length, length_table, lengths};
 pub use readings::{Chart, teeth_csv, tooth_table};
 

@@ -193,7 +193,7 @@ fn drawings(args: &Args) -> Result<u8, Error> {
     let picture = picture.map_err(|error| of_option(error, "--svg"))?;
     print(&match args.format {
         Format::Judged(JudgedFormat::Json) => comparison_json(&compared, args.tolerance_um),
-        Format::Csv => difference_csv(&compared).map_err(Error::unwritable("the outcome"))?,
+        Format::Csv => difference_csv(&compared),
         _ => difference_text(&compared, args.tolerance_um, &args.screen.screen()),
     })?;
     if let Some(target) = picture {

@@ -192,7 +192,7 @@ fn finish(
     print(&match args.results.format {
         Format::Text => text(title, gears, args.positions, &args.screen.screen()),
         Format::Json => json(title, gears),
-        Format::Csv => teeth_csv(gears).map_err(Error::unwritable("the table"))?,
+        Format::Csv => teeth_csv(gears),
     })?;
     if let Format::Csv = args.results.format {
         // Blank columns do not explain themselves; the other formats state the reasons.
@@ -210,7 +210,6 @@ fn finish(
     let mut files = Vec::new();
     for gauged in gears {
         let table = teeth_csv(std::slice::from_ref(gauged));
-        let table = table.map_err(Error::unwritable("the table"))?;
         files.push((table_name(&gauged.stem()), table));
         if args.page {
             files.extend(page(gauged)?);

@@ -136,7 +136,7 @@ pub(super) fn print_outcome(
 ) -> Result<u8, Error> {
     print(&match format {
         JudgedFormat::Text => outcome.text(&screen.screen()),
-        JudgedFormat::Json => outcome.json().map_err(Error::unwritable("the outcome"))?,
+        JudgedFormat::Json => outcome.json(),
         JudgedFormat::Junit => outcome.junit().map_err(Error::unwritable("the outcome"))?,
         JudgedFormat::Github => {
             // A pipe has been read already.

@@ -79,7 +79,7 @@ fn of_contacts(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Er
         Ok(DrawnMap {
             material,
             svg: gearlash_render::map_picture(&map, &study.title, &caption),
-            csv: gearlash_results::map_csv(&map).map_err(Error::unwritable("the map"))?,
+            csv: gearlash_results::map_csv(&map),
         })
     });
     maps.collect()
@@ -90,12 +90,10 @@ fn of_backlash(study: &Study, each: &[RunExtremes]) -> Result<Vec<DrawnMap>, Err
     let rows = study.material_count() as u64 * u64::from(BACKLASH_MAP_ROWS);
     let progress = Progress::of(rows, "rows of the map");
     let maps = BacklashMap::of_study(study, each, &|steps| progress.tick(steps))?;
-    let drawn = maps.iter().map(|map| {
-        Ok(DrawnMap {
-            material: map.material,
-            svg: gearlash_render::backlash_map_picture(&study.title, map),
-            csv: backlash_map_csv(map).map_err(Error::unwritable("the map"))?,
-        })
+    let drawn = maps.iter().map(|map| DrawnMap {
+        material: map.material,
+        svg: gearlash_render::backlash_map_picture(&study.title, map),
+        csv: backlash_map_csv(map),
     });
-    drawn.collect()
+    Ok(drawn.collect())
 }

@@ -66,7 +66,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let result = MatchResult::new(&file, cells)?;
     drop(bar);
     let json = matching::json(&result);
-    let matrix = matching::csv(&result).map_err(Error::unwritable("the result"))?;
+    let matrix = matching::csv(&result);
     let text = matching::text(&result, &args.screen.screen());
     let contents = [json.clone(), matrix.clone(), match_map(&result)];
     let files: Vec<_> = FILES.map(str::to_owned).into_iter().zip(contents).collect();

@@ -203,7 +203,7 @@ fn finish(
     let date = today()?;
     let pictures = tolerance_pictures(result)?;
     let json = population::json(result);
-    let csv = population::csv(result).map_err(Error::unwritable("the result"))?;
+    let csv = population::csv(result);
     let page = tolerance_report(&ToleranceReport {
         file,
         result,

@@ -382,7 +382,7 @@ row_type!(row: (f64, BacklashCell) {
 });
 
 /// `map` of a drawn pair as CSV, one row per cell with its pose.
-pub fn backlash_map_csv(map: &BacklashMap) -> csv::Result<String> {
+pub fn backlash_map_csv(map: &BacklashMap) -> String {
     let rows = map.cells.chunks(map.columns.max(1));
     let cells = map.distances.iter().zip(rows);
     let cells = cells.flat_map(|(a, cells)| cells.iter().map(|cell| (*a, *cell)));
@@ -398,7 +398,7 @@ row_type!(row: (f64, f64, MapCell) {
 });
 
 /// `map` as CSV, one row per pose.
-pub fn map_csv(map: &ContactMap) -> csv::Result<String> {
+pub fn map_csv(map: &ContactMap) -> String {
     let places = map.distances.iter();
     let places = places.flat_map(|a| map.fractions.iter().map(move |fraction| (*a, *fraction)));
     let rows = places.zip(&map.cells);

@@ -14,10 +14,11 @@
 
 use crate::layout::{self, Screen, Table, Tone};
 use gearlash::pair::BacklashUnit;
-use gearlash_text::characters::{self, cell, csv_text, plain};
+use gearlash_text::characters::{self, cell, plain};
 use gearlash_text::numbers::{NONE, backlash, backlash_ascii, fixed, power, stated_distance};
 use serde::{Serialize, Serializer};
 use serde_json::{Value as Json, json};
+use std::iter;
 
 /// A row type.
 pub trait Row: Sized + 'static {
@@ -41,6 +42,18 @@ pub trait Row: Sized + 'static {
 /// Rows as a list of JSON.
 pub(crate) fn list<'r, R: Row>(rows: impl IntoIterator<Item = &'r R>) -> Json {
     rows.into_iter().map(R::json).collect()
+}
+
+/// CSV of these records, written in memory, where no write fails.
+pub(crate) fn csv_text<R: Serialize>(records: impl IntoIterator<Item = R>) -> String {
+    let mut writer = csv::WriterBuilder::new()
+        .has_headers(false)
+        .from_writer(Vec::new());
+    for record in records {
+        let _ = writer.serialize(record);
+    }
+    let bytes = writer.into_inner().unwrap_or_default();
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 /// `value` as JSON with a line end.
@@ -149,7 +162,7 @@ pub struct Column<R> {
 }
 
 impl<R: 'static> Column<R> {
-    /// A column of JSON and CSV; of neither without a key.
+    /// A column of JSON and CSV; without a key, of CSV where it has a name there.
     pub fn new(key: &str, format: Format, value: Get<R>) -> Column<R> {
         Column {
             key: Some(key.to_owned()).filter(|key| !key.is_empty()),
@@ -173,12 +186,6 @@ impl<R: 'static> Column<R> {
     /// Not in CSV.
     pub fn no_csv(mut self) -> Column<R> {
         self.csv = None;
-        self
-    }
-
-    /// Not in JSON.
-    pub fn no_json(mut self) -> Column<R> {
-        self.key = None;
         self
     }
 
@@ -334,23 +341,23 @@ impl<R: Row> Columns<R> {
     }
 
     /// `rows` as CSV.
-    pub fn csv(&self, rows: &[R]) -> csv::Result<String> {
+    pub fn csv(&self, rows: &[R]) -> String {
         self.csv_with(rows, false)
     }
 
     /// As [`Columns::csv`], with or without the optional columns.
-    pub(crate) fn csv_with(&self, rows: &[R], with_optional: bool) -> csv::Result<String> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record(self.csv_names(with_optional))?;
-        for row in rows {
-            let cells = self.csv_values(row, with_optional).into_iter();
-            writer.write_record(cells.map(|value| match value.text() {
-                Some(text) => cell(text),
-                None if value == Value::NULL => String::new(),
-                None => display_text(&value, Format::Plain, BacklashUnit::Um, f64::NAN),
-            }))?;
-        }
-        csv_text(writer)
+    pub(crate) fn csv_with(&self, rows: &[R], with_optional: bool) -> String {
+        let text = |value: Value| match value.text() {
+            Some(text) => cell(text),
+            None if value == Value::NULL => String::new(),
+            None => display_text(&value, Format::Plain, BacklashUnit::Um, f64::NAN),
+        };
+        let names = self.csv_names(with_optional).map(str::to_owned).collect();
+        let records = rows.iter().map(|row| {
+            let values = self.csv_values(row, with_optional);
+            values.into_iter().map(text).collect()
+        });
+        csv_text::<Vec<String>>(iter::once(names).chain(records))
     }
 
     /// The columns of `rows` for people, backlash in `unit`. A column without any value is left out. `distance` is the centre
@@ -397,20 +404,17 @@ impl<R: Row> Columns<R> {
         unit: BacklashUnit,
         screen: &Screen,
     ) -> String {
-        let shown = self.for_people(rows, distance, unit);
-        let mut table = Table::new(shown.iter().map(|column| column.heading.clone()));
-        for number in 0..rows.len() {
-            let cells = shown.iter().map(|column| {
-                let cell = &column.cells[number];
-                match (column.format, Tone::of(cell)) {
-                    (Format::Severity, Some(tone)) => screen.toned(tone, cell),
-                    (Format::Name, _) => cell.clone(),
-                    _ => cell.replace('−', "-"),
-                }
+        let shown = self.for_people(rows, distance, unit).into_iter();
+        let columns = shown.map(|column| {
+            let cells = column.cells.into_iter();
+            let cells = cells.map(|cell| match (column.format, Tone::of(&cell)) {
+                (Format::Severity, Some(tone)) => screen.toned(tone, &cell),
+                (Format::Name, _) => cell,
+                _ => cell.replace('−', "-"),
             });
-            table.add(cells.collect());
-        }
-        table.text(screen)
+            (column.heading, cells.collect())
+        });
+        Table(columns.collect()).text(screen)
     }
 
     /// A table of `rows` in Markdown, backlash in µm.

@@ -1,12 +1,13 @@
 //! The difference of two drawings of one gear: in words, as a table, as JSON and as CSV.
 
-use crate::column::{Row, json_text, row_type, shown};
+use crate::column::{Row, Value, csv_text, json_text, row_type, shown};
 use crate::layout::{Screen, Tone};
 use gearlash::outline::{Deviation, OutlineGear};
 use gearlash_input::outlines::ComparedOutlines;
-use gearlash_text::characters::{csv_text, plain};
+use gearlash_text::characters::plain;
 use gearlash_text::numbers::{ascii, bound_um, fixed, signed_um, um, um_ascii};
 use serde_json::json;
+use std::iter;
 
 /// The deviations of B from A.
 pub fn difference_sentence(compared: &ComparedOutlines) -> String {
@@ -54,8 +55,8 @@ row_type!(row: PlaceRow {
     "point_mm.0" Fixed(4) [csv("x_mm"), heading(shown("x mm"))] => row.point[0];
     "point_mm.1" Fixed(4) [csv("y_mm"), heading(shown("y mm"))] => row.point[1];
     "radius_mm" Fixed(4) [heading(shown("radius mm"))] => row.at.point.coords.norm();
-    "normal_x" Plain [no_json] => row.at.normal.x;
-    "normal_y" Plain [no_json] => row.at.normal.y;
+    "" Plain [csv("normal_x")] => row.at.normal.x;
+    "" Plain [csv("normal_y")] => row.at.normal.y;
 });
 
 impl PlaceRow {
@@ -107,15 +108,14 @@ fn drawings(compared: &ComparedOutlines) -> [DrawingRow; 2] {
 }
 
 /// The deviation of B at each place along A, in A's drawing, as CSV.
-pub fn difference_csv(compared: &ComparedOutlines) -> Result<String, csv::Error> {
+pub fn difference_csv(compared: &ComparedOutlines) -> String {
     let columns = PlaceRow::columns();
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(columns.csv_names(false))?;
-    for at in &compared.difference.along {
+    let names = columns.csv_names(false).map(|name| name.into()).collect();
+    let rows = compared.difference.along.iter().map(|at| {
         let row = PlaceRow::new(compared, "", at);
-        writer.serialize(columns.csv_values(&row, false))?;
-    }
-    csv_text(writer)
+        columns.csv_values(&row, false)
+    });
+    csv_text::<Vec<Value>>(iter::once(names).chain(rows))
 }
 
 /// The outcome as JSON.

@@ -3,10 +3,11 @@
 //! Both commands judge a file by named cases. Failures come first in text and Markdown. Names of cases contain no numbers, so
 //! that a CI system recognises them in every run.
 
+use crate::column::json_text;
 use crate::layout::{Screen, Tone};
 use crate::verdict::{VerdictLines, in_short};
 use gearlash::analysis::diagnosis::CheckVerdict;
-use gearlash_text::characters::{self, plain};
+use gearlash_text::characters::plain;
 use gearlash_text::lines_of_keys;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 use quick_xml::{ElementWriter, Writer};
@@ -217,14 +218,14 @@ impl Outcome {
     }
 
     /// One JSON object for one or several files, with a line end.
-    pub fn json(&self) -> serde_json::Result<String> {
+    pub fn json(&self) -> String {
         let files = self.files.iter().map(|file| match file {
             JudgedFile::Judged(judged) => judged.json.clone(),
             JudgedFile::Unreadable { file, problems, .. } => {
                 json!({ "file": file, "passed": false, "error": joined(problems) })
             }
         });
-        characters::json_of(&json!({
+        json_text(&json!({
             "gearlash": env!("CARGO_PKG_VERSION"),
             "passed": self.passes(),
             "files": files.collect::<Vec<Value>>(),

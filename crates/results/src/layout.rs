@@ -170,30 +170,14 @@ const BROKEN: usize = 24;
 /// Indentation of a cell below its row.
 const BELOW: usize = 12;
 
-/// Aligned columns under headings.
+/// Aligned columns under headings, each with one cell per row.
 #[derive(Debug, Clone)]
-pub struct Table {
-    columns: Vec<Column>,
-    rows: Vec<Vec<String>>,
-}
+pub struct Table(pub Vec<(Column, Vec<String>)>);
 
 impl Table {
-    /// A table without rows.
-    pub fn new(columns: impl IntoIterator<Item = Column>) -> Table {
-        Table {
-            columns: columns.into_iter().collect(),
-            rows: Vec::new(),
-        }
-    }
-
-    /// Adds a row with one cell per column.
-    pub fn add(&mut self, row: Vec<String>) {
-        self.rows.push(row);
-    }
-
     /// Its text on `screen`, without blanks at the ends of lines. Columns that were left out are listed below it.
     pub fn text(&self, screen: &Screen) -> String {
-        let mut widths: Vec<usize> = (0..self.columns.len()).map(|c| self.width(c)).collect();
+        let mut widths: Vec<usize> = (0..self.0.len()).map(|c| self.width(c)).collect();
         let mut shown: Vec<usize> = (0..widths.len()).collect();
         let mut left_out = Vec::new();
         let room = screen.width.unwrap_or(usize::MAX);
@@ -203,9 +187,9 @@ impl Table {
         };
         let narrow = total(&shown, &widths) > room;
         if narrow {
-            shown.retain(|c| self.columns[*c].fit != Fit::Below);
+            shown.retain(|c| self.fit(*c) != Fit::Below);
             let least: Vec<usize> = (0..widths.len())
-                .map(|c| match self.columns[c].fit {
+                .map(|c| match self.fit(c) {
                     Fit::Broken => widths[c].min(BROKEN.max(self.longest_word(c))),
                     _ => widths[c],
                 })
@@ -222,17 +206,20 @@ impl Table {
                 widths[widest] -= 1;
             }
         }
-        let headings: Vec<String> = self.columns.iter().map(|c| c.heading.clone()).collect();
+        let headings: Vec<&str> = self.0.iter().map(|(c, _)| &c.heading[..]).collect();
         let mut text = String::new();
-        for row in std::iter::once(&headings).chain(&self.rows) {
-            self.add_lines(row, &shown, &widths, &mut text);
-            if narrow && !std::ptr::eq(row, &headings) {
-                self.add_below(row, room, &mut text);
+        self.add_lines(&headings, &shown, &widths, &mut text);
+        let rows = self.0.first().map_or(0, |(_, cells)| cells.len());
+        for row in 0..rows {
+            let row: Vec<&str> = self.0.iter().map(|(_, cells)| &cells[row][..]).collect();
+            self.add_lines(&row, &shown, &widths, &mut text);
+            if narrow {
+                self.add_below(&row, room, &mut text);
             }
         }
         if !left_out.is_empty() {
             left_out.sort_unstable();
-            let names: Vec<&str> = left_out.iter().map(|c| headings[*c].as_str()).collect();
+            let names: Vec<&str> = left_out.iter().map(|c| headings[*c]).collect();
             let names = names.join(", ");
             text += &screen.fold(&format!("Not shown: {names}; --wide shows all."));
         }
@@ -250,14 +237,20 @@ impl Table {
         words.map(display_width).max().unwrap_or(0)
     }
 
+    /// The heading and the cells of column `c`.
     fn cells(&self, c: usize) -> impl Iterator<Item = &str> {
-        let heading = std::iter::once(self.columns[c].heading.as_str());
-        heading.chain(self.rows.iter().map(move |row| row[c].as_str()))
+        let (column, cells) = &self.0[c];
+        let heading = std::iter::once(&column.heading);
+        heading.chain(cells).map(String::as_str)
+    }
+
+    fn fit(&self, c: usize) -> Fit {
+        self.0[c].0.fit
     }
 
     /// The column of `shown` to be left out next.
     fn most_spare(&self, shown: &[usize]) -> Option<usize> {
-        let rank = |c: &usize| match self.columns[*c].fit {
+        let rank = |c: &usize| match self.fit(*c) {
             Fit::Spare(rank) => Some((rank, *c)),
             _ => None,
         };
@@ -266,22 +259,20 @@ impl Table {
 
     /// The widest column of `shown` that can still be broken.
     fn widest_broken(&self, shown: &[usize], widths: &[usize]) -> Option<usize> {
-        let can = |c: &&usize| {
-            self.columns[**c].fit == Fit::Broken && widths[**c] > self.longest_word(**c)
-        };
+        let can = |c: &&usize| self.fit(**c) == Fit::Broken && widths[**c] > self.longest_word(**c);
         let broken = shown.iter().filter(can).copied();
         broken.max_by_key(|c| widths[*c])
     }
 
     /// Adds the lines of a row.
-    fn add_lines(&self, row: &[String], shown: &[usize], widths: &[usize], text: &mut String) {
+    fn add_lines(&self, row: &[&str], shown: &[usize], widths: &[usize], text: &mut String) {
         let cells: Vec<Vec<Cow<str>>> = shown
             .iter()
             .map(|c| {
-                if display_width(&row[*c]) > widths[*c] {
-                    textwrap::wrap(&row[*c], widths[*c])
+                if display_width(row[*c]) > widths[*c] {
+                    textwrap::wrap(row[*c], widths[*c])
                 } else {
-                    vec![row[*c].as_str().into()]
+                    vec![row[*c].into()]
                 }
             })
             .collect();
@@ -291,7 +282,7 @@ impl Table {
             for (cell, c) in cells.iter().zip(shown) {
                 let cell = cell.get(line).map_or("", |cell| cell.as_ref());
                 let blanks = " ".repeat(widths[*c].saturating_sub(display_width(cell)));
-                whole += &if self.columns[*c].left {
+                whole += &if self.0[*c].0.left {
                     format!(" {cell}{blanks} ")
                 } else {
                     format!(" {blanks}{cell} ")
@@ -303,12 +294,12 @@ impl Table {
     }
 
     /// Adds the cells that moved below their row.
-    fn add_below(&self, row: &[String], room: usize, text: &mut String) {
+    fn add_below(&self, row: &[&str], room: usize, text: &mut String) {
         let margin = " ".repeat(BELOW);
         let options = Options::new(room)
             .initial_indent(&margin)
             .subsequent_indent(&margin);
-        for (column, cell) in self.columns.iter().zip(row) {
+        for ((column, _), cell) in self.0.iter().zip(row) {
             if column.fit == Fit::Below && !cell.is_empty() {
                 *text += &textwrap::fill(cell, &options);
                 text.push('\n');
@@ -337,16 +328,16 @@ mod tests {
     use super::*;
 
     fn table() -> Table {
-        let mut table = Table::new([
+        let columns = [
             Column::new("a mm"),
             Column::new("mean").spare(1),
             Column::new("check").left().broken(),
             Column::new("poses").spare(2),
             Column::new("note").left().below(),
-        ]);
+        ];
         let row = "37.3|12.000|radial clearance of the tip, above all|16|wheel tooth 3";
-        table.add(row.split('|').map(str::to_owned).collect());
-        table
+        let cells = row.split('|').map(|cell| vec![cell.to_owned()]);
+        Table(columns.into_iter().zip(cells).collect())
     }
 
     fn shown(width: usize) -> String {

@@ -37,7 +37,7 @@ mod writer;
 /// Results as text for a terminal.
 pub mod text {
     pub use crate::difference::difference_text;
-    pub use crate::layout::{Column, Screen, Table, Tone};
+    pub use crate::layout::Screen;
     pub use crate::read::{gearbox, gearbox_pair, imported, listed_outlines};
     pub use crate::simulation::{measured_shown, simulation};
 

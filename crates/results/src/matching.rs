@@ -39,9 +39,9 @@ row_type!(row: AssignmentRow {
     "" Plain [heading(shown("teeth to mark").left())] => row.marks();
     "least_um" Fixed(2) [heading(shown("least µm"))] => Value::um(row.found.best.outcome.least);
     "greatest_um" Fixed(2) [heading(shown("greatest µm"))] => Value::um(row.found.best.outcome.greatest);
-    "status" Plain [no_json] => row.found.best.outcome.kind.name();
-    "phases_meeting" Plain [no_json] => row.found.phases_that_meet;
-    "assigned" Plain [no_json] => u32::from(row.is_assigned);
+    "" Plain [csv("status")] => row.found.best.outcome.kind.name();
+    "" Plain [csv("phases_meeting")] => row.found.phases_that_meet;
+    "" Plain [csv("assigned")] => u32::from(row.is_assigned);
 });
 
 /// A wheel with a pinion by their places; `None` where they were not tried.
@@ -144,7 +144,7 @@ pub fn json(result: &MatchResult) -> String {
 }
 
 /// Every wheel with every pinion in its best phase as CSV.
-pub fn csv(result: &MatchResult) -> csv::Result<String> {
+pub fn csv(result: &MatchResult) -> String {
     let rows: Vec<AssignmentRow> = rows(result).collect();
     AssignmentRow::columns().csv(&rows)
 }

@@ -145,10 +145,10 @@ row_type!(row: Mating {
 
 fn columns() -> Vec<Column<PoseRow>> {
     let mut columns = columns!(row: PoseRow {
-        "center_distance_mm" Distance [no_json, rank(0), heading(shown("a mm"))] => row.center_distance;
-        "material" Plain [no_json, rank(0), heading(shown("material"))] => Value::word(row.material);
-        "phase_wheel_tooth" Plain [no_json, rank(0)] => row.phase.map(|phase| phase.0);
-        "phase_pinion_tooth" Plain [no_json, rank(0)] => row.phase.map(|phase| phase.1);
+        "" Distance [csv("center_distance_mm"), rank(0), heading(shown("a mm"))] => row.center_distance;
+        "" Plain [csv("material"), rank(0), heading(shown("material"))] => Value::word(row.material);
+        "" Plain [csv("phase_wheel_tooth"), rank(0)] => row.phase.map(|phase| phase.0);
+        "" Plain [csv("phase_pinion_tooth"), rank(0)] => row.phase.map(|phase| phase.1);
         "wheel_rotation_rad" Plain => row.rotation(Member::Wheel);
         "pinion_rotation_rad" Plain => row.rotation(Member::Pinion);
         "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0), array("wheel_tooth", Values::COUNTS)] => row.mating().wheel_tooth;
@@ -178,8 +178,8 @@ fn columns() -> Vec<Column<PoseRow>> {
     let high = unproven.within("unproven_range.1", |row: &PoseRow| row.unproven_end(1));
     columns.extend(low.chain(high).map(Column::no_csv));
     columns.extend(columns!(row: PoseRow {
-        "unproven_range_min_reason" Plain [no_json, rank(2)] => row.unproven_end(0).map(|end| end.reason.clone());
-        "unproven_range_max_reason" Plain [no_json, rank(2)] => row.unproven_end(1).map(|end| end.reason.clone());
+        "" Plain [csv("unproven_range_min_reason"), rank(2)] => row.unproven_end(0).map(|end| end.reason.clone());
+        "" Plain [csv("unproven_range_max_reason"), rank(2)] => row.unproven_end(1).map(|end| end.reason.clone());
         "class" Plain => Value::word(row.class.map(PoseClass::name));
         "right" Plain [no_csv] => row.right.as_ref().map_or(Value::NULL, |_| Value::Absent);
         "" Plain [heading(shown("right contact").spare(3))] => row.right.as_ref().map(ContactRow::words);

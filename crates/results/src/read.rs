@@ -74,20 +74,18 @@ fn origin(table: &ImportedTable) -> String {
 }
 
 fn values(table: &ImportedTable) -> Table {
-    let headings = table.columns.iter().map(|column| Column::new(column.name));
-    let mut shown = Table::new(headings);
-    for row in 0..table.rows() {
-        let cell = |value: Option<&Value>| match value {
-            Some(Value::Whole(tooth)) => tooth.to_string(),
-            // Rounded to a thousandth of a nanometre, without the sign of zero.
-            Some(Value::Number(number)) => rounded(*number, 6).to_string(),
-            Some(Value::Word(word)) => (*word).to_owned(),
-            Some(Value::None) | None => String::new(),
-        };
-        let cells = table.columns.iter();
-        shown.add(cells.map(|column| cell(column.values.get(row))).collect());
-    }
-    shown
+    let cell = |value: Option<&Value>| match value {
+        Some(Value::Whole(tooth)) => tooth.to_string(),
+        // Rounded to a thousandth of a nanometre, without the sign of zero.
+        Some(Value::Number(number)) => rounded(*number, 6).to_string(),
+        Some(Value::Word(word)) => (*word).to_owned(),
+        Some(Value::None) | None => String::new(),
+    };
+    let columns = table.columns.iter().map(|column| {
+        let cells = (0..table.rows()).map(|row| cell(column.values.get(row)));
+        (Column::new(column.name), cells.collect())
+    });
+    Table(columns.collect())
 }
 
 row_type!(row: (usize, ListedOutline) {

@@ -84,23 +84,6 @@ fn signs_of_commands(text: &str) -> Vec<usize> {
     seconds.map(|(at, _)| at).collect()
 }
 
-/// `value` as JSON, a line end at its end, with every unsafe character written as an escape.
-///
-/// # Errors
-/// The error of serde_json for a value that JSON cannot hold.
-pub fn json_of(value: &impl serde::Serialize) -> serde_json::Result<String> {
-    Ok(json(serde_json::to_string_pretty(value)?) + "\n")
-}
-
-/// The CSV text that `writer` holds.
-///
-/// # Errors
-/// None: it is written to memory.
-pub fn csv_text(writer: csv::Writer<Vec<u8>>) -> Result<String, csv::Error> {
-    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
-}
-
 /// JSON `text` that reads the same, with every unsafe character, line ends between values excepted, and every `##` written as an
 /// escape.
 ///

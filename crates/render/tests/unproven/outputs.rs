@@ -179,7 +179,7 @@ fn a_comparison_fails_for_them() {
     assert!(sound.contains(" backlash agree within "), "{sound}");
     let (count, outcome) = (count(), outcome(&RUNS));
     assert!(!outcome.passes());
-    let json: Value = serde_json::from_str(&outcome.json().unwrap()).unwrap();
+    let json: Value = serde_json::from_str(&outcome.json()).unwrap();
     let run = &json["files"][0]["runs"][0];
     assert_eq!(run["passed"], false);
     assert_eq!(run["unproven"], count);

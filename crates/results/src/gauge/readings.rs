@@ -125,7 +125,7 @@ pub fn tooth_table(gear: &GaugedGear) -> String {
 }
 
 /// The readings of several gears as CSV, one row per tooth; a reading that was not taken is empty.
-pub fn teeth_csv(gears: &[GaugedGear]) -> csv::Result<String> {
+pub fn teeth_csv(gears: &[GaugedGear]) -> String {
     let rows: Vec<ToothRow> = gears.iter().flat_map(tooth_rows).collect();
     let lying = READINGS.iter().position(|(name, ..)| *name == LYING);
     let has_lying = |row: &ToothRow| lying.is_some_and(|index| row.values[index].is_some());

@@ -165,13 +165,13 @@ impl DrawnChart {
         let end = args.material.map(|end| format!("_{}", name_of(&end)));
         let (name, chart) = match args.kind {
             Kind::Difference => {
-                let chart = chart::difference(&heading, course, study.tolerance_um);
+                let chart = chart::difference(&heading, course, study.tolerance_um)?;
                 ("difference", chart)
             }
             _ => ("revolution", chart::revolution(unit, &heading, course)),
         };
         Ok(DrawnChart {
-            svg: chart?.svg,
+            svg: chart.svg,
             file: format!(
                 "chart_{name}_a{}{}{}.svg",
                 course.center_distance,
@@ -279,7 +279,7 @@ impl DrawnChart {
         let end = args.material.map(|end| material(end, &study)).transpose()?;
         let title = study.title.clone();
         let found = cycle::find(("--kind field", Wanted::Least), study, distance, end)?;
-        let drawn = chart::field_at_least(&title, found.material, &found.assembly, &found.pose)?;
+        let drawn = chart::field_at_least(&title, found.material, &found.assembly, &found.pose);
         let Some(drawn) = drawn else {
             return Err(Error::usage(
                 "--kind field: the worst pose is jammed or unproven; there are no contact lines",

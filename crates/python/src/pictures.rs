@@ -75,11 +75,11 @@ pub fn over_teeth(
     let cycle = extremes_in_short(&analysis.verdict());
     let heading = Heading::alone(&study.title, &cycle);
     let drawn = if difference {
-        chart::difference(&heading, &course, study.tolerance_um)
+        chart::difference(&heading, &course, study.tolerance_um)?
     } else {
         chart::revolution(BacklashUnit::Um, &heading, &course)
     };
-    Ok(drawn?.svg)
+    Ok(drawn.svg)
 }
 
 /// One mating's backlash over the centre distance; without teeth, of the binding mating.
@@ -134,7 +134,7 @@ pub fn field(
     let verdict = Verdict::of_study(&study, &found.each, Vec::new());
     let none = "kind = \"field\": no pose is in mesh";
     let (run, assembly, pose) = verdict.worst().ok_or(none)?;
-    let drawn = chart::field_at_least(&study.title, run.material, assembly, &pose.simulated)?;
+    let drawn = chart::field_at_least(&study.title, run.material, assembly, &pose.simulated);
     let none = "kind = \"field\": the worst pose is jammed or unproven; there are no contact lines";
     Ok(drawn.ok_or(none)?.svg)
 }

@@ -1,7 +1,7 @@
 //! Maps over centre distance and mesh phase: of the contacts, and of the backlash of drawn gears. A map is a grid of shades with lines
 //! across it and a legend.
 
-use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, dashed, line, shaded};
+use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, dashed, line, scale, shaded};
 use crate::pose_name::pose_name;
 use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::diagnosis::{Limit, Map, MapCell};
@@ -71,13 +71,8 @@ pub fn backlash_map_picture(title: &str, map: &BacklashMap) -> String {
 pub(crate) fn backlash_map_in_page(prefix: &str, title: &str, map: &BacklashMap) -> String {
     let label = "Backlash over mesh cycle and centre distance";
     let (grid, caption) = backlash_grid(map);
-    let wide = (grid.picture(title, &caption), prefix.to_owned());
-    let narrow = (grid.drawn(&NARROW), format!("{prefix}-narrow"));
-    let named = [wide, narrow].map(|(picture, id)| {
-        let picture = picture.set("id", id).set("role", "img");
-        format!("{}\n", picture.set("aria-label", label))
-    });
-    named.concat()
+    let wide = kit::in_page(grid.picture(title, &caption), prefix, label);
+    wide + &kit::in_page(grid.drawn(&NARROW), &format!("{prefix}-narrow"), label)
 }
 
 /// The map and its caption.
@@ -93,7 +88,9 @@ fn backlash_grid(map: &BacklashMap) -> (Grid<'_>, String) {
     let cells = map.cells.iter();
     let um = cells.filter_map(|cell| Some(1e3 * cell.backlash?));
     let greatest = um.fold(0.0, f64::max);
-    let step = step(greatest / STEPS as f64);
+    let least = (greatest / STEPS as f64).max(1e-3);
+    // Rounding does not make a step wider.
+    let step = scale::round_up(least * (1.0 - 1e-9), scale::ISO_5455);
     let upto = |steps: usize| shortest(step * steps as f64);
     let mut names = vec![
         "jammed: a tip in a root".to_owned(),
@@ -124,14 +121,6 @@ fn backlash_grid(map: &BacklashMap) -> (Grid<'_>, String) {
         cells: cells.collect(),
     };
     (grid, caption)
-}
-
-/// The least of 1, 2 and 5 times a power of ten, µm, that is at least `least`.
-fn step(least: f64) -> f64 {
-    let power = 10f64.powf(least.max(1e-3).log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0].map(|times| times * power);
-    let found = steps.into_iter().find(|step| *step >= least * (1.0 - 1e-9));
-    found.unwrap_or(10.0 * power)
 }
 
 struct Layout {
@@ -216,10 +205,7 @@ impl Grid<'_> {
         let last = self.distances.last().copied().unwrap_or_default();
         let half = 0.5 * (last - first) / (self.distances.len().max(2) - 1) as f64;
         Plot {
-            left: field.left,
-            right: field.right,
-            top: field.top,
-            bottom: field.bottom,
+            frame: field,
             x: self.phase.range,
             y: [first - half, last + half],
         }

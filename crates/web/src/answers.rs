@@ -679,10 +679,9 @@ fn curve(analysis: &Analysis, verdict: &Verdict) -> Vec<String> {
         title: &study.title,
         subtitle: &cycle,
     };
-    chart::revolution(BacklashUnit::Um, &heading, &course).map_or(Vec::new(), |chart| {
-        let narrow = chart.narrow().svg;
-        vec![dark_style(&chart.svg) + &chart.svg, narrow]
-    })
+    let chart = chart::revolution(BacklashUnit::Um, &heading, &course);
+    let narrow = chart.narrow().svg;
+    vec![dark_style(&chart.svg) + &chart.svg, narrow]
 }
 
 /// The problems of a file, with their places in its text.

@@ -1,7 +1,7 @@
 //! Values of each tooth as bars, and a curve over the teeth.
 
 use super::captions::entry;
-use super::panel::{Look, Mark, Panel, Swatch, range};
+use super::panel::{Entry, Look, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use gearlash::gear::Flank;
@@ -58,7 +58,7 @@ pub struct BarPanel<'a> {
     /// Drawn side by side.
     pub series: &'a [BarSeries<'a>],
     /// Limit lines; the axis makes room for them.
-    pub limits: Vec<Limits>,
+    pub limits: Option<Limits>,
     /// If no value reaches this amount, the panel states it.
     pub level: f64,
 }
@@ -93,19 +93,20 @@ pub fn bar_panels(
         bars.add_level_note(&mut panel);
         drawn.push(panel);
     }
-    let names = match panels.first() {
-        Some(first) if first.series.len() > 1 => {
-            let name = |bars: &BarSeries| entry(bars.name, bars.look, Swatch::Bar);
-            first.series.iter().map(name).collect()
-        }
-        _ => Vec::new(),
+    let Some(first) = panels.first() else {
+        return Err(PictureError("there is nothing to draw".to_owned()));
     };
-    sheet::draw(heading, details, &names, &drawn)
+    let name = |bars: &BarSeries| entry(bars.name, bars.look, Swatch::Bar);
+    let names: Vec<Entry> = match first.series {
+        [_] => Vec::new(),
+        several => several.iter().map(name).collect(),
+    };
+    Ok(sheet::draw(heading, details, &names, &drawn))
 }
 
 impl BarPanel<'_> {
     fn limit(&self, panel: &mut Panel) {
-        for limits in &self.limits {
+        if let Some(limits) = &self.limits {
             let [low, high] = panel.y.range;
             let shown = range([low, high].into_iter().chain(limits.values), [0.05; 2], 0.1);
             panel.y.range = shown.unwrap_or([low, high]);
@@ -169,40 +170,28 @@ fn above_zero([from, to]: [f64; 2], words: &str) -> Mark {
     Mark::text(middle, [0.0, -10.0], words, Anchor::Middle)
 }
 
-/// The axes of a curve over the teeth.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CurveAxes<'a> {
-    /// The title above the plot; may be empty.
-    pub title: &'a str,
-    /// Quantity and unit.
-    pub x: &'a str,
-    /// The number of teeth.
-    pub teeth: u32,
-    /// Quantity and unit.
-    pub y: &'a str,
-    /// The least height shown, in that unit; a smaller one would show rounding noise.
-    pub least: f64,
-}
-
-/// A curve through `points`: tooth numbers in ascending order with their values; `None` is a gap.
+/// A curve under a title over `teeth`, with the names of both axes. `points` are tooth numbers in ascending order with their
+/// values; `None` is a gap. The axis of values is at least `least` high; less would show rounding noise.
 ///
 /// # Errors
 /// [`PictureError`] when no point has a value.
 pub fn curve(
     heading: &Heading,
-    axes: CurveAxes,
+    [title, x_axis, y_axis]: [&str; 3],
+    teeth: u32,
+    least: f64,
     points: Vec<(f64, Option<f64>)>,
 ) -> Result<Chart, PictureError> {
     // Less than a tooth beyond the teeth: the number before 1 is the last.
     let x = range(points.iter().map(|point| point.0), [0.0; 2], 1e-9);
     let x = x.map(|[from, to]| [from - 0.6, to + 0.6]);
     let values = points.iter().filter_map(|point| point.1);
-    let y = range(values, [0.08; 2], axes.least);
+    let y = range(values, [0.08; 2], least);
     let (Some(x), Some(y)) = (x, y) else {
         return Err(PictureError("there are no values to draw".to_owned()));
     };
-    let x = Axis::of_teeth(axes.x, x, Some(axes.teeth));
+    let x = Axis::of_teeth(x_axis, x, Some(teeth));
     let marks = vec![Mark::Line(points, Look::Plain, 1.6)];
-    let panel = Panel::new(x, Axis::new(axes.y, y), 340.0, marks);
-    sheet::draw(heading, "", &[], &[panel.titled(axes.title)])
+    let panel = Panel::new(x, Axis::new(y_axis, y), 340.0, marks);
+    Ok(sheet::draw(heading, "", &[], &[panel.titled(title)]))
 }

@@ -6,6 +6,7 @@ use gearlash::analysis::curves::{Course, CourseLine};
 use gearlash::analysis::requirement::{Quantity, Requirements};
 use gearlash::contact::Status;
 use gearlash::pair::BacklashUnit;
+use gearlash_text::characters::listed;
 use gearlash_text::numbers::{rounded, shortest, stated_distance};
 
 pub(super) fn course_axis(course: &Course) -> Axis {
@@ -127,20 +128,17 @@ pub(super) fn unproven_of<'a>(lines: impl Iterator<Item = &'a CourseLine>) -> us
 }
 
 /// The reason for no backlash, for poses with these statuses.
-pub(super) fn without_value(statuses: impl Iterator<Item = Status>) -> &'static str {
-    let (mut jammed, mut out_of_mesh, mut unproven) = (false, false, false);
-    for status in statuses {
-        jammed |= status == Status::Jammed;
-        out_of_mesh |= status == Status::NoContact;
-        unproven |= status == Status::Unproven;
-    }
-    match (jammed, out_of_mesh, unproven) {
-        (true, false, false) => "jammed",
-        (false, true, false) => "out of mesh",
-        (_, _, false) => "jammed or out of mesh",
-        (false, false, true) => "unproven",
-        (true, false, true) => "jammed or unproven",
-        (false, true, true) => "out of mesh or unproven",
-        (true, true, true) => "jammed, out of mesh or unproven",
+pub(super) fn without_value(statuses: impl Iterator<Item = Status>) -> String {
+    let found: Vec<Status> = statuses.collect();
+    let named = [
+        (Status::Jammed, "jammed"),
+        (Status::NoContact, "out of mesh"),
+        (Status::Unproven, "unproven"),
+    ];
+    let named = named.iter().filter(|(status, _)| found.contains(status));
+    let named: Vec<String> = named.map(|(_, name)| (*name).to_owned()).collect();
+    match &named[..] {
+        [] => "jammed or out of mesh".to_owned(),
+        named => listed(named, "or"),
     }
 }

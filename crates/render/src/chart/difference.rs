@@ -61,7 +61,7 @@ pub fn difference(
             let words = "no pose that is proven has both a simulated and an analytic value";
             let details = unproven_note(unproven) + &course_caption(course);
             let panel = empty(course_axis(course), words);
-            return sheet::draw(heading, &details, &[], &[panel]);
+            return Ok(sheet::draw(heading, &details, &[], &[panel]));
         }
         let mut values = lines().flat_map(|line| &line.points);
         if values.any(|point| point.simulated_um.is_some()) {
@@ -75,7 +75,7 @@ pub fn difference(
     }
     let (unproven, of) = (unproven_note(unproven_of(lines())), course_caption(course));
     let details = format!("{unproven}simulated − formula, right flanks · {of}");
-    sheet::draw(heading, &details, &legend, &panels)
+    Ok(sheet::draw(heading, &details, &legend, &panels))
 }
 
 fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {

@@ -106,7 +106,7 @@ pub fn distance(
             return Err(nothing());
         }
         let panel = empty(x_axis, "no pose that is proven has a backlash");
-        return sheet::draw(heading, &details, &[], &[panel]);
+        return Ok(sheet::draw(heading, &details, &[], &[panel]));
     };
     let mut panel = Panel::new(x_axis, backlash_axis(unit, y), 380.0, marks);
     let details = details + &draw_limits(&mut panel, unit, &curve.required);
@@ -119,7 +119,7 @@ pub fn distance(
         let words = Mark::text([from, y[0]], [-6.0, -24.0], words, Anchor::End);
         panel.marks.push(words);
     }
-    sheet::draw(heading, &details, &legend, &[panel])
+    Ok(sheet::draw(heading, &details, &legend, &[panel]))
 }
 
 /// Least and greatest backlash of all poses at a centre distance.

@@ -2,7 +2,7 @@
 
 use super::captions::entry;
 use super::panel::{Look, Mark, Panel, Point, Swatch, range};
-use super::sheet::{self, Chart, Heading, PictureError};
+use super::sheet::{self, Chart, Heading};
 use crate::kit::{Anchor, Axis, TextStyle};
 use crate::pose_name::{flank_heading, pose_name};
 use gearlash::analysis::curves::{ContactLine, Field, FieldSection, FieldSide, PathLimit};
@@ -41,15 +41,12 @@ const PALEST: f64 = 0.12;
 const HALF_POINT: f64 = 0.012;
 
 /// The [`field`] at `pose` of a pair, that with the least backlash; `None` for a pose without contact lines.
-///
-/// # Errors
-/// As [`field`].
 pub fn field_at_least(
     title: &str,
     material: Material,
     assembly: &AssembledPair,
     pose: &PoseResult,
-) -> Result<Option<Chart>, PictureError> {
+) -> Option<Chart> {
     let found = assembly.data().and_then(|pair| Field::of(pair, pose));
     let subtitle = format!(
         "Field of action at the least backlash · a = {} mm · {}",
@@ -57,17 +54,12 @@ pub fn field_at_least(
         material.words()
     );
     let heading = Heading::alone(title, &subtitle);
-    found.map(|found| field(&heading, &found)).transpose()
+    found.map(|found| field(&heading, &found))
 }
 
 /// The field of action. Each side has its contact lines, and below them the transverse gap of each section.
-///
-/// # Errors
-/// [`PictureError`] without a face.
-pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
-    let Some(x) = range(field.face.into_iter(), [0.0; 2], 1e-3) else {
-        return Err(PictureError("there is no common face".to_owned()));
-    };
+pub fn field(heading: &Heading, field: &Field) -> Chart {
+    let x = range(field.face.into_iter(), [0.0; 2], 1e-3).unwrap_or(field.face);
     let sides = &field.sides;
     let varies = sides.iter().any(varies);
     let panels: Vec<Panel> = if varies {

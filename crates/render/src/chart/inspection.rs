@@ -58,7 +58,7 @@ pub fn inspection(
         let teeth = inspection.runout().len();
         let ends = [0.4, teeth as f64 + 0.6];
         let x = Axis::of_teeth(&x_axis, ends, u32::try_from(teeth).ok());
-        return sheet::draw(heading, &details, &[], &[empty(x, words)]);
+        return Ok(sheet::draw(heading, &details, &[], &[empty(x, words)]));
     }
     bar_panels(heading, &details, &x_axis, &panels)
 }
@@ -182,7 +182,7 @@ fn traces(
             panel(side, look, flank, axes, &words)
         })
         .collect();
-    sheet::draw(heading, details, &entries, &panels)
+    Ok(sheet::draw(heading, details, &entries, &panels))
 }
 
 const SHADE: f64 = 0.16;

@@ -19,20 +19,8 @@ const STEPS: [f64; 2] = [3.0, 12.0];
 const NEAR: f64 = 48.0;
 const CLEAR: f64 = 2.0;
 
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Label {
-    pub lines: Vec<String>,
-    pub room: Frame,
-}
-
-impl Label {
-    /// Each line and the left end of its baseline.
-    pub fn lines(&self) -> impl Iterator<Item = (&str, Spot)> {
-        let foot = |number: usize| self.room.top + CAPITALS + LINE * number as f64;
-        let lines = self.lines.iter().enumerate();
-        lines.map(move |(number, line)| (line.as_str(), [self.room.left, foot(number)]))
-    }
-}
+/// A line of a text, and the left end of its baseline.
+type Line = (String, Spot);
 
 /// The side of the data on which a text lacks room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,10 +29,10 @@ pub(super) enum Lacking {
     Below,
 }
 
-/// The texts of `panel` in `plot`, and the side where room is lacking, if any; a text is then placed as free as possible.
-pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>) {
+/// The lines of the texts of `panel` in `plot`, and the side where room is lacking, if any; a text is then placed as free as possible.
+pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Line>, Option<Lacking>) {
     let mut taken = obstacles(panel, plot);
-    let (mut labels, mut lacking) = (Vec::new(), None);
+    let (mut placed, mut lacking) = (Vec::new(), None);
     let note = "shaded: min–max envelope of swings too narrow to draw";
     let corner = [panel.x.range[1], panel.y.range[1]];
     let note = Mark::text(corner, [-4.0, 10.0], note, Anchor::End);
@@ -59,7 +47,7 @@ pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>)
         else {
             continue;
         };
-        let lines = STYLE.wrapped(text, plot.frame().width() - 2.0 * EDGE, 3);
+        let lines = STYLE.wrapped(text, plot.frame.width() - 2.0 * EDGE, 3);
         let widths = lines.iter().map(|line| STYLE.width(line));
         let size = [
             widths.fold(0.0, f64::max),
@@ -79,7 +67,7 @@ pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>)
             first
         };
         let (room, far) = nearest([left, top], size, plot, &taken);
-        let is_upper = y < plot.frame().middle()[1];
+        let is_upper = y < plot.frame.middle()[1];
         lacking = lacking.or(match far {
             Some(far) if far <= NEAR => None,
             _ if is_upper => Some(Lacking::Above),
@@ -89,14 +77,16 @@ pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>)
             _ => Some(Lacking::Below),
         });
         taken.frame(room);
-        labels.push(Label { lines, room });
+        let foot = |number: usize| room.top + CAPITALS + LINE * number as f64;
+        let lines = lines.into_iter().enumerate();
+        placed.extend(lines.map(|(number, line)| (line, [room.left, foot(number)])));
     }
-    (labels, lacking)
+    (placed, lacking)
 }
 
 /// The free room of a size nearest to `wanted` (its upper left corner), and its distance; `None` where none is free.
 fn nearest(wanted: Spot, size: [f64; 2], plot: &Plot, taken: &Occupied) -> (Frame, Option<f64>) {
-    let within = plot.frame();
+    let within = plot.frame;
     let first = [
         wanted[0]
             .min(within.right - EDGE - size[0])

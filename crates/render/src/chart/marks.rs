@@ -9,8 +9,8 @@ use svg::node::element::Group;
 /// A hatched area over the whole width up to a value of y.
 pub(super) fn ground(plot: &Plot, below: f64) -> Group {
     let frame = Frame {
-        top: plot.spot((plot.x[0], below))[1].max(plot.top),
-        ..plot.frame()
+        top: plot.spot((plot.x[0], below))[1].max(plot.frame.top),
+        ..plot.frame
     };
     Group::new()
         .add(frame.rectangle().set("fill", INTERFERENCE))
@@ -48,7 +48,7 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
             let frame = Frame {
                 left,
                 right,
-                ..plot.frame()
+                ..plot.frame
             };
             let shade = frame.rectangle().set("fill", look.colour());
             group.append(shade.set("fill-opacity", number(*opacity)));

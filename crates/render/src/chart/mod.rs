@@ -20,7 +20,7 @@ mod sheet;
 mod thin;
 
 pub use crate::kit::Plot;
-pub use bars::{BarPanel, BarSeries, CurveAxes, Limits, bar_panels, curve};
+pub use bars::{BarPanel, BarSeries, Limits, bar_panels, curve};
 pub use difference::difference;
 pub use distance::distance;
 pub use field::{field, field_at_least};

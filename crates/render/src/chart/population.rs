@@ -16,11 +16,9 @@ const LOWER: f64 = 0.07;
 /// Bin width of the sums, µm.
 const BIN_UM: f64 = BIN_TENTHS_NM as f64 / TENTHS_NM_PER_MM * 1e3;
 
-/// Least and greatest backlash over the population, with the limits required and the worst case.
-///
-/// # Errors
-/// [`PictureError`] where no assembly has a backlash.
-pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, PictureError> {
+/// Least and greatest backlash over the population, with the limits required and the worst case; `None` where no assembly has a
+/// backlash.
+fn histogram(heading: &Heading, result: &ToleranceResult) -> Option<Chart> {
     let about = &result.about;
     let tally = &result.tally;
     let spreads = [
@@ -32,9 +30,7 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
         [bins.clone().min().copied(), bins.max().copied()]
     });
     let ends: Vec<i64> = ends.flatten().collect();
-    let (Some(&low), Some(&high)) = (ends.iter().min(), ends.iter().max()) else {
-        return Err(PictureError("no assembly has a backlash".to_owned()));
-    };
+    let (low, high) = (*ends.iter().min()?, *ends.iter().max()?);
     // A bar has a round whole number of bins.
     let least = (high - low) / BARS + 1;
     let rounds = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000];
@@ -87,14 +83,14 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
     let x = Axis::new("backlash j_wt over the whole mesh cycle, µm", x);
     let name = format!("assemblies in {} µm", shortest(width as f64 * BIN_UM));
     let panel = Panel::new(x, Axis::new(&name, [0.0, top]), 380.0, marks);
-    sheet::draw(heading, "", &entries, &[panel])
+    Some(sheet::draw(heading, "", &entries, &[panel]))
 }
 
 /// The share that does not meet the requirement over the number of assemblies, with its interval.
 ///
 /// # Errors
 /// [`PictureError`] without a point.
-pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, PictureError> {
+fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, PictureError> {
     let points = |of: fn(&Convergence) -> f64| -> Vec<(f64, Option<f64>)> {
         let each = course.iter();
         each.map(|point| (point.assemblies as f64, Some(1e6 * of(point))))
@@ -127,16 +123,14 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
     let x = Axis::new("assemblies drawn", [0.0, last.assemblies as f64]);
     let y = Axis::new("outside the requirement, ppm", y);
     let panel = Panel::new(x, y, 320.0, marks);
-    sheet::draw(heading, "", &entries, &[panel])
+    Ok(sheet::draw(heading, "", &entries, &[panel]))
 }
 
-/// Share of each quantity in the variance of an extreme: first-order and total effect, with whiskers of 2 standard errors.
-///
-/// # Errors
-/// [`PictureError`] without a contribution.
-pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, PictureError> {
+/// Share of each quantity in the variance of an extreme: first-order and total effect, with whiskers of 2 standard errors; `None`
+/// without a contribution.
+fn contributions(heading: &Heading, found: &Contributions) -> Option<Chart> {
     if found.each.is_empty() {
-        return Err(PictureError("no contributions were found".to_owned()));
+        return None;
     }
     let mut each: Vec<_> = found.each.iter().collect();
     each.sort_by(|a, b| b.total.value.total_cmp(&a.total.value));
@@ -174,7 +168,7 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
     let entries = entries.map(|(name, look)| entry(name, look, Swatch::Bar));
     let x = Axis::new("share of the variance, %; lines: ± 2 standard errors", x);
     let panel = Panel::new(x, Axis::bare([0.0, count]), 70.0 + 56.0 * count, marks);
-    sheet::draw(heading, "", &entries, &[panel])
+    Some(sheet::draw(heading, "", &entries, &[panel]))
 }
 
 /// Pictures of a run.
@@ -212,8 +206,8 @@ pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
         ..heading("contributions")
     };
     Ok(Pictures {
-        histogram: self::histogram(&heading("histogram"), result).ok(),
+        histogram: self::histogram(&heading("histogram"), result),
         convergence: self::convergence(&heading("convergence"), &result.convergence())?,
-        contributions: self::contributions(&contributions, found).ok(),
+        contributions: self::contributions(&contributions, found),
     })
 }

@@ -5,7 +5,7 @@ use super::captions::{
     unproven_note, unproven_of, without_value,
 };
 use super::panel::{Look, Mark, Panel, Point, Swatch, backlash_range};
-use super::sheet::{self, Chart, Heading, PictureError};
+use super::sheet::{self, Chart, Heading};
 use crate::kit::Anchor;
 use gearlash::analysis::curves::{Course, CourseLine, Extreme};
 use gearlash::analysis::extremes::CoveredPhases;
@@ -22,14 +22,7 @@ const SHOWN: f64 = 0.1;
 
 /// Backlash over the teeth at one centre distance, in `unit`: one band per flank, from most to least material, with the teeth that bind at
 /// the least and greatest backlash.
-///
-/// # Errors
-/// [`PictureError`]: none for a course that has poses.
-pub fn revolution(
-    unit: BacklashUnit,
-    heading: &Heading,
-    course: &Course,
-) -> Result<Chart, PictureError> {
+pub fn revolution(unit: BacklashUnit, heading: &Heading, course: &Course) -> Chart {
     let of_um = |um| unit.of_um(um, course.center_distance);
     let unproven = unproven_note(unproven_of(course.lines.iter()));
     let points = |line: &CourseLine| -> Vec<Point> {

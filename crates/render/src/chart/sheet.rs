@@ -128,16 +128,8 @@ impl Chart {
 #[error("the chart cannot be drawn: {0}")]
 pub struct PictureError(pub(crate) String);
 
-/// Draws title, `details` (a line below the heading's own; may be empty), legend and panels, one below the other.
-pub(super) fn draw(
-    heading: &Heading,
-    details: &str,
-    entries: &[Entry],
-    panels: &[Panel],
-) -> Result<Chart, PictureError> {
-    if panels.is_empty() {
-        return Err(PictureError("there is nothing to draw".to_owned()));
-    }
+/// Draws title, `details` (a line below the heading's own; may be empty), legend and panels, at least one, one below the other.
+pub(super) fn draw(heading: &Heading, details: &str, entries: &[Entry], panels: &[Panel]) -> Chart {
     let lines = [heading.subtitle, details].into_iter();
     let source = Source {
         prefix: heading.prefix.to_owned(),
@@ -149,7 +141,7 @@ pub(super) fn draw(
         entries: entries.to_vec(),
         panels: panels.to_vec(),
     };
-    Ok(source.draw(&WIDE))
+    source.draw(&WIDE)
 }
 
 impl Source {
@@ -237,15 +229,15 @@ impl Layout {
         drawn.append(axes(&plot, both, most));
         let (style, lines) = title;
         for (number, line) in lines.iter().enumerate() {
-            let foot = plot.top - 6.0 - PANEL_LINE * (lines.len() - 1 - number) as f64;
-            drawn.append(style.text(line, [plot.left, foot]));
+            let foot = plot.frame.top - 6.0 - PANEL_LINE * (lines.len() - 1 - number) as f64;
+            drawn.append(style.text(line, [plot.frame.left, foot]));
         }
         for mark in &panel.marks {
             marks::draw(mark, &plot, drawn);
         }
-        for (line, at) in placed.iter().flat_map(|label| label.lines()) {
+        for (line, at) in &placed {
             // Readable across a grid, and across a cursor that a script draws below.
-            for element in labels::STYLE.haloed(line, at) {
+            for element in labels::STYLE.haloed(line, *at) {
                 labels.append(element);
             }
         }
@@ -255,11 +247,10 @@ impl Layout {
     /// The plot of a panel with the upper edge `from`.
     fn place(&self, panel: &Panel, from: f64) -> Plot {
         let below = X_AXIS[usize::from(panel.x.name.is_empty())];
+        let top = from + if panel.title.is_empty() { 8.0 } else { 24.0 };
+        let right = self.width - self.right_margin(panel);
         Plot {
-            left: self.left,
-            right: self.width - self.right_margin(panel),
-            top: from + if panel.title.is_empty() { 8.0 } else { 24.0 },
-            bottom: from + panel.height - below,
+            frame: Frame::new([self.left, top], [right, from + panel.height - below]),
             x: panel.x.range,
             y: panel.y.range,
         }
@@ -299,10 +290,10 @@ fn element(id: &str, name: &str, [width, height]: [f64; 2], plot: &Plot) -> SVG 
         .set("viewBox", format!("0 0 {width} {height}"))
         .set("font-family", FONTS);
     for (name, value) in [
-        ("left", plot.left),
-        ("right", plot.right),
-        ("top", plot.top),
-        ("bottom", plot.bottom),
+        ("left", plot.frame.left),
+        ("right", plot.frame.right),
+        ("top", plot.frame.top),
+        ("bottom", plot.frame.bottom),
         ("x0", plot.x[0]),
         ("x1", plot.x[1]),
         ("y0", plot.y[0]),

@@ -4,8 +4,7 @@
 //! the range of that grade.
 
 use crate::chart::{
-    BarPanel, BarSeries, CurveAxes, Heading, Limits, Look, PictureError, bar_panels, curve, leads,
-    profiles,
+    BarPanel, BarSeries, Heading, Limits, Look, PictureError, bar_panels, curve, leads, profiles,
 };
 use gearlash::gauge::{GradedReading, PitchReadings, Roll, RollPose, RunoutReadings};
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
@@ -146,7 +145,7 @@ fn length_chart(gauged: &GaugedGear, length: &Length, by_tooth: &ByTooth) -> Fil
         title: &format!("{}, {mean}", length.name),
         y_axis: &format!("{} − mean, µm", by_tooth.symbol),
         series: &series,
-        limits: Vec::new(),
+        limits: None,
         level: LEVEL,
     };
     bars(gauged, by_tooth.chart, by_tooth.tooth, &[panel])
@@ -168,7 +167,7 @@ fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> File {
         title: &title,
         y_axis: "radius − mean, µm",
         series: &series,
-        limits: Vec::from_iter(limits),
+        limits,
         level: LEVEL,
     };
     bars(gauged, Chart::RUNOUT, "tooth before the ball", &[panel])
@@ -211,7 +210,7 @@ fn pitch(gauged: &GaugedGear, chart: Chart, read: &PitchReadings) -> File {
             title: &titles[0],
             y_axis: "f from the mean pitch, µm",
             series: &single,
-            limits: Vec::from_iter(limits),
+            limits,
             level: LEVEL,
         },
         BarPanel {
@@ -219,7 +218,7 @@ fn pitch(gauged: &GaugedGear, chart: Chart, read: &PitchReadings) -> File {
             y_axis: "F − mean of the flank, µm",
             series: &cumulative,
             // The ranges of the flanks have different middles, so the title states the tolerance.
-            limits: Vec::new(),
+            limits: None,
             level: LEVEL,
         },
     ];
@@ -292,12 +291,8 @@ fn roll_chart(gauged: &GaugedGear, roll: &Roll) -> File {
         mean_words(mean, gauged.gauged.formula.distance)
     );
     let x = format!("tooth of the gear at the master, one revolution back to 1 · {NUMBERS}");
-    let axes = CurveAxes {
-        title: &title,
-        x: &x,
-        teeth,
-        y: "a'' − mean, µm",
-        least: LEAST,
-    };
-    file(gauged, Chart::ROLL, |heading| curve(heading, axes, points))
+    let titles = [&title[..], &x, "a'' − mean, µm"];
+    file(gauged, Chart::ROLL, |heading| {
+        curve(heading, titles, teeth, LEAST, points)
+    })
 }

@@ -79,6 +79,15 @@ pub fn parts(points: &[Spot], frame: &Frame) -> Vec<Vec<Spot>> {
     parts
 }
 
+/// The places on x where the line at `y` crosses the edges of a closed `polygon`.
+pub fn crossings(polygon: &[Spot], y: f64) -> Vec<f64> {
+    let edges = (0..polygon.len()).map(|i| [polygon[i], polygon[(i + 1) % polygon.len()]]);
+    let crossed = edges.filter(|[from, to]| (from[1] > y) != (to[1] > y));
+    crossed
+        .map(|[from, to]| from[0] + (y - from[1]) / (to[1] - from[1]) * (to[0] - from[0]))
+        .collect()
+}
+
 fn inside(spot: Spot, (axis, limit, sign): Edge) -> bool {
     sign * (spot[axis] - limit) >= 0.0
 }

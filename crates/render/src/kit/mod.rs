@@ -20,6 +20,6 @@ pub use paint::{ACTION, GAP, GREY, HATCH, INK, OVERLAP, PATH, PINION, WHEEL, dar
 pub use plot::{Axis, NUMBERS, Plot, axes, grid};
 pub use sheet::{
     FONTS, HEIGHT, Ids, UNITS_PER_MM, WIDTH, area, blank_sheet, clipped, dashed, define_area,
-    define_frame, group, inner_outline, line, path_data, polygon, within_area,
+    define_frame, group, in_page, inner_outline, line, path_data, polygon, within_area,
 };
 pub use text::{Anchor, TextStyle, room};

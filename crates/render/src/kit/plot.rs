@@ -13,14 +13,8 @@ use svg::node::element::Group;
 /// The frame of a plot and the data at its edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plot {
-    /// Left edge, units of the `viewBox`.
-    pub left: f64,
-    /// Right edge.
-    pub right: f64,
-    /// Upper edge.
-    pub top: f64,
-    /// Lower edge.
-    pub bottom: f64,
+    /// Its edges, units of the `viewBox`.
+    pub frame: Frame,
     /// Data at the left and at the right edge.
     pub x: [f64; 2],
     /// Data at the lower and at the upper edge.
@@ -28,16 +22,12 @@ pub struct Plot {
 }
 
 impl Plot {
-    pub(crate) fn frame(&self) -> Frame {
-        Frame::new([self.left, self.top], [self.right, self.bottom])
-    }
-
     /// The place of data on the sheet.
     pub(crate) fn spot(&self, (x, y): (f64, f64)) -> Spot {
         let part = |[from, to]: [f64; 2], value: f64| (value - from) / (to - from);
         [
-            self.left + part(self.x, x) * (self.right - self.left),
-            self.bottom + part(self.y, y) * (self.top - self.bottom),
+            self.frame.left + part(self.x, x) * self.frame.width(),
+            self.frame.bottom - part(self.y, y) * self.frame.height(),
         ]
     }
 
@@ -50,8 +40,8 @@ impl Plot {
     /// Units of the sheet per unit of data, across and up.
     pub(crate) fn scale(&self) -> [f64; 2] {
         [
-            (self.right - self.left) / (self.x[1] - self.x[0]),
-            (self.bottom - self.top) / (self.y[1] - self.y[0]),
+            self.frame.width() / (self.x[1] - self.x[0]),
+            self.frame.height() / (self.y[1] - self.y[0]),
         ]
     }
 }
@@ -174,11 +164,19 @@ pub fn grid(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
     let mut group = Group::new();
     for value in x.ticks(most[0]).at {
         let x = plot.spot((value, plot.y[0]))[0];
-        group.append(line(&[[x, plot.top], [x, plot.bottom]], GRID, 0.8));
+        group.append(line(
+            &[[x, plot.frame.top], [x, plot.frame.bottom]],
+            GRID,
+            0.8,
+        ));
     }
     for value in y.ticks(most[1]).at {
         let y = plot.spot((plot.x[0], value))[1];
-        group.append(line(&[[plot.left, y], [plot.right, y]], GRID, 0.8));
+        group.append(line(
+            &[[plot.frame.left, y], [plot.frame.right, y]],
+            GRID,
+            0.8,
+        ));
     }
     group
 }
@@ -190,7 +188,7 @@ pub fn axes(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
         right,
         top,
         bottom,
-    } = plot.frame();
+    } = plot.frame;
     let mut group = Group::new().add(line(&[[left, bottom], [right, bottom]], INK, 1.0));
     if !y.bare {
         group.append(line(&[[left, top], [left, bottom]], INK, 1.0));
@@ -210,7 +208,7 @@ pub fn axes(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
         let number = y.number(&ticks, value);
         group.append(NUMBERS.end().text(&number, [left - 8.0, foot]));
     }
-    let [middle_x, middle_y] = plot.frame().middle();
+    let [middle_x, middle_y] = plot.frame.middle();
     if !x.name.is_empty() {
         let style = NAMES.middle().fitted(&x.name, right - left, 9.0);
         group.append(style.text(&x.name, [middle_x, bottom + 37.0]));

@@ -17,11 +17,14 @@ pub fn at_most(limit: f64, series: &[f64]) -> f64 {
     if limit >= 1.0 {
         return round_down(limit, series);
     }
-    let below = round_down(1.0 / limit, series);
-    let decade = power(decade(below));
-    let above = series.iter().map(|mantissa| mantissa * decade);
-    let next = above.chain([10.0 * decade]).find(|n| *n >= 1.0 / limit);
-    1.0 / next.unwrap_or(10.0 * decade)
+    1.0 / round_up(1.0 / limit, series)
+}
+
+/// The least number of the `series`, times a power of ten, that is at least `limit` (> 0).
+pub fn round_up(limit: f64, series: &[f64]) -> f64 {
+    let power = power(decade(limit));
+    let mut numbers = series.iter().map(|mantissa| mantissa * power);
+    numbers.find(|n| *n >= limit).unwrap_or(10.0 * power)
 }
 
 /// The greatest number of the `series`, times a power of ten, that is at most `limit` (> 0).

@@ -31,6 +31,12 @@ pub fn blank_sheet(width: f64, height: f64) -> SVG {
         .add(ground.set("fill", "white"))
 }
 
+/// `picture` for a page, with its id there and a description for screen readers.
+pub fn in_page(picture: SVG, id: &str, label: &str) -> String {
+    let picture = picture.set("id", id).set("role", "img");
+    format!("{}\n", picture.set("aria-label", label))
+}
+
 /// Ids of a picture: a page can hold several.
 #[derive(Debug, Clone, Default)]
 pub struct Ids {

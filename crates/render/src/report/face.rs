@@ -4,7 +4,7 @@ use super::figures::svg;
 use super::page::Page;
 use super::phrases::{band, symbol};
 use super::table::{Table, cells, columns};
-use crate::chart::{self, Heading, PictureError};
+use crate::chart::{self, Heading};
 use gearlash::analysis::face_width::{AtWidth, FaceExtreme};
 use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::contact::Status;
@@ -18,22 +18,22 @@ pub(super) fn is_of(page: &Page) -> bool {
     page.report.pair.study.varies_along_face()
 }
 
-pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
+pub(super) fn section(page: &Page) -> Markup {
     if !is_of(page) {
-        return Ok(html! {});
+        return html! {};
     }
-    Ok(html! {
+    html! {
         section id="face" {
             h2 { "Face width" }
             (widths(page))
             h3 { "Field of action" }
-            (field(page)?)
+            (field(page))
             @if page.report.pair.study.is_helical() {
                 h3 { "Four backlashes of one lost motion" }
                 (definitions(page))
             }
         }
-    })
+    }
 }
 
 fn widths(page: &Page) -> Markup {
@@ -96,7 +96,7 @@ fn extreme(here: Option<FaceExtreme>, narrowest: Option<FaceExtreme>, none: &str
     let both = narrowest.filter(|one| one.holds() && here.holds());
     let more = match both {
         Some(one) if one.doubtful.is_none() && here.doubtful.is_none() => {
-            um(Some(here.found - one.found), 2)
+            um(here.found - one.found, 2)
         }
         Some(one) => {
             let ends = here.against(&one);
@@ -106,7 +106,7 @@ fn extreme(here: Option<FaceExtreme>, narrowest: Option<FaceExtreme>, none: &str
     };
     let value = match (here.doubtful.is_none(), here.holds()) {
         (false, true) => band([here.low, here.high].map(Some), 2),
-        _ => um(Some(here.found), 2),
+        _ => um(here.found, 2),
     };
     let proof = match (here.doubtful.and_then(extreme_doubt), here.holds()) {
         (None, _) => "proven".to_owned(),
@@ -116,19 +116,19 @@ fn extreme(here: Option<FaceExtreme>, narrowest: Option<FaceExtreme>, none: &str
     cells![html! { strong { (value) } }, more, proof]
 }
 
-fn field(page: &Page) -> Result<Markup, PictureError> {
+fn field(page: &Page) -> Markup {
     let Some(field) = &page.report.analysis.field else {
-        return Ok(html! {
+        return html! {
             p { "Left out: the worst pose has no proven contact on both sides, so that there are no contact lines." }
-        });
+        };
     };
     let heading = Heading {
         prefix: "field",
         title: "Field of action at the least backlash",
         subtitle: &page.report.pair.study.title,
     };
-    let drawn = chart::field(&heading, field)?;
-    Ok(html! {
+    let drawn = chart::field(&heading, field);
+    html! {
         figure.chart.tall tabindex="0" {
             (svg(&drawn))
             figcaption.hint {
@@ -142,7 +142,7 @@ fn field(page: &Page) -> Result<Markup, PictureError> {
                 }
             }
         }
-    })
+    }
 }
 
 /// Symbol, section, formula, meaning, and value.

@@ -19,7 +19,7 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
     let draw = |number: usize, course: &Course| {
         let title = format!("Backlash over the teeth {}", place(course));
         let id = id(number);
-        let drawn = chart::revolution(BacklashUnit::Um, &heading(page, &id, &title)?, course)?;
+        let drawn = chart::revolution(BacklashUnit::Um, &heading(page, &id, &title)?, course);
         Ok(html! {
             figure.chart tabindex="0" {
                 (svg(&drawn))

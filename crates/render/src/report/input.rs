@@ -221,11 +221,6 @@ pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
         rows.push((name, at.map(shortest).join(", ")));
     }
     rows.push(("| locked gear |", study.locked.name().to_owned()));
-    stated(rows)
-}
-
-/// The assembly: symbol, name and unit of each statement in one text, and its value.
-pub(super) fn stated(rows: Vec<(&str, String)>) -> Markup {
     let rows = rows.into_iter().map(|(named, value)| {
         let mut row = named_cells(named);
         row.extend(cells![value]);

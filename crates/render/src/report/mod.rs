@@ -74,7 +74,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         (verdict::section(&page))
         (trust::unproven(&page))
         (results::section(&page)?)
-        (face::section(&page)?)
+        (face::section(&page))
         @if has_checks {
             (trust::section(&page))
             (models::checks(&page))

@@ -82,13 +82,6 @@ pub(super) fn touching(found: Option<PoseOfRun>) -> [String; 2] {
     })
 }
 
-/// At most six of `all`, by name.
-pub(super) fn few<T>(all: &[T], name: impl Fn(&T) -> String) -> String {
-    let named: Vec<String> = all.iter().take(6).map(name).collect();
-    let more = if all.len() > 6 { ", …" } else { "" };
-    named.join(", ") + more
-}
-
 /// A pose in words: mating, flank, fraction.
 pub(super) fn pose(found: PoseOfRun) -> String {
     pose_name(found.pose.simulated.pose.mating()) + &phase_name(found.run.run.phase)

@@ -139,7 +139,7 @@ pub(super) fn poses(page: &Page) -> Markup {
                 (figure(page, "greatest", "Greatest backlash", greatest))
             }
             @if let Some((most, loss)) = greatest_loss(page) {
-                (figure(page, "lost", &format!("Largest loss to contact off the line of action, {} µm", um(Some(loss), 2)), most))
+                (figure(page, "lost", &format!("Largest loss to contact off the line of action, {} µm", um(loss, 2)), most))
             }
             @if whole.worst.is_some() { p.note { "Scale bars are correct; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." } }
             @if !others.is_empty() {
@@ -189,9 +189,7 @@ fn other_distances<'a>(page: &Page<'a>) -> Vec<PoseOfRun<'a>> {
 fn figure(page: &Page, id: &str, what: &str, found: PoseOfRun) -> Markup {
     let run = &found.run.run;
     let result = &found.pose.simulated;
-    let backlash = result
-        .backlash
-        .map(|mm| format!(": {} µm", um(Some(mm), 2)));
+    let backlash = result.backlash.map(|mm| format!(": {} µm", um(mm, 2)));
     let words = |section: Option<f64>| {
         let at = section.map_or(String::new(), |at| {
             format!(", section at z = {} mm", trimmed(at, 0, 3))

@@ -100,7 +100,7 @@ fn formula(page: &Page) -> Markup {
             "The line-of-action formula, which shares nothing with the simulation but the gears’ data, agrees within "
             (shortest(page.report.pair.study.tolerance_um)) " µm at " (of.agree) " of the " (of.both) " poses where both give a value"
             @if let Some(deviation) = deviation(&page.all, line_of_action) {
-                "; the largest difference is " (difference_um(Some(deviation.largest))) " µm"
+                "; the largest difference is " (difference_um(deviation.largest)) " µm"
             }
             ". "
         } @else {

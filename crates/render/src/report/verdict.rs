@@ -1,7 +1,7 @@
 //! The answer: whether the pair assembles, how much backlash it has, where, at which teeth, and over which poses.
 
 use super::page::Page;
-use super::phrases::{band, few, j_wt, limits, touching, with_symbols};
+use super::phrases::{band, j_wt, limits, touching, with_symbols};
 use super::table::{Table, cells, columns, mark, marked};
 use super::trust::count;
 use gearlash::analysis::compare::ComparedRun;
@@ -256,6 +256,8 @@ fn phases(page: &Page) -> Markup {
     let mut other_ways = elsewhere.clone();
     other_ways.sort_unstable();
     other_ways.dedup();
+    let few = other_ways.iter().take(6).map(u32::to_string);
+    let few: Vec<String> = few.collect();
     html! {
         @if matters {
             " Wheel tooth " (mating.wheel_tooth) " meets pinion tooth " (mating.pinion_tooth)
@@ -264,7 +266,7 @@ fn phases(page: &Page) -> Markup {
             @if !elsewhere.is_empty() {
                 " Of the poses that the pair file asks for, " (elsewhere.len())
                 (if elsewhere.len() == 1 { " belongs" } else { " belong" }) " to another phase: the teeth that it names meet at "
-                "those flanks where wheel tooth 1 meets pinion tooth " (few(&other_ways, u32::to_string)) "."
+                "those flanks where wheel tooth 1 meets pinion tooth " (few.join(", ")) @if other_ways.len() > few.len() { ", …" } "."
             }
         }
     }

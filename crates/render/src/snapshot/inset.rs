@@ -187,18 +187,10 @@ fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -
     })
 }
 
-/// Whether `spot` is inside a closed polygon: a ray to the right crosses it an odd number of times.
+/// Whether a place is inside a closed polygon: a ray to the right crosses it an odd number of times.
 fn contains(polygon: &[Spot], [x, y]: Spot) -> bool {
-    let mut inside = false;
-    for (i, to) in polygon.iter().enumerate() {
-        let from = polygon[(i + polygon.len() - 1) % polygon.len()];
-        if (from[1] > y) != (to[1] > y)
-            && x < from[0] + (y - from[1]) / (to[1] - from[1]) * (to[0] - from[0])
-        {
-            inside = !inside;
-        }
-    }
-    inside
+    let crossings = clip::crossings(polygon, y).into_iter();
+    crossings.filter(|crossing| x < *crossing).count() % 2 == 1
 }
 
 /// Connects an inset to its place in the main view.

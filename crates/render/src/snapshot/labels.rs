@@ -127,11 +127,7 @@ pub fn overlap_label(
 fn interior_point(polygon: &[Spot], frame: &Frame) -> Option<Spot> {
     let levels = (1..24).map(|i| frame.top + frame.height() * f64::from(i) / 24.0);
     let chords = levels.flat_map(|y| {
-        let edges = (0..polygon.len()).map(|i| [polygon[i], polygon[(i + 1) % polygon.len()]]);
-        let cut = edges.filter(|[from, to]| (from[1] > y) != (to[1] > y));
-        let mut at: Vec<f64> = cut
-            .map(|[from, to]| from[0] + (y - from[1]) / (to[1] - from[1]) * (to[0] - from[0]))
-            .collect();
+        let mut at = clip::crossings(polygon, y);
         at.sort_unstable_by(f64::total_cmp);
         let chords: Vec<_> = at
             .chunks_exact(2)

@@ -11,7 +11,7 @@ use super::labels::tooth_numbers;
 use super::subject::{Layout, NARROW, SHEET, Snapshot, names};
 use super::view::{View, mesh_view};
 use super::{caption, gears, inset, legend};
-use crate::kit::{Frame, HEIGHT, Ids, Occupied, blank_sheet, hatch, scale};
+use crate::kit::{Frame, HEIGHT, Ids, Occupied, blank_sheet, hatch, in_page, scale};
 use gearlash::analysis::study::Material;
 use gearlash::contact::{DrawnContact, MeshSection, PoseResult, Scene, Status};
 use gearlash::error::Error;
@@ -141,12 +141,8 @@ pub(crate) fn pose_picture_in_page(
     let narrow = format!("{id}-narrow");
     let drawn = [(id, &SHEET), (narrow.as_str(), &NARROW)].map(|(id, layout)| {
         let (picture, last) = draw(&view, &Ids::in_page(id), layout);
-        let picture = picture
-            .set("id", id)
-            .set("viewBox", format!("0 0 {} {}", layout.width, last + FOOT))
-            .set("role", "img")
-            .set("aria-label", words.as_str());
-        format!("{picture}\n")
+        let view_box = format!("0 0 {} {}", layout.width, last + FOOT);
+        in_page(picture.set("viewBox", view_box), id, &words)
     });
     Ok([drawn.concat(), words])
 }

@@ -3,7 +3,7 @@
 use super::drawn::{HALF, LEFT, Picture, RIGHT, Spot, ends, is_at, place};
 use super::heading;
 use gearlash_render::chart::{
-    BarPanel, BarSeries, Chart, CurveAxes, Heading, Look, PictureError, bar_panels, curve,
+    BarPanel, BarSeries, Chart, Heading, Look, PictureError, bar_panels, curve,
 };
 
 fn bars(series: &[BarSeries]) -> Result<Chart, PictureError> {
@@ -44,7 +44,7 @@ fn small_bar_chart() {
     let picture = Picture::of(&chart.svg);
     for (colour, series, from) in [(RIGHT, &series[0], -0.4), (LEFT, &series[1], 0.0)] {
         let own = picture.areas.iter().filter(|area| area.stroke == colour);
-        let mut drawn = own.filter(|area| area.room[3] > chart.panels[0].top);
+        let mut drawn = own.filter(|area| area.room[3] > chart.panels[0].frame.top);
         for (tooth, value) in (1..).zip(&series.values) {
             let Some(value) = *value else {
                 continue;
@@ -61,14 +61,8 @@ fn small_bar_chart() {
 }
 
 fn curve_over(points: &[(f64, Option<f64>)]) -> Result<Chart, PictureError> {
-    let axes = CurveAxes {
-        title: "",
-        x: "tooth",
-        teeth: 4,
-        y: "M_dK, mm",
-        least: 0.1,
-    };
-    curve(&heading("small", "t"), axes, points.to_vec())
+    let titles = ["", "tooth", "M_dK, mm"];
+    curve(&heading("small", "t"), titles, 4, 0.1, points.to_vec())
 }
 
 /// Where its points are, with a gap.
@@ -109,7 +103,7 @@ fn ten_thousand_teeth_are_a_thinned_line() {
     assert!(chart.svg.len() < 300_000);
     let drawn = Picture::of(&chart.svg).lines_of(RIGHT).concat();
     let heights = drawn.iter().map(|spot| spot[1]);
-    let [top, _] = ends(heights.filter(|y| *y > chart.panels[0].top));
+    let [top, _] = ends(heights.filter(|y| *y > chart.panels[0].frame.top));
     assert!((top - place(&chart.panels[0], [1.0, 56.0])[1]).abs() < HALF);
 }
 

@@ -5,13 +5,16 @@ use super::{ALL_KINDS, METHOD, UM, course, heading, study};
 use gearlash::analysis::curves::{courses, with_sweep};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::{Analysis, Plan};
-use gearlash_render::chart::{self, Chart, CurveAxes, Plot};
+use gearlash_render::chart::{self, Chart, Plot};
 use roxmltree::Document;
 
 const UNDERCUT: &str = "../crates/render/tests/pictures/pairs/undercut_8x24.toml";
 
 fn contains(plot: &Plot, [x, y]: Spot) -> bool {
-    x > plot.left + 0.1 && x < plot.right - 0.1 && y > plot.top && y < plot.bottom - 0.1
+    x > plot.frame.left + 0.1
+        && x < plot.frame.right - 0.1
+        && y > plot.frame.top
+        && y < plot.frame.bottom - 0.1
 }
 
 /// No text of the chart lies on another, and no label meets a line of the data, at either width.
@@ -53,7 +56,7 @@ fn check(name: &str, chart: &Chart) {
             let mut panels = chart.panels.iter();
             let plot = panels.find(|plot| contains(plot, [room[0], room[3]]));
             let plot = plot.unwrap_or_else(|| panic!("{name}: {words:?} outside the plots"));
-            assert!(room[2] <= plot.right, "{name}: {words:?} is cut");
+            assert!(room[2] <= plot.frame.right, "{name}: {words:?} is cut");
         }
     }
 }
@@ -79,7 +82,7 @@ fn texts_of_a_report_keep_clear() {
         let mut charts = Vec::new();
         for course in courses(&analysis.curves) {
             let course = course.with_cycle(&analysis.extremes.each, &study.requirements);
-            charts.push(chart::revolution(UM, &heading("r", "t"), &course));
+            charts.push(Ok(chart::revolution(UM, &heading("r", "t"), &course)));
             charts.push(chart::difference(&heading("d", "t"), &course, 0.1));
         }
         let all: Vec<_> = analysis.all().collect();
@@ -87,7 +90,7 @@ fn texts_of_a_report_keep_clear() {
         let curves = analysis.over_distance.iter();
         charts.extend(curves.map(|curve| chart::distance(UM, &heading("a", "t"), curve, &ranges)));
         let field = analysis.field.iter();
-        charts.extend(field.map(|field| chart::field(&heading("f", "t"), field)));
+        charts.extend(field.map(|field| Ok(chart::field(&heading("f", "t"), field))));
         for chart in charts {
             check(fixture, &chart.unwrap());
         }
@@ -113,7 +116,7 @@ fn words_at_the_mesh_cycle_keep_clear_of_those_at_the_course() {
                 for extreme in extremes.into_iter().flatten() {
                     extreme.x = from + middle * (to - from);
                 }
-                let chart = chart::revolution(UM, &heading("c", "t"), &course).unwrap();
+                let chart = chart::revolution(UM, &heading("c", "t"), &course);
                 check(&format!("{fixture}, {part} beyond, at {middle}"), &chart);
             }
         }
@@ -130,14 +133,8 @@ fn the_note_on_an_envelope_keeps_clear_of_the_title() {
     ] {
         let swing = |number: u32| (f64::from(number), Some(f64::from(number % 2)));
         let points = (0..20_000).map(swing).collect();
-        let axes = CurveAxes {
-            title,
-            x: "x",
-            teeth: 200,
-            y: "y",
-            least: 1.0,
-        };
-        let chart = chart::curve(&heading("c", "t"), axes, points).unwrap();
+        let titles = [title, "x", "y"];
+        let chart = chart::curve(&heading("c", "t"), titles, 200, 1.0, points).unwrap();
         assert!(chart.svg.contains("shaded: min–max"));
         check(title, &chart);
     }

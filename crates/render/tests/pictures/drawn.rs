@@ -164,8 +164,8 @@ fn text(node: &Node) -> Text {
 pub fn place(plot: &Plot, [x, y]: Spot) -> Spot {
     let part = |[from, to]: [f64; 2], value: f64| (value - from) / (to - from);
     [
-        plot.left + part(plot.x, x) * (plot.right - plot.left),
-        plot.bottom + part(plot.y, y) * (plot.top - plot.bottom),
+        plot.frame.left + part(plot.x, x) * (plot.frame.right - plot.frame.left),
+        plot.frame.bottom + part(plot.y, y) * (plot.frame.top - plot.frame.bottom),
     ]
 }
 

@@ -39,7 +39,9 @@ const DIFFERENCE: [Drawn; 2] = [
 /// Lines of a chart in its plot are near their data and reach their extremes and period.
 fn check(course: &Course, (chart, picture): &(Chart, Picture), drawn: &[Drawn]) {
     let plot: &Plot = &chart.panels[0];
-    let inside = |&[x, y]: &Spot| x >= plot.left && y >= plot.top && y < plot.bottom - HALF;
+    let inside = |&[x, y]: &Spot| {
+        x >= plot.frame.left && y >= plot.frame.top && y < plot.frame.bottom - HALF
+    };
     for &(colour, flank, value) in drawn {
         let mut lines = picture.lines_of(colour);
         // Ticks, crosses and the axes have two points.
@@ -61,7 +63,7 @@ fn check(course: &Course, (chart, picture): &(Chart, Picture), drawn: &[Drawn]) 
         for (drawn, data) in heights.into_iter().zip(expected) {
             assert!((drawn - data).abs() < HALF, "{heights:?} {expected:?}");
         }
-        let pitch = (plot.right - plot.left) / (plot.x[1] - plot.x[0]);
+        let pitch = (plot.frame.right - plot.frame.left) / (plot.x[1] - plot.x[0]);
         for line in lines {
             let last = line[line.len() - 1][0];
             for &[x, y] in line.iter().filter(|spot| spot[0] + pitch < last) {

@@ -25,7 +25,7 @@ fn field() -> Field {
 }
 
 fn drawn(field: &Field) -> Chart {
-    chart::field(&heading("field", "Field"), field).unwrap()
+    chart::field(&heading("field", "Field"), field)
 }
 
 /// A stretch in which fillets are touched is shaded in both panels of its side, and named; without one there is none.
@@ -45,7 +45,7 @@ fn fillets_are_shaded() {
     assert!(picture.says(|text| text.contains("shaded: z = −12.5 … 3.25 mm")));
     let plot = &chart.panels[0];
     let mut shades = picture.areas.iter().filter(|area| area.fill == GREEN);
-    let shade = shades.find(|area| (area.room[1] - plot.top).abs() < HALF);
+    let shade = shades.find(|area| (area.room[1] - plot.frame.top).abs() < HALF);
     let [left, _, right, _] = shade.unwrap().room;
     for (at, z) in [left, right].into_iter().zip(stretch) {
         assert!((at - place(plot, [z, 0.0])[0]).abs() < HALF, "{z}: {at}");

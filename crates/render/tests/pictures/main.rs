@@ -84,7 +84,7 @@ fn heading<'h>(prefix: &'h str, title: &'h str) -> Heading<'h> {
 
 /// The chart of a course, and what is drawn there.
 fn of_course(course: &Course) -> (Chart, Picture) {
-    let chart = chart::revolution(UM, &heading("r", "t"), course).unwrap();
+    let chart = chart::revolution(UM, &heading("r", "t"), course);
     let picture = Picture::of(&chart.svg);
     (chart, picture)
 }
@@ -110,7 +110,7 @@ static ALL_KINDS: LazyLock<Vec<Chart>> = LazyLock::new(|| {
         ("tip_on_fillet_86x21.toml", 159.6),
     ] {
         let course = course(fixture, a);
-        charts.push(chart::revolution(UM, &heading("r", TITLE), &course));
+        charts.push(Ok(chart::revolution(UM, &heading("r", TITLE), &course)));
         if course.least.is_some() {
             charts.push(chart::difference(&heading("d", TITLE), &course, 0.1));
         }

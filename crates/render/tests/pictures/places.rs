@@ -30,10 +30,10 @@ fn every_kind_is_one_svg_element_with_an_escaped_title() {
         assert!(ids.len() == 2 && ids.iter().all(|id| id.starts_with(prefix)));
         let plot = &chart.panels[0];
         for (name, value) in [
-            ("data-left", plot.left),
-            ("data-right", plot.right),
-            ("data-top", plot.top),
-            ("data-bottom", plot.bottom),
+            ("data-left", plot.frame.left),
+            ("data-right", plot.frame.right),
+            ("data-top", plot.frame.top),
+            ("data-bottom", plot.frame.bottom),
             ("data-x0", plot.x[0]),
             ("data-x1", plot.x[1]),
             ("data-y0", plot.y[0]),
@@ -53,7 +53,7 @@ fn gaps_of_jammed_poses_stay_gaps() {
     assert!(runs > 80);
     let (chart, picture) = of_course(&course);
     let mut drawn = picture.lines_of(RIGHT);
-    drawn.retain(|line| line[0][1] > chart.panels[0].top);
+    drawn.retain(|line| line[0][1] > chart.panels[0].frame.top);
     assert_eq!(drawn.len(), runs);
     assert!(chart.svg.contains("gaps: jammed"));
 }

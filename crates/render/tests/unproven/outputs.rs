@@ -208,7 +208,7 @@ fn charts(runs: &[ComparedRun]) -> [Chart; 2] {
         subtitle: "",
     };
     let drawn = [
-        chart::revolution(BacklashUnit::Um, &heading, course).unwrap(),
+        chart::revolution(BacklashUnit::Um, &heading, course),
         chart::difference(&heading, course, 0.1).unwrap(),
     ];
     let words = format!("{} poses unproven, not drawn", summary(runs).unproven);

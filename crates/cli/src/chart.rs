@@ -6,20 +6,20 @@ use crate::distances::{self, Distances};
 use crate::error::{Error, exit_code};
 use crate::input;
 use crate::maps;
-use crate::options::{self, GearName, MaterialName, MethodArgs, UnitArgs};
-use crate::options::{agreed, agreement_of, all_proven, material, name_of, teeth};
+use crate::options::{self, GEARS, MATERIALS, MethodArgs, UnitArgs};
+use crate::options::{agreed, agreement_of, all_proven, material, name_of, one_of, teeth};
 use crate::output::Target;
 use crate::progress::{Progress, run_under_bar};
 use clap::ValueEnum;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{self, Followed};
 use gearlash::analysis::outcome::by_distance;
-use gearlash::analysis::study::Study;
+use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::Method;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
-use gearlash::pair::BacklashUnit;
+use gearlash::pair::{BacklashUnit, Member};
 use gearlash_input::PairFile;
 use gearlash_render::chart::{self, Heading};
 use gearlash_results::gauge::stated_leads;
@@ -39,14 +39,14 @@ pub(super) struct Args {
     #[arg(long, value_enum)]
     kind: Kind,
     /// Gear, for --kind inspection [default: wheel]
-    #[arg(long, value_enum)]
-    gear: Option<GearName>,
+    #[arg(long, value_parser = one_of(GEARS))]
+    gear: Option<Member>,
     /// Centre distance, mm, for --kind revolution, difference and field [default: the least; of a field that which binds]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
     /// End of the thickness tolerance, for --kind revolution, difference and field [default: both]
-    #[arg(long, value_enum)]
-    material: Option<MaterialName>,
+    #[arg(long, value_parser = one_of(MATERIALS))]
+    material: Option<Material>,
     /// Wheel and pinion tooth, for --kind distance [default: the pose that binds]
     #[arg(long, value_name = "W,P", value_parser = teeth)]
     mating: Option<(u32, u32)>,
@@ -162,7 +162,7 @@ impl DrawnChart {
         let course = &course.clone().with_cycle(each, &study.requirements);
         let cycle = print_verdict(&analysis, unit);
         let heading = Heading::alone(&study.title, &cycle);
-        let end = args.material.map(|end| format!("_{}", name_of(&end)));
+        let end = args.material.map(|end| format!("_{}", end.name()));
         let (name, chart) = match args.kind {
             Kind::Difference => {
                 let chart = chart::difference(&heading, course, study.tolerance_um)?;
@@ -231,18 +231,16 @@ impl DrawnChart {
     fn inspection(args: &Args, file: &PairFile) -> Result<DrawnChart, Error> {
         let study = &file.study;
         let reason = "--kind inspection is for gears by their data: a drawing states no deviations";
-        let [wheel, pinion] = options::by_data(study, reason)?;
-        let (name, gear, number) = match args.gear {
-            Some(GearName::Pinion) => ("pinion", pinion, 1),
-            Some(GearName::Wheel) | None => ("wheel", wheel, 0),
-        };
-        let specs = file.spec.by_data();
-        let lead = specs.and_then(|specs| stated_leads(gear, specs[number]));
+        let member = args.gear.unwrap_or(Member::Wheel);
+        let gear = options::by_data(study, reason)?[member as usize];
+        let lead = file.spec.data(member);
+        let lead = lead.and_then(|spec| stated_leads(gear, spec));
         let heading = Heading::alone(&study.title, "");
         let inspection = Inspection::of(gear);
         Ok(DrawnChart {
-            svg: chart::inspection_and_leads(&heading, name, &inspection, lead.as_ref())?.svg,
-            file: format!("chart_inspection_{name}.svg"),
+            svg: chart::inspection_and_leads(&heading, member.name(), &inspection, lead.as_ref())?
+                .svg,
+            file: format!("chart_inspection_{}.svg", member.name()),
             agrees: true,
         })
     }

@@ -39,11 +39,14 @@ pub(super) fn print_note(text: &str) -> Result<(), Error> {
     if is_quiet() { Ok(()) } else { print(text) }
 }
 
-/// Prints to standard output, down to the last byte.
+/// Prints to standard output, down to the last byte; a closed pipe counts as printed.
 pub(super) fn print(text: &str) -> Result<(), Error> {
     let mut output = std::io::stdout().lock();
     let written = output.write_all(text.as_bytes());
-    printed(written.and_then(|()| output.flush()))
+    match written.and_then(|()| output.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Error::Printing(error)),
+        _ => Ok(()),
+    }
 }
 
 /// Standard output for a result that grows piece by piece; [`std::io::Write::flush`] ends it.
@@ -89,14 +92,6 @@ impl Write for Printer {
 
     fn flush(&mut self) -> std::io::Result<()> {
         self.ignore_closed_pipe((), |output| output.flush())
-    }
-}
-
-/// Whether the text was printed; a closed pipe counts as printed.
-pub(super) fn printed(result: std::io::Result<()>) -> Result<(), Error> {
-    match result {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Error::Printing(error)),
-        _ => Ok(()),
     }
 }
 

@@ -2,15 +2,16 @@
 
 use crate::console::{print, warn};
 use crate::error::Error;
-use crate::input::reported;
-use crate::options::is_drawing;
-use crate::options::{self, DrawnArgs, Format, GearName, MaterialName, ResultsArgs, ScreenArgs};
+use crate::input;
+use crate::options::{self, DrawnArgs, Format, GEARS, MATERIALS, ResultsArgs, ScreenArgs};
+use crate::options::{is_drawing, one_of};
 use crate::output::OutputFolder;
 use crate::progress::Progress;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::{Settings, gauge, gauge_outline, pin_sizes, pose_count};
 use gearlash::gear::AsBuilt;
 use gearlash::outline::OutlineGear;
+use gearlash::pair::Member;
 use gearlash_input::spec::GearSpec;
 use gearlash_input::{GearEntry, GearsFile};
 use gearlash_render::gauge::{charts, page, text};
@@ -32,11 +33,11 @@ pub(super) struct Args {
     /// Pair file, gear file, or drawing (.dxf, .svg, .csv, .txt); - for standard input
     file: PathBuf,
     /// Only this gear of a pair
-    #[arg(long, value_enum)]
-    gear: Option<GearName>,
+    #[arg(long, value_parser = one_of(GEARS))]
+    gear: Option<Member>,
     /// Only this end of the thickness tolerance
-    #[arg(long, value_enum)]
-    material: Option<MaterialName>,
+    #[arg(long, value_parser = one_of(MATERIALS))]
+    material: Option<Material>,
     /// Teeth spanned [default: as stated, else contact near mid-height]
     #[arg(long, visible_alias = "span", value_name = "K", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     span_teeth: Option<u32>,
@@ -143,8 +144,9 @@ fn read(args: &Args) -> Result<GearsFile, Error> {
         )));
     } else {
         gearlash_input::read_gears(&args.file)
-    };
-    reported(&args.file, file)
+    }?;
+    input::report(&args.file, &file.sources, &file.warnings, &file.remarks)?;
+    Ok(file)
 }
 
 /// A gear on the gauge: by its data with its table, or by its outline.
@@ -164,7 +166,7 @@ fn check_drawn(args: &Args) -> Result<(), Error> {
     if args.ball_mm.is_some()
         || args.master_teeth.is_some()
         || args.page
-        || args.results.names_folder()
+        || args.results.output.is_some()
     {
         return Err(Error::usage(
             "--ball-mm, --master-teeth, --page and -o are for gears by their data: of outlines spans and pins are printed; leave them out",

@@ -3,7 +3,7 @@
 
 use crate::console::{check_streams_not_input, print};
 use crate::error::Error;
-use crate::options::{ScreenArgs, name_of};
+use crate::options::{ScreenArgs, one_of};
 use crate::output::Target;
 use clap::ValueEnum;
 use gearlash_drawing::Unit;
@@ -58,8 +58,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "UNIT", value_parser = Unit::NAMED.map(|(name, _)| name))]
     units: Option<String>,
     /// Gear of the TOML
-    #[arg(long, value_enum, default_value_t = GearTable::Wheel)]
-    gear: GearTable,
+    #[arg(long, value_parser = one_of(TABLES), default_value = "wheel")]
+    gear: &'static str,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -69,15 +69,12 @@ pub(super) struct Args {
     screen: ScreenArgs,
 }
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum GearTable {
-    /// A wheel of a pair file
-    Wheel,
-    /// A pinion of a pair file
-    Pinion,
-    /// The gear of a gear file
-    Gear,
-}
+/// Values of `--gear`.
+const TABLES: [(&str, &str, &str); 3] = [
+    ("wheel", "wheel", "A wheel of a pair file"),
+    ("pinion", "pinion", "A pinion of a pair file"),
+    ("gear", "gear", "The gear of a gear file"),
+];
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Format {
@@ -191,8 +188,8 @@ fn outlines(args: &Args) -> Result<u8, Error> {
     }
     let found = listed_outlines(&args.file, args.units.as_deref())?;
     let name = args.file.file_name().unwrap_or_default().to_string_lossy();
-    let (gear, screen) = (name_of(&args.gear), args.screen.screen());
-    print(&text::listed_outlines(&name, &found, &gear, &screen))?;
+    let screen = args.screen.screen();
+    print(&text::listed_outlines(&name, &found, args.gear, &screen))?;
     Ok(0)
 }
 
@@ -205,7 +202,7 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
     let options = Options {
         only: args.only.as_ref().and_then(kind).map(|(_, kind)| kind),
         keys: &keys,
-        gear: &name_of(&args.gear),
+        gear: args.gear,
     };
     let found = import::tables(&args.file, bytes, &options);
     Ok(found.map_err(|mut error| {

@@ -3,38 +3,29 @@
 use crate::console::{check_streams_not_input, print, print_note_line, warn};
 use crate::error::Error;
 use gearlash_input::outlines::Drawings;
-use gearlash_input::{GearsFile, PairFile};
-use gearlash_input::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
+use gearlash_input::{MAX_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, PairFile};
 use gearlash_text::characters::plain;
 use gearlash_text::{InputError, Problem, Sources, numbers};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
-/// A file that was read.
-pub(super) trait InputFile {
-    /// The files behind it, warnings and notes.
-    fn read(&self) -> (&Sources, &[String], &[String]);
-}
-
-impl InputFile for PairFile {
-    fn read(&self) -> (&Sources, &[String], &[String]) {
-        (&self.sources, &self.warnings, &self.remarks)
-    }
-}
-
-impl InputFile for GearsFile {
-    fn read(&self) -> (&Sources, &[String], &[String]) {
-        (&self.sources, &self.warnings, &self.remarks)
-    }
-}
-
-/// The `file` at `path`, once its warnings and notes are reported. Standard output and error may not be files that were read.
-pub(super) fn reported<T: InputFile>(path: &Path, file: Result<T, InputError>) -> Result<T, Error> {
-    let file = file?;
-    let (sources, warnings, remarks) = file.read();
+/// Reports the warnings and notes of the file at `path`. Standard output and error may not be one of its `sources`.
+pub(super) fn report(
+    path: &Path,
+    sources: &Sources,
+    warnings: &[String],
+    remarks: &[String],
+) -> Result<(), Error> {
     check_streams_not_input(sources)?;
     warn(path, warnings, remarks);
-    Ok(file)
+    Ok(())
+}
+
+/// The `pair` that was read at `path`; its warnings and notes are reported.
+pub(super) fn reported(path: &Path, pair: Result<PairFile, InputError>) -> Result<PairFile, Error> {
+    let pair = pair?;
+    report(path, &pair.sources, &pair.warnings, &pair.remarks)?;
+    Ok(pair)
 }
 
 /// The pair file at `path`; its warnings and notes are reported.

@@ -1,7 +1,8 @@
 //! `gearlash match`: pairs measured wheels with pinions, and finds the teeth to mark.
 
-use crate::console::{check_streams_not_input, warn, warn_of_files};
+use crate::console::warn_of_files;
 use crate::error::{Error, exit_code};
+use crate::input;
 use crate::options::{ResultsArgs, ScreenArgs};
 use crate::progress::Progress;
 use gearlash_input::matching::{MatchResult, read_match};
@@ -54,9 +55,8 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let file = read_match(&args.pair, folders, wanted)
         .map_err(|errors| Error::Several(errors.into_iter().map(Error::Input).collect()))?;
     let sources = &file.pair.sources;
-    check_streams_not_input(sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
-    warn(&args.pair, &warnings, &file.pair.remarks);
+    input::report(&args.pair, sources, &warnings, &file.pair.remarks)?;
     warn_of_files(&file.gear_warnings, &file.gear_remarks);
     let is_own = |name: &str| FILES.contains(&name);
     let prepared = args.results.folder(&file.pair.stem, sources, is_own)?;

@@ -4,6 +4,7 @@ use crate::console::{has_colours, print, print_error_line, print_note, print_not
 use crate::error::Error;
 use crate::output::{OutputFolder, own_folder};
 use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use gearlash::analysis::Analysis;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::RunTally;
@@ -18,42 +19,27 @@ use gearlash_text::numbers::{order_um, power};
 use gearlash_text::{Sources, has_extension};
 use std::path::{Path, PathBuf};
 
-/// `--gear`, `--at`.
-#[derive(Clone, Copy, ValueEnum)]
-pub(super) enum GearName {
-    /// Gear 1
-    Wheel,
-    /// Gear 2
-    Pinion,
-}
+/// Values of `--gear` and `--at`.
+pub(super) const GEARS: [(Member, &str, &str); 2] = [
+    (Member::Wheel, "wheel", "Gear 1"),
+    (Member::Pinion, "pinion", "Gear 2"),
+];
 
-/// `--material`.
-#[derive(Clone, Copy, ValueEnum)]
-pub(super) enum MaterialName {
-    /// Teeth at their thickest
-    Most,
-    /// Teeth at their thinnest
-    Least,
-}
+/// Values of `--material`.
+pub(super) const MATERIALS: [(Material, &str, &str); 2] = [
+    (Material::Most, "most", "Teeth at their thickest"),
+    (Material::Least, "least", "Teeth at their thinnest"),
+];
 
-impl GearName {
-    /// The gear of a pair.
-    pub(super) fn member(self) -> Member {
-        match self {
-            GearName::Wheel => Member::Wheel,
-            GearName::Pinion => Member::Pinion,
-        }
-    }
-}
-
-impl MaterialName {
-    /// The material.
-    pub(super) fn material(self) -> Material {
-        match self {
-            MaterialName::Most => Material::Most,
-            MaterialName::Least => Material::Least,
-        }
-    }
+/// Parses one of `values`, each with its name and help.
+pub(super) fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    values: [(T, &'static str, &'static str); N],
+) -> impl TypedValueParser<Value = T> {
+    let named = values.map(|(_, name, help)| PossibleValue::new(name).help(help));
+    PossibleValuesParser::new(named).try_map(move |name| {
+        let found = values.iter().find(|(_, own, _)| *own == name);
+        found.map(|(value, ..)| *value).ok_or("unknown name")
+    })
 }
 
 /// A gear of a file, one of its materials, and the gear in that material.
@@ -62,13 +48,12 @@ pub(super) type Chosen<'a, T> = (&'a GearEntry, Material, T);
 /// The requested gears and materials, in the order of the file; `materials` are those of a gear.
 pub(super) fn choose<'a, T>(
     path: &Path,
-    gear: Option<GearName>,
-    material: Option<MaterialName>,
+    gear: Option<Member>,
+    material: Option<Material>,
     file: &'a GearsFile,
     materials: impl Fn(&'a GearEntry) -> Vec<(Material, T)>,
 ) -> Result<Vec<Chosen<'a, T>>, Error> {
-    let name = gear.map(|gear| gear.member().name());
-    let material = material.map(MaterialName::material);
+    let name = gear.map(Member::name);
     let mut chosen = Vec::new();
     for gear in &file.gears {
         if name.is_some_and(|name| name != gear.name) {
@@ -105,9 +90,9 @@ pub(super) fn teeth(text: &str) -> Result<(u32, u32), String> {
 }
 
 /// The material of `study` that `--material` names.
-pub(super) fn material(name: MaterialName, study: &Study) -> Result<Material, Error> {
+pub(super) fn material(named: Material, study: &Study) -> Result<Material, Error> {
     match study.material_count() {
-        2 => Ok(name.material()),
+        2 => Ok(named),
         _ => Err(Error::usage(
             "--material: this pair file states one thickness a gear; leave the option out",
         )),
@@ -121,8 +106,8 @@ pub(super) struct UnitArgs {
     #[arg(long, value_enum)]
     unit: Option<UnitName>,
     /// Gear whose lost motion is shown, for --unit arcmin [default: the gear that turns]
-    #[arg(long, value_enum)]
-    at: Option<GearName>,
+    #[arg(long, value_parser = one_of(GEARS))]
+    at: Option<Member>,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -142,9 +127,7 @@ impl UnitArgs {
     /// The unit for the gears of `study`.
     pub(super) fn unit(&self, study: &Study) -> Result<BacklashUnit, Error> {
         match (self.unit, self.at) {
-            (Some(UnitName::Arcmin), at) => {
-                Ok(study.arcmin(at.map_or(study.locked.mate(), GearName::member)))
-            }
+            (Some(UnitName::Arcmin), at) => Ok(study.arcmin(at.unwrap_or(study.locked.mate()))),
             (Some(UnitName::Um) | None, Some(_)) => Err(Error::usage(
                 "--at belongs to --unit arcmin: j_wt is the same at both gears; leave it out",
             )),
@@ -171,7 +154,7 @@ pub(super) struct ResultsArgs {
     pub(super) format: Format,
     /// Folder for results and pictures [default: out/<file stem>]
     #[arg(short, long, value_name = "DIR")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     /// Write no files
     #[arg(long, conflicts_with = "output")]
     no_files: bool,
@@ -188,11 +171,6 @@ pub(super) enum Format {
 }
 
 impl ResultsArgs {
-    /// Whether a folder was named.
-    pub(super) fn names_folder(&self) -> bool {
-        self.output.is_some()
-    }
-
     /// The folder of the files, tried before the work begins; `None`: nothing is written. `own` are the names of the command's
     /// files, which replace those of an earlier run; never one of `sources`.
     pub(super) fn folder(

@@ -1,12 +1,12 @@
 //! `gearlash outline`: the outline of a gear for other programs.
 
 use crate::error::Error;
-use crate::input::reported;
-use crate::options::{GearName, MaterialName, choose, name_of};
+use crate::input;
+use crate::options::{GEARS, MATERIALS, choose, one_of};
 use crate::output::Target;
-use clap::ValueEnum;
 use gearlash::analysis::study::Material;
 use gearlash::gear::{AsBuilt, HalfTooth, Side};
+use gearlash::pair::Member;
 use gearlash_drawing::{OutlineFile, OutlineFormat};
 use gearlash_input::GearEntry;
 use gearlash_input::spec::GearSpec;
@@ -24,14 +24,14 @@ pub(super) struct Args {
     /// Pair file or gear file, - for standard input
     file: PathBuf,
     /// Gear of a pair
-    #[arg(long, value_enum)]
-    gear: Option<GearName>,
+    #[arg(long, value_parser = one_of(GEARS))]
+    gear: Option<Member>,
     /// End of the thickness tolerance
-    #[arg(long, value_enum, default_value = "most")]
-    material: MaterialName,
+    #[arg(long, value_parser = one_of(MATERIALS), default_value = "most")]
+    material: Material,
     /// File format
-    #[arg(long, value_enum)]
-    format: Format,
+    #[arg(long, value_parser = ["dxf", "svg", "csv"])]
+    format: String,
     /// Greatest distance of a chord from its curve, µm
     #[arg(long, value_name = "T", default_value_t = 1.0, value_parser = tolerance, allow_negative_numbers = true)]
     tolerance_um: f64,
@@ -41,13 +41,6 @@ pub(super) struct Args {
     /// File, - for standard output [default: in out/<file stem>]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    Dxf,
-    Svg,
-    Csv,
 }
 
 /// A tolerance in µm.
@@ -94,8 +87,8 @@ fn section(requested: Option<f64>, entry: &GearEntry, gear: &AsBuilt) -> Result<
 }
 
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
-    let study = gearlash_input::read_gears_by_data(&args.file);
-    let study = reported(&args.file, study)?;
+    let study = gearlash_input::read_gears_by_data(&args.file)?;
+    input::report(&args.file, &study.sources, &study.warnings, &study.remarks)?;
     let chosen = choose(&args.file, args.gear, Some(args.material), &study, |gear| {
         let materials = gear.materials.iter();
         materials.map(|(of, built)| (*of, built)).collect()
@@ -108,11 +101,11 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     };
     let section_mm = section(args.section, entry, gear)?;
     check_size(args.tolerance_um, gear)?;
-    let ending = name_of(&args.format);
-    let format = match args.format {
-        Format::Dxf => OutlineFormat::Dxf,
-        Format::Svg => OutlineFormat::Svg,
-        Format::Csv => OutlineFormat::Csv,
+    let ending = &args.format[..];
+    let format = match ending {
+        "dxf" => OutlineFormat::Dxf,
+        "svg" => OutlineFormat::Svg,
+        _ => OutlineFormat::Csv,
     };
     let target = match &args.output {
         // A CSV file is allowed here: it is the table itself.

@@ -5,9 +5,8 @@ use crate::cycle::{self, Binding, Found, Wanted};
 use crate::distances;
 use crate::error::{Error, exit_code};
 use crate::input;
-use crate::options::{self, MaterialName, all_proven, material, name_of, teeth};
+use crate::options::{self, MATERIALS, all_proven, material, name_of, one_of, teeth};
 use crate::output::Target;
-use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::contact::{
     Exaggeration, MeshSection, Method, PoseResult, lost_motion_at, sweep_blocks,
@@ -31,8 +30,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "W,P", value_parser = teeth)]
     mating: Option<(u32, u32)>,
     /// Flank at the pitch point, seen from the front
-    #[arg(long, value_enum)]
-    flank: Option<Flank>,
+    #[arg(long, value_parser = ["right", "left"])]
+    flank: Option<String>,
     /// Pose with the least backlash of the mesh cycle; with a kind, of the poses that such a contact bounds
     #[arg(long, value_name = "KIND", value_enum, num_args = 0..=1, require_equals = true, conflicts_with_all = ["mating", "flank", "fraction"])]
     worst: Option<Option<Binding>>,
@@ -51,8 +50,8 @@ pub(super) struct Args {
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
     /// End of the thickness tolerance [default: most; with --worst or --greatest both]
-    #[arg(long, value_enum)]
-    material: Option<MaterialName>,
+    #[arg(long, value_parser = one_of(MATERIALS))]
+    material: Option<Material>,
     /// Transverse section, mm from the measuring plane [default: where the flank touches]
     #[arg(long, value_name = "Z_MM", allow_negative_numbers = true)]
     section: Option<f64>,
@@ -65,12 +64,6 @@ pub(super) struct Args {
     /// Picture, - for standard output [default: in out/<file stem>]
     #[arg(short, long, value_name = "FILE.svg")]
     output: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Flank {
-    Right,
-    Left,
 }
 
 pub(super) fn run(args: &Args) -> Result<u8, Error> {
@@ -160,7 +153,7 @@ fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
         };
         return Ok((found, format!("{name}_a{distance}_{end}")));
     }
-    let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
+    let (Some(teeth), Some(flank)) = (args.mating, &args.flank) else {
         return Err(Error::usage(
             "which pose? give --mating W,P and --flank right|left, --worst or --greatest",
         ));
@@ -172,7 +165,7 @@ fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
         "snapshot_{}_{}_{}_a{}_{}",
         mating.wheel_tooth,
         mating.pinion_tooth,
-        name_of(&flank),
+        flank,
         assembly.center_distance(),
         material.name()
     );
@@ -215,7 +208,7 @@ fn mating(
     (wheel_tooth, pinion_tooth): (u32, u32),
     fraction: f64,
     assembly: &AssembledPair,
-    flank: Flank,
+    flank: &str,
 ) -> Result<Mating, Error> {
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
         let teeth = assembly.teeth(member);
@@ -231,9 +224,10 @@ fn mating(
             "--fraction {fraction}: a number of pitches between -1000 and 1000"
         )));
     }
-    let flank = match flank {
-        Flank::Right => Side::Right,
-        Flank::Left => Side::Left,
+    let flank = if flank == "left" {
+        Side::Left
+    } else {
+        Side::Right
     };
     Ok(Mating {
         fraction,

@@ -2,9 +2,10 @@
 
 mod rows;
 
-use crate::console::{check_streams_not_input, print_note, warn};
+use crate::console::{print_note, warn};
 use crate::date::today;
 use crate::error::{Error, exit_code};
+use crate::input;
 use crate::options::{ResultsArgs, ScreenArgs};
 use crate::output::OutputFolder;
 use crate::progress::Progress;
@@ -59,9 +60,8 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     let mut sources = file.pair.sources.clone();
     let rows_files = rows::expanded(&args.from_rows)?;
     rows_files.iter().for_each(|path| sources.add(path));
-    check_streams_not_input(&sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
-    warn(&args.pair, &warnings, &file.pair.remarks);
+    input::report(&args.pair, &sources, &warnings, &file.pair.remarks)?;
     if let Some(first) = args.first {
         return range(args, &file, first);
     }

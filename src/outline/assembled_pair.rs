@@ -59,10 +59,7 @@ impl AssembledPair {
     /// the other's axis.
     pub fn least_distance(&self) -> f64 {
         match self {
-            AssembledPair::Data(pair) => {
-                let base = Member::BOTH.map(|member| pair.gear(member).gear().base_radius());
-                base[0] + base[1]
-            }
+            AssembledPair::Data(pair) => pair.least_distance(),
             AssembledPair::Drawn(pair) => pair.least_distance(),
         }
     }

@@ -104,8 +104,7 @@ pub(crate) fn overlap_half_angle(radius: f64, other: f64, distance: f64) -> Opti
 /// A pair as assembled: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearPair {
-    wheel: AsBuilt,
-    pinion: AsBuilt,
+    gears: [AsBuilt; 2],
     center_distance: f64,
     locked: Member,
     /// Both ends of the wheel's teeth and of the pinion's, mm along the axis.
@@ -177,8 +176,7 @@ impl GearPair {
             });
         }
         GearPair {
-            wheel,
-            pinion,
+            gears: [wheel, pinion],
             center_distance,
             locked,
             faces: [[0.0; 2]; 2],
@@ -225,12 +223,13 @@ impl GearPair {
 
     /// Whether an axis leans: that of the pinion, or that of teeth on their shaft.
     pub fn leans(&self) -> bool {
-        self.lean != [0.0; 2] || self.wheel.wobble() != 0.0 || self.pinion.wobble() != 0.0
+        self.has(FaceDeviation::Shafts) || self.has(FaceDeviation::Wobble)
     }
 
     /// Bound on the angle between the axes of both toothings, mm per mm.
     pub fn lean_bound(&self) -> f64 {
-        self.lean[0].hypot(self.lean[1]) + self.wheel.wobble() + self.pinion.wobble()
+        let [wheel, pinion] = self.gears.each_ref().map(AsBuilt::wobble);
+        self.lean[0].hypot(self.lean[1]) + wheel + pinion
     }
 
     /// Bound on the move of the outlines' centres against each other by leaning axes, mm, over the face from the measuring plane.
@@ -241,7 +240,8 @@ impl GearPair {
 
     /// Bound on the height of a point of a tooth over its section, mm along the leaning axis of its gear.
     pub(crate) fn height_bound(&self) -> f64 {
-        self.lean_bound() * self.wheel.reach().max(self.pinion.reach())
+        let [wheel, pinion] = self.gears.each_ref().map(AsBuilt::reach);
+        self.lean_bound() * wheel.max(pinion)
     }
 
     /// Bound on what the heights of leaning axes change the leads of a pair of teeth, mm.
@@ -258,18 +258,19 @@ impl GearPair {
         let height = self.height_bound();
         let [from, to] = self.face();
         let face = [from - height, to + height];
-        let rate = |member| self.gear(member).steepest_lead(face);
-        rate(Member::Wheel) + rate(Member::Pinion)
+        let [wheel, pinion] = self.gears.each_ref().map(|gear| gear.steepest_lead(face));
+        wheel + pinion
     }
 
     /// Bound on what sections of leaning axes leave out of each contact, mm along the base tangent; the teeth are tighter by it
     /// ([`section_at`](super::section_at)).
     pub fn section_error_bound(&self) -> f64 {
-        let base = self.wheel.gear().base_radius() + self.pinion.gear().base_radius();
-        let off = self.wheel.eccentricity() + self.pinion.eccentricity() + self.shift_bound();
-        let distance = self.center_distance + off;
+        let base = self.least_distance();
+        let [wheel, pinion] = self.gears.each_ref().map(AsBuilt::eccentricity);
+        let distance = self.center_distance + (wheel + pinion + self.shift_bound());
         let tangent = (distance * distance - base * base).max(0.0).sqrt();
-        let slope = self.wheel.gear().basic_data().base_helix_angle().tan() * self.lean_bound();
+        let basic_data = self.gears[0].gear().basic_data();
+        let slope = basic_data.base_helix_angle().tan() * self.lean_bound();
         // Half as much again for the third order.
         1.5 * 0.5 * slope * slope * tangent / 4.0
     }
@@ -316,17 +317,17 @@ impl GearPair {
 
     /// Whether the gears are helical.
     pub fn is_helical(&self) -> bool {
-        self.wheel.gear().basic_data().hand().is_some()
+        self.gears[0].gear().basic_data().hand().is_some()
     }
 
     /// Whether either gear has lead deviations.
     pub fn has_leads(&self) -> bool {
-        self.wheel.has_leads() || self.pinion.has_leads()
+        self.gears.iter().any(AsBuilt::has_leads)
     }
 
     /// Whether all teeth of a gear have one lead on each flank.
     pub(crate) fn has_one_lead(&self) -> bool {
-        self.wheel.has_one_lead() && self.pinion.has_one_lead()
+        self.gears.iter().all(AsBuilt::has_one_lead)
     }
 
     /// Whether transverse sections differ along the face: helical teeth, lead deviations, or leaning axes.
@@ -353,7 +354,7 @@ impl GearPair {
     pub fn has(&self, kind: FaceDeviation) -> bool {
         match kind {
             FaceDeviation::Lead => self.has_leads(),
-            FaceDeviation::Wobble => self.wheel.wobble() != 0.0 || self.pinion.wobble() != 0.0,
+            FaceDeviation::Wobble => self.gears.iter().any(|gear| gear.wobble() != 0.0),
             FaceDeviation::Shafts => self.lean != [0.0; 2],
         }
     }
@@ -362,13 +363,11 @@ impl GearPair {
     pub fn without(&self, kinds: &[FaceDeviation]) -> GearPair {
         kinds.iter().fold(self.clone(), |pair, kind| match kind {
             FaceDeviation::Lead => GearPair {
-                wheel: pair.wheel.without_leads(),
-                pinion: pair.pinion.without_leads(),
+                gears: pair.gears.each_ref().map(AsBuilt::without_leads),
                 ..pair
             },
             FaceDeviation::Wobble => GearPair {
-                wheel: pair.wheel.without_wobble(),
-                pinion: pair.pinion.without_wobble(),
+                gears: pair.gears.each_ref().map(AsBuilt::without_wobble),
                 ..pair
             },
             FaceDeviation::Shafts => GearPair {
@@ -380,13 +379,13 @@ impl GearPair {
 
     /// Whether either gear has profile deviations.
     pub fn is_modified(&self) -> bool {
-        self.wheel.is_modified() || self.pinion.is_modified()
+        self.gears.iter().any(AsBuilt::is_modified)
     }
 
     /// Whether the base pitches `p_b` differ by more than rounding, as at different temperatures.
     pub fn base_pitches_differ(&self) -> bool {
-        let [wheel, pinion] =
-            [&self.wheel, &self.pinion].map(|gear| gear.gear().basic_data().base_pitch());
+        let base_pitch = |gear: &AsBuilt| gear.gear().basic_data().base_pitch();
+        let [wheel, pinion] = self.gears.each_ref().map(base_pitch);
         (wheel - pinion).abs() > 8.0 * f64::EPSILON * wheel
     }
 
@@ -395,7 +394,8 @@ impl GearPair {
     /// # Errors
     /// As [`GearPair::with_locked`].
     pub fn at(&self, center_distance: f64) -> Result<GearPair, GearError> {
-        self.with_gears(self.wheel.clone(), self.pinion.clone(), center_distance)
+        let [wheel, pinion] = self.gears.clone();
+        self.with_gears(wheel, pinion, center_distance)
     }
 
     /// Other gears at a centre distance, mm, with this pair's faces, lean and locked member.
@@ -418,15 +418,18 @@ impl GearPair {
 
     /// One of the gears.
     pub fn gear(&self, member: Member) -> &AsBuilt {
-        match member {
-            Member::Wheel => &self.wheel,
-            Member::Pinion => &self.pinion,
-        }
+        &self.gears[member as usize]
     }
 
     /// Teeth of one of the gears.
     pub fn teeth(&self, member: Member) -> u32 {
         self.gear(member).gear().basic_data().teeth()
+    }
+
+    /// The centre distance `r_b1 + r_b2`, mm, at which the base circles touch: no pair can be assembled at it or below it.
+    pub fn least_distance(&self) -> f64 {
+        let [wheel, pinion] = self.gears.each_ref().map(|gear| gear.gear().base_radius());
+        wheel + pinion
     }
 
     /// Centre distance `a`, mm.
@@ -454,10 +457,8 @@ impl GearPair {
     ///
     /// Helical teeth wind about the axis and the eccentricity does not: relative to the teeth it turns by `−τ(b)`. Leads turn each flank.
     pub fn section(&self, b: f64) -> GearPair {
-        let at = |member| self.gear(member).section_at(b);
         GearPair {
-            wheel: at(Member::Wheel),
-            pinion: at(Member::Pinion),
+            gears: self.gears.each_ref().map(|gear| gear.section_at(b)),
             faces: [[0.0; 2]; 2],
             lean: [0.0; 2],
             ..self.clone()
@@ -467,22 +468,20 @@ impl GearPair {
     /// A section with its axes `center_distance` apart, mm, near this pair's, and all teeth of both gears turned by `angle`, rad.
     pub(super) fn with_axes_turned(self, center_distance: f64, angle: f64) -> GearPair {
         GearPair {
-            wheel: self.wheel.turned(angle),
-            pinion: self.pinion.turned(angle),
+            gears: self.gears.map(|gear| gear.turned(angle)),
             center_distance,
             ..self
         }
     }
 
     /// A section with every flank turned further: right and left flanks of the wheel and of the pinion, rad.
-    pub(super) fn with_flanks_turned(
-        self,
-        wheel: [Vec<f64>; 2],
-        pinion: [Vec<f64>; 2],
-    ) -> GearPair {
+    pub(super) fn with_flanks_turned(self, turns: [[Vec<f64>; 2]; 2]) -> GearPair {
+        let ([wheel, pinion], [of_wheel, of_pinion]) = (self.gears, turns);
         GearPair {
-            wheel: self.wheel.with_flanks_turned(wheel),
-            pinion: self.pinion.with_flanks_turned(pinion),
+            gears: [
+                wheel.with_flanks_turned(of_wheel),
+                pinion.with_flanks_turned(of_pinion),
+            ],
             ..self
         }
     }
@@ -505,14 +504,12 @@ impl GearPair {
 
     /// Operating pressure angle `α_wt`, rad: `cos α_wt = (r_b1 + r_b2)/a`.
     pub fn operating_pressure_angle(&self) -> f64 {
-        let base = self.wheel.gear().base_radius() + self.pinion.gear().base_radius();
-        (base / self.center_distance).acos()
+        (self.least_distance() / self.center_distance).acos()
     }
 
     /// Operating pitch radius `r_w = r_b/cos α_wt`, mm.
     pub fn operating_pitch_radius(&self, member: Member) -> f64 {
-        let base = self.wheel.gear().base_radius() + self.pinion.gear().base_radius();
-        self.gear(member).gear().base_radius() * self.center_distance / base
+        self.gear(member).gear().base_radius() * self.center_distance / self.least_distance()
     }
 
     /// Half the angle a mean tooth spans on the operating pitch circle, rad (ISO 21771: `ψ_b − inv α_wt`).

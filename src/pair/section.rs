@@ -45,8 +45,7 @@ pub fn section_at(assembly: &GearPair, pose: &Pose, b: f64) -> (GearPair, Pose) 
     let leaning = Leaning::new(assembly, pose, &here, b);
     let between = leaning.between();
     let pair = pair.with_axes_turned(between.norm(), -between.y.atan2(between.x));
-    let [wheel, pinion] = leaning.turns();
-    (pair.with_flanks_turned(wheel, pinion), here)
+    (pair.with_flanks_turned(leaning.turns()), here)
 }
 
 /// Bound on what flanks that a section of `assembly` keeps beyond the ends of their teeth add to a contact, mm along the base tangent.

@@ -131,8 +131,12 @@ fn limits_of(group: &CheckedPair) -> Vec<Limit> {
     if let Ok(Some(onset)) = &group.onset {
         limits.push(Limit::new("non-involute contact, outlines", onset.distance));
     }
-    let [wheel, pinion] = Member::BOTH.map(|member| base_onset(assembly, member));
     limits.push(Limit::new("tip at form circle", first_form_onset(assembly)));
+    // K (8) is violated where a tip reaches the end of the base tangent.
+    let [wheel, pinion] = Member::BOTH.map(|member| {
+        let tangent = limits::tip_tangent(assembly.gear(member).gear());
+        tangent.hypot(assembly.least_distance())
+    });
     limits.push(Limit::new("tip at base circle, K (8)", wheel.max(pinion)));
     // a − r_a − r_f is below the required clearance by this.
     let least = least_clearance(assembly);
@@ -153,11 +157,4 @@ fn least_clearance(assembly: &GearPair) -> f64 {
         assembly.radial_clearance(Member::Wheel),
         assembly.radial_clearance(Member::Pinion),
     )
-}
-
-/// Centre distance, mm, below which K (8) is violated on `member`: the mate's tip reaches the end of the base tangent.
-fn base_onset(assembly: &GearPair, member: Member) -> f64 {
-    let gear = assembly.gear(member).gear();
-    let mate = assembly.gear(member.mate()).gear();
-    limits::tip_tangent(mate).hypot(gear.base_radius() + mate.base_radius())
 }

@@ -35,7 +35,7 @@ pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
     let gear = assembly.gear(member).gear();
     let mate = assembly.gear(member.mate()).gear();
     let tangent = limits::tip_tangent(mate) + gear.base_radius() * gear.form_roll();
-    tangent.hypot(gear.base_radius() + mate.base_radius())
+    tangent.hypot(assembly.least_distance())
 }
 
 /// The greater [`form_onset`] of both gears: that of the gear at risk first.

@@ -63,11 +63,18 @@ pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMati
     tally.matings(study)
 }
 
+/// The bits of the centre distance, material, wheel and pinion tooth of a mating.
+type Key = (u64, Material, u32, u32);
+
+fn key(row: &MeasuredRow, material: Material) -> Key {
+    let distance = row.center_distance.to_bits();
+    (distance, material, row.wheel_tooth, row.pinion_tooth)
+}
+
 /// The measured matings of a study whose poses arrive one by one.
 #[derive(Debug)]
 pub struct MeasuredTally {
-    /// By the bits of the centre distance, material, wheel and pinion tooth.
-    means: HashMap<(u64, Material, u32, u32), Means>,
+    means: HashMap<Key, Means>,
     /// Centre distances and materials that have begun. If several runs (phases) share one, the first counts.
     begun: HashSet<(u64, Material)>,
     /// The current run, if it counts.
@@ -78,10 +85,8 @@ impl MeasuredTally {
     /// A tally without poses.
     pub fn new(study: &Study) -> MeasuredTally {
         let keys = study.material_names().flat_map(|material| {
-            study.measured.iter().map(move |row| {
-                let distance = row.center_distance.to_bits();
-                (distance, material, row.wheel_tooth, row.pinion_tooth)
-            })
+            let rows = study.measured.iter();
+            rows.map(move |row| key(row, material))
         });
         MeasuredTally {
             means: keys.map(|key| (key, Means::default())).collect(),
@@ -115,12 +120,8 @@ impl MeasuredTally {
     /// As [`measured_matings`].
     pub fn matings(&self, study: &Study) -> Vec<MeasuredMating> {
         let of_row = |row: &MeasuredRow| {
-            let means = |material| {
-                let distance = row.center_distance.to_bits();
-                let key = (distance, material, row.wheel_tooth, row.pinion_tooth);
-                self.means.get(&key).copied().unwrap_or_default()
-            };
-            let bands = Bands::of(study, means);
+            let means = |material| self.means.get(&key(row, material)).copied();
+            let bands = Bands::of(study, |material| means(material).unwrap_or_default());
             MeasuredMating {
                 printed: (row.predicted_min_um.zip(row.predicted_max_um))
                     .map(|(min_um, max_um)| Band { min_um, max_um }),

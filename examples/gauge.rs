@@ -20,7 +20,7 @@ pub fn readings() -> Result<String, Box<dyn Error>> {
     let gauged = gauge(&gear, &settings, &|_| (), &go_on)?;
     let spans = gauged.spans.map_err(|error| error.to_string())?;
     let runout = gauged.runout.map_err(|error| error.to_string())?;
-    let span = format!("span over 3 teeth  {:8.4} mm\n", spans.mean());
+    let span = format!("span over 3 teeth  {:8.4} mm\n", spans.summary().mean);
     Ok(span + &format!("runout             {:8.2} µm\n", 1e3 * runout.total()))
 }
 

@@ -1,12 +1,33 @@
-//! One-dimensional numerics: bisection, false position, golden section, angles within one turn.
+//! One-dimensional numerics: bisection, false position, golden section, angles within one turn, mean and range.
 //!
 //! A search returns its bracket. The caller takes the end that is on the safe side.
 
+use std::borrow::Borrow;
 use std::convert::Infallible;
 use std::f64::consts::TAU;
 
 /// Golden section: the part of a bracket that one step keeps, `(√5 − 1)/2`.
 pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Arithmetic mean; 0 without values.
+pub(crate) fn mean<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> f64 {
+    let values: Vec<f64> = values.into_iter().map(|value| *value.borrow()).collect();
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+/// Least and greatest; infinities without values.
+pub(crate) fn ends<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    values.into_iter().fold(none, |[least, most], value| {
+        [least.min(*value.borrow()), most.max(*value.borrow())]
+    })
+}
+
+/// Greatest less least; 0 without values.
+pub(crate) fn range<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> f64 {
+    let [least, most] = ends(values);
+    (most - least).max(0.0)
+}
 
 /// Halves the bracket `[inside, outside]` of a place where `holds` changes from true to false.
 ///

@@ -4,8 +4,9 @@
 //! About the rotation axis, as on a machine that holds the gear by its datum, it also shows the eccentricity.
 
 use super::workpiece::Workpiece;
-use super::{Unmeasured, ends, mean, range};
+use super::{Summary, Unmeasured};
 use crate::gear::{AsBuilt, Flank, Pitch, PitchAxis, Side};
+use crate::numeric::mean;
 use nalgebra::{Point2, UnitComplex, Vector2};
 
 /// Pitch deviation of both flanks of a gear, read on the measuring circle.
@@ -18,45 +19,6 @@ pub struct PitchReadings {
     pub cumulative: Pitch,
     /// Bound on the error of each value, mm.
     pub error: f64,
-}
-
-impl PitchReadings {
-    /// Single deviations `f_i = F_i − F_{i−1}` of a gear's own flank, mm.
-    pub fn single(&self, own: Flank) -> Vec<f64> {
-        self.cumulative.single(own)
-    }
-
-    /// Greatest single deviation `f_p`, mm, by amount.
-    pub fn greatest_single(&self, own: Flank) -> f64 {
-        self.single(own).iter().map(|f| f.abs()).fold(0.0, f64::max)
-    }
-
-    /// Greatest difference `f_u` of two single deviations one after the other, mm.
-    pub fn adjacent_difference(&self, own: Flank) -> f64 {
-        let single = self.single(own);
-        let next = single.iter().cycle().skip(1);
-        let differences = single.iter().zip(next).map(|(f, next)| (next - f).abs());
-        differences.fold(0.0, f64::max)
-    }
-
-    /// Greatest cumulative deviation over an eighth of the teeth, `F_p(z/8)`, mm, over the nearest whole number of pitches.
-    pub fn eighth(&self, own: Flank) -> f64 {
-        let curve = self.cumulative.flank(own);
-        let pitches = usize::max(1, (curve.len() + 4) / 8);
-        let later = curve.iter().cycle().skip(pitches);
-        let sectors = curve.iter().zip(later).map(|(f, later)| (later - f).abs());
-        sectors.fold(0.0, f64::max)
-    }
-
-    /// Range `R_p` of the single deviations, mm.
-    pub fn single_range(&self, own: Flank) -> f64 {
-        range(self.single(own).into_iter())
-    }
-
-    /// Total cumulative deviation `F_p`, mm: the range of `F`.
-    pub fn total(&self, own: Flank) -> f64 {
-        range(self.cumulative.flank(own).iter().copied())
-    }
 }
 
 /// Tooth thickness all round.
@@ -77,19 +39,14 @@ pub struct ThicknessReadings {
 }
 
 impl ThicknessReadings {
-    /// Mean thickness, mm.
-    pub fn mean(&self) -> f64 {
-        mean(self.arcs.iter().copied())
-    }
-
-    /// Least and greatest thickness, mm.
-    pub fn ends(&self) -> [f64; 2] {
-        ends(self.arcs.iter().copied())
+    /// The readings in short.
+    pub fn summary(&self) -> Summary {
+        Summary::of(self.arcs.iter().map(|arc| (*arc, self.error)))
     }
 
     /// Each tooth's thickness less the mean, mm.
     pub fn deviations(&self) -> Vec<f64> {
-        let mean = self.mean();
+        let mean = mean(&self.arcs);
         self.arcs.iter().map(|arc| arc - mean).collect()
     }
 }

@@ -2,7 +2,7 @@
 
 use super::roll::Roll;
 use crate::analytic::InvolutePair;
-use crate::gear::{AsBuilt, thickness};
+use crate::gear::{AsBuilt, MeasuringBody, thickness};
 use std::f64::consts::PI;
 
 /// Values by formula, lengths in mm; all `None` for an outline.
@@ -50,7 +50,7 @@ pub(super) fn formula(
         over_three: pin.filter(|_| odd).map(|pin| both * centre(pin) + pin),
         over_lying: pin
             .filter(|_| basic_data.hand().is_some())
-            .map(|pin| thickness::over_helical_pins(basic_data, pin, s_b)),
+            .map(|pin| thickness::over_from_base(basic_data, MeasuringBody::Pin, pin, s_b)),
         ball_centre: ball.map(centre),
         root: Some(gear.root_radius()),
         thickness: Some(

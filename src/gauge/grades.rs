@@ -32,8 +32,11 @@ pub(super) fn grades<'a>(
     for read in pitches {
         for side in Flank::BOTH {
             for (quantity, measured) in [
-                (GradedQuantity::SinglePitch, read.greatest_single(side)),
-                (GradedQuantity::TotalPitch, read.total(side)),
+                (
+                    GradedQuantity::SinglePitch,
+                    read.cumulative.greatest_single(side),
+                ),
+                (GradedQuantity::TotalPitch, read.cumulative.total(side)),
             ] {
                 // A difference of two values.
                 let error = 2.0 * read.error;

@@ -46,29 +46,34 @@ pub use seat::Seat;
 pub use span::{Span, Spans};
 pub use stated::StatedThickness;
 
+use crate::numeric::{ends, mean};
+
 /// The tooth `steps` ascending numbers after `tooth` of `teeth`.
 fn tooth_after(teeth: u32, tooth: u32, steps: u32) -> u32 {
     (tooth - 1 + steps) % teeth + 1
 }
 
-/// Arithmetic mean; NaN without values, which no gear has.
-fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
-    let count = values.len();
-    values.sum::<f64>() / count as f64
+/// Readings of one length, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summary {
+    /// Least and greatest.
+    pub ends: [f64; 2],
+    /// Mean.
+    pub mean: f64,
+    /// Greatest bound on the error of a reading.
+    pub error: f64,
 }
 
-/// Least and greatest; infinities without values, which no gear has.
-fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold(
-        [f64::INFINITY, f64::NEG_INFINITY],
-        |[least, most], value| [least.min(value), most.max(value)],
-    )
-}
-
-/// Greatest less least; 0 without values.
-fn range(values: impl Iterator<Item = f64>) -> f64 {
-    let [least, most] = ends(values);
-    (most - least).max(0.0)
+impl Summary {
+    /// Of readings and the bounds on their errors.
+    fn of(readings: impl Iterator<Item = (f64, f64)> + Clone) -> Summary {
+        let lengths = readings.clone().map(|(length, _)| length);
+        Summary {
+            ends: ends(lengths.clone()),
+            mean: mean(lengths),
+            error: readings.map(|(_, error)| error).fold(0.0, f64::max),
+        }
+    }
 }
 
 /// The reason why a gauge has no reading on this gear. It is a result, not a fault: the other gauges still measure.

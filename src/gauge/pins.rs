@@ -9,7 +9,7 @@
 //! slide along their spaces until they are opposite each other. So the anvils measure `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
 
 use super::seat::Seat;
-use super::{Unmeasured, ends, mean, tooth_after};
+use super::{Summary, Unmeasured, tooth_after};
 use nalgebra::Point2;
 
 /// One dimension over pins.
@@ -42,20 +42,10 @@ pub struct Pins {
     pub lying: Vec<OverPins>,
 }
 
-impl OverPins {
-    /// Mean of `list`, mm; `list` must not be empty.
-    pub fn mean(list: &[OverPins]) -> f64 {
-        mean(list.iter().map(|over| over.length))
-    }
-
-    /// Least and greatest of `list`, mm; `list` must not be empty.
-    pub fn ends(list: &[OverPins]) -> [f64; 2] {
-        ends(list.iter().map(|over| over.length))
-    }
-
-    /// Greatest bound on the error in `list`, mm.
-    pub fn error(list: &[OverPins]) -> f64 {
-        list.iter().map(|over| over.error).fold(0.0, f64::max)
+impl Pins {
+    /// The readings of `list` in short.
+    pub fn summary(list: &[OverPins]) -> Summary {
+        Summary::of(list.iter().map(|over| (over.length, over.error)))
     }
 }
 

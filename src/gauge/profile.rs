@@ -6,9 +6,10 @@
 //! is fitted over the roll. `f_Hα` is the rise of the mean line over the range, `f_fα` the range of the deviation about the mean line, and
 //! `F_α` the range of the deviation itself.
 
+use super::Unmeasured;
 use super::workpiece::Workpiece;
-use super::{Unmeasured, ends, mean, range};
 use crate::gear::{Flank, involute};
+use crate::numeric::{ends, mean, range};
 use crate::parallel;
 
 /// Points over a range (tuned: the range of a parabola is accurate to about 1e-5).
@@ -91,7 +92,7 @@ impl FlankTraces {
 
     /// Mean over the teeth.
     pub fn mean(&self, of: impl Fn(&TraceReading) -> f64) -> f64 {
-        mean(self.by_tooth(of).into_iter())
+        mean(self.by_tooth(of))
     }
 
     /// The value of greatest amount, with its sign, and its tooth.

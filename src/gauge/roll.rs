@@ -4,11 +4,12 @@
 //! part of a pitch apart give the curve. More poses are added where extremes are possible (see [`super::roll_extremes`]).
 
 use super::roll_extremes::{DeviationCurve, RollPose, RollRange, RollSample, bracketed};
-use super::{Unmeasured, ends, mean};
+use super::{Settings, Summary, Unmeasured};
 use crate::analytic::InvolutePair;
 use crate::contact::{Contact, LostMotion, PairAtDistance, PoseClass};
 use crate::error::{Error, GearError, Tick};
 use crate::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, involute};
+use crate::numeric::mean;
 use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use std::f64::consts::{FRAC_PI_4, TAU};
 
@@ -32,34 +33,25 @@ pub struct Roll {
 }
 
 impl Roll {
-    /// Greatest bound on the error of a pose, mm.
-    pub fn reading_error(&self) -> f64 {
+    /// `a''` of all poses in short, with the mean of the even ones.
+    pub fn distances(&self) -> Summary {
         let poses = self.poses.iter().chain(&self.between);
-        poses.map(|pose| pose.error).fold(0.0, f64::max)
-    }
-
-    /// Mean `a''` of the even poses, mm.
-    pub fn mean(&self) -> f64 {
-        mean(self.poses.iter().map(|pose| pose.distance))
-    }
-
-    /// Least and greatest `a''`, mm.
-    pub fn ends(&self) -> [f64; 2] {
-        let poses = self.poses.iter().chain(&self.between);
-        ends(poses.map(|pose| pose.distance))
+        Summary {
+            mean: mean(self.poses.iter().map(|pose| pose.distance)),
+            ..Summary::of(poses.map(|pose| (pose.distance, pose.error)))
+        }
     }
 }
 
-/// Rolls `gear` through one revolution over its `face`. `tick` is called as each pose begins, `more` with the number of further poses.
+/// Rolls `gear` through one revolution over its face. `tick` is called as each pose begins, `more` with the number of further poses.
 pub(super) fn roll(
     gear: &AsBuilt,
-    master_teeth: Option<u32>,
-    steps_per_pitch: u32,
-    face: [f64; 2],
+    settings: &Settings,
     more: &dyn Fn(usize),
     tick: &Tick,
 ) -> Result<Result<Roll, Unmeasured>, Error> {
-    let master = match master(gear, master_teeth) {
+    let steps_per_pitch = settings.steps_per_pitch;
+    let master = match master(gear, settings.master_teeth) {
         Ok(master) => master,
         Err(reason) => return Ok(Err(reason)),
     };
@@ -75,7 +67,7 @@ pub(super) fn roll(
     };
     let mate = AsBuilt::perfect(master.clone(), towards);
     let assembly = GearPair::with_locked(gear.clone(), mate, guess, Member::Wheel)?;
-    let assembly = assembly.with_face(face)?;
+    let assembly = assembly.with_face(settings.face)?;
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
     let bench = PairAtDistance::new(&assembly);

@@ -2,7 +2,8 @@
 
 use super::seat::{Seat, seats};
 use super::workpiece::Workpiece;
-use super::{Unmeasured, ends, mean, range};
+use super::{Summary, Unmeasured};
+use crate::numeric::range;
 
 /// The ball in one space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,28 +33,18 @@ impl RunoutReadings {
 
     /// Bound on the error of `F_r`, mm, for a difference of two readings.
     pub fn error(&self) -> f64 {
-        2.0 * self.reading_error()
+        2.0 * self.radii().error
     }
 
-    /// Greatest bound on the error of a reading, mm.
-    pub fn reading_error(&self) -> f64 {
-        let errors = self.readings.iter().map(|reading| reading.seat.error);
-        errors.fold(0.0, f64::max)
-    }
-
-    /// Least and greatest radius, mm.
-    pub fn ends(&self) -> [f64; 2] {
-        ends(self.readings.iter().map(|reading| reading.radius))
-    }
-
-    /// Mean radius, mm.
-    pub fn mean(&self) -> f64 {
-        mean(self.readings.iter().map(|reading| reading.radius))
+    /// The radii in short.
+    pub fn radii(&self) -> Summary {
+        let readings = self.readings.iter();
+        Summary::of(readings.map(|reading| (reading.radius, reading.seat.error)))
     }
 
     /// Readings of a dial that is set to zero at the mean: each radius less the mean, mm.
     pub fn deviations(&self) -> Vec<f64> {
-        let mean = self.mean();
+        let mean = self.radii().mean;
         let readings = self.readings.iter();
         readings.map(|reading| reading.radius - mean).collect()
     }

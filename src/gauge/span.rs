@@ -13,7 +13,7 @@
 //! the helix. Both contacts are on one such normal, in sections `W_k sin β_b` apart, with the measuring plane in the middle.
 
 use super::workpiece::Workpiece;
-use super::{Unmeasured, ends, mean};
+use super::{Summary, Unmeasured};
 use crate::contact::Touch;
 use crate::gear::{Flank, ProfilePart};
 use crate::parallel;
@@ -46,20 +46,9 @@ pub struct Spans {
 }
 
 impl Spans {
-    /// Mean span, mm.
-    pub fn mean(&self) -> f64 {
-        mean(self.readings.iter().map(|span| span.length))
-    }
-
-    /// Least and greatest span, mm.
-    pub fn ends(&self) -> [f64; 2] {
-        ends(self.readings.iter().map(|span| span.length))
-    }
-
-    /// Greatest bound on the error of a reading, mm.
-    pub fn error(&self) -> f64 {
-        let errors = self.readings.iter().map(|span| span.error);
-        errors.fold(0.0, f64::max)
+    /// The readings in short.
+    pub fn summary(&self) -> Summary {
+        Summary::of(self.readings.iter().map(|span| (span.length, span.error)))
     }
 }
 

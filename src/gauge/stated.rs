@@ -52,15 +52,17 @@ pub(super) fn stated(
     // Anvils on helical teeth touch beside the measuring plane, where leads add to the thickness.
     let has_leads = as_built.has_leads() && basic_data.hand().is_some();
     let spans = spans.as_ref().ok().filter(|_| !has_leads);
-    let by_spans = |spans: &Spans| formula::base_from_span(basic_data, spans.teeth, spans.mean());
+    let by_spans =
+        |spans: &Spans| formula::base_from_span(basic_data, spans.teeth, spans.summary().mean);
     let (base, error) = match (thickness, spans) {
         (Ok(arcs), _) => {
             // A gear file states the normal section.
-            let allowance = (arcs.mean() - as_built.arc_of_profiles() - arcs.nominal) * arcs.normal;
+            let allowance =
+                (arcs.summary().mean - as_built.arc_of_profiles() - arcs.nominal) * arcs.normal;
             let base = formula::base_from_allowance(basic_data, nominal, allowance);
             (base, arcs.error)
         }
-        (Err(_), Some(spans)) => (by_spans(spans), spans.error() / cos),
+        (Err(_), Some(spans)) => (by_spans(spans), spans.summary().error / cos),
         (Err(reason), None) => return Err(reason.clone()),
     };
     let allowance = formula::allowance_from_base(basic_data, nominal, base);

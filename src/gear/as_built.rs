@@ -1,12 +1,13 @@
 //! A gear as built: the place of every flank, and the axis of rotation.
 
 use super::lead::Leads;
-use super::modified_flanks::{ModifiedHalves, end_at};
+use super::modified_flanks::{self, HalfTeeth, end_at};
 use super::{
-    DeviationCurve, Deviations, Face, Flank, Gear, Lead, Modification, PartCurve, Profile,
-    ProfilePart, Side, involute, thickness,
+    DeviationCurve, Deviations, Face, Flank, Gear, Lead, Modification, Profile, ProfilePart, Side,
+    involute, thickness,
 };
 use crate::error::GearError;
+use crate::numeric::ends;
 use nalgebra::{UnitComplex, Vector2};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -27,7 +28,7 @@ pub struct AsBuilt {
     wobble: f64,
     wobble_tooth: f64,
     /// Right and left half teeth; `None` without profile deviations.
-    modified: Option<Arc<[ModifiedHalves; 2]>>,
+    modified: Option<Arc<[HalfTeeth; 2]>>,
     /// `None` without lead deviations. The offsets contain their values at `height`.
     leads: Option<Arc<Leads>>,
     /// Height of this section above the measuring plane, mm, away from the reference face; it matters to leads alone.
@@ -204,11 +205,12 @@ impl AsBuilt {
         &self,
         gear: &Gear,
         factor: f64,
-    ) -> Result<Option<Arc<[ModifiedHalves; 2]>>, GearError> {
+    ) -> Result<Option<Arc<[HalfTeeth; 2]>>, GearError> {
         let Some(sides) = &self.modified else {
             return Ok(None);
         };
-        let [right, left] = sides.each_ref().map(|side| side.exaggerated(gear, factor));
+        let exaggerated = |side| modified_flanks::exaggerated(side, gear, factor);
+        let [right, left] = sides.each_ref().map(exaggerated);
         Ok(Some(Arc::new([right?, left?])))
     }
 
@@ -431,7 +433,7 @@ impl AsBuilt {
 
     /// Number of different half teeth on `side`: 1 unless profiles were measured tooth by tooth.
     pub(crate) fn shapes(&self, side: Side) -> usize {
-        self.halves(side).map_or(1, |halves| halves.shapes.len())
+        self.halves(side).map_or(1, |halves| halves.shapes().len())
     }
 
     /// Index of a tooth's half-tooth shape on `side`.
@@ -442,22 +444,20 @@ impl AsBuilt {
     /// The half tooth of a shape on `side`.
     pub(crate) fn shape(&self, side: Side, shape: usize) -> Profile<'_> {
         match self.halves(side) {
-            Some(halves) => Profile::of(&self.gear, &halves.shapes[shape]),
+            Some(halves) => Profile::of(&self.gear, &halves.shapes()[shape]),
             None => Profile::new(&self.gear),
         }
     }
 
-    fn halves(&self, side: Side) -> Option<&ModifiedHalves> {
+    fn halves(&self, side: Side) -> Option<&HalfTeeth> {
         let sides = self.modified.as_ref()?;
         Some(&sides[side.index()])
     }
 
     /// Profile deviation of the flank on `side` of `tooth` over the roll; `None` without profile deviations.
     pub fn modification(&self, side: Side, tooth: u32) -> Option<&DeviationCurve> {
-        match &self.profile(side, tooth).part(ProfilePart::Involute).curve {
-            PartCurve::Modified(flank) => Some(flank.deviation()),
-            _ => None,
-        }
+        let involute = self.profile(side, tooth).part(ProfilePart::Involute);
+        involute.curve.deviation()
     }
 
     /// Whether the profiles of one side differ between teeth.
@@ -553,8 +553,7 @@ impl AsBuilt {
     /// The lead deviation of a tooth's flank over the height; `None` without lead deviations.
     pub(crate) fn lead_curve(&self, side: Side, tooth: u32) -> Option<&DeviationCurve> {
         let leads = self.leads.as_deref()?;
-        let flank = self.face.flank_of(side);
-        Some(leads.shape(flank, leads.shape_of(flank, tooth)))
+        Some(leads.of(self.face.flank_of(side)).of(tooth))
     }
 
     /// Places, mm from this section away from the viewer and in no order, between which the lead of a tooth's flank is one cubic.
@@ -592,13 +591,7 @@ impl AsBuilt {
         let more = more / self.gear.base_radius();
         let limits = Side::BOTH.map(|side| {
             let all = [&outer, &inner].map(|gear| gear.offsets[side.index()].iter());
-            let ends = (f64::INFINITY, f64::NEG_INFINITY);
-            let (least, most) = all
-                .into_iter()
-                .flatten()
-                .fold(ends, |(least, most), offset| {
-                    (least.min(*offset), most.max(*offset))
-                });
+            let [least, most] = ends(all.into_iter().flatten());
             [least - more, most + more]
         });
         let spread = |side: Side, tooth, _| limits[side.index()][usize::from(tooth == 1)];
@@ -610,12 +603,9 @@ impl AsBuilt {
 
     /// Whether all teeth have one lead on each flank.
     pub(crate) fn has_one_lead(&self) -> bool {
-        let one = |leads: &Leads| {
-            Flank::BOTH
-                .into_iter()
-                .all(|flank| leads.shapes(flank) == 1)
-        };
-        self.leads.as_deref().is_none_or(one)
+        let flanks = Flank::BOTH.into_iter();
+        let mut leads = flanks.filter_map(|flank| Some(self.leads.as_deref()?.of(flank)));
+        leads.all(|leads| leads.shapes().len() == 1)
     }
 
     /// Teeth that have every lead of the gear: the first one, or all.
@@ -641,14 +631,10 @@ impl AsBuilt {
         };
         let base = self.gear.base_radius();
         let more = Side::BOTH.map(|side| {
-            let flank = self.face.flank_of(side);
-            let curves = (0..leads.shapes(flank)).map(|shape| leads.shape(flank, shape));
-            let more = curves.map(|curve| side.sense() * more(curve) / base);
-            more.collect::<Vec<f64>>()
+            let curves = leads.of(self.face.flank_of(side));
+            curves.map(|curve| side.sense() * more(curve) / base)
         });
-        let turned = |side: Side, tooth, offset| {
-            offset + more[side.index()][leads.shape_of(self.face.flank_of(side), tooth)]
-        };
+        let turned = |side: Side, tooth, offset| offset + more[side.index()].of(tooth);
         AsBuilt {
             offsets: self.offsets_by(turned),
             ..self.clone()
@@ -713,11 +699,7 @@ impl AsBuilt {
     fn profiles(&self, side: Side) -> impl Iterator<Item = (Option<&DeviationCurve>, (f64, f64))> {
         (0..self.shapes(side)).map(move |shape| {
             let part = self.shape(side, shape).part(ProfilePart::Involute);
-            let curve = match &part.curve {
-                PartCurve::Modified(flank) => Some(flank.deviation()),
-                _ => None,
-            };
-            (curve, part.range())
+            (part.curve.deviation(), part.range())
         })
     }
 
@@ -844,7 +826,7 @@ impl AsBuilt {
             return self.clone();
         }
         let across = |side: Side, tooth, _| -self.flank_offset(side.other(), tooth);
-        let swapped = |[right, left]: &[ModifiedHalves; 2]| Arc::new([left.clone(), right.clone()]);
+        let swapped = |[right, left]: &[HalfTeeth; 2]| Arc::new([left.clone(), right.clone()]);
         AsBuilt {
             face,
             offsets: self.offsets_by(across),
@@ -875,14 +857,13 @@ pub(super) fn modified(
     gear: &Gear,
     face: Face,
     profiles: &[Modification; 2],
-) -> Result<Option<[ModifiedHalves; 2]>, GearError> {
+) -> Result<Option<[HalfTeeth; 2]>, GearError> {
     if profiles.iter().all(Modification::is_none) {
         return Ok(None);
     }
     let halves = Side::BOTH.map(|side| {
-        let own = Flank::BOTH.map(|own| face.seen_from_front(own));
-        let which = usize::from(own[0] != side);
-        ModifiedHalves::new(gear, &profiles[which].curves(gear)?)
+        let profile = &profiles[face.flank_of(side).index()];
+        modified_flanks::modified(gear, &profile.curves(gear)?)
     });
     let [right, left] = halves;
     Ok(Some([right?, left?]))

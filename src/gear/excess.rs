@@ -15,12 +15,12 @@
 
 use super::modified_flanks::end_at;
 use super::{
-    DeviationCurve, Deviations, Flank, FlankShifts, Gear, Modification, involute, thickness,
+    ByTooth, DeviationCurve, Deviations, Flank, FlankShifts, Gear, Modification, involute,
+    thickness,
 };
 use crate::error::GearError;
 use crate::numeric::golden_section;
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// Samples over the range of possible contact. Tuned: a measured trace has some hundred points on the whole flank.
 const SAMPLES: usize = 64;
@@ -93,8 +93,8 @@ impl GaugedFlank<'_> {
 /// The profile deviations of all flanks of a gear.
 pub(crate) struct Excess<'a> {
     gear: &'a Gear,
-    /// Curves of the gear's own right and left flanks: one per tooth, or one for all teeth.
-    curves: [Vec<Arc<DeviationCurve>>; 2],
+    /// Curves of the gear's own right and left flanks.
+    curves: [ByTooth<DeviationCurve>; 2],
 }
 
 impl<'a> Excess<'a> {
@@ -124,15 +124,15 @@ impl<'a> Excess<'a> {
     ) -> FlankShifts {
         let gear = self.gear;
         let cos = gear.basic_data().transverse_pressure_angle().cos();
-        let mut known: HashMap<(*const DeviationCurve, u64), f64> = HashMap::new();
-        let mut of_side = |own: Flank| -> Vec<f64> {
+        let mut known: HashMap<(Flank, usize, u64), f64> = HashMap::new();
+        let of_side = |own: Flank| -> Vec<f64> {
             let curves = &self.curves[own.index()];
             let teeth = 1..=gear.basic_data().teeth();
             let of_tooth = |tooth: u32| {
-                let curve = &curves[(tooth as usize - 1).min(curves.len() - 1)];
+                let curve = curves.of(tooth);
                 let place = at(own, tooth);
                 *known
-                    .entry((Arc::as_ptr(curve), place.to_bits()))
+                    .entry((own, curves.shape_of(tooth), place.to_bits()))
                     .or_insert_with(|| {
                         let base = gear.base_radius();
                         let ends = [gear.form_roll(), gear.tip_roll()];
@@ -149,10 +149,7 @@ impl<'a> Excess<'a> {
             let shifts = teeth.map(of_tooth).map(|mm| outward * mm);
             shifts.collect()
         };
-        FlankShifts {
-            right: of_side(Flank::Right),
-            left: of_side(Flank::Left),
-        }
+        FlankShifts(Flank::BOTH.map(of_side))
     }
 
     /// Excess where the anvils of a span over `k` teeth touch, with flanks displaced as in `known`.
@@ -184,8 +181,7 @@ impl<'a> Excess<'a> {
     ) -> Result<FlankShifts, GearError> {
         let gear = self.gear;
         let basic_data = gear.basic_data();
-        let mut standing = FlankShifts::new(basic_data, known)?;
-        standing.add(before);
+        let standing = FlankShifts::new(basic_data, known)?.plus(before);
         let teeth = basic_data.teeth();
         let at = |own: Flank, tooth: u32| {
             // The space after the tooth of the right flank.

@@ -1,15 +1,15 @@
 //! The inspection sheet of a gear as built.
 
-use super::{AsBuilt, Flank, Side, pitch};
+use super::{AsBuilt, Flank, Pitch, Side};
 
 /// Pitch, thickness and runout of each tooth, tooth 1 first.
 ///
-/// Lengths are mm at the reference circle, about the gear's own centre, positive along ascending numbers. `right` and `left` are
-/// the gear's *own* flanks. A thick tooth also shows in the pitch of both its flanks, as on a measuring machine.
+/// Lengths are mm at the reference circle, about the gear's own centre, positive along ascending numbers. A thick tooth also shows
+/// in the pitch of both its flanks, as on a measuring machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inspection {
-    right: Vec<f64>,
-    left: Vec<f64>,
+    /// Pitch of both flanks.
+    pub pitch: Pitch,
     thickness: Vec<f64>,
     runout: Vec<f64>,
 }
@@ -32,8 +32,7 @@ impl Inspection {
         let cumulative = |own: Flank| {
             let front = gear.face().seen_from_front(own);
             let place = |tooth| ascending * r * gear.flank_offset(front, tooth);
-            let mean = teeth().map(place).sum::<f64>() / f64::from(basic_data.teeth());
-            teeth().map(|tooth| place(tooth) - mean).collect()
+            teeth().map(place).collect::<Vec<f64>>()
         };
         let thickness = |tooth| {
             r * (gear.flank_offset(Side::Left, tooth) - gear.flank_offset(Side::Right, tooth))
@@ -43,8 +42,7 @@ impl Inspection {
             gear.eccentricity() * from_high.cos()
         };
         Inspection {
-            right: cumulative(Flank::Right),
-            left: cumulative(Flank::Left),
+            pitch: Pitch::from_cumulative(&cumulative(Flank::Right), &cumulative(Flank::Left)),
             thickness: teeth().map(thickness).collect(),
             runout: teeth().map(runout).collect(),
         }
@@ -57,33 +55,9 @@ impl Inspection {
 
     /// The greatest amount of a deviation, mm.
     fn greatest(&self) -> f64 {
-        let all = [&self.right, &self.left, &self.thickness, &self.runout];
+        let [right, left] = Flank::BOTH.map(|flank| self.pitch.flank(flank));
+        let all = [right, left, &self.thickness, &self.runout];
         let amounts = all.into_iter().flatten().map(|mm| mm.abs());
-        amounts.fold(0.0, f64::max)
-    }
-
-    /// Cumulative pitch deviation `F_i` of the gear's own `flank` flanks, about their mean.
-    pub fn cumulative(&self, flank: Flank) -> &[f64] {
-        match flank {
-            Flank::Right => &self.right,
-            Flank::Left => &self.left,
-        }
-    }
-
-    /// Single pitch deviation `f_i = F_i − F_(i−1)`; tooth 1 counts from the last tooth.
-    pub fn single(&self, flank: Flank) -> Vec<f64> {
-        pitch::single(self.cumulative(flank))
-    }
-
-    /// Total cumulative pitch deviation `F_p`: the range of `F_i`.
-    pub fn total_cumulative(&self, flank: Flank) -> f64 {
-        let values = || self.cumulative(flank).iter().copied();
-        values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
-    }
-
-    /// Single pitch deviation `f_p`: the largest amount of `f_i`.
-    pub fn largest_single(&self, flank: Flank) -> f64 {
-        let amounts = self.single(flank).into_iter().map(f64::abs);
         amounts.fold(0.0, f64::max)
     }
 
@@ -116,7 +90,7 @@ mod tests {
                 };
                 let found = Inspection::of(&GearDesign::plain(20, 2.0).built(face, &deviations));
                 for flank in [Flank::Right, Flank::Left] {
-                    let found = found.cumulative(flank);
+                    let found = found.pitch.flank(flank);
                     for (index, found) in found.iter().enumerate() {
                         let own: f64 = if index == 4 { own } else { 0.0 };
                         let off = found.abs() - (own - mean).abs();

@@ -7,9 +7,8 @@
 //! Pitch and thickness hold at the height where they were measured, so every deviation is 0 there ([`Lead::zero`]).
 
 use super::modification::of_teeth;
-use super::{DeviationCurve, Flank, Hand, Trace};
+use super::{ByTooth, DeviationCurve, Flank, Hand, Trace};
 use crate::error::GearError;
-use std::sync::Arc;
 
 /// Material removed towards an end of the teeth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,17 +60,15 @@ impl Lead {
             && self.traces.is_empty()
     }
 
-    /// The deviation of every tooth's flank of a gear with `teeth`, tooth 1 first; a single curve if all teeth share it.
+    /// The deviation of every tooth's flank of a gear with `teeth`.
     ///
     /// # Errors
     /// Ends or an evaluation range without length; a range or a zero beyond the ends; a relief below 0, longer than the teeth or without
     /// length; traces as in [`super::Modification::curves`].
-    pub fn curves(&self, teeth: u32) -> Result<Vec<Arc<DeviationCurve>>, GearError> {
+    pub fn curves(&self, teeth: u32) -> Result<ByTooth<DeviationCurve>, GearError> {
         let designed = self.designed()?;
         let curve = |trace: &Trace| {
-            let is_good = |point: &(f64, f64)| point.0.is_finite() && point.1.is_finite();
-            let ascends = trace.points.windows(2).all(|pair| pair[1].0 > pair[0].0);
-            if trace.points.len() >= 2 && ascends && trace.points.iter().all(is_good) {
+            if trace.ascends() {
                 Ok(DeviationCurve::linear(&trace.points))
             } else {
                 Err(GearError::Readings(
@@ -80,21 +77,7 @@ impl Lead {
             }
         };
         let curves = of_teeth(&designed, &self.traces, teeth, curve)?;
-        let raised = |curve: Arc<DeviationCurve>| {
-            let more = -curve.at(self.zero);
-            Arc::new((*curve).clone().raised(more))
-        };
-        // Teeth without a trace of their own share one curve, before and after.
-        let mut last: Option<(Arc<DeviationCurve>, Arc<DeviationCurve>)> = None;
-        let mut shared = Vec::with_capacity(curves.len());
-        for curve in curves {
-            let known = last.as_ref().filter(|(own, _)| Arc::ptr_eq(own, &curve));
-            let zeroed = known.map(|(_, zeroed)| Arc::clone(zeroed));
-            let zeroed = zeroed.unwrap_or_else(|| raised(Arc::clone(&curve)));
-            shared.push(Arc::clone(&zeroed));
-            last = Some((curve, zeroed));
-        }
-        Ok(shared)
+        Ok(curves.map(|curve| curve.clone().raised(-curve.at(self.zero))))
     }
 
     /// Slope, crowning and end reliefs.
@@ -167,17 +150,9 @@ impl Lead {
 /// The leads of a gear's own right and left flanks.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Leads {
-    flanks: [FlankLeads; 2],
+    flanks: [ByTooth<DeviationCurve>; 2],
     /// Heights between which every trace has points, mm; `None` without traces.
     traced: Option<[f64; 2]>,
-}
-
-/// The leads of one flank of all teeth: few curves, and the curve of each tooth.
-#[derive(Debug, Clone, PartialEq)]
-struct FlankLeads {
-    curves: Vec<Arc<DeviationCurve>>,
-    /// Index of each tooth's curve, tooth 1 first; empty: all teeth have the first curve.
-    of_tooth: Vec<u32>,
 }
 
 impl Leads {
@@ -192,10 +167,10 @@ impl Leads {
         let [right, left] = leads.each_ref().map(|lead| {
             // A flank without deviations has no face of its own to check.
             if lead.is_none() {
-                let none = Arc::new(DeviationCurve::polynomial([0.0, 1.0], [0.0; 4]));
-                return Ok(FlankLeads::of(vec![none]));
+                let none = DeviationCurve::polynomial([0.0, 1.0], [0.0; 4]);
+                return Ok(ByTooth::same(none));
             }
-            Ok(FlankLeads::of(lead.curves(teeth)?))
+            lead.curves(teeth)
         });
         let traces = leads.iter().flat_map(|lead| &lead.traces);
         let ends =
@@ -210,12 +185,7 @@ impl Leads {
     /// These leads and `further` ones, which all teeth of a flank share.
     pub fn plus(mut self, further: &Leads) -> Leads {
         for (own, further) in self.flanks.iter_mut().zip(&further.flanks) {
-            for curve in &mut own.curves {
-                *curve = Arc::new(DeviationCurve::sum(&[
-                    (1.0, &**curve),
-                    (1.0, &*further.curves[0]),
-                ]));
-            }
+            *own = own.map(|curve| DeviationCurve::sum(&[(1.0, curve), (1.0, further.of(1))]));
         }
         self
     }
@@ -225,50 +195,16 @@ impl Leads {
         self.traced
     }
 
-    /// Number of different leads on a flank.
-    pub fn shapes(&self, flank: Flank) -> usize {
-        self.flanks[flank.index()].curves.len()
-    }
-
-    /// Index of a tooth's lead on a flank.
-    pub fn shape_of(&self, flank: Flank, tooth: u32) -> usize {
-        let own = self.flanks[flank.index()].of_tooth.get(tooth as usize - 1);
-        own.map_or(0, |&shape| shape as usize)
-    }
-
-    /// A lead of a flank, by its index.
-    pub fn shape(&self, flank: Flank, shape: usize) -> &DeviationCurve {
-        &self.flanks[flank.index()].curves[shape]
+    /// The leads of a flank.
+    pub fn of(&self, flank: Flank) -> &ByTooth<DeviationCurve> {
+        &self.flanks[flank.index()]
     }
 
     /// These leads with `change` applied to every curve, and heights multiplied by `factor`.
     pub fn map(&self, factor: f64, change: impl Fn(&DeviationCurve) -> DeviationCurve) -> Leads {
-        let flanks = self.flanks.each_ref().map(|flank| FlankLeads {
-            curves: (flank.curves.iter())
-                .map(|curve| Arc::new(change(curve)))
-                .collect(),
-            of_tooth: flank.of_tooth.clone(),
-        });
+        let flanks = self.flanks.each_ref().map(|flank| flank.map(&change));
         let traced = self.traced.map(|ends| ends.map(|end| factor * end));
         Leads { flanks, traced }
-    }
-}
-
-impl FlankLeads {
-    fn of(all: Vec<Arc<DeviationCurve>>) -> FlankLeads {
-        let mut curves: Vec<Arc<DeviationCurve>> = Vec::new();
-        let mut of_tooth = Vec::with_capacity(all.len());
-        for curve in all {
-            let known = curves.iter().position(|known| Arc::ptr_eq(known, &curve));
-            of_tooth.push(known.unwrap_or(curves.len()) as u32);
-            if known.is_none() {
-                curves.push(curve);
-            }
-        }
-        if curves.len() == 1 {
-            of_tooth.clear();
-        }
-        FlankLeads { curves, of_tooth }
     }
 }
 
@@ -323,7 +259,7 @@ mod tests {
         }
         for (lead, height, expected) in cases {
             let expected: f64 = expected;
-            let found = lead.curves(20).unwrap()[0].at(height);
+            let found = lead.curves(20).unwrap().of(1).at(height);
             let is_near = (found - expected).abs() < 1e-15;
             assert!(is_near, "{lead:?} at {height}: {found} {expected}");
         }

@@ -4,6 +4,7 @@
 //! centre line on +x.
 
 mod as_built;
+mod by_tooth;
 mod datum;
 mod design;
 mod deviation_curve;
@@ -33,6 +34,7 @@ mod test_gears;
 pub mod thickness;
 
 pub use as_built::AsBuilt;
+pub use by_tooth::ByTooth;
 pub use datum::{EccentricitySeparation, separate_eccentricity, without_eccentricity};
 pub use design::{BasicGearData, BasicRack, GearDesign, Hand};
 pub use deviation_curve::DeviationCurve;
@@ -54,7 +56,6 @@ pub use placed::Placed;
 pub(crate) use placed::steps_near;
 pub(crate) use readings::FlankShifts;
 pub use readings::Readings;
-pub(crate) use runout::range;
 pub use runout::{Probe, RunoutFit, RunoutReadings};
 pub use side::{Face, Flank, Side};
 pub use spans::{PerTooth, Spans};

@@ -6,9 +6,8 @@
 //! The deviation is a curve of the roll (`deviation_curve`) on a flank (`part::modified`).
 //! [`AsBuilt::profile`](super::AsBuilt::profile) is the half tooth of one tooth.
 
-use super::{DeviationCurve, Gear, involute};
+use super::{ByTooth, DeviationCurve, Gear, involute};
 use crate::error::GearError;
-use std::sync::Arc;
 
 /// Material removed towards the tip or the root.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,12 +65,12 @@ impl Modification {
         }
     }
 
-    /// The deviation of every tooth's flank on `gear`, tooth 1 first; a single curve if all teeth share it.
+    /// The deviation of every tooth's flank on `gear`.
     ///
     /// # Errors
     /// An evaluation range or a relief beyond the flank or without length; a relief below 0; a trace with fewer than two points or not
     /// ascending; a second trace of a tooth, or one of a tooth that does not exist.
-    pub fn curves(&self, gear: &Gear) -> Result<Vec<Arc<DeviationCurve>>, GearError> {
+    pub fn curves(&self, gear: &Gear) -> Result<ByTooth<DeviationCurve>, GearError> {
         let designed = self.designed(gear)?;
         let teeth = gear.basic_data().teeth();
         of_teeth(&designed, &self.traces, teeth, Trace::curve)
@@ -155,11 +154,16 @@ impl Modification {
 }
 
 impl Trace {
+    /// Whether it has two finite points or more, strictly ascending.
+    pub(super) fn ascends(&self) -> bool {
+        let finite = |point: &(f64, f64)| point.0.is_finite() && point.1.is_finite();
+        self.points.len() >= 2
+            && self.points.windows(2).all(|pair| pair[1].0 > pair[0].0)
+            && self.points.iter().all(finite)
+    }
+
     fn curve(&self) -> Result<DeviationCurve, GearError> {
-        let finite =
-            |point: &(f64, f64)| point.0.is_finite() && point.0 >= 0.0 && point.1.is_finite();
-        let ascends = self.points.windows(2).all(|pair| pair[1].0 > pair[0].0);
-        if self.points.len() >= 2 && ascends && self.points.iter().all(finite) {
+        if self.ascends() && self.points.iter().all(|(roll, _)| *roll >= 0.0) {
             Ok(DeviationCurve::through(&self.points))
         } else {
             Err(GearError::Readings(
@@ -169,8 +173,7 @@ impl Trace {
     }
 }
 
-/// The deviation of every tooth's flank, tooth 1 first: `designed` plus its trace, or plus the mean of all traces. A single curve if all
-/// teeth share it.
+/// The deviation of every tooth's flank: `designed` plus its trace, or plus the mean of all traces.
 ///
 /// # Errors
 /// A second trace of a tooth, or one of a tooth that does not exist; errors of `curve`.
@@ -179,7 +182,7 @@ pub(super) fn of_teeth(
     traces: &[Trace],
     teeth: u32,
     curve: impl Fn(&Trace) -> Result<DeviationCurve, GearError>,
-) -> Result<Vec<Arc<DeviationCurve>>, GearError> {
+) -> Result<ByTooth<DeviationCurve>, GearError> {
     let mut own: Vec<Option<DeviationCurve>> = vec![None; teeth as usize];
     let mut all = None;
     for trace in traces {
@@ -197,22 +200,27 @@ pub(super) fn of_teeth(
             ));
         }
     }
-    let total =
-        |trace: &DeviationCurve| Arc::new(DeviationCurve::sum(&[(1.0, designed), (1.0, trace)]));
+    let total = |trace: &DeviationCurve| DeviationCurve::sum(&[(1.0, designed), (1.0, trace)]);
     if let Some(trace) = all {
-        return Ok(vec![total(&trace)]);
+        return Ok(ByTooth::same(total(&trace)));
     }
     let measured: Vec<&DeviationCurve> = own.iter().flatten().collect();
     if measured.is_empty() {
-        return Ok(vec![Arc::new(designed.clone())]);
+        return Ok(ByTooth::same(designed.clone()));
     }
     let share = 1.0 / measured.len() as f64;
     let weighed: Vec<(f64, &DeviationCurve)> =
         measured.iter().map(|curve| (share, *curve)).collect();
-    let mean = total(&DeviationCurve::sum(&weighed));
-    let curve =
-        |own: &Option<DeviationCurve>| own.as_ref().map_or_else(|| Arc::clone(&mean), total);
-    Ok(own.iter().map(curve).collect())
+    let mut shapes: Vec<DeviationCurve> = measured.into_iter().map(total).collect();
+    let mean = shapes.len();
+    if mean < own.len() {
+        shapes.push(total(&DeviationCurve::sum(&weighed)));
+    }
+    let mut measured = 0..mean;
+    let of_tooth = own
+        .iter()
+        .map(|own| own.as_ref().and_then(|_| measured.next()).unwrap_or(mean));
+    Ok(ByTooth::new(shapes, of_tooth.collect()))
 }
 
 #[cfg(test)]
@@ -238,11 +246,14 @@ mod tests {
         let found = curves(&[(Some(1), 1e-3), (Some(5), 2e-3), (Some(20), 6e-3)]).unwrap();
         let mut expected = [3e-3; 20];
         (expected[0], expected[4], expected[19]) = (1e-3, 2e-3, 6e-3);
-        assert_eq!(found.len(), 20);
-        for (curve, expected) in found.iter().zip(expected) {
-            assert!((curve.at(0.3) - expected).abs() < 1e-15, "{expected}");
+        assert_eq!(found.shapes().len(), 4);
+        for (tooth, expected) in (1..).zip(expected) {
+            assert!(
+                (found.of(tooth).at(0.3) - expected).abs() < 1e-15,
+                "{expected}"
+            );
         }
-        assert_eq!(curves(&[(None, 1e-3)]).unwrap().len(), 1);
+        assert_eq!(curves(&[(None, 1e-3)]).unwrap().shapes().len(), 1);
         for traces in [
             [(None, 1e-3), (None, 2e-3)],
             [(None, 1e-3), (Some(1), 2e-3)],

@@ -4,81 +4,52 @@
 //! base circle have the involute's lengths. Fillet and root land turn with the lower end of the flank.
 
 use super::part::ModifiedFlank;
-use super::{DeviationCurve, Gear, Part, PartCurve, ProfilePart};
+use super::{ByTooth, DeviationCurve, Gear, Part, PartCurve, ProfilePart};
 use crate::error::GearError;
 use crate::numeric::bisect;
-use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The half teeth of one side of a gear: few shapes, and the shape of each tooth.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct ModifiedHalves {
-    pub shapes: Vec<[Part; 4]>,
-    /// Index of each tooth's shape, tooth 1 first; empty: all teeth have the first shape.
-    pub of_tooth: Vec<u32>,
+/// The half teeth of one side of a gear.
+pub(super) type HalfTeeth = ByTooth<[Part; 4]>;
+
+/// The half teeth of `gear` with deviations.
+///
+/// # Errors
+/// As [`half_tooth`].
+pub(super) fn modified(
+    gear: &Gear,
+    curves: &ByTooth<DeviationCurve>,
+) -> Result<HalfTeeth, GearError> {
+    curves.try_map(|curve| half_tooth(gear, curve.clone()))
 }
 
-impl ModifiedHalves {
-    /// The half teeth of `gear` with one deviation per tooth, or one for all teeth.
-    ///
-    /// # Errors
-    /// As [`half_tooth`].
-    pub fn new(gear: &Gear, curves: &[Arc<DeviationCurve>]) -> Result<ModifiedHalves, GearError> {
-        let mut shapes = Vec::new();
-        let mut known = HashMap::new();
-        let mut of_tooth = Vec::with_capacity(curves.len());
-        for curve in curves {
-            let shape = match known.get(&Arc::as_ptr(curve)) {
-                Some(&shape) => shape,
-                None => {
-                    shapes.push(half_tooth(gear, curve)?);
-                    let shape = shapes.len() as u32 - 1;
-                    known.insert(Arc::as_ptr(curve), shape);
-                    shape
-                }
-            };
-            of_tooth.push(shape);
-        }
-        if shapes.len() == 1 {
-            of_tooth.clear();
-        }
-        Ok(ModifiedHalves { shapes, of_tooth })
-    }
-
-    /// Index of a tooth's shape.
-    pub fn shape_of(&self, tooth: u32) -> usize {
-        let shape = self.of_tooth.get(tooth as usize - 1);
-        shape.map_or(0, |&shape| shape as usize)
-    }
-
-    /// The half teeth of `gear` with these deviations multiplied by `factor`.
-    ///
-    /// # Errors
-    /// As [`half_tooth`].
-    pub fn exaggerated(&self, gear: &Gear, factor: f64) -> Result<ModifiedHalves, GearError> {
-        let enlarged = |parts: &[Part; 4]| match &parts[ProfilePart::Involute as usize].curve {
-            PartCurve::Modified(flank) => {
-                half_tooth(gear, &Arc::new(flank.deviation().scaled(factor)))
-            }
-            _ => Ok(gear.parts().clone()),
-        };
-        Ok(ModifiedHalves {
-            shapes: self.shapes.iter().map(enlarged).collect::<Result<_, _>>()?,
-            of_tooth: self.of_tooth.clone(),
-        })
-    }
+/// The half teeth of `gear` with the deviations of `halves` multiplied by `factor`.
+///
+/// # Errors
+/// As [`half_tooth`].
+pub(super) fn exaggerated(
+    halves: &HalfTeeth,
+    gear: &Gear,
+    factor: f64,
+) -> Result<HalfTeeth, GearError> {
+    halves.try_map(
+        |parts| match parts[ProfilePart::Involute as usize].curve.deviation() {
+            Some(deviation) => half_tooth(gear, deviation.scaled(factor)),
+            None => Ok(gear.parts().clone()),
+        },
+    )
 }
 
 /// The half tooth of `gear` with a deviation.
 ///
 /// # Errors
 /// [`GearError::Profile`] if the flank is irregular or leaves no tip land.
-fn half_tooth(gear: &Gear, deviation: &Arc<DeviationCurve>) -> Result<[Part; 4], GearError> {
+fn half_tooth(gear: &Gear, deviation: DeviationCurve) -> Result<[Part; 4], GearError> {
     let base = gear.base_radius();
     let [tip, form] = [gear.tip_roll(), gear.form_roll()];
     let fault = |what| GearError::Profile { what };
     let folded = "turns back on itself or crosses the base circle";
-    let ends = [tip, form].map(|roll| end_at(base, roll, deviation));
+    let ends = [tip, form].map(|roll| end_at(base, roll, &deviation));
     let [Some(tip_end), Some(form_end)] = ends else {
         return Err(fault(folded));
     };
@@ -88,7 +59,7 @@ fn half_tooth(gear: &Gear, deviation: &Arc<DeviationCurve>) -> Result<[Part; 4],
         ));
     }
     let range = [form_end, tip_end];
-    let flank = ModifiedFlank::new(base, gear.half_base_angle(), Arc::clone(deviation), range);
+    let flank = ModifiedFlank::new(base, gear.half_base_angle(), Arc::new(deviation), range);
     let flank = flank.ok_or(fault(folded))?;
     let [mut land, mut side, mut fillet, mut bottom] = gear.parts().clone();
     // Both ends turn by the change of their rolls.

@@ -59,9 +59,7 @@ impl PinReadings {
     }
 
     fn shifts(&self, known: &Deviations) -> Result<FlankShifts, GearError> {
-        let mut shifts = FlankShifts::new(&self.basic_data, known)?;
-        shifts.add(&self.touched);
-        Ok(shifts)
+        Ok(FlankShifts::new(&self.basic_data, known)?.plus(&self.touched))
     }
 
     /// `D_M`, mm.

@@ -4,6 +4,7 @@
 //! its own mean. `right` and `left` are the gear's *own* flanks.
 
 use super::Flank;
+use crate::numeric::{mean, range};
 
 /// The axis about which pitch is measured.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -94,9 +95,38 @@ impl Pitch {
         }
     }
 
-    /// `f_i = F_i − F_{i−1}` of every tooth's own `side` flank, mm.
+    /// `f_i = F_i − F_{i−1}` of every tooth's own `side` flank, mm; tooth 1 counts from the last tooth.
     pub fn single(&self, side: Flank) -> Vec<f64> {
-        single(self.flank(side))
+        let cumulative = self.flank(side);
+        let before = cumulative.last().into_iter().chain(cumulative);
+        cumulative.iter().zip(before).map(|(f, b)| f - b).collect()
+    }
+
+    /// Greatest single deviation `f_p` of a flank, mm, by amount.
+    pub fn greatest_single(&self, side: Flank) -> f64 {
+        let amounts = self.single(side).into_iter().map(f64::abs);
+        amounts.fold(0.0, f64::max)
+    }
+
+    /// Greatest difference `f_u` of two single deviations of a flank one after the other, mm.
+    pub fn adjacent_difference(&self, side: Flank) -> f64 {
+        greatest_change(&self.single(side), 1)
+    }
+
+    /// Greatest cumulative deviation of a flank over an eighth of the teeth, `F_p(z/8)`, mm, over the nearest whole number of pitches.
+    pub fn eighth(&self, side: Flank) -> f64 {
+        let curve = self.flank(side);
+        greatest_change(curve, usize::max(1, (curve.len() + 4) / 8))
+    }
+
+    /// Range `R_p` of the single deviations of a flank, mm.
+    pub fn single_range(&self, side: Flank) -> f64 {
+        range(self.single(side))
+    }
+
+    /// Total cumulative deviation `F_p` of a flank, mm: the range of `F`.
+    pub fn total(&self, side: Flank) -> f64 {
+        range(self.flank(side))
     }
 
     /// Thickness of each tooth from its two flanks, mm at the reference circle, about the mean: `Δs_i = F_R,i − F_L,i` (design
@@ -107,14 +137,11 @@ impl Pitch {
     }
 }
 
-/// Single deviations `f_i = F_i − F_{i−1}` of cumulative ones; tooth 1 counts from the last tooth.
-pub(super) fn single(cumulative: &[f64]) -> Vec<f64> {
-    let before = cumulative.last().into_iter().chain(cumulative);
-    cumulative.iter().zip(before).map(|(f, b)| f - b).collect()
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len().max(1) as f64
+/// Greatest difference of a value and that `steps` teeth later.
+fn greatest_change(values: &[f64], steps: usize) -> f64 {
+    let later = values.iter().cycle().skip(steps);
+    let changes = values.iter().zip(later).map(|(f, later)| (later - f).abs());
+    changes.fold(0.0, f64::max)
 }
 
 fn about_mean(mut values: Vec<f64>) -> Vec<f64> {

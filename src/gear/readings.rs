@@ -78,10 +78,7 @@ impl Readings {
 /// A pitch deviation moves a flank by `F`. A thickness `δ` moves the right flank, towards the next number, by `δ/2` and the left
 /// flank by `−δ/2`.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct FlankShifts {
-    pub(super) right: Vec<f64>,
-    pub(super) left: Vec<f64>,
-}
+pub(crate) struct FlankShifts(pub(super) [Vec<f64>; 2]);
 
 impl FlankShifts {
     /// The displacements by `deviations`, without their eccentricity.
@@ -114,10 +111,8 @@ impl FlankShifts {
             }
             Ok(shifts)
         };
-        Ok(FlankShifts {
-            right: shifts(Flank::Right)?,
-            left: shifts(Flank::Left)?,
-        })
+        let [right, left] = Flank::BOTH.map(shifts);
+        Ok(FlankShifts([right?, left?]))
     }
 
     /// The displacements by `leads` where the anvils of a span over `k` teeth touch a helical gear; empty for a spur gear.
@@ -149,27 +144,22 @@ impl FlankShifts {
             let curves = lead.curves(teeth)?;
             let is_above = (own == Flank::Right) != (hand == Hand::Right);
             let height = lead.zero + if is_above { half } else { -half };
-            let shift = |tooth: usize| {
-                let curve = &curves[tooth.min(curves.len() - 1)];
-                -own.sense() / cos * curve.at(height)
-            };
-            Ok((0..teeth as usize).map(shift).collect())
+            let shift = |tooth| -own.sense() / cos * curves.of(tooth).at(height);
+            Ok((1..=teeth).map(shift).collect())
         };
-        Ok(FlankShifts {
-            right: of_side(Flank::Right)?,
-            left: of_side(Flank::Left)?,
-        })
+        let [right, left] = Flank::BOTH.map(of_side);
+        Ok(FlankShifts([right?, left?]))
     }
 
-    /// Adds further displacements; either may be empty.
-    pub(crate) fn add(&mut self, more: &FlankShifts) {
-        let both = [(&mut self.right, &more.right), (&mut self.left, &more.left)];
-        for (shifts, more) in both {
+    /// These and further displacements; either may be empty.
+    pub(crate) fn plus(mut self, more: &FlankShifts) -> FlankShifts {
+        for (shifts, more) in self.0.iter_mut().zip(&more.0) {
             shifts.resize(shifts.len().max(more.len()), 0.0);
             for (shift, more) in shifts.iter_mut().zip(more) {
                 *shift += more;
             }
         }
+        self
     }
 
     /// Whether no displacement differs by more than `most`, mm.
@@ -183,10 +173,7 @@ impl FlankShifts {
 
     /// Displacements of the own `flank`, tooth 1 first.
     pub(crate) fn flank(&self, own: Flank) -> &[f64] {
-        match own {
-            Flank::Right => &self.right,
-            Flank::Left => &self.left,
-        }
+        &self.0[own.index()]
     }
 
     /// Displacement of the `own` flank of the tooth `steps` after `tooth` (from 1), numbers modulo `z`.

@@ -20,6 +20,7 @@
 
 use super::{Deviations, Excess, Flank, FlankShifts, Gear, thickness};
 use crate::error::GearError;
+use crate::numeric::range;
 use nalgebra::{Complex, Vector2};
 use std::f64::consts::TAU;
 
@@ -89,8 +90,7 @@ impl RunoutReadings {
                 teeth,
             });
         }
-        let mut shifts = FlankShifts::new(basic_data, known)?;
-        shifts.add(&self.touched(gear, known)?);
+        let shifts = FlankShifts::new(basic_data, known)?.plus(&self.touched(gear, known)?);
         let even = FlankShifts::new(basic_data, &Deviations::default())?;
         let greatest = self.mm.iter().fold(0.0, |most: f64, mm| most.max(mm.abs()));
         // Rounding of readings and radii is some ulps of them.
@@ -196,11 +196,4 @@ impl RunoutReadings {
 
 fn difference(list: &[f64], other: &[f64]) -> Vec<f64> {
     list.iter().zip(other).map(|(a, b)| a - b).collect()
-}
-
-/// Greatest minus least value; 0 for an empty list.
-pub(crate) fn range(list: &[f64]) -> f64 {
-    let greatest = list.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let least = list.iter().copied().fold(f64::INFINITY, f64::min);
-    (greatest - least).max(0.0)
 }

@@ -61,9 +61,7 @@ impl Spans {
     }
 
     fn shifts(&self, known: &Deviations) -> Result<FlankShifts, GearError> {
-        let mut shifts = FlankShifts::new(&self.basic_data, known)?;
-        shifts.add(&self.touched);
-        Ok(shifts)
+        Ok(FlankShifts::new(&self.basic_data, known)?.plus(&self.touched))
     }
 
     /// Whether spans over `k` teeth at all `z` teeth determine each tooth: `L = z/gcd(z, k − 1)` is odd.

@@ -82,26 +82,10 @@ pub fn pins_from_base(basic_data: &BasicGearData, pin: f64, base_thickness: f64)
     2.0 * opposite(basic_data) * pin_centre_radius(basic_data, pin, base_thickness) + pin
 }
 
-/// Dimension `M_dR = 2 r_K + D_M` over two pins in the most opposite spaces of a helical gear.
+/// Dimension over two bodies of diameter `D_M` in the most opposite spaces.
 ///
-/// The pins lie along the spaces. Also for odd `z` they are opposite each other somewhere along a face of sufficient width.
-pub fn over_helical_pins(basic_data: &BasicGearData, pin: f64, base_thickness: f64) -> f64 {
-    2.0 * pin_centre_radius(basic_data, pin, base_thickness) + pin
-}
-
-/// `s_bt` from the dimension `M_dR` over two pins of a helical gear.
-///
-/// # Errors
-/// As [`base_from_pins`].
-pub fn base_from_helical_pins(
-    basic_data: &BasicGearData,
-    pin: f64,
-    over: f64,
-) -> Result<f64, GearError> {
-    base_from_pins(basic_data, pin, (over - pin) * opposite(basic_data) + pin)
-}
-
-/// Dimension over two bodies of diameter `D_M`.
+/// Pins of a helical gear lie along the spaces: `M_dR = 2 r_K + D_M`. Also for odd `z` they are opposite each other somewhere along a face
+/// of sufficient width.
 pub fn over_from_base(
     basic_data: &BasicGearData,
     body: MeasuringBody,
@@ -109,12 +93,14 @@ pub fn over_from_base(
     base_thickness: f64,
 ) -> f64 {
     match (body, basic_data.hand()) {
-        (MeasuringBody::Pin, Some(_)) => over_helical_pins(basic_data, diameter, base_thickness),
+        (MeasuringBody::Pin, Some(_)) => {
+            2.0 * pin_centre_radius(basic_data, diameter, base_thickness) + diameter
+        }
         _ => pins_from_base(basic_data, diameter, base_thickness),
     }
 }
 
-/// `s_bt` from the dimension over two bodies.
+/// `s_bt` from the dimension over two bodies, as of [`over_from_base`].
 ///
 /// # Errors
 /// As [`base_from_pins`].
@@ -125,7 +111,10 @@ pub fn base_from_over(
     over: f64,
 ) -> Result<f64, GearError> {
     match (body, basic_data.hand()) {
-        (MeasuringBody::Pin, Some(_)) => base_from_helical_pins(basic_data, diameter, over),
+        (MeasuringBody::Pin, Some(_)) => {
+            let of_balls = (over - diameter) * opposite(basic_data) + diameter;
+            base_from_pins(basic_data, diameter, of_balls)
+        }
         _ => base_from_pins(basic_data, diameter, over),
     }
 }

@@ -15,6 +15,7 @@ use super::error::MeasurementError;
 use super::runout::{Runout, RunoutStatement};
 use super::wobble::Wobble;
 use crate::gear::{BasicGearData, Face, Flank, GearDesign, Lead, involute};
+use crate::numeric::mean;
 use nalgebra::{Matrix2, UnitComplex, Vector2};
 
 /// Least share of the wobble's effect, in its worst direction, that slopes and crowns do not explain. Two teeth opposite each other leave
@@ -68,7 +69,7 @@ fn direction(data: &BasicGearData, tooth: f64) -> Vector2<f64> {
 /// Subtracts the mean.
 fn centred(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let values: Vec<f64> = values.collect();
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let mean = mean(&values);
     values.into_iter().map(|value| value - mean).collect()
 }
 

@@ -4,6 +4,7 @@ use super::finding::{Finding, MeanOnly, Quantity, SameKind};
 use super::settle::Flanks;
 use super::thickness_statement::{ThicknessStatement, Toleranced};
 use crate::gear::{BasicGearData, Gear, Spans, thickness};
+use crate::numeric::mean;
 
 /// Greatest mean of a list, in standard deviations. Tuned: a mean three standard deviations from 0 means that all values lie on one
 /// side of 0, as for values counted from the nominal thickness.
@@ -68,7 +69,7 @@ const VARIES: f64 = 0.1;
 
 /// Values in µm near the whole length in mm: thicknesses or pitches instead of deviations. A list of one value may be an offset.
 pub(super) fn looks_like_whole(quantity: Quantity, um: &[f64], whole_mm: f64) -> Option<Finding> {
-    let mean_um = um.iter().sum::<f64>() / um.len() as f64;
+    let mean_um = mean(um);
     let is_alike = |value: &f64| (value - mean_um).abs() < VARIES * mean_um;
     let differ = um.iter().any(|value| *value != um[0]);
     let is_whole = (mean_um - whole_mm).abs() < SHIFTED * whole_mm;

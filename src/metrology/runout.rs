@@ -6,9 +6,8 @@ use super::finding::{
 };
 use super::thickness_statement::Toleranced;
 use crate::error::GearError;
-use crate::gear::{
-    BasicGearData, Deviations, Gear, Probe, RunoutFit, RunoutReadings, range, thickness,
-};
+use crate::gear::{BasicGearData, Deviations, Gear, Probe, RunoutFit, RunoutReadings, thickness};
+use crate::numeric::range;
 
 /// A statement of the radial runout.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -50,7 +49,7 @@ impl ProbeReadings {
 
     /// Greatest minus least reading, µm.
     pub fn range_um(&self) -> f64 {
-        1000.0 * range(&self.mm())
+        1000.0 * range(self.mm())
     }
 }
 

@@ -387,7 +387,7 @@ impl ThicknessStatement {
         known: &Deviations,
         before: &FlankShifts,
     ) -> Result<FlankShifts, GearError> {
-        let mut shifts = match Excess::new(gear, &known.profiles)? {
+        let shifts = match Excess::new(gear, &known.profiles)? {
             None => FlankShifts::default(),
             Some(excess) => match self {
                 ThicknessStatement::Span { teeth, .. }
@@ -401,10 +401,10 @@ impl ThicknessStatement {
                 _ => FlankShifts::default(),
             },
         };
-        if let Some(k) = self.span() {
-            shifts.add(&FlankShifts::of_leads(gear, &known.leads, k)?);
+        match self.span() {
+            Some(k) => Ok(shifts.plus(&FlankShifts::of_leads(gear, &known.leads, k)?)),
+            None => Ok(shifts),
         }
-        Ok(shifts)
     }
 
     /// `k` of a span.

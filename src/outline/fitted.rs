@@ -16,6 +16,7 @@ use super::polygon;
 use super::teeth::find_teeth;
 use crate::error::OutlineError;
 use crate::gear::{PartCurve, Side, involute};
+use crate::numeric::mean;
 use nalgebra::{Complex, Matrix3, Point2, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -154,7 +155,7 @@ pub fn fit_involute(gear: &OutlineGear) -> Option<FittedInvolute> {
     let (mut residual, mut starts): (f64, Vec<f64>) = (0.0, Vec::new());
     for (first, points) in &flanks {
         let off = distances(points, base);
-        let mean = off.iter().sum::<f64>() / off.len() as f64;
+        let mean = mean(&off);
         residual = off
             .iter()
             .fold(residual, |most, off| most.max((off - mean).abs()));
@@ -202,7 +203,6 @@ fn base_radius(flanks: &[(f64, Vec<Polar>)], lowest: f64) -> Option<(f64, f64)> 
                 .iter()
                 .map(|(radius, angle)| angle + involute::roll_at(*radius, base).atan());
             let slope: Vec<f64> = slope.collect();
-            let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
             let (off_mean, slope_mean) = (mean(&off), mean(&slope));
             for (off, slope) in off.iter().zip(&slope) {
                 let slope = slope - slope_mean;

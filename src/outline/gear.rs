@@ -6,6 +6,7 @@ use super::teeth::{FoundTooth, find_teeth};
 use super::tooth_classes::ToothClasses;
 use crate::error::OutlineError;
 use crate::gear::{Face, Side};
+use crate::numeric::mean;
 use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
@@ -365,8 +366,7 @@ impl OutlineGear {
                 .zip(left)
                 .map(|(right, left)| 0.5 * (-left - right).rem_euclid(TAU))
         });
-        let angles: Vec<f64> = angles.collect();
-        angles.iter().sum::<f64>() / angles.len().max(1) as f64
+        mean(angles)
     }
 }
 

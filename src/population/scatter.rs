@@ -1,5 +1,6 @@
 //! The distribution of one number over a population.
 
+use crate::numeric::mean;
 use statrs::function::erf::{erfc, erfc_inv};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 use std::sync::Arc;
@@ -236,7 +237,7 @@ impl Scatter {
             Law::Triangular { low, mode, high } => (low + mode + high) / 3.0,
             Law::Normal { mean, .. } => *mean,
             Law::Rayleigh { scale } => scale * FRAC_PI_2.sqrt(),
-            Law::Table(values) => values.iter().sum::<f64>() / values.len() as f64,
+            Law::Table(values) => mean(values.iter()),
         }
     }
 

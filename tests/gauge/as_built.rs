@@ -49,7 +49,7 @@ fn spans_pitch_and_thickness() {
             let before = stands.iter().cycle().skip(stands.len() - 1);
             let both = stands.iter().zip(before);
             let single = both.map(|(here, before)| here - before);
-            all_near(own.single(flank), single, PICOMETRE);
+            all_near(own.cumulative.single(flank), single, PICOMETRE);
         }
 
         let mean = 2.0 * made.radius * (made.half - inv(made.alpha_t()));
@@ -80,7 +80,7 @@ fn datum_axis_pitch_separates_again() {
     let found = measure(&part, quick());
     let datum = found.pitch_datum.unwrap();
     // To first order the sine of amplitude e/cos α is in F_p.
-    assert!(datum.total(Flank::Right) > 2.0 * 0.04 / ALPHA.cos() * 0.9);
+    assert!(datum.cumulative.total(Flank::Right) > 2.0 * 0.04 / ALPHA.cos() * 0.9);
     let separated = separate_eccentricity(&datum.cumulative, part.gear()).unwrap();
     near("eccentricity", separated.eccentricity, 0.04, PICOMETRE);
     near("high tooth", separated.high_tooth, 17.5, 1e-6);

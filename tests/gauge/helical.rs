@@ -39,19 +39,22 @@ fn published_dimensions_over_balls_and_over_pins() {
                     near(teeth, reading.length, formula.unwrap(), reading.error);
                 }
             }
-            let (two, lying) = (OverPins::mean(&pins.two), OverPins::mean(&pins.lying));
+            let (two, lying) = (
+                Pins::summary(&pins.two).mean,
+                Pins::summary(&pins.lying).mean,
+            );
             let spans = found.spans.unwrap();
             for back in [
                 thickness::base_from_pins(&data, ball, two).unwrap(),
-                thickness::base_from_helical_pins(&data, ball, lying).unwrap(),
-                thickness::base_from_span(&data, spans.teeth, spans.mean()),
+                thickness::base_from_over(&data, MeasuringBody::Pin, ball, lying).unwrap(),
+                thickness::base_from_span(&data, spans.teeth, spans.summary().mean),
             ] {
                 near(teeth, back, base, PICOMETRE);
             }
             // s_n = m_n (π/2 + 2 x tan α_n) + A_sn.
             let arcs = found.thickness.unwrap();
             let normal = module * (TAU / 4.0 + 2.0 * shift * ALPHA.tan()) + allowance;
-            for arc in [arcs.mean(), formula.thickness.unwrap()] {
+            for arc in [arcs.summary().mean, formula.thickness.unwrap()] {
                 near(teeth, arc * arcs.normal, normal, PICOMETRE);
             }
             assert_eq!(found.stated.unwrap(), StatedThickness::Spans);

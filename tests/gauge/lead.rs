@@ -161,7 +161,7 @@ fn spans_at_heights_contain_the_leads_of_both_flanks() {
         let plain = gear_of(beta_deg);
         let gear = plain.clone().leads([lead(0.012, 0.0), lead(0.005, 0.0)]);
         let (gear, plain) = (gear.built(face), plain.built(face));
-        let nominal = measure(&plain, with_span(3)).spans.unwrap().mean();
+        let nominal = measure(&plain, with_span(3)).spans.unwrap().summary().mean;
         let angle = gear.gear().basic_data().base_helix_angle();
         let inwards = if face == Face::Front { 1.0 } else { -1.0 };
         for section in read(&gear).sections {

@@ -20,7 +20,7 @@ use gearlash::analytic::InvolutePair;
 use gearlash::contact::{ContactKind, CutPair, PoseClass, ToothPlace};
 use gearlash::error::go_on;
 use gearlash::gauge::{
-    FaceReadings, Gauged, OverPins, ProfileReadings, Roll, RollPose, Seat, Settings, Span,
+    FaceReadings, Gauged, OverPins, Pins, ProfileReadings, Roll, RollPose, Seat, Settings, Span,
     StatedThickness, Unmeasured, gauge, gauge_outline,
 };
 use gearlash::gear::{

@@ -53,7 +53,7 @@ fn reads_the_formulas() {
 
         let runout = found.runout.unwrap();
         assert!(runout.total() <= runout.error().min(PICOMETRE), "{teeth}");
-        let centre = (runout.mean(), runout.error());
+        let centre = (runout.radii().mean, runout.error());
         assert_reads(teeth, [centre], formula.ball_centre.unwrap());
         assert_eq!(found.eccentricity.as_ref().unwrap().amount, 0.0);
 
@@ -65,6 +65,7 @@ fn reads_the_formulas() {
         assert_reads(teeth, arcs, formula.thickness.unwrap());
         for pitch in [found.pitch_own.unwrap(), found.pitch_datum.unwrap()] {
             for side in Flank::BOTH {
+                let pitch = &pitch.cumulative;
                 assert!(pitch.total(side) < PICOMETRE && pitch.greatest_single(side) < PICOMETRE);
             }
         }
@@ -89,7 +90,7 @@ fn names_what_it_touches_off_the_involute() {
         let found = measure(&part, with_ball(ball)).runout.unwrap();
         assert_eq!(found.readings[0].seat.touched[0].curve, place);
         if let Some(radius) = radius {
-            near(ball, found.mean(), radius, PICOMETRE);
+            near(ball, found.radii().mean, radius, PICOMETRE);
         }
     }
     let sunk = measure(&part, with_pin(1.0, None)).pins;

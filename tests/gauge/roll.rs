@@ -49,7 +49,7 @@ fn an_eccentric_gear_moves_by_twice_its_eccentricity() {
             assert!(pose.error < 2e-10);
             near(what, pose.distance, expected, pose.error);
         }
-        let (total, error) = (roll.total, 2.0 * roll.reading_error());
+        let (total, error) = (roll.total, 2.0 * roll.distances().error);
         near(what, total.found, 2.0 * e, total.missed + error);
         // e cos χ is steepest at χ = π/2: e (cos(π/2 − τ/2) − cos(π/2 + τ/2)) within τ = 2π/z; the second order,
         // −e² sin² χ/(2 a_0), is the same at both ends of that window.
@@ -75,7 +75,7 @@ fn extremes_between_poses_are_bracketed() {
         let make = spur(teeth, 2.0).shift(shift).runout(e, 2.3);
         let part = make.per_tooth(wave(1)).pitch(&wave(2), &wave(3)).front();
         let [few, many] = [16, 16 * 5].map(|steps| rolled(&part, steps));
-        let error = 2.0 * few.reading_error();
+        let error = 2.0 * few.distances().error;
         // Over the even poses alone, which share nothing with the search.
         let ends = |poses: &[RollPose]| ends(poses.iter().map(|pose| pose.distance));
         let [least, most] = ends(&many.poses);

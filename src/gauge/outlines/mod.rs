@@ -39,7 +39,7 @@ type C = Complex<f64>;
 /// // As of the gear by its data, ISO 21771.
 /// let alpha = 20f64.to_radians();
 /// let span = 2.0 * alpha.cos() * (2.5 * std::f64::consts::PI + 20.0 * (alpha.tan() - alpha));
-/// assert!((spans.mean() - span).abs() < 1e-9);
+/// assert!((spans.summary().mean - span).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn gauge_outline(gear: &OutlineGear, span_teeth: Option<u32>, pin: Option<f64>) -> Gauged {

@@ -8,6 +8,7 @@ mod closed_form;
 mod cubic;
 mod modified;
 
+use super::DeviationCurve;
 pub use super::fillet::Fillet;
 pub use closed_form::{Arc, Circle, InvoluteFlank, Line};
 pub use cubic::Cubic;
@@ -200,12 +201,17 @@ impl PartCurve {
         }
     }
 
+    /// The profile deviation over the roll, if the curve has one.
+    pub fn deviation(&self) -> Option<&DeviationCurve> {
+        match self {
+            PartCurve::Modified(flank) => Some(flank.deviation()),
+            _ => None,
+        }
+    }
+
     /// Parameters at which the curve has an edge, ascending.
     pub fn edges(&self) -> &[f64] {
-        match self {
-            PartCurve::Modified(flank) => flank.deviation().edges(),
-            _ => &[],
-        }
+        self.deviation().map_or(&[], DeviationCurve::edges)
     }
 
     /// The stretches between two parameters, in order, cut at the edges: no bound holds for a chord across an edge.

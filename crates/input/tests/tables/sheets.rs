@@ -50,7 +50,10 @@ fn sheets_are_what_the_gauge_reads_on_their_gear() {
     let spans: Vec<f64> = spans.iter().map(|span| span.length).collect();
     agree("spans.csv", ["span", "zahnweite"], &spans, 0.0005);
     let thickness = read.thickness.unwrap();
-    let thicker = thickness.arcs.iter().map(|arc| um(arc - thickness.mean()));
+    let thicker = thickness
+        .arcs
+        .iter()
+        .map(|arc| um(arc - thickness.summary().mean));
     let thicker: Vec<f64> = thicker.collect();
     agree("thickness.csv", ["thickness", "dicke"], &thicker, 0.05);
 }

@@ -7,7 +7,7 @@ use super::panel::{Look, Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
 use gearlash::gauge::{FlankTraces, LeadReadings, ProfileReadings, TraceReading};
-use gearlash::gear::{Flank, Inspection, PitchAxis};
+use gearlash::gear::{Flank, Inspection, Pitch, PitchAxis};
 use gearlash_text::numbers::{fixed, um};
 
 /// Single and cumulative pitch of both flanks, thickness and runout of `gear` (its name). Panels without a deviation are left out.
@@ -20,8 +20,9 @@ pub fn inspection(
     inspection: &Inspection,
 ) -> Result<Chart, PictureError> {
     let plain = |name, values: &[f64]| vec![BarSeries::of_mm(name, values, Look::Plain)];
-    let single = BarSeries::of_flanks(|side| inspection.single(side)).to_vec();
-    let cumulative = BarSeries::of_flanks(|side| inspection.cumulative(side).to_vec()).to_vec();
+    let pitch = &inspection.pitch;
+    let single = BarSeries::of_flanks(|side| pitch.single(side)).to_vec();
+    let cumulative = BarSeries::of_flanks(|side| pitch.flank(side).to_vec()).to_vec();
     let thickness = plain("thickness", inspection.thickness());
     let runout = plain("displacement", inspection.runout());
     let groups = [
@@ -40,11 +41,9 @@ pub fn inspection(
             ..BarPanel::default()
         })
         .collect();
-    let both = |value: fn(&Inspection, Flank) -> f64| {
-        Flank::BOTH.map(|side| um(value(inspection, side), 1))
-    };
-    let [right, left] = both(Inspection::largest_single);
-    let [total_right, total_left] = both(Inspection::total_cumulative);
+    let both = |value: fn(&Pitch, Flank) -> f64| Flank::BOTH.map(|side| um(value(pitch, side), 1));
+    let [right, left] = both(Pitch::greatest_single);
+    let [total_right, total_left] = both(Pitch::total);
     let details = if groups[0].1.iter().any(moved) {
         format!(
             "{gear} · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm about its own axis · + along ascending numbers"

@@ -7,7 +7,7 @@ use crate::chart::{
     BarPanel, BarSeries, Heading, Limits, Look, PictureError, bar_panels, curve, leads, profiles,
 };
 use gearlash::gauge::{GradedReading, PitchReadings, Roll, RollPose, RunoutReadings};
-use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
+use gearlash::gear::{Flank, Grade, GradedQuantity, Pitch, PitchAxis};
 use gearlash_results::gauge::{ByTooth, Chart, GaugedGear, Length, lengths, page_name};
 use gearlash_text::characters::plain;
 use gearlash_text::numbers::{fixed, rounded, um};
@@ -134,13 +134,13 @@ fn mean_words(mean: f64, formula: Option<f64>) -> String {
 /// Spans, dimensions over pins and thickness: each reading less the mean.
 fn length_chart(gauged: &GaugedGear, length: &Length, by_tooth: &ByTooth) -> File {
     let values = by_tooth.values.iter();
-    let less = values.map(|mm| Some((mm - length.mean) * 1e3));
+    let less = values.map(|mm| Some((mm - length.readings.mean) * 1e3));
     let series = [BarSeries {
         name: "reading",
         values: less.collect(),
         look: Look::Plain,
     }];
-    let mean = mean_words(length.mean, length.formula);
+    let mean = mean_words(length.readings.mean, length.formula);
     let panel = BarPanel {
         title: &format!("{}, {mean}", length.name),
         y_axis: &format!("{} − mean, µm", by_tooth.symbol),
@@ -160,7 +160,8 @@ fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> File {
         um(eccentricity.map(|found| 2.0 * found.amount), 3)
     );
     let series = [BarSeries::of_mm("ball", &read.deviations(), Look::Plain)];
-    let ends = read.ends().map(|end| end - read.mean());
+    let radii = read.radii();
+    let ends = radii.ends.map(|end| end - radii.mean);
     let graded = coarsest(gauged, GradedQuantity::Runout, None);
     let limits = graded.map(|graded| range(&graded, ends));
     let panel = BarPanel {
@@ -179,9 +180,9 @@ fn pitch(gauged: &GaugedGear, chart: Chart, read: &PitchReadings) -> File {
         PitchAxis::Own => "the gear's own centre",
         PitchAxis::Datum => "the rotation axis",
     };
-    let both = |of: fn(&PitchReadings, Flank) -> f64| {
-        Flank::BOTH.map(|side| um(of(read, side), 3)).join(" / ")
-    };
+    let pitch = &read.cumulative;
+    let both =
+        |of: fn(&Pitch, Flank) -> f64| Flank::BOTH.map(|side| um(of(pitch, side), 3)).join(" / ");
     let graded = |quantity| coarsest(gauged, quantity, Some(read.axis));
     let total = graded(GradedQuantity::TotalPitch).map_or(String::new(), |graded| {
         format!(", F_p {}", tolerance(&graded).1)
@@ -189,15 +190,15 @@ fn pitch(gauged: &GaugedGear, chart: Chart, read: &PitchReadings) -> File {
     let titles = [
         format!(
             "single pitch deviation about {about} · f_p {} µm (right / left)",
-            both(PitchReadings::greatest_single)
+            both(Pitch::greatest_single)
         ),
         format!(
             "cumulative pitch deviation about {about} · F_p {} µm (right / left){total}",
-            both(PitchReadings::total)
+            both(Pitch::total)
         ),
     ];
-    let single = BarSeries::of_flanks(|side| read.single(side));
-    let cumulative = BarSeries::of_flanks(|side| read.cumulative.flank(side).to_vec());
+    let single = BarSeries::of_flanks(|side| pitch.single(side));
+    let cumulative = BarSeries::of_flanks(|side| pitch.flank(side).to_vec());
     let limits = graded(GradedQuantity::SinglePitch).map(|graded| {
         let (tolerance, name) = tolerance(&graded);
         Limits {
@@ -268,7 +269,7 @@ fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
 
 /// The double-flank roll test as a curve over one revolution.
 fn roll_chart(gauged: &GaugedGear, roll: &Roll) -> File {
-    let mean = roll.mean();
+    let mean = roll.distances().mean;
     let teeth = gauged.teeth;
     let value = |pose: &RollPose| Some(1e3 * (pose.distance - mean));
     let place = |pose: &RollPose| f64::from(pose.mating.wheel_tooth) + pose.mating.fraction;

@@ -91,7 +91,7 @@ fn deviations(read: &Gauged, screen: &Screen) -> String {
             "F_i'' {total}, f_i'' {single}: {} poses a pitch and {} more round the extremes, each ± {} µm",
             roll.steps_per_pitch,
             roll.between.len(),
-            order_um(roll.reading_error()),
+            order_um(roll.distances().error),
         );
     }
     for pitch in [&read.pitch_own, &read.pitch_datum].into_iter().flatten() {
@@ -158,7 +158,7 @@ fn along_face(found: &FaceReadings) -> String {
     }
     for read in &found.sections {
         let (spans, runout) = (read.spans.as_ref(), read.runout.as_ref());
-        let span = spans.map(|spans| format!(", W_k {} mm", ascii(spans.mean(), 6)));
+        let span = spans.map(|spans| format!(", W_k {} mm", ascii(spans.summary().mean, 6)));
         let runout = runout.map(|runout| format!(", F_r {} µm", um_ascii(runout.total(), 3)));
         let _ = writeln!(
             text,
@@ -199,8 +199,8 @@ fn both(pitch: &PitchReadings) -> String {
         format!(
             "{} flanks f_p {} µm, F_p {} µm",
             side.name(),
-            um_ascii(pitch.greatest_single(side), 3),
-            um_ascii(pitch.total(side), 3),
+            um_ascii(pitch.cumulative.greatest_single(side), 3),
+            um_ascii(pitch.cumulative.total(side), 3),
         )
     };
     format!("{}; {}", side(Flank::Right), side(Flank::Left))

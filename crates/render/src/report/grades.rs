@@ -92,11 +92,11 @@ fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
 /// Deviations that inspection sheets list in addition to graded ones.
 fn ungraded(gear: &str, pitch: &PitchReadings, flank: Flank) -> [Vec<Markup>; 3] {
     let eighth = "cumulative pitch over an eighth of the teeth";
-    let adjacent = pitch.adjacent_difference(flank);
-    let range = pitch.single_range(flank);
+    let adjacent = pitch.cumulative.adjacent_difference(flank);
+    let range = pitch.cumulative.single_range(flank);
     [
         ("f", "u", "difference of adjacent pitches", adjacent),
-        ("F", "p(z/8)", eighth, pitch.eighth(flank)),
+        ("F", "p(z/8)", eighth, pitch.cumulative.eighth(flank)),
         ("R", "p", "range of the single pitch", range),
     ]
     .map(|(letter, index, name, mm)| {

@@ -32,12 +32,12 @@ fn pitch_of_either_face_comes_back() {
         let found = found(face, deviations);
         for (side, curve) in Flank::BOTH.into_iter().zip(&curves) {
             for (i, f) in curve.iter().enumerate() {
-                assert!((found.cumulative(side)[i] - f).abs() < ROUNDING);
+                assert!((found.pitch.flank(side)[i] - f).abs() < ROUNDING);
                 let before = curve[(i + 11) % 12];
-                assert!((found.single(side)[i] - (f - before)).abs() < 2.0 * ROUNDING);
+                assert!((found.pitch.single(side)[i] - (f - before)).abs() < 2.0 * ROUNDING);
             }
             let [low, high] = ends(curve.iter().copied());
-            assert!((found.total_cumulative(side) - (high - low)).abs() < 2.0 * ROUNDING);
+            assert!((found.pitch.total(side) - (high - low)).abs() < 2.0 * ROUNDING);
         }
         // A right flank ahead of its left one, along ascending numbers, is thickness.
         let ahead = curves[0].iter().zip(&curves[1]);
@@ -61,9 +61,9 @@ fn thickness_comes_back_and_shows_in_the_pitch() {
         for (value, expected) in [
             (found.thickness()[4], 6e-3),
             (found.thickness()[5], 0.0),
-            (found.single(Flank::Right)[4], 3e-3),
-            (found.single(Flank::Left)[4], -3e-3),
-            (found.largest_single(Flank::Right), 3e-3),
+            (found.pitch.single(Flank::Right)[4], 3e-3),
+            (found.pitch.single(Flank::Left)[4], -3e-3),
+            (found.pitch.greatest_single(Flank::Right), 3e-3),
         ] {
             assert!((value - expected).abs() < ROUNDING, "{value} {expected}");
         }

@@ -6,8 +6,7 @@ use crate::layout::Screen;
 use gearlash::contact::Touch;
 use gearlash::gauge::{
     BallReading, FaceReadings, FlankTraces, Gauged, GradedReading, LeadReadings, OverPins,
-    PitchReadings, ProfileReadings, RollPose, SectionReadings, Span, Spans, TraceReading,
-    Unmeasured,
+    PitchReadings, ProfileReadings, RollPose, SectionReadings, Span, TraceReading, Unmeasured,
 };
 use gearlash::gear::{Flank, GRADE_SOURCE, Hand};
 use gearlash_input::spec::GearSpec;
@@ -77,7 +76,7 @@ fn gear(gauged: &GaugedGear) -> Value {
             "total_missed_um": found.total.missed * 1e3,
             "tooth_to_tooth_um": found.tooth_to_tooth.found * 1e3,
             "tooth_to_tooth_missed_um": found.tooth_to_tooth.missed * 1e3,
-            "error_bound_um": 2.0 * found.reading_error() * 1e3,
+            "error_bound_um": 2.0 * found.distances().error * 1e3,
             "poses": list(&found.poses),
             "between": list(&found.between),
         })),
@@ -175,12 +174,13 @@ fn both(error: f64, flank: impl Fn(Flank) -> Value) -> Value {
 
 fn pitch(found: &PitchReadings) -> Value {
     let um = |lengths: &[f64]| lengths.iter().map(|mm| mm * 1e3).collect::<Vec<f64>>();
+    let pitch = &found.cumulative;
     both(found.error, |side| {
         json!({
-            "single_greatest_um": found.greatest_single(side) * 1e3,
-            "total_um": found.total(side) * 1e3,
-            "single_um": um(&found.single(side)),
-            "cumulative_um": um(found.cumulative.flank(side)),
+            "single_greatest_um": pitch.greatest_single(side) * 1e3,
+            "total_um": pitch.total(side) * 1e3,
+            "single_um": um(&pitch.single(side)),
+            "cumulative_um": um(pitch.flank(side)),
         })
     })
 }
@@ -250,8 +250,8 @@ fn traces(flank: &FlankTraces, place: &str, mut shown: Value) -> Value {
 
 row_type!(row: SectionReadings {
     "from_reference_face_mm" Plain => row.height;
-    "spans_mm" Plain => row.spans.as_ref().map_or(Value::Null, |spans| json!(spans.ends()));
-    "mean_span_mm" Plain => row.spans.as_ref().ok().map(Spans::mean);
+    "spans_mm" Plain => row.spans.as_ref().map_or(Value::Null, |spans| json!(spans.summary().ends));
+    "mean_span_mm" Plain => row.spans.as_ref().ok().map(|spans| spans.summary().mean);
     "runout_um" Plain => row.runout.as_ref().ok().map(|runout| runout.total() * 1e3);
     "eccentricity_um" Plain => row.eccentricity.amount * 1e3;
     "high_tooth" Plain => row.eccentricity.high_tooth;

@@ -3,19 +3,15 @@
 use super::{Chart, GaugedGear};
 use crate::column::{Row, Value, row_type, shown};
 use crate::layout::Screen;
-use gearlash::gauge::OverPins;
+use gearlash::gauge::{Pins, Summary};
 use gearlash_text::numbers::{ascii, order_um, um_ascii};
 
 /// One length, mm.
 pub struct Length {
     /// The name of the gauge.
     pub name: String,
-    /// Least and greatest reading.
-    ends: [f64; 2],
-    /// Mean of the readings.
-    pub mean: f64,
-    /// Bound on the error of a reading.
-    error: f64,
+    /// Its readings.
+    pub readings: Summary,
     /// The value by formula at the mean thickness.
     pub formula: Option<f64>,
     /// The length at each tooth, where it varies.
@@ -38,9 +34,9 @@ pub struct ByTooth {
 impl Length {
     /// The tooth of an end, where the readings differ by more than their error bound.
     fn tooth(&self, end: usize) -> Value {
-        let range = self.ends[1] - self.ends[0];
-        let values = self.by_tooth.iter().filter(|_| range > self.error);
-        let place = values.flat_map(|of| of.values.iter().position(|mm| *mm == self.ends[end]));
+        let Summary { ends, error, .. } = self.readings;
+        let values = self.by_tooth.iter().filter(|_| ends[1] - ends[0] > error);
+        let place = values.flat_map(|of| of.values.iter().position(|mm| *mm == ends[end]));
         Value::optional(place.map(|place| place + 1).next())
     }
 
@@ -52,15 +48,15 @@ impl Length {
 
 row_type!(row: Length {
     "" Plain [heading(shown(""))] => row.name.clone();
-    "" Plain [heading(shown("least"))] => ascii(row.ends[0], 6);
+    "" Plain [heading(shown("least"))] => ascii(row.readings.ends[0], 6);
     "" Plain [heading(shown("at").spare(4))] => row.tooth(0);
-    "" Plain [heading(shown("mean"))] => ascii(row.mean, 6);
-    "" Plain [heading(shown("greatest"))] => ascii(row.ends[1], 6);
+    "" Plain [heading(shown("mean"))] => ascii(row.readings.mean, 6);
+    "" Plain [heading(shown("greatest"))] => ascii(row.readings.ends[1], 6);
     "" Plain [heading(shown("at").spare(4))] => row.tooth(1);
-    "" Plain [heading(shown("range"))] => um_ascii(row.ends[1] - row.ends[0], 3);
+    "" Plain [heading(shown("range"))] => um_ascii(row.readings.ends[1] - row.readings.ends[0], 3);
     "" Plain [heading(shown("formula").spare(1))] => row.by_formula(|formula| ascii(formula, 6));
-    "" Plain [heading(shown("off").spare(2))] => row.by_formula(|formula| um_ascii(formula.map(|formula| row.mean - formula), 3));
-    "" Plain [heading(shown("bound").spare(3))] => order_um(row.error);
+    "" Plain [heading(shown("off").spare(2))] => row.by_formula(|formula| um_ascii(formula.map(|formula| row.readings.mean - formula), 3));
+    "" Plain [heading(shown("bound").spare(3))] => order_um(row.readings.error);
 });
 
 /// The lengths of `gauged` as a table for a terminal; empty without any.
@@ -77,12 +73,10 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     let formula = &read.formula;
     let (is_helical, has_formula) = (gauged.is_helical(), gauged.data.is_some());
     let mut rows = Vec::new();
-    let mut add = |name: String, ends, mean, error, formula, by_tooth| {
+    let mut add = |name: String, readings, formula, by_tooth| {
         rows.push(Length {
             name,
-            ends,
-            mean,
-            error,
+            readings,
             formula,
             by_tooth,
             has_formula,
@@ -101,8 +95,7 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
         let name = format!("span {symbol}{}", if is_helical { ", normal" } else { "" });
         let values = spans.readings.iter().map(|one| one.length).collect();
         let each = by_tooth(Chart::SPANS, values, &symbol, "first tooth spanned");
-        let (ends, mean) = (spans.ends(), spans.mean());
-        add(name, ends, mean, spans.error(), formula.span, each);
+        add(name, spans.summary(), formula.span, each);
     }
     if let Ok(pins) = &read.pins {
         let gauges = if is_helical { "balls" } else { "pins" };
@@ -121,8 +114,7 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             let name = format!("{symbol}, {what} {} mm", pins.diameter);
             let values = list.iter().map(|one| one.length).collect();
             let each = by_tooth(chart, values, symbol, tooth);
-            let (ends, mean) = (OverPins::ends(list), OverPins::mean(list));
-            add(name, ends, mean, OverPins::error(list), formula, each);
+            add(name, Pins::summary(list), formula, each);
         }
     }
     if let Ok(thickness) = &read.thickness {
@@ -132,37 +124,37 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             ("s", "")
         };
         let name = format!("thickness {symbol}{section}");
-        let (ends, mean, error) = (thickness.ends(), thickness.mean(), thickness.error);
+        let arcs = thickness.summary();
         let each = by_tooth(Chart::THICKNESS, thickness.arcs.clone(), symbol, "tooth");
-        add(name, ends, mean, error, formula.thickness, each);
+        add(name, arcs, formula.thickness, each);
         if is_helical {
             let name = "thickness s_n, normal".to_owned();
             let normal = |arc: f64| arc * thickness.normal;
-            let by_formula = formula.thickness.map(normal);
-            add(
-                name,
-                ends.map(normal),
-                normal(mean),
-                error,
-                by_formula,
-                None,
-            );
+            let readings = Summary {
+                ends: arcs.ends.map(normal),
+                mean: normal(arcs.mean),
+                error: arcs.error,
+            };
+            add(name, readings, formula.thickness.map(normal), None);
         }
     }
     if let Ok(runout) = &read.runout {
         let name = format!("ball {} mm", runout.diameter);
-        let (ends, mean, error) = (runout.ends(), runout.mean(), runout.reading_error());
-        add(name, ends, mean, error, formula.ball_centre, None);
+        add(name, runout.radii(), formula.ball_centre, None);
     }
     if let Ok(root) = &read.root {
         let (name, d) = ("root diameter".to_owned(), 2.0 * root.radius);
         let by_formula = formula.root.map(|root| 2.0 * root);
-        add(name, [d; 2], d, 2.0 * root.error, by_formula, None);
+        let readings = Summary {
+            ends: [d; 2],
+            mean: d,
+            error: 2.0 * root.error,
+        };
+        add(name, readings, by_formula, None);
     }
     if let Ok(roll) = &read.roll {
         let name = format!("a'', master z {}", roll.master.basic_data().teeth());
-        let (ends, mean, error) = (roll.ends(), roll.mean(), roll.reading_error());
-        add(name, ends, mean, error, formula.distance, None);
+        add(name, roll.distances(), formula.distance, None);
     }
     rows
 }

@@ -55,7 +55,7 @@ fn pitch(read: &Gauged, axis: PitchAxis) -> Option<&PitchReadings> {
 }
 
 fn single(read: &Gauged, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> {
-    in_um(&pitch(read, axis)?.single(flank))
+    in_um(&pitch(read, axis)?.cumulative.single(flank))
 }
 
 fn cumulative(read: &Gauged, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> {

@@ -1,4 +1,4 @@
-//! One-dimensional numerics: bisection, false position, golden section, angles within one turn, mean and range.
+//! One-dimensional numerics: bisection, false position, golden section, angles within one turn, mean and range, divisors.
 //!
 //! A search returns its bracket. The caller takes the end that is on the safe side.
 
@@ -27,6 +27,11 @@ pub(crate) fn ends<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> [f64;
 pub(crate) fn range<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> f64 {
     let [least, most] = ends(values);
     (most - least).max(0.0)
+}
+
+/// The greatest common divisor; the other number if one is 0.
+pub(crate) fn gcd(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 /// Halves the bracket `[inside, outside]` of a place where `holds` changes from true to false.

@@ -6,7 +6,7 @@ use super::assembles_from::{
 use super::axes::{Axes, Axis, BearingEnds};
 use super::directions::{self, AnyDirection, PosedPair, Poses, Search, has_open_runout};
 use super::face_loss::FaceLoss;
-use super::phases::{phase, phase_count};
+use super::phases::phase;
 use super::study::{Run, RunPlan, Study};
 use crate::analytic::InvolutePair;
 use crate::contact::{
@@ -16,7 +16,7 @@ use crate::contact::{
 use crate::error::{Error, Tick, go_on};
 use crate::gear::{Side, has_different_teeth, thickness};
 use crate::outline::{AssembledPair, OutlinePair};
-use crate::pair::{FaceDeviation, GearPair, Mating, Member, SweepPlan, ToothNumbers};
+use crate::pair::{FaceDeviation, GearPair, Mating, Member, ToothNumbers};
 
 /// Width of a proven bracket of `j_wt`, mm.
 pub const WIDTH: f64 = PROVEN_WIDTH;
@@ -598,7 +598,7 @@ pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<CyclePlan<'
     let mut plans: Vec<CyclePlan> = Vec::new();
     for RunPlan { run, matings } in study.runs()? {
         let mut phases: Vec<u32> = if study.all_phases {
-            (1..=phase_count(&run.assembly)).collect()
+            (1..=run.assembly.phase_count()).collect()
         } else {
             let matings = matings.iter();
             matings.map(|mating| phase(&run.assembly, mating)).collect()
@@ -607,13 +607,13 @@ pub(super) fn plans<'t>(study: &Study, tick: &'t Tick) -> Result<Vec<CyclePlan<'
         phases.dedup();
         // Against perfect teeth the mating tooth does not matter.
         let distinct = distinct(&run.assembly);
-        let has_distinct_phases = phase_count(&run.assembly) > 1 && phases_differ(&run.assembly);
+        let has_distinct_phases = run.assembly.phase_count() > 1 && phases_differ(&run.assembly);
         if !has_distinct_phases {
             phases.truncate(1);
         }
         // A run of one phase among all has the others beside it.
         let count = match run.phase {
-            Some(_) => u64::from(phase_count(&run.assembly)),
+            Some(_) => u64::from(run.assembly.phase_count()),
             None => phases.len() as u64,
         };
         for pinion_tooth in phases {
@@ -660,7 +660,7 @@ fn cycle_of_outlines<'t>(
     OutlineCycle {
         first,
         distinct,
-        matings: hunting_pitches(pair),
+        matings: pair.hunting_pitches(),
         parts_of_effort,
         tick,
         classes: [pair.locked(), pair.free()].map(|member| pair.gear(member).tooth_classes()),
@@ -687,12 +687,6 @@ fn first_of_phase(pinion_tooth: u32) -> Mating {
     Mating::at(1, pinion_tooth, Side::Right)
 }
 
-/// lcm(z_1, z_2).
-pub(super) fn hunting_pitches(assembly: &impl ToothNumbers) -> u64 {
-    let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
-    SweepPlan::hunting_pitches(wheel, pinion)
-}
-
 /// Whether the extremes over the cycle depend on the assembly phase. They do not if all teeth of one gear are equal.
 pub(crate) fn phases_differ(assembly: &AssembledPair) -> bool {
     cycle_pair(assembly).have_unlike_teeth() == [true, true]
@@ -702,7 +696,7 @@ pub(crate) fn phases_differ(assembly: &AssembledPair) -> bool {
 pub(super) fn distinct(assembly: &AssembledPair) -> u64 {
     let teeth = |member| u64::from(assembly.teeth(member));
     match cycle_pair(assembly).have_unlike_teeth() {
-        [true, true] => hunting_pitches(assembly),
+        [true, true] => assembly.hunting_pitches(),
         [true, false] => teeth(Member::Wheel),
         [false, true] => teeth(Member::Pinion),
         [false, false] => 1,

@@ -8,16 +8,15 @@
 
 use super::assembles_from::Threshold;
 use super::compare::{ComparedPose, ComparedRun};
-use super::cycles::{CyclePlan, CycleResult, SearchedEnd, distinct, hunting_pitches, plans, worse};
+use super::cycles::{CyclePlan, CycleResult, SearchedEnd, distinct, plans, worse};
 use super::directions::PosedPair;
 use super::face_loss::FaceLoss;
-use super::phases::phase_count;
 use super::simulate::Simulation;
 use super::study::{Material, Run, RunPlan, Study};
 use crate::contact::{Doubt, End, Extreme, Method, Status, is_proven};
 use crate::error::{Error, Tick, go_on};
 use crate::outline::AssembledPair;
-use crate::pair::Member;
+use crate::pair::{Member, ToothNumbers};
 use crate::parallel;
 use std::cell::OnceCell;
 
@@ -177,7 +176,7 @@ impl RunExtremes {
             assembly: planned.run.assembly.clone(),
             phase: planned.phase,
             own_phase: planned.own_phase(),
-            matings: hunting_pitches(&planned.run.assembly),
+            matings: planned.run.assembly.hunting_pitches(),
             status: found.status,
             least: found.least.zip(least).map(one),
             greatest: found.greatest.zip(greatest).map(one),
@@ -389,7 +388,7 @@ impl CoveredPhases {
         for run in runs {
             if let Some(phase) = run.own_phase {
                 phases.push(phase);
-                all = phase_count(&run.assembly) as usize;
+                all = run.assembly.phase_count() as usize;
             }
         }
         phases.sort_unstable();

@@ -2,7 +2,7 @@
 
 use crate::analysis::tally::RunTally;
 use crate::contact::first_least;
-use crate::pair::{Mating, Member, SweepPlan, ToothNumbers};
+use crate::pair::{Mating, ToothNumbers};
 
 /// The phases of one centre distance and material.
 #[derive(Debug, Clone)]
@@ -15,15 +15,9 @@ pub struct PhaseGroup<'a> {
     pub worst: Option<&'a RunTally>,
 }
 
-/// Number of assembly phases of a pair.
-pub(crate) fn phase_count(assembly: &impl ToothNumbers) -> u32 {
-    let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
-    SweepPlan::phase_count(wheel, pinion)
-}
-
 /// The assembly phase of `mating`: the least pinion tooth whose right flank meets that of wheel tooth 1.
 pub fn phase(assembly: &impl ToothNumbers, mating: &Mating) -> u32 {
-    (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % phase_count(assembly) + 1
+    (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % assembly.phase_count() + 1
 }
 
 /// The runs of phases, grouped by centre distance and material, in order.

@@ -33,6 +33,14 @@ impl Deviations {
         basic_data.hand().is_some() && !self.leads.iter().all(Lead::is_none)
     }
 
+    /// Adds thickness, mm, to every tooth, tooth 1 first.
+    pub(crate) fn thicken(&mut self, by: &[f64]) {
+        self.per_tooth.resize(by.len(), 0.0);
+        for (thickness, by) in self.per_tooth.iter_mut().zip(by) {
+            *thickness += by;
+        }
+    }
+
     /// Adds the rotations by thickness and pitch to the `offsets` of the right and left flanks, rad, counter-clockwise.
     pub(super) fn offsets(
         &self,

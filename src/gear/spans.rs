@@ -15,6 +15,7 @@
 
 use super::{BasicGearData, Deviations, Flank, FlankShifts, Readings};
 use crate::error::GearError;
+use crate::numeric::gcd;
 
 /// Spans `W_k` over `k` teeth, at stated first teeth.
 #[derive(Debug, Clone, PartialEq)]
@@ -154,10 +155,6 @@ impl Spans {
 /// `L`: number of teeth in a cycle with steps of `k − 1`.
 fn cycle(z: u32, k: u32) -> u32 {
     z / gcd(z, k.saturating_sub(1)).max(1)
-}
-
-fn gcd(a: u32, b: u32) -> u32 {
-    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 #[cfg(test)]

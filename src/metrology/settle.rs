@@ -199,10 +199,7 @@ impl FlankStatements<'_> {
         let found = found.map_err(MeasurementError::PerTooth)?;
         let mut deviations = stated.clone();
         if let Some(found) = &found {
-            deviations.per_tooth.resize(found.thickness.len(), 0.0);
-            for (thickness, more) in deviations.per_tooth.iter_mut().zip(&found.thickness) {
-                *thickness += more;
-            }
+            deviations.thicken(&found.thickness);
         }
         let by_runout = counts == Some(EccentricitySource::Runout);
         if !by_runout {

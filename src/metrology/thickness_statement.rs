@@ -432,10 +432,7 @@ impl ThicknessStatement {
                 return Ok(None);
             };
             let mut standing = known.clone();
-            standing.per_tooth.resize(found.thickness.len(), 0.0);
-            for (thickness, more) in standing.per_tooth.iter_mut().zip(&found.thickness) {
-                *thickness += more;
-            }
+            standing.thicken(&found.thickness);
             let next = self.touched(gear, &standing, &touched)?;
             if next.is_near(&touched, ROUNDING * gear.tip_radius()) {
                 return Ok(Some(found));

@@ -1,6 +1,6 @@
 //! Mating teeth, and the rotations of both gears that follow.
 
-use super::{GearPair, Member};
+use super::{GearPair, Member, SweepPlan};
 use crate::gear::{Face, Side};
 
 /// A pair of mating teeth (w, p) at a flank, and a fraction of a pitch beyond it.
@@ -104,6 +104,16 @@ pub trait ToothNumbers {
     fn shown_face(&self, member: Member) -> Face;
     /// The locked gear.
     fn locked(&self) -> Member;
+
+    /// Number of assembly phases: gcd(z_1, z_2).
+    fn phase_count(&self) -> u32 {
+        SweepPlan::phase_count(self.teeth(Member::Wheel), self.teeth(Member::Pinion))
+    }
+
+    /// Pitches of a hunting cycle: lcm(z_1, z_2).
+    fn hunting_pitches(&self) -> u64 {
+        SweepPlan::hunting_pitches(self.teeth(Member::Wheel), self.teeth(Member::Pinion))
+    }
 
     /// The tooth of a gear `steps` places counter-clockwise of `tooth`.
     fn counter_clockwise(&self, member: Member, tooth: u32, steps: i64) -> u32 {

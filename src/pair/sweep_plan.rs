@@ -2,6 +2,7 @@
 
 use super::{Mating, Member, ToothNumbers};
 use crate::gear::Side;
+use crate::numeric::gcd;
 
 /// The poses of a simulation.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,10 +55,7 @@ impl SweepPlan {
         start: (u32, u32),
     ) -> SweepPlan {
         SweepPlan::Revolution {
-            pitches: SweepPlan::hunting_pitches(
-                assembly.teeth(Member::Wheel),
-                assembly.teeth(Member::Pinion),
-            ),
+            pitches: assembly.hunting_pitches(),
             steps_per_pitch,
             start,
         }
@@ -65,11 +63,7 @@ impl SweepPlan {
 
     /// Number of assembly phases of two gears: gcd(z_1, z_2).
     pub fn phase_count(wheel_teeth: u32, pinion_teeth: u32) -> u32 {
-        let (mut a, mut b) = (wheel_teeth, pinion_teeth);
-        while b != 0 {
-            (a, b) = (b, a % b);
-        }
-        a.max(1)
+        gcd(wheel_teeth, pinion_teeth).max(1)
     }
 
     /// Pitches of a hunting cycle: lcm(z_1, z_2).

@@ -6,7 +6,6 @@ use super::members::Population;
 use super::scatter::Scatter;
 use super::scatters::{GearScatter, LeadScatter};
 use crate::analysis::extremes::phases_differ;
-use crate::analysis::phases::phase_count;
 use crate::contact::End;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Face, Flank, Lead};
@@ -158,7 +157,7 @@ fn case(
     let in_phases = assemblies.iter().flat_map(|assembly| {
         let pair = &assembly.pair;
         let phases = if scatters.phase && phases_differ(pair) {
-            1..=phase_count(pair)
+            1..=pair.phase_count()
         } else {
             assembly.phase..=assembly.phase
         };

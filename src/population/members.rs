@@ -5,11 +5,10 @@ use super::factor::Factor;
 use super::scatter::{Scatter, normal_share, standard_normal};
 use super::scatters::{GearScatter, LeadScatter, PopulationError, Scatters, not_negative};
 use super::stream::{Draw, SampleKind, Stream};
-use crate::analysis::phases::phase_count;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Lead, Pitch};
 use crate::outline::{AssembledPair, GearChange};
-use crate::pair::Member;
+use crate::pair::{Member, ToothNumbers};
 
 /// A pair and its scatters.
 #[derive(Debug, Clone, PartialEq)]
@@ -120,7 +119,7 @@ impl Population {
         let farther = one(&self.scatters.center_distance, Factor::CenterDistance).unwrap_or(0.0);
         let distance = self.pair.center_distance() + farther;
         let play = one(&self.scatters.bearing_clearance, Factor::BearingClearance);
-        let phases = f64::from(phase_count(&self.pair));
+        let phases = f64::from(self.pair.phase_count());
         let phase = if self.scatters.phase {
             (stream(Factor::Phase).uniform() * phases) as u32 + 1
         } else {

@@ -2,10 +2,9 @@
 
 use super::factor::Factor;
 use super::scatter::Scatter;
-use crate::analysis::phases::phase_count;
 use crate::gear::{AsBuilt, Lead};
 use crate::outline::AssembledPair;
-use crate::pair::Member;
+use crate::pair::{Member, ToothNumbers};
 use std::sync::Arc;
 
 /// Scatters of one gear; lengths in mm. `None`: as the pair has it.
@@ -177,7 +176,7 @@ impl Scatters {
             Factor::CenterDistance => varies(&self.center_distance),
             Factor::Misalignment => self.lean.iter().any(varies),
             Factor::BearingClearance => varies(&self.bearing_clearance),
-            Factor::Phase => self.phase && phase_count(pair) > 1,
+            Factor::Phase => self.phase && pair.phase_count() > 1,
         }
     }
 }

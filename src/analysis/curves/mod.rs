@@ -88,19 +88,14 @@ fn with_left_flanks(
     Ok(runs)
 }
 
-/// Number of poses of [`revolution`].
-pub fn revolution_pose_count(study: &Study) -> u64 {
-    2 * with_sweep(study.clone()).pose_count()
-}
-
 /// Number of poses of [`with_revolution`].
 pub fn with_revolution_pose_count(study: &Study) -> u64 {
-    let own = if study.sweeps() {
-        0
+    let turned = 2 * with_sweep(study.clone()).pose_count();
+    if study.sweeps() {
+        turned
     } else {
-        study.pose_count()
-    };
-    own + revolution_pose_count(study)
+        study.pose_count() + turned
+    }
 }
 
 /// `study` with a sweep over whole revolutions: its own, or one wheel revolution from wheel tooth 1, in the assembly phase of its first

@@ -9,7 +9,7 @@ use crate::contact::{
 use crate::error::{Error, Tick};
 use crate::gear::Side;
 use crate::numeric::GOLDEN;
-use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
+use crate::pair::{GearPair, Mating, Member, Pose, ToothNumbers};
 use crate::parallel;
 use std::collections::HashSet;
 
@@ -149,8 +149,7 @@ impl PoseEvidence {
     ) -> Result<PoseEvidence, Error> {
         let pair = &self.assembly;
         let kernel = ExactKernel::new(pair);
-        let [wheel, pinion] = Member::BOTH.map(|member| pair.teeth(member));
-        let pitches = SweepPlan::hunting_pitches(wheel, pinion);
+        let pitches = pair.hunting_pitches();
         // Whole pitches at equal steps, and fractions by the golden section: every part of the cycle, and every phase of a pitch.
         let of_pose = |number: u32| {
             Error::if_stopped(tick(1))?;

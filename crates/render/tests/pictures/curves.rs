@@ -5,7 +5,7 @@ use super::{
     METHOD, UM, course, first_course, heading, on, over, over_pitches, revolved, study, study_of,
 };
 use gearlash::analysis::curves::{
-    Followed, binding, courses, followed, over_distance, revolution_pose_count, with_sweep,
+    Followed, binding, courses, followed, over_distance, with_revolution_pose_count, with_sweep,
 };
 use gearlash::analysis::measured::{Band, Bands};
 use gearlash::analysis::outcome::by_distance;
@@ -79,7 +79,7 @@ fn over_the_distance_the_printed_limits_are_met() {
 #[test]
 fn a_sweep_of_its_own_is_kept() {
     let study = study("tip_on_fillet_86x21.toml");
-    assert_eq!(revolution_pose_count(&study), 2 * 86 * 24);
+    assert_eq!(with_revolution_pose_count(&study), 2 * 86 * 24);
     let own = simulate(&study, METHOD, &on).unwrap();
     let runs = revolved(&study);
     let (right, left) = runs[0].poses.split_at(86 * 24);

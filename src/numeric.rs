@@ -1,4 +1,4 @@
-//! One-dimensional numerics: bisection, false position, golden section, angles within one turn, mean and range, divisors.
+//! One-dimensional numerics: bisection, false position, golden section, angles within one turn, mean and range, divisors and multiples.
 //!
 //! A search returns its bracket. The caller takes the end that is on the safe side.
 
@@ -32,6 +32,11 @@ pub(crate) fn range<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> f64 
 /// The greatest common divisor; the other number if one is 0.
 pub(crate) fn gcd(a: u32, b: u32) -> u32 {
     if b == 0 { a } else { gcd(b, a % b) }
+}
+
+/// The least common multiple; 0 if a number is 0.
+pub(crate) fn lcm(a: u32, b: u32) -> u64 {
+    u64::from(a / gcd(a, b).max(1)) * u64::from(b)
 }
 
 /// Halves the bracket `[inside, outside]` of a place where `holds` changes from true to false.

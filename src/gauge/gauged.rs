@@ -126,7 +126,14 @@ pub fn gauge(
     let pins = over_pins(&work, pin);
     let ball = settings.ball.unwrap_or(pin);
     let runout = runout(&work, ball);
-    let roll = roll(gear, settings, more, tick)?;
+    let roll = roll(
+        gear,
+        settings.master_teeth,
+        settings.steps_per_pitch,
+        settings.face,
+        more,
+        tick,
+    )?;
     let diameters = [
         pins.as_ref().ok().map(|p| p.diameter),
         runout.as_ref().ok().map(|r| r.diameter),

@@ -4,7 +4,7 @@
 //! part of a pitch apart give the curve. More poses are added where extremes are possible (see [`super::roll_extremes`]).
 
 use super::roll_extremes::{DeviationCurve, RollPose, RollRange, RollSample, bracketed};
-use super::{Settings, Summary, Unmeasured};
+use super::{Summary, Unmeasured};
 use crate::analytic::InvolutePair;
 use crate::contact::{Contact, LostMotion, PairAtDistance, PoseClass};
 use crate::error::{Error, GearError, Tick};
@@ -43,15 +43,16 @@ impl Roll {
     }
 }
 
-/// Rolls `gear` through one revolution over its face. `tick` is called as each pose begins, `more` with the number of further poses.
+/// Rolls `gear` through one revolution over its `face`. `tick` is called as each pose begins, `more` with the number of further poses.
 pub(super) fn roll(
     gear: &AsBuilt,
-    settings: &Settings,
+    master_teeth: Option<u32>,
+    steps_per_pitch: u32,
+    face: [f64; 2],
     more: &dyn Fn(usize),
     tick: &Tick,
 ) -> Result<Result<Roll, Unmeasured>, Error> {
-    let steps_per_pitch = settings.steps_per_pitch;
-    let master = match master(gear, settings.master_teeth) {
+    let master = match master(gear, master_teeth) {
         Ok(master) => master,
         Err(reason) => return Ok(Err(reason)),
     };
@@ -67,7 +68,7 @@ pub(super) fn roll(
     };
     let mate = AsBuilt::perfect(master.clone(), towards);
     let assembly = GearPair::with_locked(gear.clone(), mate, guess, Member::Wheel)?;
-    let assembly = assembly.with_face(settings.face)?;
+    let assembly = assembly.with_face(face)?;
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
     let bench = PairAtDistance::new(&assembly);

@@ -1,7 +1,8 @@
 //! Mating teeth, and the rotations of both gears that follow.
 
-use super::{GearPair, Member, SweepPlan};
+use super::{GearPair, Member};
 use crate::gear::{Face, Side};
+use crate::numeric::{gcd, lcm};
 
 /// A pair of mating teeth (w, p) at a flank, and a fraction of a pitch beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,12 +108,12 @@ pub trait ToothNumbers {
 
     /// Number of assembly phases: gcd(z_1, z_2).
     fn phase_count(&self) -> u32 {
-        SweepPlan::phase_count(self.teeth(Member::Wheel), self.teeth(Member::Pinion))
+        gcd(self.teeth(Member::Wheel), self.teeth(Member::Pinion)).max(1)
     }
 
     /// Pitches of a hunting cycle: lcm(z_1, z_2).
     fn hunting_pitches(&self) -> u64 {
-        SweepPlan::hunting_pitches(self.teeth(Member::Wheel), self.teeth(Member::Pinion))
+        lcm(self.teeth(Member::Wheel), self.teeth(Member::Pinion))
     }
 
     /// The tooth of a gear `steps` places counter-clockwise of `tooth`.

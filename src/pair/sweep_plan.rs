@@ -2,7 +2,7 @@
 
 use super::{Mating, Member, ToothNumbers};
 use crate::gear::Side;
-use crate::numeric::gcd;
+use crate::numeric::{gcd, lcm};
 
 /// The poses of a simulation.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,8 +68,7 @@ impl SweepPlan {
 
     /// Pitches of a hunting cycle: lcm(z_1, z_2).
     pub fn hunting_pitches(wheel_teeth: u32, pinion_teeth: u32) -> u64 {
-        let phases = SweepPlan::phase_count(wheel_teeth, pinion_teeth);
-        u64::from(wheel_teeth / phases) * u64::from(pinion_teeth)
+        lcm(wheel_teeth, pinion_teeth)
     }
 
     /// The runs of this plan for one pair: one run, or one run per phase, named by its mating teeth.

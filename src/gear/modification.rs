@@ -211,16 +211,19 @@ pub(super) fn of_teeth(
     let share = 1.0 / measured.len() as f64;
     let weighed: Vec<(f64, &DeviationCurve)> =
         measured.iter().map(|curve| (share, *curve)).collect();
-    let mut shapes: Vec<DeviationCurve> = measured.into_iter().map(total).collect();
-    let mean = shapes.len();
-    if mean < own.len() {
-        shapes.push(total(&DeviationCurve::sum(&weighed)));
-    }
-    let mut measured = 0..mean;
-    let of_tooth = own
-        .iter()
-        .map(|own| own.as_ref().and_then(|_| measured.next()).unwrap_or(mean));
-    Ok(ByTooth::new(shapes, of_tooth.collect()))
+    let mean = DeviationCurve::sum(&weighed);
+    // In the order of the first tooth of each.
+    let (mut shapes, mut of_mean) = (Vec::new(), None);
+    let mut shape = |trace: &DeviationCurve| {
+        shapes.push(total(trace));
+        shapes.len() - 1
+    };
+    let of_tooth = own.iter().map(|own| match own {
+        Some(own) => shape(own),
+        None => *of_mean.get_or_insert_with(|| shape(&mean)),
+    });
+    let of_tooth = of_tooth.collect();
+    Ok(ByTooth::new(shapes, of_tooth))
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ mod read;
 mod table;
 mod toml;
 
-use gearlash_text::{InputError, Node, Problem, Reading, Sources, Table, source};
+use gearlash_text::{InputError, Node, Problem, Reading, Sources, Table, characters, source};
 use serde::Serialize;
 use std::path::Path;
 use std::rc::Rc;
@@ -57,7 +57,7 @@ impl Imported {
     /// As JSON.
     pub fn to_json(&self) -> String {
         // Names are strings and numbers are finite: nothing that JSON cannot hold.
-        serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+        characters::json(serde_json::to_string_pretty(self).unwrap_or_default()) + "\n"
     }
 }
 

@@ -163,7 +163,8 @@
 //! // W_3 of 20 teeth, module 2: m cos α ((k − ½) π + z inv α), ISO 21771.
 //! let alpha = 20f64.to_radians();
 //! let span = 2.0 * alpha.cos() * (2.5 * std::f64::consts::PI + 20.0 * (alpha.tan() - alpha));
-//! assert!((gauged.spans.map_err(|error| error.to_string())?.mean() - span).abs() < 1e-9);
+//! let spans = gauged.spans.map_err(|error| error.to_string())?;
+//! assert!((spans.summary().mean - span).abs() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

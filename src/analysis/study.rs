@@ -8,6 +8,7 @@ use crate::gear::{AsBuilt, Side};
 use crate::metrology::GearNotes;
 use crate::outline::{AssembledPair, OutlineGear, OutlinePair};
 use crate::pair::{BacklashUnit, GearPair, Mating, Member, SweepPlan};
+use std::collections::HashMap;
 
 /// The end of the thickness tolerance in a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -355,9 +356,10 @@ impl Study {
                 plan.poses().saturating_mul(runs)
             }
             None => {
+                let measured = self.measured_matings();
                 let each = self.center_distances.iter();
-                let matings = each.map(|a| self.measured_matings(*a).len() as u64);
-                materials * matings.sum::<u64>()
+                let counts = each.filter_map(|a| Some(measured.get(&a.to_bits())?.len() as u64));
+                materials * counts.sum::<u64>()
             }
         }
     }
@@ -367,6 +369,7 @@ impl Study {
     /// # Errors
     /// None for a study from a file; otherwise a pair that cannot be assembled.
     pub fn runs(&self) -> Result<Vec<RunPlan>, Error> {
+        let measured = self.measured_matings();
         let mut runs = Vec::with_capacity(self.center_distances.len() * self.material_count());
         for &a in &self.center_distances {
             for (material, assembly) in self.pairs(a)? {
@@ -379,7 +382,10 @@ impl Study {
                     matings,
                 };
                 match &self.sweep {
-                    None => runs.push(plan(None, self.measured_matings(a))),
+                    None => {
+                        let matings = measured.get(&a.to_bits()).cloned();
+                        runs.push(plan(None, matings.unwrap_or_default()));
+                    }
                     Some(sweep) => {
                         let parts = sweep.parts().into_iter();
                         runs.extend(
@@ -392,13 +398,14 @@ impl Study {
         Ok(runs)
     }
 
-    /// A right-flank and a left-flank pose of each row measured at the centre distance `a`, mm.
-    fn measured_matings(&self, a: f64) -> Vec<Mating> {
-        let rows = self.measured.iter();
-        let here = rows.filter(|row| row.center_distance.to_bits() == a.to_bits());
-        here.flat_map(|row| {
-            Side::BOTH.map(|flank| Mating::at(row.wheel_tooth, row.pinion_tooth, flank))
-        })
-        .collect()
+    /// A right-flank and a left-flank pose of each measured row, by the bits of its centre distance.
+    fn measured_matings(&self) -> HashMap<u64, Vec<Mating>> {
+        let mut matings: HashMap<u64, Vec<Mating>> = HashMap::new();
+        for row in &self.measured {
+            let of_distance = matings.entry(row.center_distance.to_bits()).or_default();
+            let mating = |flank| Mating::at(row.wheel_tooth, row.pinion_tooth, flank);
+            of_distance.extend(Side::BOTH.map(mating));
+        }
+        matings
     }
 }

@@ -53,7 +53,7 @@ fn tooth_after(teeth: u32, tooth: u32, steps: u32) -> u32 {
     (tooth - 1 + steps) % teeth + 1
 }
 
-/// Readings of one length, mm.
+/// Summary of the readings of one length, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
     /// Least and greatest.

@@ -603,9 +603,9 @@ impl AsBuilt {
 
     /// Whether all teeth have one lead on each flank.
     pub(crate) fn has_one_lead(&self) -> bool {
-        let flanks = Flank::BOTH.into_iter();
-        let mut leads = flanks.filter_map(|flank| Some(self.leads.as_deref()?.of(flank)));
-        leads.all(|leads| leads.shapes().len() == 1)
+        let is_one = |leads: &Leads, flank| leads.of(flank).shapes().len() == 1;
+        let leads = self.leads.as_deref();
+        leads.is_none_or(|leads| Flank::BOTH.iter().all(|flank| is_one(leads, *flank)))
     }
 
     /// Teeth that have every lead of the gear: the first one, or all.

@@ -1,6 +1,6 @@
-//! What few teeth or all teeth of a gear share.
+//! Shapes that teeth of a gear share.
 
-/// Few shapes, and the shape of each tooth.
+/// The different shapes of a gear's teeth, and the shape of each tooth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ByTooth<T> {
     shapes: Vec<T>,
@@ -10,7 +10,7 @@ pub struct ByTooth<T> {
 
 impl<T> ByTooth<T> {
     /// One shape of all teeth.
-    pub fn same(shape: T) -> ByTooth<T> {
+    pub(super) fn same(shape: T) -> ByTooth<T> {
         ByTooth {
             shapes: vec![shape],
             of_tooth: Vec::new(),
@@ -28,7 +28,7 @@ impl<T> ByTooth<T> {
     }
 
     /// Index of a tooth's shape. `tooth` counts from 1.
-    pub fn shape_of(&self, tooth: u32) -> usize {
+    pub(super) fn shape_of(&self, tooth: u32) -> usize {
         let shape = self.of_tooth.get(tooth as usize - 1);
         shape.copied().unwrap_or(0)
     }
@@ -39,7 +39,7 @@ impl<T> ByTooth<T> {
     }
 
     /// Every shape changed by `change`.
-    pub fn map<U>(&self, change: impl FnMut(&T) -> U) -> ByTooth<U> {
+    pub(super) fn map<U>(&self, change: impl FnMut(&T) -> U) -> ByTooth<U> {
         ByTooth::new(
             self.shapes.iter().map(change).collect(),
             self.of_tooth.clone(),
@@ -50,7 +50,10 @@ impl<T> ByTooth<T> {
     ///
     /// # Errors
     /// Those of `change`.
-    pub fn try_map<U, E>(&self, change: impl FnMut(&T) -> Result<U, E>) -> Result<ByTooth<U>, E> {
+    pub(super) fn try_map<U, E>(
+        &self,
+        change: impl FnMut(&T) -> Result<U, E>,
+    ) -> Result<ByTooth<U>, E> {
         let shapes = self.shapes.iter().map(change).collect::<Result<_, _>>()?;
         Ok(ByTooth::new(shapes, self.of_tooth.clone()))
     }

@@ -73,7 +73,7 @@ impl Readings {
     }
 }
 
-/// Displacement of each of the gear's own flanks along ascending numbers, mm at the reference circle.
+/// Displacement of each of the gear's own flanks, right and left, along ascending numbers, mm at the reference circle.
 ///
 /// A pitch deviation moves a flank by `F`. A thickness `δ` moves the right flank, towards the next number, by `δ/2` and the left
 /// flank by `−δ/2`.

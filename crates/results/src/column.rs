@@ -44,13 +44,14 @@ pub(crate) fn list<'r, R: Row>(rows: impl IntoIterator<Item = &'r R>) -> Json {
     rows.into_iter().map(R::json).collect()
 }
 
-/// CSV of these records, written in memory, where no write fails.
+/// CSV of these records in memory. Each is a list of as many plain values, which CSV can hold.
 pub(crate) fn csv_text<R: Serialize>(records: impl IntoIterator<Item = R>) -> String {
     let mut writer = csv::WriterBuilder::new()
         .has_headers(false)
         .from_writer(Vec::new());
     for record in records {
-        let _ = writer.serialize(record);
+        let written = writer.serialize(record);
+        debug_assert!(written.is_ok(), "{written:?}");
     }
     let bytes = writer.into_inner().unwrap_or_default();
     String::from_utf8_lossy(&bytes).into_owned()

@@ -80,7 +80,7 @@ impl<'a> Attributes<'a> {
         found.ok_or_else(|| self.left_out(format!("has no {id}")))
     }
 
-    /// The reason why a stage becomes no pair because of the component.
+    /// Why the component keeps its stage from becoming a pair.
     pub fn left_out(&self, why: impl Display) -> String {
         format!("{} {why}", self.component.place())
     }

@@ -47,7 +47,7 @@ pub struct ImportedTable {
     /// "single" or "cumulative" for pitch, where the table states it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch_kind: Option<&'static str>,
-    /// Its place in the file; none in a protocol.
+    /// Its place in the file, and what the file states of it; none in a protocol.
     #[serde(skip)]
     pub(super) origin: Option<Origin>,
     /// Its sheet, where a workbook has several.

@@ -277,7 +277,7 @@ pub struct DesignatedDistanceSpec {
     is_field: bool,
 }
 
-/// Keeps the stated text and its meaning. Errors: a size beyond the table of ISO 286.
+/// Keeps the stated text and its meaning. Errors: a text that is no designation, and a size beyond the table of ISO 286.
 impl FromStr for DesignatedDistanceSpec {
     type Err = GearError;
 

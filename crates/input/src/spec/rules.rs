@@ -14,12 +14,12 @@ pub fn within(least: f64, most: f64) -> impl Fn(&mut Schema) {
     )
 }
 
-/// Every number is `least` or more.
+/// Every number is `least` or more, unless it has bounds of its own.
 pub fn at_least(least: f64) -> impl Fn(&mut Schema) {
     bounds("number", json!({ "minimum": number(least) }))
 }
 
-/// Every number is above 0 and at most `most`.
+/// Every number is above 0 and at most `most`, unless it has bounds of its own.
 pub fn above_zero(most: f64) -> impl Fn(&mut Schema) {
     bounds(
         "number",

@@ -11,8 +11,10 @@ pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Arithmetic mean; 0 without values.
 pub(crate) fn mean<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> f64 {
-    let values: Vec<f64> = values.into_iter().map(|value| *value.borrow()).collect();
-    values.iter().sum::<f64>() / values.len().max(1) as f64
+    let mut count = 0_u32;
+    let counted = values.into_iter().inspect(|_| count += 1);
+    let sum: f64 = counted.map(|value| *value.borrow()).sum();
+    sum / f64::from(count.max(1))
 }
 
 /// Least and greatest; infinities without values.

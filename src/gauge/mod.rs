@@ -65,7 +65,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Of readings and the bounds on their errors.
+    /// Summarises readings with the bounds on their errors.
     fn of(readings: impl Iterator<Item = (f64, f64)> + Clone) -> Summary {
         let lengths = readings.clone().map(|(length, _)| length);
         Summary {

@@ -6,10 +6,10 @@
 //! the root circle contains `x_E`. The thickness that matches the root is the mean; a further offset of all flanks is
 //! stated tooth by tooth. The variation from tooth to tooth is in the pitch of both flanks.
 
-use super::Unmeasured;
 use super::flanks::{PitchReadings, ThicknessReadings};
 use super::root::RootReading;
 use super::span::Spans;
+use super::{Summary, Unmeasured};
 use crate::gear::{AsBuilt, Gear, thickness as formula};
 
 /// The thickness in a gear file. Lengths in mm.
@@ -52,8 +52,11 @@ pub(super) fn stated(
     // Anvils on helical teeth touch beside the measuring plane, where leads add to the thickness.
     let has_leads = as_built.has_leads() && basic_data.hand().is_some();
     let spans = spans.as_ref().ok().filter(|_| !has_leads);
-    let by_spans =
-        |spans: &Spans| formula::base_from_span(basic_data, spans.teeth, spans.summary().mean);
+    let by_spans = |spans: &Spans| {
+        let Summary { mean, error, .. } = spans.summary();
+        let base = formula::base_from_span(basic_data, spans.teeth, mean);
+        (base, error / cos)
+    };
     let (base, error) = match (thickness, spans) {
         (Ok(arcs), _) => {
             // A gear file states the normal section.
@@ -62,7 +65,7 @@ pub(super) fn stated(
             let base = formula::base_from_allowance(basic_data, nominal, allowance);
             (base, arcs.error)
         }
-        (Err(_), Some(spans)) => (by_spans(spans), spans.summary().error / cos),
+        (Err(_), Some(spans)) => by_spans(spans),
         (Err(reason), None) => return Err(reason.clone()),
     };
     let allowance = formula::allowance_from_base(basic_data, nominal, base);
@@ -80,7 +83,7 @@ pub(super) fn stated(
         let checked = gear.and_then(|gear| formula::check_span(&gear, spans.teeth));
         checked.is_ok()
     };
-    if spans.is_some_and(|spans| beyond == 0.0 && readable(by_spans(spans), spans)) {
+    if spans.is_some_and(|spans| beyond == 0.0 && readable(by_spans(spans).0, spans)) {
         return Ok(StatedThickness::Spans);
     }
     let allowance = allowance - beyond;

@@ -603,9 +603,9 @@ impl AsBuilt {
 
     /// Whether all teeth have one lead on each flank.
     pub(crate) fn has_one_lead(&self) -> bool {
-        let is_one = |leads: &Leads, flank| leads.of(flank).shapes().len() == 1;
+        let mut flanks = Flank::BOTH.into_iter();
         let leads = self.leads.as_deref();
-        leads.is_none_or(|leads| Flank::BOTH.iter().all(|flank| is_one(leads, *flank)))
+        leads.is_none_or(|leads| flanks.all(|flank| leads.of(flank).shapes().len() == 1))
     }
 
     /// Teeth that have every lead of the gear: the first one, or all.

@@ -49,7 +49,7 @@ impl<T> ByTooth<T> {
     /// Every shape changed by `change`, or the first error.
     ///
     /// # Errors
-    /// Those of `change`.
+    /// As `change`.
     pub(super) fn try_map<U, E>(
         &self,
         change: impl FnMut(&T) -> Result<U, E>,

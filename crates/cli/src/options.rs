@@ -9,7 +9,7 @@ use gearlash::analysis::Analysis;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{METHODS_AGREE_WITHIN, Method, MethodAgreement};
-use gearlash::gear::AsBuilt;
+use gearlash::gear::{AsBuilt, Side};
 use gearlash::pair::{BacklashUnit, Member};
 use gearlash_drawing::Unit;
 use gearlash_input::outlines::OutlineOptions;
@@ -31,11 +31,22 @@ pub(super) const MATERIALS: [(Material, &str, &str); 2] = [
     (Material::Least, "least", "Teeth at their thinnest"),
 ];
 
-/// Parses one of `values`, each with its name and help.
+/// Values of `--flank`.
+pub(super) const FLANKS: [(Side, &str, &str); 2] =
+    [(Side::Right, "right", ""), (Side::Left, "left", "")];
+
+/// Parses one of `values`, each with its name and help; a name may need none.
 pub(super) fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     values: [(T, &'static str, &'static str); N],
 ) -> impl TypedValueParser<Value = T> {
-    let named = values.map(|(_, name, help)| PossibleValue::new(name).help(help));
+    let named = values.map(|(_, name, help)| {
+        let value = PossibleValue::new(name);
+        if help.is_empty() {
+            value
+        } else {
+            value.help(help)
+        }
+    });
     PossibleValuesParser::new(named).try_map(move |name| {
         let found = values.iter().find(|(_, own, _)| *own == name);
         found.map(|(value, ..)| *value).ok_or("unknown name")

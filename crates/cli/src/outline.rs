@@ -30,8 +30,8 @@ pub(super) struct Args {
     #[arg(long, value_parser = one_of(MATERIALS), default_value = "most")]
     material: Material,
     /// File format
-    #[arg(long, value_parser = ["dxf", "svg", "csv"])]
-    format: String,
+    #[arg(long, value_parser = one_of(FORMATS))]
+    format: Format,
     /// Greatest distance of a chord from its curve, µm
     #[arg(long, value_name = "T", default_value_t = 1.0, value_parser = tolerance, allow_negative_numbers = true)]
     tolerance_um: f64,
@@ -42,6 +42,16 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
+
+/// A format of outlines, and the ending of its files.
+type Format = (OutlineFormat, &'static str);
+
+/// Values of `--format`.
+const FORMATS: [(Format, &str, &str); 3] = [
+    ((OutlineFormat::Dxf, "dxf"), "dxf", ""),
+    ((OutlineFormat::Svg, "svg"), "svg", ""),
+    ((OutlineFormat::Csv, "csv"), "csv", ""),
+];
 
 /// A tolerance in µm.
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -101,12 +111,7 @@ pub(super) fn run(args: &Args) -> Result<u8, Error> {
     };
     let section_mm = section(args.section, entry, gear)?;
     check_size(args.tolerance_um, gear)?;
-    let ending = &args.format[..];
-    let format = match ending {
-        "dxf" => OutlineFormat::Dxf,
-        "svg" => OutlineFormat::Svg,
-        _ => OutlineFormat::Csv,
-    };
+    let (format, ending) = args.format;
     let target = match &args.output {
         // A CSV file is allowed here: it is the table itself.
         Some(file) if ending == "csv" && has_extension(file, &["csv"]) => {

@@ -5,7 +5,7 @@ use crate::cycle::{self, Binding, Found, Wanted};
 use crate::distances;
 use crate::error::{Error, exit_code};
 use crate::input;
-use crate::options::{self, MATERIALS, all_proven, material, name_of, one_of, teeth};
+use crate::options::{self, FLANKS, MATERIALS, all_proven, material, name_of, one_of, teeth};
 use crate::output::Target;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::contact::{
@@ -30,8 +30,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "W,P", value_parser = teeth)]
     mating: Option<(u32, u32)>,
     /// Flank at the pitch point, seen from the front
-    #[arg(long, value_parser = ["right", "left"])]
-    flank: Option<String>,
+    #[arg(long, value_parser = one_of(FLANKS))]
+    flank: Option<Side>,
     /// Pose with the least backlash of the mesh cycle; with a kind, of the poses that such a contact bounds
     #[arg(long, value_name = "KIND", value_enum, num_args = 0..=1, require_equals = true, conflicts_with_all = ["mating", "flank", "fraction"])]
     worst: Option<Option<Binding>>,
@@ -153,7 +153,7 @@ fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
         };
         return Ok((found, format!("{name}_a{distance}_{end}")));
     }
-    let (Some(teeth), Some(flank)) = (args.mating, &args.flank) else {
+    let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
         return Err(Error::usage(
             "which pose? give --mating W,P and --flank right|left, --worst or --greatest",
         ));
@@ -165,7 +165,7 @@ fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
         "snapshot_{}_{}_{}_a{}_{}",
         mating.wheel_tooth,
         mating.pinion_tooth,
-        flank,
+        flank.name(),
         assembly.center_distance(),
         material.name()
     );
@@ -208,7 +208,7 @@ fn mating(
     (wheel_tooth, pinion_tooth): (u32, u32),
     fraction: f64,
     assembly: &AssembledPair,
-    flank: &str,
+    flank: Side,
 ) -> Result<Mating, Error> {
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
         let teeth = assembly.teeth(member);
@@ -224,11 +224,6 @@ fn mating(
             "--fraction {fraction}: a number of pitches between -1000 and 1000"
         )));
     }
-    let flank = if flank == "left" {
-        Side::Left
-    } else {
-        Side::Right
-    };
     Ok(Mating {
         fraction,
         ..Mating::at(wheel_tooth, pinion_tooth, flank)

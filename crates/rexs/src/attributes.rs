@@ -50,13 +50,16 @@ impl<'a> Attributes<'a> {
 
     /// A number.
     /// Errors: the text is no number, or its unit differs.
-    pub fn number(&self, id: &str, unit: Unit) -> Result<Option<f64>, Problem> {
+    pub fn number(&self, id: &str, unit: Unit) -> Result<Option<f64>, String> {
         let Some(text) = self.text(id) else {
             return Ok(None);
         };
-        let wrong = |reason: &str, help: &str| Problem {
-            value: Some(shown(text)),
-            ..Problem::at(self.component.place_of(id), reason, help)
+        let wrong = |reason: &str, help: &str| {
+            let problem = Problem {
+                value: Some(shown(text)),
+                ..Problem::at(self.component.place_of(id), reason, help)
+            };
+            problem.to_string()
         };
         let stated = self.component.attribute(id).and_then(|a| a.unit.as_deref());
         if let Some(other) = stated.filter(|stated| !unit.contains(stated)) {
@@ -87,7 +90,7 @@ impl<'a> Attributes<'a> {
 
     /// A whole number from 1 on; `None` where it is absent.
     /// Errors: as [`Attributes::number`]; a fraction, zero or negative.
-    pub fn count(&self, id: &str) -> Result<Option<u32>, Problem> {
+    pub fn count(&self, id: &str) -> Result<Option<u32>, String> {
         let Some(number) = self.number(id, NUMBER)? else {
             return Ok(None);
         };
@@ -95,10 +98,11 @@ impl<'a> Attributes<'a> {
             return Ok(Some(number as u32));
         }
         let (place, reason) = (self.component.place_of(id), "not a whole number above 0");
-        Err(Problem {
+        let problem = Problem {
             value: Some(number.to_string()),
             ..Problem::at(place, reason, "correct it")
-        })
+        };
+        Err(problem.to_string())
     }
 
     /// Ids of the attributes that were not read.

@@ -78,7 +78,7 @@ impl Document {
 
     /// The component with an id.
     /// Errors: it does not exist.
-    pub fn component(&self, id: i32, relation: &Relation) -> Result<&Component, Problem> {
+    pub fn component(&self, id: i32, relation: &Relation) -> Result<&Component, String> {
         let found = self.components.iter().find(|component| component.id == id);
         found.ok_or_else(|| {
             relation.problem(format!(
@@ -124,7 +124,7 @@ impl Component {
 impl Relation {
     /// The component in a role.
     /// Errors: no component has it, or several do.
-    pub fn one(&self, role: &str) -> Result<i32, Problem> {
+    pub fn one(&self, role: &str) -> Result<i32, String> {
         let mut all = self.refs.iter().filter(|(r, _)| r == role);
         match (all.next(), all.next()) {
             (Some((_, id)), None) => Ok(*id),
@@ -135,8 +135,8 @@ impl Relation {
         }
     }
 
-    fn problem(&self, reason: String) -> Problem {
-        Problem::at(format!("relation {}", self.id), reason, EXPORT_AGAIN)
+    fn problem(&self, reason: String) -> String {
+        Problem::at(format!("relation {}", self.id), reason, EXPORT_AGAIN).to_string()
     }
 }
 

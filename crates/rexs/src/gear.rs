@@ -5,7 +5,6 @@ use super::document::{Component, Document, Relation};
 use super::thickness::{self, Generated, Thickness};
 use gearlash::gear::{BasicGearData, Hand};
 use gearlash_input::spec::RackSpec;
-use gearlash_text::Problem;
 
 const HELIX: &str = "helix_angle_reference_diameter";
 const SETTINGS: &str = "manufacturing_settings";
@@ -196,11 +195,7 @@ fn tools<'a>(document: &'a Document, parts: &[i32]) -> Vec<(&'a Relation, i32)> 
 
 /// The basic rack of a rack-shaped tool: its addendum cuts the dedendum, its tip round the root round. `None` where one of the
 /// two is not stated.
-fn rack(
-    tool: &Attributes,
-    module: f64,
-    addendum: Option<f64>,
-) -> Result<Option<RackSpec>, Problem> {
+fn rack(tool: &Attributes, module: f64, addendum: Option<f64>) -> Result<Option<RackSpec>, String> {
     let in_modules = |names: &[(&str, Unit)]| {
         for (name, unit) in names {
             if let Some(number) = tool.number(name, unit)? {
@@ -208,7 +203,7 @@ fn rack(
                 return Ok(Some(number / per));
             }
         }
-        Ok::<_, Problem>(None)
+        Ok::<_, String>(None)
     };
     let dedendum = in_modules(&[
         ("addendum_coefficient_reference_profile", NUMBER),
@@ -229,7 +224,7 @@ fn rack(
 }
 
 /// Left and right flank of a gear.
-fn flanks(document: &Document, gear: i32) -> Result<Vec<Attributes<'_>>, Problem> {
+fn flanks(document: &Document, gear: i32) -> Result<Vec<Attributes<'_>>, String> {
     let mut flanks = Vec::new();
     if let Some(relation) = document.relations("flank", "gear", gear).next() {
         for side in ["left", "right"] {
@@ -245,7 +240,7 @@ fn settings<'a>(
     document: &'a Document,
     gear: i32,
     flanks: &[Attributes],
-) -> Result<Vec<Attributes<'a>>, Problem> {
+) -> Result<Vec<Attributes<'a>>, String> {
     let mut settings: Vec<Attributes> = Vec::new();
     let flanks = flanks.iter().map(|flank| flank.component().id);
     for id in [gear].into_iter().chain(flanks) {

@@ -52,12 +52,6 @@ impl fmt::Display for Problem {
     }
 }
 
-impl From<Problem> for String {
-    fn from(problem: Problem) -> String {
-        problem.to_string()
-    }
-}
-
 /// An input file that cannot be used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{}", self.lines().join("\n"))]

@@ -163,8 +163,8 @@ impl PartCurve {
         }
     }
 
-    /// Points, mm, and a radius, mm: curves of one kind between near ends lie no farther apart than these together; `None` of curves that are not given
-    /// by points.
+    /// Points, mm, and a radius, mm. Two curves of one kind between near ends are apart by no more than the differences of both together. `None` for
+    /// curves that are not given by points.
     pub(crate) fn moved_by(&self) -> Option<(Vec<Point2<f64>>, f64)> {
         match self {
             PartCurve::Line(_) => Some((Vec::new(), 0.0)),
